@@ -1,0 +1,44 @@
+# Helpers that every lib, app and test of the tree is declared with.
+
+# Options common to all targets: C++17, warnings, sanitizers.
+function(roomgraph_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  # A library that serves several programs must give the same numbers in each:
+  # fused multiply-add would round differently from one machine to the next.
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wpedantic -ffp-contract=off)
+  if(ROOMGRAPH_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(ROOMGRAPH_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${ROOMGRAPH_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${ROOMGRAPH_SANITIZE})
+  endif()
+endfunction()
+
+# roomgraph_add_library(NAME SOURCES file... [DEPENDS lib...] [PRIVATE_DEPENDS lib...])
+# One stage of the pipeline: target roomgraph_NAME, alias roomgraph::NAME.
+# A stage sees the headers of its DEPENDS only, so the include rule is the link line.
+function(roomgraph_add_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target roomgraph_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(roomgraph::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+  roomgraph_compile_options(${target})
+  install(TARGETS ${target} EXPORT roomgraph ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# roomgraph_add_test(LIB STEP... ) builds tests/LIB/STEP_unittest.cpp, one program per lib.
+function(roomgraph_add_test lib)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS" ${ARGN})
+  set(target test_${lib})
+  add_executable(${target} ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE roomgraph::${lib} ${ARG_DEPENDS} GTest::gtest_main)
+  roomgraph_compile_options(${target})
+  gtest_discover_tests(${target} PROPERTIES LABELS ${lib} DISCOVERY_TIMEOUT 60)
+endfunction()

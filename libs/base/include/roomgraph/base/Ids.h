@@ -1,0 +1,37 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace roomgraph {
+
+/** The index of a thing in the vector that owns it, or none.
+ *  Ids of different things are different types, so one is never taken for another. */
+template <class Thing>
+class Id {
+ public:
+  constexpr Id() = default;
+  constexpr explicit Id(std::size_t index) : value_(static_cast<std::uint32_t>(index)) {}
+
+  static constexpr Id none() { return {}; }
+  constexpr bool isNone() const { return value_ == kNone; }
+  constexpr explicit operator bool() const { return !isNone(); }
+  /** Must not be called on none. */
+  constexpr std::size_t index() const { return value_; }
+
+  friend constexpr bool operator==(Id a, Id b) { return a.value_ == b.value_; }
+  friend constexpr bool operator!=(Id a, Id b) { return a.value_ != b.value_; }
+  /** None sorts last. */
+  friend constexpr bool operator<(Id a, Id b) { return a.value_ < b.value_; }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t value_ = kNone;
+};
+
+using VertexId = Id<struct VertexTag>;
+using EdgeId = Id<struct EdgeTag>;
+using HalfEdgeId = Id<struct HalfEdgeTag>;
+using RoomId = Id<struct RoomTag>;
+
+}  // namespace roomgraph

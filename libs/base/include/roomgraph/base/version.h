@@ -1,0 +1,8 @@
+#pragma once
+
+namespace roomgraph {
+
+/** The version of the library that is linked, as "major.minor.patch". */
+const char* version();
+
+}  // namespace roomgraph

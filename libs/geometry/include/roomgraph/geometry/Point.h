@@ -1,0 +1,26 @@
+#pragma once
+#include <cmath>
+
+namespace roomgraph {
+
+/** A place or a displacement in the plane [m, map frame]. */
+struct Point {
+  double x = 0, y = 0;
+
+  friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+  friend Point operator*(double s, Point a) { return {s * a.x, s * a.y}; }
+  friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+  friend bool operator!=(Point a, Point b) { return !(a == b); }
+  /** By x, then by y. */
+  friend bool operator<(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+};
+
+inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+inline double squaredNorm(Point a) { return dot(a, a); }
+inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }
+inline double distance(Point a, Point b) { return norm(b - a); }
+inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }
+
+}  // namespace roomgraph

@@ -1,0 +1,45 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/geometry/Point.h"
+
+namespace roomgraph {
+
+/** A closed chain of points; the last is joined to the first and not repeated. */
+using Ring = std::vector<Point>;
+
+/** A connected area with holes. The outer ring runs counter-clockwise, the holes clockwise.
+ *  Rings may touch themselves and each other in single points, and never cross. */
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+
+/** Area that the ring encloses [m2], positive where it runs counter-clockwise (paper III-G). */
+double signedArea(const Ring& ring);
+
+/** Area of the polygon without its holes [m2]. */
+double area(const Polygon& polygon);
+
+/** Centre of mass of the polygon without its holes (paper III-G); the mean of the outer ring's
+ *  points where the area is 0. Lies outside of the polygon where that is concave enough. */
+Point centroid(const Polygon& polygon);
+
+/** Where a point lies to a polygon. */
+enum class Side { inside, onBoundary, outside };
+
+/** Exact for the given coordinates. O(n) in the number of ring points. */
+Side sideOf(const Polygon& polygon, Point p);
+
+struct Box {
+  Point low, high;
+
+  bool contains(Point p) const {
+    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
+  }
+};
+
+/** The smallest upright box round the points; they must not be empty. */
+Box boundingBox(const std::vector<Point>& points);
+
+}  // namespace roomgraph

@@ -1,0 +1,104 @@
+#include "roomgraph/geometry/Polygon.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+
+namespace roomgraph {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/** Twice the signed area and six times the first moments of a ring, about `origin`. */
+struct Moments {
+  double area2 = 0, x6 = 0, y6 = 0;
+};
+
+// About a near origin, so that maps far from the frame's origin lose no digits.
+void addMoments(const Ring& ring, Point origin, Moments& sum) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i] - origin;
+    const Point b = ring[i + 1 < ring.size() ? i + 1 : 0] - origin;
+    const double c = cross(a, b);
+    sum.area2 += c;
+    sum.x6 += (a.x + b.x) * c;
+    sum.y6 += (a.y + b.y) * c;
+  }
+}
+
+bool isOnSegment(Point p, Point a, Point b) {
+  using P = Kernel::Point_2;
+  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y) &&
+         CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::COLLINEAR;
+}
+
+/** Whether the ray from p in +x crosses a–b; half open in y, so that shared ends count once. */
+bool rayCrosses(Point p, Point a, Point b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  if (a.y > b.y) std::swap(a, b);
+  using P = Kernel::Point_2;
+  return CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::LEFT_TURN;
+}
+
+enum class RingSide { even, odd, on };
+
+RingSide crossings(const Ring& ring, Point p) {
+  bool isOdd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i];
+    const Point b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    if (isOnSegment(p, a, b)) return RingSide::on;
+    if (rayCrosses(p, a, b)) isOdd = !isOdd;
+  }
+  return isOdd ? RingSide::odd : RingSide::even;
+}
+
+}  // namespace
+
+double signedArea(const Ring& ring) {
+  if (ring.empty()) return 0;
+  Moments sum;
+  addMoments(ring, ring.front(), sum);
+  return sum.area2 / 2;
+}
+
+double area(const Polygon& polygon) {
+  double sum = signedArea(polygon.outer);
+  for (const Ring& hole : polygon.holes) sum += signedArea(hole);
+  return sum;
+}
+
+Point centroid(const Polygon& polygon) {
+  const Point origin = polygon.outer.front();
+  Moments sum;
+  addMoments(polygon.outer, origin, sum);
+  for (const Ring& hole : polygon.holes) addMoments(hole, origin, sum);
+  if (sum.area2 != 0) return origin + (1 / (3 * sum.area2)) * Point{sum.x6, sum.y6};
+  Point mean;
+  for (const Point p : polygon.outer) mean = mean + (1.0 / double(polygon.outer.size())) * p;
+  return mean;
+}
+
+Side sideOf(const Polygon& polygon, Point p) {
+  const RingSide outer = crossings(polygon.outer, p);
+  if (outer == RingSide::on) return Side::onBoundary;
+  if (outer == RingSide::even) return Side::outside;
+  for (const Ring& hole : polygon.holes) {
+    const RingSide inner = crossings(hole, p);
+    if (inner == RingSide::on) return Side::onBoundary;
+    if (inner == RingSide::odd) return Side::outside;
+  }
+  return Side::inside;
+}
+
+Box boundingBox(const std::vector<Point>& points) {
+  Box box{points.front(), points.front()};
+  for (const Point p : points) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+  return box;
+}
+
+}  // namespace roomgraph
