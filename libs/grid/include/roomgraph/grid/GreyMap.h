@@ -1,0 +1,30 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "roomgraph/base/Notes.h"
+#include "roomgraph/grid/GridFrame.h"
+
+namespace roomgraph {
+
+/** A map as it was read, before any decision: how light each cell is. */
+struct GreyMap {
+  GridFrame frame;
+  /** Row-major, row 0 lowest. 0 is surely occupied, 255 surely free: 255 * (1 - p(occupied)) for
+   *  occupancy maps, (R + G + B + 1) / 3 for pictures. */
+  std::vector<std::uint8_t> grey;
+  /** The thresholds that the source's format calls for, as probabilities of being occupied: a cell
+   *  is occupied above the one and free below the other. */
+  double occupiedAbove = 0.5, freeBelow = 0.5;
+  /** Where the map came from. */
+  struct Source {
+    std::string file;      ///< as the caller named it
+    std::string kind;      ///< "gridmap", "simplemap", "ros_map", "image"
+    std::string sha256;    ///< of the file's bytes, lower-case hex
+    std::string insertion; ///< how a simplemap was built into a grid, "key = value; ..."; else empty
+  } source;
+  Notes notes;
+};
+
+}  // namespace roomgraph

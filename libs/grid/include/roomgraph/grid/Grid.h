@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/grid/GridFrame.h"
+
+namespace roomgraph {
+
+enum class State : std::uint8_t { unknown, free, occupied };
+
+/** A map with one decision per cell. */
+struct Grid {
+  GridFrame frame;
+  std::vector<State> cells;  ///< row-major, row 0 lowest
+
+  State at(Cell c) const { return cells[frame.index(c)]; }
+  /** What lies beyond the border is unknown. */
+  State atOrUnknown(Cell c) const { return frame.contains(c) ? at(c) : State::unknown; }
+  bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstddef>
+
+#include "roomgraph/geometry/Point.h"
+
+namespace roomgraph {
+
+/** A cell by column and row; row 0 is the lowest (smallest y). */
+struct Cell {
+  int x = 0, y = 0;
+};
+
+/** How the cells of a grid lie in the map frame: the only place that knows cells and metres. */
+struct GridFrame {
+  int width = 0, height = 0;  ///< cells
+  double resolution = 0;      ///< side of a cell [m]
+  Point origin;               ///< outer corner of cell (0, 0): smallest x and y of the map [m]
+
+  std::size_t cellCount() const { return std::size_t(width) * std::size_t(height); }
+  bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  /** Row-major index; the cell must be contained. */
+  std::size_t index(Cell c) const { return std::size_t(c.y) * std::size_t(width) + std::size_t(c.x); }
+  Point center(Cell c) const {
+    return {origin.x + (c.x + 0.5) * resolution, origin.y + (c.y + 0.5) * resolution};
+  }
+  /** The cell that holds `p`, which may lie outside of the grid. A point far outside of it (or NaN)
+   *  gives a cell outside of it. */
+  Cell cellAt(Point p) const;
+};
+
+}  // namespace roomgraph

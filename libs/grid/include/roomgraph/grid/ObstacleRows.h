@@ -1,0 +1,24 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/grid/obstacle_sites.h"
+
+namespace roomgraph {
+
+/** The obstacle cells by rows, to ask how far a straight way keeps from them. Keeps a reference to
+ *  the sites, which must outlive it. */
+class ObstacleRows {
+ public:
+  /** O(rows). */
+  explicit ObstacleRows(const ObstacleSites& sites);
+
+  /** Distance from the segment a–b to the nearest centre of an obstacle cell [m], or `limit` where
+   *  that is farther. O(cells within `limit` of the segment). */
+  double clearance(Point a, Point b, double limit) const;
+
+ private:
+  const ObstacleSites& sites_;
+  std::vector<std::size_t> firstInRow_;  // from row -1 to one past row `height`
+};
+
+}  // namespace roomgraph

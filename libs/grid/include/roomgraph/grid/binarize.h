@@ -1,0 +1,27 @@
+#pragma once
+#include "roomgraph/base/Options.h"
+#include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/grid/Grid.h"
+
+namespace roomgraph {
+
+// Paper IV-C, step 1
+// In:   GreyMap
+// Out:  Grid
+// Next: thinObstacles
+
+struct BinarizeOptions {
+  /** Sum R + G + B at or below which a cell is occupied, all others being free; 0 for three states
+   *  with the thresholds of the map's own format. */
+  int blackThreshold = 0;
+  double occupiedAbove = 0;  ///< probability; 0 for that of the map's format
+  double freeBelow = 0;      ///< probability; 0 for that of the map's format
+  /** Unknown patches up to this size that touch free cells only become free [m2]. */
+  double maxUnknownSpeckle = 0.02;
+};
+void describe(BinarizeOptions& options, FieldTable& table);
+
+/** Decides for each cell whether it is free, occupied or unknown. O(cells). */
+Grid binarize(const GreyMap& map, const BinarizeOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,21 @@
+#include "roomgraph/grid/GridFrame.h"
+
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+// Clamped to just outside of the grid: an int cannot hold every double.
+int cellIndex(double offset, double resolution, int count) {
+  const double index = std::floor(offset / resolution);
+  if (!(index >= 0)) return -1;
+  return index < count ? int(index) : count;
+}
+
+}  // namespace
+
+Cell GridFrame::cellAt(Point p) const {
+  return {cellIndex(p.x - origin.x, resolution, width), cellIndex(p.y - origin.y, resolution, height)};
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "roomgraph/geometry/Point.h"
+
+namespace roomgraph {
+
+/** A place that is equally near to three or more obstacles, its nearest ones. */
+struct VoronoiVertex {
+  Point at;              ///< [m, map frame]
+  double clearance = 0;  ///< distance to those obstacles [m]
+};
+
+/** The places between two vertices that are equally near to two obstacles, their nearest ones. */
+struct VoronoiEdge {
+  /** Stands for the end of an edge that runs to infinity. */
+  static constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
+
+  std::uint32_t source = kNoVertex, target = kNoVertex;  ///< vertices; only target may be kNoVertex
+  std::uint32_t left = 0, right = 0;  ///< the two sites, as seen when going from source to target
+  double minClearance = 0;  ///< smallest distance to an obstacle along the edge [m]
+
+  bool isInfinite() const { return target == kNoVertex; }
+};
+
+/** The Voronoi diagram of the obstacles as a graph; its dual is their Delaunay triangulation.
+ *  Where more than three obstacles lie on one circle there is one vertex, so that the graph does
+ *  not depend on the map's pose. Edges between two infinite ends (all sites on one line) are left
+ *  out. */
+struct VoronoiGraph {
+  std::vector<Point> sites;  ///< [m, map frame]
+  std::vector<VoronoiVertex> vertices;
+  std::vector<VoronoiEdge> edges;
+};
+
+}  // namespace roomgraph

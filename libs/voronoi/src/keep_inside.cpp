@@ -1,0 +1,76 @@
+#include "roomgraph/voronoi/keep_inside.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/base/UnionFind.h"
+
+namespace roomgraph {
+namespace {
+
+/** Clears the flags of what a disc of `radius` reaches from infinity. */
+void removeOutside(const VoronoiGraph& graph, double radius, InsideFlags& isInside) {
+  const auto infinity = std::uint32_t(graph.vertices.size());
+  UnionFind regions(graph.vertices.size() + 1);
+  for (const VoronoiEdge& edge : graph.edges)
+    if (edge.minClearance > radius)
+      regions.join(edge.source, edge.isInfinite() ? infinity : edge.target);
+  const std::uint32_t outside = regions.find(infinity);
+  for (std::uint32_t v = 0; v < infinity; ++v)
+    if (regions.find(v) == outside) isInside[v] = 0;
+}
+
+void removeNotFree(const VoronoiGraph& graph, const Grid& grid, InsideFlags& isInside) {
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+    if (isInside[v] && !grid.isFree(graph.vertices[v].at)) isInside[v] = 0;
+}
+
+/** Keeps the connected set of Delaunay faces with the largest area. */
+void keepBiggest(const VoronoiGraph& graph, InsideFlags& isInside) {
+  UnionFind polygons(graph.vertices.size());
+  const auto isInner = [&](std::uint32_t v) {
+    return v != VoronoiEdge::kNoVertex && isInside[v];
+  };
+  for (const VoronoiEdge& edge : graph.edges)
+    if (isInner(edge.source) && isInner(edge.target)) polygons.join(edge.source, edge.target);
+  // Twice the area of each face, summed over its Delaunay edges; shared edges cancel.
+  std::vector<double> area(graph.vertices.size(), 0.0);
+  for (const VoronoiEdge& edge : graph.edges) {
+    const Point origin = graph.sites.front();
+    const double twice = cross(graph.sites[edge.right] - origin, graph.sites[edge.left] - origin);
+    if (isInner(edge.source)) area[polygons.find(edge.source)] += twice;
+    if (isInner(edge.target)) area[polygons.find(edge.target)] -= twice;
+  }
+  if (area.empty()) return;
+  const auto biggest =
+      std::uint32_t(std::max_element(area.begin(), area.end()) - area.begin());
+  for (std::uint32_t v = 0; v < isInside.size(); ++v)
+    if (isInside[v] && polygons.find(v) != biggest) isInside[v] = 0;
+}
+
+}  // namespace
+
+void describe(KeepInsideOptions& options, FieldTable& table) {
+  const char* section = "keep_inside";
+  table.number(section, "outside_width", options.outsideWidth, "m", 0.5, 1000,
+               "Outside is what a disc of this diameter reaches from beyond all obstacles.");
+  table.number(section, "outside_alpha_px2", options.outsideAlphaPx2, "px2", 0, 1e9,
+               "The same as alpha, the disc's squared radius in cells; 0 for outside_width.");
+  table.flag(section, "biggest_only", options.biggestOnly,
+             "Keep the biggest outer polygon only, as the paper does.");
+  table.flag(section, "free_only", options.freeOnly, "Keep only what lies in free cells.");
+}
+
+InsideFlags keepInside(const VoronoiGraph& graph, const Grid& grid,
+                       const KeepInsideOptions& options) {
+  InsideFlags isInside(graph.vertices.size(), 1);
+  const double radius = options.outsideAlphaPx2 > 0
+                            ? std::sqrt(options.outsideAlphaPx2) * grid.frame.resolution
+                            : options.outsideWidth / 2;
+  removeOutside(graph, radius, isInside);
+  if (options.freeOnly) removeNotFree(graph, grid, isInside);
+  if (options.biggestOnly) keepBiggest(graph, isInside);
+  return isInside;
+}
+
+}  // namespace roomgraph

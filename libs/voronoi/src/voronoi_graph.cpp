@@ -1,0 +1,101 @@
+#include "roomgraph/voronoi/voronoi_graph.h"
+
+#include <algorithm>
+#include <boost/polygon/voronoi.hpp>
+
+// Cells are sites as they are: Boost only has to find their coordinates.
+template <>
+struct boost::polygon::geometry_concept<roomgraph::Cell> {
+  using type = boost::polygon::point_concept;
+};
+template <>
+struct boost::polygon::point_traits<roomgraph::Cell> {
+  using coordinate_type = int;
+  static int get(const roomgraph::Cell& cell, boost::polygon::orientation_2d axis) {
+    return axis == boost::polygon::HORIZONTAL ? cell.x : cell.y;
+  }
+};
+
+namespace roomgraph {
+namespace {
+
+using Diagram = boost::polygon::voronoi_diagram<double>;
+
+/** Smallest distance to the sites p and q along the edge a–b that keeps equally far from both. */
+double minClearance(Point p, Point q, Point a, Point b, double clearanceA, double clearanceB) {
+  const Point between = midpoint(p, q);
+  const double along = dot(between - a, b - a);
+  const bool passesBetween = along > 0 && along < squaredNorm(b - a);
+  return passesBetween ? distance(p, q) / 2 : std::min(clearanceA, clearanceB);
+}
+
+/** The same for the ray from `a` that keeps equally far from p on its left and q on its right. */
+double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
+  const Point ahead{p.y - q.y, q.x - p.x};
+  return dot(midpoint(p, q) - a, ahead) > 0 ? distance(p, q) / 2 : clearanceA;
+}
+
+class Converter {
+ public:
+  Converter(const ObstacleSites& sites, const Diagram& diagram)
+      : frame_(sites.frame), diagram_(diagram) {
+    graph_.sites.reserve(sites.cells.size());
+    for (const Cell cell : sites.cells) graph_.sites.push_back(frame_.center(cell));
+    graph_.vertices.reserve(diagram.num_vertices());
+    graph_.edges.reserve(diagram.num_edges() / 2);
+  }
+
+  VoronoiGraph run() {
+    for (const auto& vertex : diagram_.vertices()) addVertex(vertex);
+    const auto& edges = diagram_.edges();
+    // Twins stand side by side: every second edge is one of each pair.
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2) addEdge(edges[i]);
+    return std::move(graph_);
+  }
+
+ private:
+  void addVertex(const Diagram::vertex_type& vertex) {
+    const Point at{frame_.origin.x + (vertex.x() + 0.5) * frame_.resolution,
+                   frame_.origin.y + (vertex.y() + 0.5) * frame_.resolution};
+    const auto site = vertex.incident_edge()->cell()->source_index();
+    graph_.vertices.push_back({at, distance(at, graph_.sites[site])});
+  }
+
+  void addEdge(const Diagram::edge_type& boostEdge) {
+    const auto* edge = boostEdge.vertex0() ? &boostEdge : boostEdge.twin();
+    if (!edge->vertex0()) return;
+    VoronoiEdge result;
+    result.source = indexOf(edge->vertex0());
+    result.left = std::uint32_t(edge->cell()->source_index());
+    result.right = std::uint32_t(edge->twin()->cell()->source_index());
+    const Point p = graph_.sites[result.left], q = graph_.sites[result.right];
+    const VoronoiVertex& source = graph_.vertices[result.source];
+    if (edge->vertex1()) {
+      result.target = indexOf(edge->vertex1());
+      const VoronoiVertex& target = graph_.vertices[result.target];
+      result.minClearance =
+          minClearance(p, q, source.at, target.at, source.clearance, target.clearance);
+    } else {
+      result.minClearance = minClearanceOfRay(p, q, source.at, source.clearance);
+    }
+    graph_.edges.push_back(result);
+  }
+
+  std::uint32_t indexOf(const Diagram::vertex_type* vertex) const {
+    return std::uint32_t(vertex - diagram_.vertices().data());
+  }
+
+  GridFrame frame_;
+  const Diagram& diagram_;
+  VoronoiGraph graph_;
+};
+
+}  // namespace
+
+VoronoiGraph voronoiGraph(const ObstacleSites& sites) {
+  Diagram diagram;
+  boost::polygon::construct_voronoi(sites.cells.begin(), sites.cells.end(), &diagram);
+  return Converter(sites, diagram).run();
+}
+
+}  // namespace roomgraph
