@@ -1,0 +1,89 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/base/Ids.h"
+#include "roomgraph/topology/Path.h"
+
+namespace roomgraph {
+
+enum class VertexKind {
+  junction,  ///< three or more ways meet; or a place with no way at all
+  deadEnd,   ///< a way ends
+  border,    ///< a way enters or leaves a room (paper II, "border vertex")
+  room,      ///< stands for a whole room
+  ring       ///< put on a closed way that has no junction
+};
+
+struct Vertex {
+  Point at;              ///< [m, map frame]
+  double clearance = 0;  ///< distance to the nearest obstacle [m]
+  VertexKind kind = VertexKind::junction;
+  RoomId room;  ///< the room it lies in or borders; none elsewhere (the paper's -1)
+};
+
+/** A way between two vertices, with its path from source to target. */
+struct Edge {
+  VertexId source, target;
+  Path path;
+  RoomId room;  ///< for paths inside of a room; none for corridors
+};
+
+/** Vertices joined by edges (paper II). Each edge is a pair of half edges, twins of each other; the
+ *  half edge that runs as the path does has the even number. Parallel edges and self loops are
+ *  legal: two doors may join the same two places, and a way may run round an obstacle. */
+class TopologyGraph {
+ public:
+  TopologyGraph() = default;
+  /** Every edge must join vertices of the graph. O(vertices + edges). */
+  TopologyGraph(std::vector<Vertex> vertices, std::vector<Edge> edges);
+
+  const std::vector<Vertex>& vertices() const { return vertices_; }
+  const std::vector<Edge>& edges() const { return edges_; }
+  const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }
+  const Edge& edge(EdgeId e) const { return edges_[e.index()]; }
+
+  static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.index() ^ 1); }
+  static EdgeId edgeOf(HalfEdgeId h) { return EdgeId(h.index() / 2); }
+  static bool runsAsPath(HalfEdgeId h) { return h.index() % 2 == 0; }
+  const Edge& edge(HalfEdgeId h) const { return edge(edgeOf(h)); }
+  VertexId source(HalfEdgeId h) const { return runsAsPath(h) ? edge(h).source : edge(h).target; }
+  VertexId target(HalfEdgeId h) const { return source(twin(h)); }
+  /** The path in the direction of the half edge (paper II, "half path"). A copy. */
+  Path halfPath(HalfEdgeId h) const;
+
+  /** The half edges that leave `v`, by edge number; a self loop leaves twice. */
+  struct HalfEdgeRange {
+    const HalfEdgeId* first;
+    const HalfEdgeId* last;
+    const HalfEdgeId* begin() const { return first; }
+    const HalfEdgeId* end() const { return last; }
+    std::size_t size() const { return std::size_t(last - first); }
+    HalfEdgeId front() const { return *first; }
+  };
+  HalfEdgeRange outgoing(VertexId v) const;
+  std::size_t degree(VertexId v) const { return outgoing(v).size(); }
+  /** An edge one of whose ends has no other edge (paper II, "dead end"). */
+  bool isDeadEnd(EdgeId e) const;
+
+  /** Takes the parts out, for a step that builds its own graph from them. */
+  std::vector<Vertex> takeVertices() && { return std::move(vertices_); }
+  std::vector<Edge> takeEdges() && { return std::move(edges_); }
+
+ private:
+  std::vector<Vertex> vertices_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> firstOut_;  // per vertex into out_, one more at the end
+  std::vector<HalfEdgeId> out_;
+};
+
+/** The graph of the vertices and edges that are flagged to be kept, in their order. Edges of a
+ *  vertex that goes must not be kept. */
+TopologyGraph keepOnly(TopologyGraph graph, const std::vector<bool>& keepVertex,
+                       const std::vector<bool>& keepEdge);
+
+/** Joins the two edges of every junction or dead end that has exactly two ends into one, and sets
+ *  the kinds of junctions and dead ends anew. A cycle of such vertices keeps its widest one, as a
+ *  ring vertex. Vertices of other kinds stay. */
+TopologyGraph dissolveThrough(TopologyGraph graph);
+
+}  // namespace roomgraph

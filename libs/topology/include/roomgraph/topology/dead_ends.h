@@ -1,0 +1,29 @@
+#pragma once
+#include "roomgraph/base/Options.h"
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+// Paper III-A: "the dead ends ... are removed"
+// In:   TopologyGraph
+// Out:  TopologyGraph
+// Next: joinVertices
+
+struct DeadEndsOptions {
+  /** How far a dead end must reach beyond the disc of its junction's clearance: a share of that
+   *  clearance. The branch into a right-angled corner reaches 0.41. */
+  double minReachRatio = 0.5;
+  double minReach = 0.3;   ///< the same in metres; the larger one counts [m]
+  bool allOnce = false;    ///< first remove every dead end once, whatever its length
+  double minLengthPx = 0;  ///< then, once, all shorter than this [px]; 0 for the reach rule
+};
+void describe(DeadEndsOptions& options, FieldTable& table);
+
+/** Removes the dead ends that lead nowhere: all those under the limit at once, then again, until
+ *  none is left; so the answer does not depend on their order. A component never vanishes: its last
+ *  edge stays, and a vertex that loses its last edge stays as a junction without a way.
+ *  O(rounds * edges). */
+TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
+                             double resolution);
+
+}  // namespace roomgraph

@@ -1,0 +1,53 @@
+#include "roomgraph/topology/Path.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace roomgraph {
+
+Path makePath(Polyline points, std::vector<Point> obstacles) {
+  Path path;
+  path.length = length(points);
+  path.minClearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+    path.minClearance =
+        std::min(path.minClearance, distanceToSegment(obstacles[i], points[i], points[i + 1]));
+  path.points = std::move(points);
+  path.obstacles = std::move(obstacles);
+  return path;
+}
+
+Path reversed(Path path) {
+  std::reverse(path.points.begin(), path.points.end());
+  std::reverse(path.obstacles.begin(), path.obstacles.end());
+  return path;
+}
+
+Path joined(Path a, const Path& b) {
+  if (b.points.size() < 2) return a;
+  if (a.points.size() < 2) return b;
+  a.points.insert(a.points.end(), b.points.begin() + 1, b.points.end());
+  a.obstacles.insert(a.obstacles.end(), b.obstacles.begin(), b.obstacles.end());
+  a.length += b.length;
+  a.minClearance = std::min(a.minClearance, b.minClearance);
+  return a;
+}
+
+Path piece(const Path& path, double from, double to) {
+  Polyline points{pointAt(path.points, from)};
+  std::vector<Point> obstacles;
+  double along = 0;
+  for (std::size_t i = 0; i < path.obstacles.size() && along < to; ++i) {
+    const double end = along + distance(path.points[i], path.points[i + 1]);
+    if (end > from) {
+      points.push_back(end < to ? path.points[i + 1] : pointAt(path.points, to));
+      obstacles.push_back(path.obstacles[i]);
+    }
+    along = end;
+  }
+  // The last piece ends exactly where the path does, however the sum was rounded.
+  if (to >= path.length) points.back() = path.points.back();
+  return makePath(std::move(points), std::move(obstacles));
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,66 @@
+#include "roomgraph/topology/dead_ends.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace roomgraph {
+namespace {
+
+using IsShort = std::function<bool(const Vertex& tip, const Vertex& base, const Path& path)>;
+
+/** Removes each dead end that `isShort`, all at once; returns whether there was one. An edge with
+ *  two dead ends is a whole component and stays. */
+bool removeLayer(TopologyGraph& graph, const IsShort& isShort) {
+  std::vector<bool> keepVertex(graph.vertices().size(), true);
+  std::vector<bool> keepEdge(graph.edges().size(), true);
+  bool isAny = false;
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+    const Edge& edge = graph.edges()[e];
+    const bool sourceIsTip = graph.degree(edge.source) == 1;
+    if (sourceIsTip == (graph.degree(edge.target) == 1)) continue;
+    const VertexId tip = sourceIsTip ? edge.source : edge.target;
+    const VertexId base = sourceIsTip ? edge.target : edge.source;
+    if (!isShort(graph.vertex(tip), graph.vertex(base), edge.path)) continue;
+    keepEdge[e] = false;
+    keepVertex[tip.index()] = false;
+    isAny = true;
+  }
+  if (isAny) graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
+  return isAny;
+}
+
+}  // namespace
+
+void describe(DeadEndsOptions& options, FieldTable& table) {
+  const char* section = "dead_ends";
+  table.number(section, "min_reach_ratio", options.minReachRatio, "", 0, 10,
+               "A dead end stays where it reaches this share of its junction's clearance beyond "
+               "the disc of that clearance.");
+  table.number(section, "min_reach", options.minReach, "m", 0, 100,
+               "The least reach of a dead end beyond that disc.");
+  table.flag(section, "all_once", options.allOnce,
+             "First remove every dead end once, whatever its length, as the paper does.");
+  table.number(section, "min_length_px", options.minLengthPx, "px", 0, 1e6,
+               "Then remove, once, all dead ends shorter than this; 0 for the reach rule.");
+}
+
+TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
+                             double resolution) {
+  if (options.allOnce)
+    removeLayer(graph, [](const Vertex&, const Vertex&, const Path&) { return true; });
+  if (options.minLengthPx > 0) {
+    removeLayer(graph, [&](const Vertex&, const Vertex&, const Path& path) {
+      return path.length < options.minLengthPx * resolution;
+    });
+    return graph;
+  }
+  const IsShort isShort = [&](const Vertex& tip, const Vertex& base, const Path& path) {
+    const double reach = path.length + tip.clearance - base.clearance;
+    return reach < std::max(options.minReach, options.minReachRatio * base.clearance);
+  };
+  while (removeLayer(graph, isShort)) {
+  }
+  return graph;
+}
+
+}  // namespace roomgraph
