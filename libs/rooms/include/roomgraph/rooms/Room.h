@@ -1,0 +1,18 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/base/Ids.h"
+#include "roomgraph/geometry/Polygon.h"
+
+namespace roomgraph {
+
+/** A big and empty space (paper II), as found by find_rooms. Its id is its place in the vector. */
+struct Room {
+  Polygon polygon;             ///< its corners are obstacles [m, map frame]
+  Point widestPlace;           ///< centre of the largest disc between the obstacles that fits in
+  double inscribedRadius = 0;  ///< of that disc [m]
+};
+
+using Rooms = std::vector<Room>;
+
+}  // namespace roomgraph

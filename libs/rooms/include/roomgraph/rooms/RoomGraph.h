@@ -1,0 +1,27 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/base/Ids.h"
+#include "roomgraph/rooms/Room.h"
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+/** One room of the result. */
+struct GraphRoom {
+  Room shape;
+  Point center;     ///< where its vertex stands [m, map frame]
+  VertexId vertex;  ///< of kind room
+  std::vector<VertexId> borderVertices;  ///< ascending; empty for a room without a way out
+};
+
+/** The result: a topology graph in which each room is one vertex joined to its border vertices
+ *  (paper III-G). Edges with a room id run inside that room, from its vertex to a border vertex;
+ *  all others are corridors. RoomIds index `rooms`; a border vertex in a door between two rooms
+ *  carries the smaller id and is listed by both. */
+struct RoomGraph {
+  TopologyGraph graph;
+  std::vector<GraphRoom> rooms;
+};
+
+}  // namespace roomgraph

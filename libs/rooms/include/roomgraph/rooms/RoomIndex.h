@@ -1,0 +1,45 @@
+#pragma once
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "roomgraph/rooms/Room.h"
+
+namespace roomgraph {
+
+/** Finds the room at a place, and the polygon edges that a path can cross. Keeps a reference to the
+ *  rooms, which must outlive it. */
+class RoomIndex {
+ public:
+  using Opening = std::pair<Point, Point>;
+
+  /** A path that keeps `clearance` from all obstacles can only cross polygon edges at least twice
+   *  as long, since their ends are obstacles: the openings of the room. O(polygon points). */
+  RoomIndex(const Rooms& rooms, double clearance);
+
+  /** The openings whose surroundings the segment p–q touches; each once. */
+  std::vector<Opening> openingsNear(Point p, Point q) const;
+
+  /** The room whose polygon holds `p` in its inside; none elsewhere. Rooms do not overlap. */
+  RoomId roomAt(Point p) const;
+
+ private:
+  using Bucket = std::pair<std::int32_t, std::int32_t>;
+  struct BucketHash {
+    std::size_t operator()(Bucket b) const {
+      return std::size_t(b.first) * 0x9E3779B97F4A7C15u ^ std::size_t(std::uint32_t(b.second));
+    }
+  };
+  /** Calls `visit` for every bucket that the box round p and q touches. */
+  template <class Visit>
+  void forBuckets(Point p, Point q, const Visit& visit) const;
+
+  const Rooms& rooms_;
+  std::vector<Box> boxes_;
+  std::vector<Opening> openings_;
+  double bucketSize_;
+  std::unordered_map<Bucket, std::vector<std::uint32_t>, BucketHash> buckets_;
+};
+
+}  // namespace roomgraph

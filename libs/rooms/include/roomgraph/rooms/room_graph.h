@@ -1,0 +1,30 @@
+#pragma once
+#include "roomgraph/base/Notes.h"
+#include "roomgraph/base/Options.h"
+#include "roomgraph/grid/ObstacleRows.h"
+#include "roomgraph/rooms/RoomGraph.h"
+
+namespace roomgraph {
+
+// Paper III-G
+// In:   TopologyGraph with rooms cut out, Rooms
+// Out:  RoomGraph
+
+struct RoomGraphOptions {
+  /** Straight edges from the centroid, whatever lies between, as the paper draws them. */
+  bool straightEdges = false;
+};
+void describe(RoomGraphOptions& options, FieldTable& table);
+
+/** Takes all paths and vertices inside of the rooms out, puts one vertex into each room and joins
+ *  it to the room's border vertices.
+ *  The vertex stands at the centroid, and its edges are straight, where each of these keeps inside
+ *  of the polygon and `clearance` from all obstacles. In any other room (concave, or with a table
+ *  in the middle) it stands at the place nearest to the centroid on the paths through the room, and
+ *  its edges follow the shortest of those. A room that the graph does not enter is left out and
+ *  told in `notes` (code "room_unreached"); one without a way out becomes a vertex without edges.
+ *  Room ids are numbered anew, in the order of `rooms`. O(n log n). */
+RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const ObstacleRows& obstacles,
+                    double clearance, const RoomGraphOptions& options, Notes& notes);
+
+}  // namespace roomgraph

@@ -1,0 +1,18 @@
+#pragma once
+#include "roomgraph/rooms/Room.h"
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+// Paper III-E
+// In:   TopologyGraph, cut at the border vertices
+// Out:  the same with room ids on all vertices and paths
+// Next: removeShortDeadEnds
+
+/** Every vertex inside of a room gets its id. A vertex where paths of a room meet others lies on
+ *  the polygon: it becomes a border vertex (III-D, case A: the cut falls on a source or target). A
+ *  dead end shorter than `minLength` that starts at a border vertex gets the id of that room, too
+ *  (III-E, case B). O(n). */
+TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength);
+
+}  // namespace roomgraph

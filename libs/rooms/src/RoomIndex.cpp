@@ -1,0 +1,59 @@
+#include "roomgraph/rooms/RoomIndex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgraph {
+
+template <class Visit>
+void RoomIndex::forBuckets(Point p, Point q, const Visit& visit) const {
+  const auto bucket = [&](double x) { return std::int32_t(std::floor(x / bucketSize_)); };
+  const auto lastX = bucket(std::max(p.x, q.x)), lastY = bucket(std::max(p.y, q.y));
+  for (auto x = bucket(std::min(p.x, q.x)); x <= lastX; ++x)
+    for (auto y = bucket(std::min(p.y, q.y)); y <= lastY; ++y) visit(Bucket{x, y});
+}
+
+RoomIndex::RoomIndex(const Rooms& rooms, double clearance) : rooms_(rooms) {
+  // A little less than twice, against rounding; far more than any edge along a wall.
+  const double shortest = 2 * clearance * (1 - 1e-9);
+  double sum = 0;
+  const auto addOpenings = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      if (distance(a, b) < shortest) continue;
+      openings_.push_back({a, b});
+      sum += distance(a, b);
+    }
+  };
+  for (const Room& room : rooms) {
+    boxes_.push_back(boundingBox(room.polygon.outer));
+    addOpenings(room.polygon.outer);
+    for (const Ring& hole : room.polygon.holes) addOpenings(hole);
+  }
+  bucketSize_ = openings_.empty() ? 1.0 : sum / double(openings_.size());
+  for (std::uint32_t i = 0; i < openings_.size(); ++i)
+    forBuckets(openings_[i].first, openings_[i].second,
+               [&](Bucket bucket) { buckets_[bucket].push_back(i); });
+}
+
+std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const {
+  std::vector<std::uint32_t> found;
+  if (buckets_.empty()) return {};
+  forBuckets(p, q, [&](Bucket bucket) {
+    const auto it = buckets_.find(bucket);
+    if (it != buckets_.end()) found.insert(found.end(), it->second.begin(), it->second.end());
+  });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::vector<Opening> openings;
+  for (const auto i : found) openings.push_back(openings_[i]);
+  return openings;
+}
+
+RoomId RoomIndex::roomAt(Point p) const {
+  for (std::size_t i = 0; i < rooms_.size(); ++i)
+    if (boxes_[i].contains(p) && sideOf(rooms_[i].polygon, p) == Side::inside) return RoomId(i);
+  return RoomId::none();
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,109 @@
+#include "roomgraph/rooms/inner_paths.h"
+
+#include <limits>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace roomgraph {
+namespace {
+
+/** A place on a path. */
+struct PlaceOnPath {
+  EdgeId edge;
+  double along = 0;
+  double offset = std::numeric_limits<double>::infinity();  // from the place that was asked for
+};
+
+PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p) {
+  PlaceOnPath best;
+  for (const EdgeId e : edges) {
+    double along = 0;
+    const Polyline& points = graph.edge(e).path.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (i > 0) along += distance(points[i - 1], points[i]);
+      if (distance(points[i], p) < best.offset) best = {e, along, distance(points[i], p)};
+    }
+  }
+  return best;
+}
+
+/** Shortest ways from one place to all vertices that the given edges reach. */
+class ShortestWays {
+ public:
+  ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges, PlaceOnPath start)
+      : graph_(graph) {
+    for (const EdgeId e : edges)
+      for (const HalfEdgeId h : {HalfEdgeId(2 * e.index()), HalfEdgeId(2 * e.index() + 1)})
+        ways_[graph.source(h)].push_back(h);
+    const Edge& edge = graph.edge(start.edge);
+    offer(edge.target, edge.path.length - start.along, HalfEdgeId::none(),
+          piece(edge.path, start.along, edge.path.length));
+    offer(edge.source, start.along, HalfEdgeId::none(),
+          reversed(piece(edge.path, 0, start.along)));
+    run();
+  }
+
+  bool reaches(VertexId v) const { return best_.count(v) > 0; }
+
+  Path pathTo(VertexId v) const {
+    const Way& way = best_.at(v);
+    if (!way.last) return way.first;
+    return joined(pathTo(graph_.source(way.last)), graph_.halfPath(way.last));
+  }
+
+ private:
+  struct Way {
+    double length;
+    HalfEdgeId last;  // none where `first` leads all the way
+    Path first;
+  };
+  using Entry = std::tuple<double, VertexId>;
+
+  void offer(VertexId v, double length, HalfEdgeId last, Path first) {
+    const auto it = best_.find(v);
+    if (it != best_.end() && it->second.length <= length) return;
+    best_[v] = {length, last, std::move(first)};
+    open_.push({length, v});
+  }
+
+  void run() {
+    while (!open_.empty()) {
+      const auto [length, at] = open_.top();
+      open_.pop();
+      if (length > best_.at(at).length) continue;
+      for (const HalfEdgeId h : ways_[at])
+        offer(graph_.target(h), length + graph_.edge(h).path.length, h, {});
+    }
+  }
+
+  const TopologyGraph& graph_;
+  std::map<VertexId, std::vector<HalfEdgeId>> ways_;
+  std::map<VertexId, Way> best_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open_;
+};
+
+}  // namespace
+
+InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
+                      const std::vector<VertexId>& ends, Point center) {
+  const PlaceOnPath start = nearestPlace(graph, edges, center);
+  const Path& startPath = graph.edge(start.edge).path;
+  const ShortestWays ways(graph, edges, start);
+  InnerPaths result;
+  result.center = pointAt(startPath.points, start.along);
+  result.clearance = piece(startPath, start.along, start.along).minClearance;
+  for (const VertexId end : ends) {
+    Path path;
+    if (ways.reaches(end)) {
+      path = ways.pathTo(end);
+    } else {
+      path.points = {result.center, graph.vertex(end).at};
+      path.length = length(path.points);
+    }
+    result.paths.push_back(std::move(path));
+  }
+  return result;
+}
+
+}  // namespace roomgraph
