@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/base/Options.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/grid/thin_obstacles.h"
+#include "roomgraph/rooms/find_rooms.h"
+#include "roomgraph/rooms/join_doors.h"
+#include "roomgraph/rooms/room_graph.h"
+#include "roomgraph/rooms/short_dead_ends.h"
+#include "roomgraph/topology/dead_ends.h"
+#include "roomgraph/topology/join_vertices.h"
+#include "roomgraph/topology/keep_largest.h"
+#include "roomgraph/voronoi/keep_clear.h"
+#include "roomgraph/voronoi/keep_inside.h"
+
+namespace roomgraph {
+
+/** The options of all steps, in the order of the pipeline. */
+struct ExtractOptions {
+  LoadGridOptions loadGrid;
+  BinarizeOptions binarize;
+  ThinObstaclesOptions thinObstacles;
+  KeepInsideOptions keepInside;
+  KeepClearOptions keepClear;
+  DeadEndsOptions deadEnds;
+  JoinVerticesOptions joinVertices;
+  KeepLargestOptions keepLargest;
+  FindRoomsOptions findRooms;
+  ShortDeadEndsOptions shortDeadEnds;
+  JoinDoorsOptions joinDoors;
+  RoomGraphOptions roomGraph;
+};
+
+/** Everything that is said about the options; points into `options`. */
+FieldTable describe(ExtractOptions& options);
+
+/** "default": metres and three cell states. "paper": the paper's numbers, in cells.
+ *  Throws UsageError for any other name. */
+ExtractOptions preset(const std::string& name);
+
+}  // namespace roomgraph

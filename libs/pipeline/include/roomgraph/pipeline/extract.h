@@ -1,0 +1,12 @@
+#pragma once
+#include "roomgraph/pipeline/Stages.h"
+
+namespace roomgraph {
+
+/** The whole way from a map to its room-aware topology graph, one call per section of the paper.
+ *  Same map and options give the same result, whatever else runs beside it. An odd map (no free
+ *  cell, no obstacle, no room) gives an empty graph and a note that says why. O(n log n) in the
+ *  number of obstacle cells, O(cells) in the size of the map. */
+Stages extract(const GreyMap& map, const ExtractOptions& options);
+
+}  // namespace roomgraph

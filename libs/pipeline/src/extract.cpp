@@ -1,0 +1,108 @@
+#include "roomgraph/pipeline/extract.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "roomgraph/grid/ObstacleRows.h"
+#include "roomgraph/rooms/cut_paths.h"
+#include "roomgraph/rooms/room_ids.h"
+#include "roomgraph/topology/topology_graph.h"
+#include "roomgraph/voronoi/voronoi_graph.h"
+
+namespace roomgraph {
+namespace {
+
+/** Paper III-D: a cut this near to the end of a path is none [m]. */
+constexpr double kCutEpsilon = 1e-8;
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::vector<StageTiming>& timings) : timings_(timings) {}
+
+  void lap(const char* stage) {
+    const auto now = std::chrono::steady_clock::now();
+    timings_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+  }
+
+ private:
+  std::vector<StageTiming>& timings_;
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+bool hasAny(const Grid& grid, State state) {
+  return std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end();
+}
+
+/** Why the result is empty, or lacks rooms. */
+void addEmptinessNotes(Stages& s) {
+  const auto note = [&](const char* code, const char* text) {
+    s.notes.push_back({code, text, std::nullopt});
+  };
+  if (!hasAny(s.grid, State::free))
+    note("no_free_cell", "the map has no free cell, so its graph is empty");
+  else if (s.sites.cells.empty())
+    note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");
+  else if (s.result.graph.vertices().empty())
+    note("no_path", "no place of the map is wide enough for a path");
+  else if (s.result.rooms.empty())
+    note("no_room", "the map has no room of the given width");
+}
+
+}  // namespace
+
+Stages extract(const GreyMap& map, const ExtractOptions& options) {
+  Stages s;
+  s.options = options;
+  s.source = map.source;
+  s.notes = map.notes;
+  const double resolution = map.frame.resolution;
+  s.clearance = effectiveClearance(options.keepClear, resolution);
+  s.roomRadius = std::max(roomRadius(options.findRooms, resolution), s.clearance);
+  const double minLength = shortLength(options.shortDeadEnds, resolution);
+  Stopwatch watch(s.timings);
+
+  // IV-C: threshold and thinning
+  s.grid = binarize(map, options.binarize);
+  watch.lap("binarize");
+  // Without unknown cells a map is a drawing: beyond its border is outside, not unknown.
+  const bool ringIsObstacle =
+      options.thinObstacles.unknownIsObstacle && hasAny(s.grid, State::unknown);
+  s.sites = obstacleSites(s.grid, thinObstacles(s.grid, options.thinObstacles), ringIsObstacle);
+  watch.lap("obstacle_sites");
+
+  // III-A: the topology graph
+  s.voronoi = voronoiGraph(s.sites);
+  watch.lap("voronoi_graph");
+  s.isInside = keepInside(s.voronoi, s.grid, options.keepInside);
+  watch.lap("keep_inside");
+  s.clearEdges = keepClear(s.voronoi, s.isInside, s.clearance);
+  watch.lap("keep_clear");
+  s.topology = topologyGraph(s.voronoi, s.clearEdges);
+  watch.lap("topology_graph");
+  s.pruned = removeDeadEnds(s.topology, options.deadEnds, resolution);
+  watch.lap("dead_ends");
+  s.joinedUp = joinVertices(s.pruned, options.joinVertices, resolution);
+  watch.lap("join_vertices");
+  s.largest = keepLargest(s.joinedUp, options.keepLargest, s.notes);
+  watch.lap("keep_largest");
+
+  // III-B to III-G: the rooms
+  s.rooms = findRooms(s.voronoi, s.isInside, s.roomRadius);
+  watch.lap("find_rooms");
+  s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
+  watch.lap("border_vertices");
+  s.cut = roomIds(cutPaths(s.largest, s.stretches), s.rooms, minLength);
+  watch.lap("cut_paths");
+  s.cleaned = removeShortDeadEnds(s.cut, minLength);
+  watch.lap("short_dead_ends");
+  s.doors = joinDoors(s.cleaned, options.joinDoors);
+  watch.lap("join_doors");
+  s.result = roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph,
+                       s.notes);
+  watch.lap("room_graph");
+  addEmptinessNotes(s);
+  return s;
+}
+
+}  // namespace roomgraph
