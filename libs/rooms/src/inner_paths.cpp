@@ -22,10 +22,23 @@ PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& 
     const Polyline& points = graph.edge(e).path.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0) along += distance(points[i - 1], points[i]);
-      if (distance(points[i], p) < best.offset) best = {e, along, distance(points[i], p)};
+      // The end by the path's own length, which may be rounded otherwise than this sum.
+      const double here = i + 1 < points.size() ? along : graph.edge(e).path.length;
+      if (distance(points[i], p) < best.offset) best = {e, here, distance(points[i], p)};
     }
   }
   return best;
+}
+
+/** Distance to the nearest obstacle of a place on a path [m]. */
+double clearanceAt(const Path& path, double along) {
+  double end = 0;
+  std::size_t i = 0;
+  for (; i + 1 < path.obstacles.size(); ++i) {
+    end += distance(path.points[i], path.points[i + 1]);
+    if (along <= end) break;
+  }
+  return distance(placeOn(path, along), path.obstacles[i]);
 }
 
 /** Shortest ways from one place to all vertices that the given edges reach. */
@@ -91,8 +104,8 @@ InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edg
   const Path& startPath = graph.edge(start.edge).path;
   const ShortestWays ways(graph, edges, start);
   InnerPaths result;
-  result.center = pointAt(startPath.points, start.along);
-  result.clearance = piece(startPath, start.along, start.along).minClearance;
+  result.center = placeOn(startPath, start.along);
+  result.clearance = clearanceAt(startPath, start.along);
   for (const VertexId end : ends) {
     Path path;
     if (ways.reaches(end)) {

@@ -2,11 +2,42 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "roomgraph/base/UnionFind.h"
 #include "roomgraph/rooms/RoomIndex.h"
 
 namespace roomgraph {
 namespace {
+
+/** A path that only clips a corner of a polygon does not enter the room: of the paths in a room,
+ *  those stay that are connected to its longest ones; the others become corridors. */
+void leaveClippedRooms(TopologyGraph& graph) {
+  const auto& edges = graph.edges();
+  UnionFind groups(edges.size());
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
+    const auto out = graph.outgoing(VertexId(v));
+    for (const HalfEdgeId a : out)
+      for (const HalfEdgeId b : out)
+        if (graph.edge(a).room == graph.edge(b).room)
+          groups.join(std::uint32_t(a.index() / 2), std::uint32_t(b.index() / 2));
+  }
+  std::vector<double> lengthOf(edges.size());
+  for (std::uint32_t e = 0; e < edges.size(); ++e) lengthOf[groups.find(e)] += edges[e].path.length;
+  std::map<RoomId, std::uint32_t> mainGroup;
+  for (std::uint32_t e = 0; e < edges.size(); ++e) {
+    if (!edges[e].room) continue;
+    const auto group = groups.find(e);
+    const auto it = mainGroup.emplace(edges[e].room, group).first;
+    if (lengthOf[group] > lengthOf[it->second]) it->second = group;
+  }
+  std::vector<Vertex> vertices = graph.vertices();
+  std::vector<Edge> kept = std::move(graph).takeEdges();
+  for (std::uint32_t e = 0; e < kept.size(); ++e)
+    if (kept[e].room && mainGroup.at(kept[e].room) != groups.find(e))
+      kept[e].room = RoomId::none();
+  graph = TopologyGraph(std::move(vertices), std::move(kept));
+}
 
 /** The room of a vertex by the paths that end at it. */
 void setRoom(Vertex& vertex, VertexId v, const TopologyGraph& graph) {
@@ -20,6 +51,7 @@ void setRoom(Vertex& vertex, VertexId v, const TopologyGraph& graph) {
   }
   vertex.room = smallest;
   if (isMixed) vertex.kind = VertexKind::border;
+  if (!isMixed && vertex.kind == VertexKind::border) vertex.kind = VertexKind::junction;
 }
 
 /** The border vertex at which a dead end starts, if it does; else none. */
@@ -33,6 +65,7 @@ VertexId borderBase(const TopologyGraph& graph, const Edge& edge) {
 }  // namespace
 
 TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength) {
+  leaveClippedRooms(graph);
   std::vector<Vertex> vertices = graph.vertices();
   constexpr double noOpenings = std::numeric_limits<double>::infinity();
   const RoomIndex index(rooms, noOpenings);

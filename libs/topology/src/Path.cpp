@@ -17,6 +17,11 @@ Path makePath(Polyline points, std::vector<Point> obstacles) {
   return path;
 }
 
+Point placeOn(const Path& path, double along) {
+  if (along <= 0) return path.points.front();
+  return along >= path.length ? path.points.back() : pointAt(path.points, along);
+}
+
 Path reversed(Path path) {
   std::reverse(path.points.begin(), path.points.end());
   std::reverse(path.obstacles.begin(), path.obstacles.end());
@@ -34,19 +39,18 @@ Path joined(Path a, const Path& b) {
 }
 
 Path piece(const Path& path, double from, double to) {
-  Polyline points{pointAt(path.points, from)};
+  Polyline points{placeOn(path, from)};
   std::vector<Point> obstacles;
   double along = 0;
   for (std::size_t i = 0; i < path.obstacles.size() && along < to; ++i) {
     const double end = along + distance(path.points[i], path.points[i + 1]);
     if (end > from) {
-      points.push_back(end < to ? path.points[i + 1] : pointAt(path.points, to));
+      points.push_back(end < to ? path.points[i + 1] : placeOn(path, to));
       obstacles.push_back(path.obstacles[i]);
     }
     along = end;
   }
-  // The last piece ends exactly where the path does, however the sum was rounded.
-  if (to >= path.length) points.back() = path.points.back();
+  points.back() = placeOn(path, to);
   return makePath(std::move(points), std::move(obstacles));
 }
 

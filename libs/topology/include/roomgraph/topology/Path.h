@@ -18,6 +18,9 @@ struct Path {
 /** A path along Voronoi edges; length and clearance are computed. */
 Path makePath(Polyline points, std::vector<Point> obstacles);
 
+/** The place at `along` metres from the source; exactly the path's end at 0 and at its length. */
+Point placeOn(const Path& path, double along);
+
 /** The same way walked backwards (paper II, "twin"). */
 Path reversed(Path path);
 
