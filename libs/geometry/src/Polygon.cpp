@@ -26,21 +26,6 @@ void addMoments(const Ring& ring, Point origin, Moments& sum) {
   }
 }
 
-bool isOnSegment(Point p, Point a, Point b) {
-  using P = Kernel::Point_2;
-  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
-         p.y <= std::max(a.y, b.y) &&
-         CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::COLLINEAR;
-}
-
-/** Whether the ray from p in +x crosses a–b; half open in y, so that shared ends count once. */
-bool rayCrosses(Point p, Point a, Point b) {
-  if ((a.y > p.y) == (b.y > p.y)) return false;
-  if (a.y > b.y) std::swap(a, b);
-  using P = Kernel::Point_2;
-  return CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::LEFT_TURN;
-}
-
 enum class RingSide { even, odd, on };
 
 RingSide crossings(const Ring& ring, Point p) {
@@ -55,6 +40,20 @@ RingSide crossings(const Ring& ring, Point p) {
 }
 
 }  // namespace
+
+bool isOnSegment(Point p, Point a, Point b) {
+  using P = Kernel::Point_2;
+  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y) &&
+         CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::COLLINEAR;
+}
+
+bool rayCrosses(Point p, Point a, Point b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  if (a.y > b.y) std::swap(a, b);
+  using P = Kernel::Point_2;
+  return CGAL::orientation(P(a.x, a.y), P(b.x, b.y), P(p.x, p.y)) == CGAL::LEFT_TURN;
+}
 
 double signedArea(const Ring& ring) {
   if (ring.empty()) return 0;

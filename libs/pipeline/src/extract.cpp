@@ -34,6 +34,39 @@ bool hasAny(const Grid& grid, State state) {
   return std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end();
 }
 
+Rooms roomsIn(const VoronoiGraph& voronoi, const InsideFlags& isInside, double roomRadius,
+              double resolution, const SplitAtDoorsOptions& doors) {
+  if (roomRadius > 0) return findRooms(voronoi, isInside, roomRadius);
+  KeepClearOptions anyPassage;
+  anyPassage.minClearance = 0;
+  const double minClearance = effectiveClearance(anyPassage, resolution);
+  Rooms rooms = traceRooms(voronoi, splitAtDoors(voronoi, isInside, minClearance, doors));
+  rooms.erase(std::remove_if(rooms.begin(), rooms.end(),
+                             [&](const Room& room) {
+                               return 2 * room.inscribedRadius < doors.minRoomWidth ||
+                                      isCorridor(room, doors);
+                             }),
+              rooms.end());
+  return rooms;
+}
+
+/** III-B, on the map without clutter. */
+void findRooms(Stages& s) {
+  const double resolution = s.grid.frame.resolution;
+  const double radius = roomRadius(s.options.findRooms, resolution);
+  s.roomRadius = radius > 0 ? std::max(radius, s.clearance) : 0;
+  const auto& doors = s.options.splitAtDoors;
+  ClearedMap cleared = clearClutter(s.grid, s.sites, s.options.clearClutter);
+  s.clutter = std::move(cleared.clutter);
+  if (s.clutter.empty()) {
+    s.rooms = roomsIn(s.voronoi, s.isInside, s.roomRadius, resolution, doors);
+    return;
+  }
+  const VoronoiGraph voronoi = voronoiGraph(cleared.sites);
+  const InsideFlags isInside = keepInside(voronoi, cleared.grid, s.options.keepInside);
+  s.rooms = roomsIn(voronoi, isInside, s.roomRadius, resolution, doors);
+}
+
 /** Why the result is empty, or lacks rooms. */
 void addEmptinessNotes(Stages& s) {
   const auto note = [&](const char* code, const char* text) {
@@ -58,7 +91,6 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.notes = map.notes;
   const double resolution = map.frame.resolution;
   s.clearance = effectiveClearance(options.keepClear, resolution);
-  s.roomRadius = std::max(roomRadius(options.findRooms, resolution), s.clearance);
   const double minLength = shortLength(options.shortDeadEnds, resolution);
   Stopwatch watch(s.timings);
 
@@ -88,7 +120,7 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   watch.lap("keep_largest");
 
   // III-B to III-G: the rooms
-  s.rooms = findRooms(s.voronoi, s.isInside, s.roomRadius);
+  findRooms(s);
   watch.lap("find_rooms");
   s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
   watch.lap("border_vertices");

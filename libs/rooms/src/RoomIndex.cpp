@@ -13,7 +13,43 @@ void RoomIndex::forBuckets(Point p, Point q, const Visit& visit) const {
     for (auto y = bucket(std::min(p.y, q.y)); y <= lastY; ++y) visit(Bucket{x, y});
 }
 
-RoomIndex::RoomIndex(const Rooms& rooms, double clearance) : rooms_(rooms) {
+std::size_t RoomIndex::Rows::rowOf(double y) const {
+  if (rowHeight <= 0) return 0;
+  const auto row = std::size_t(std::max(0.0, (y - box.low.y) / rowHeight));
+  return std::min(row, edges.size() - 1);
+}
+
+RoomIndex::Rows RoomIndex::makeRows(const Polygon& polygon) {
+  Rows rows;
+  rows.box = boundingBox(polygon.outer);
+  // About as many rows as a square has points on one side.
+  const auto count = std::max<std::size_t>(1, polygon.outer.size() / 4);
+  rows.rowHeight = (rows.box.high.y - rows.box.low.y) / double(count);
+  rows.edges.resize(count);
+  const auto addRing = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      const auto last = rows.rowOf(std::max(a.y, b.y));
+      for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row)
+        rows.edges[row].push_back({a, b});
+    }
+  };
+  addRing(polygon.outer);
+  for (const Ring& hole : polygon.holes) addRing(hole);
+  return rows;
+}
+
+bool RoomIndex::isInside(const Rows& rows, Point p) {
+  if (!rows.box.contains(p)) return false;
+  bool isOdd = false;
+  for (const auto& [a, b] : rows.edges[rows.rowOf(p.y)]) {
+    if (isOnSegment(p, a, b)) return false;
+    if (rayCrosses(p, a, b)) isOdd = !isOdd;
+  }
+  return isOdd;
+}
+
+RoomIndex::RoomIndex(const Rooms& rooms, double clearance) {
   // A little less than twice, against rounding; far more than any edge along a wall.
   const double shortest = 2 * clearance * (1 - 1e-9);
   double sum = 0;
@@ -26,7 +62,7 @@ RoomIndex::RoomIndex(const Rooms& rooms, double clearance) : rooms_(rooms) {
     }
   };
   for (const Room& room : rooms) {
-    boxes_.push_back(boundingBox(room.polygon.outer));
+    rooms_.push_back(makeRows(room.polygon));
     addOpenings(room.polygon.outer);
     for (const Ring& hole : room.polygon.holes) addOpenings(hole);
   }
@@ -52,7 +88,7 @@ std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const 
 
 RoomId RoomIndex::roomAt(Point p) const {
   for (std::size_t i = 0; i < rooms_.size(); ++i)
-    if (boxes_[i].contains(p) && sideOf(rooms_[i].polygon, p) == Side::inside) return RoomId(i);
+    if (isInside(rooms_[i], p)) return RoomId(i);
   return RoomId::none();
 }
 

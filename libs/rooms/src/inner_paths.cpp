@@ -15,16 +15,22 @@ struct PlaceOnPath {
   double offset = std::numeric_limits<double>::infinity();  // from the place that was asked for
 };
 
-PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p) {
+/** Of the points of the paths with at least `minClearance`. The edge is none where there is none.
+ */
+PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p,
+                         double minClearance) {
   PlaceOnPath best;
   for (const EdgeId e : edges) {
     double along = 0;
     const Polyline& points = graph.edge(e).path.points;
+    const std::vector<Point>& obstacles = graph.edge(e).path.obstacles;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0) along += distance(points[i - 1], points[i]);
       // The end by the path's own length, which may be rounded otherwise than this sum.
       const double here = i + 1 < points.size() ? along : graph.edge(e).path.length;
-      if (distance(points[i], p) < best.offset) best = {e, here, distance(points[i], p)};
+      const double clearance = distance(points[i], obstacles[i > 0 ? i - 1 : 0]);
+      if (clearance >= minClearance && distance(points[i], p) < best.offset)
+        best = {e, here, distance(points[i], p)};
     }
   }
   return best;
@@ -52,8 +58,7 @@ class ShortestWays {
     const Edge& edge = graph.edge(start.edge);
     offer(edge.target, edge.path.length - start.along, HalfEdgeId::none(),
           piece(edge.path, start.along, edge.path.length));
-    offer(edge.source, start.along, HalfEdgeId::none(),
-          reversed(piece(edge.path, 0, start.along)));
+    offer(edge.source, start.along, HalfEdgeId::none(), reversed(piece(edge.path, 0, start.along)));
     run();
   }
 
@@ -99,8 +104,9 @@ class ShortestWays {
 }  // namespace
 
 InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
-                      const std::vector<VertexId>& ends, Point center) {
-  const PlaceOnPath start = nearestPlace(graph, edges, center);
+                      const std::vector<VertexId>& ends, Point center, double minClearance) {
+  PlaceOnPath start = nearestPlace(graph, edges, center, minClearance);
+  if (!start.edge) start = nearestPlace(graph, edges, center, 0);
   const Path& startPath = graph.edge(start.edge).path;
   const ShortestWays ways(graph, edges, start);
   InnerPaths result;

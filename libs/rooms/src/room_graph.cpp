@@ -67,7 +67,9 @@ class RoomBuilder {
     const bool isInside = sideOf(room.polygon, center) == Side::inside;
     if (isInside && star.clearance >= clearance_ && allAreClear(room, star)) return star;
     if (!parts.innerEdges.empty())
-      return innerPaths(graph_, parts.innerEdges, parts.borderVertices, center);
+      // Half as wide as the room gets: not in a door, nor in a corner.
+      return innerPaths(graph_, parts.innerEdges, parts.borderVertices, center,
+                        room.inscribedRadius / 2);
     return straightPaths(room, parts, room.widestPlace);
   }
 

@@ -31,6 +31,13 @@ enum class Side { inside, onBoundary, outside };
 /** Exact for the given coordinates. O(n) in the number of ring points. */
 Side sideOf(const Polygon& polygon, Point p);
 
+/** Whether `p` lies on the closed segment a–b. Exact for the given coordinates. */
+bool isOnSegment(Point p, Point a, Point b);
+
+/** Whether the ray from `p` in +x crosses a–b. Half open in y, so that of two edges that share an
+ *  end on the ray one counts. A point is inside of a ring if the number is odd. Exact. */
+bool rayCrosses(Point p, Point a, Point b);
+
 struct Box {
   Point low, high;
 

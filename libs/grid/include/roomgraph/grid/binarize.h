@@ -16,8 +16,6 @@ struct BinarizeOptions {
   int blackThreshold = 0;
   double occupiedAbove = 0;  ///< probability; 0 for that of the map's format
   double freeBelow = 0;      ///< probability; 0 for that of the map's format
-  /** Unknown patches up to this size that touch free cells only become free [m2]. */
-  double maxUnknownSpeckle = 0.02;
 };
 void describe(BinarizeOptions& options, FieldTable& table);
 

@@ -3,12 +3,14 @@
 
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/clear_clutter.h"
 #include "roomgraph/grid/load_grid.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/rooms/find_rooms.h"
 #include "roomgraph/rooms/join_doors.h"
 #include "roomgraph/rooms/room_graph.h"
 #include "roomgraph/rooms/short_dead_ends.h"
+#include "roomgraph/rooms/split_at_doors.h"
 #include "roomgraph/topology/dead_ends.h"
 #include "roomgraph/topology/join_vertices.h"
 #include "roomgraph/topology/keep_largest.h"
@@ -27,7 +29,9 @@ struct ExtractOptions {
   DeadEndsOptions deadEnds;
   JoinVerticesOptions joinVertices;
   KeepLargestOptions keepLargest;
+  ClearClutterOptions clearClutter;
   FindRoomsOptions findRooms;
+  SplitAtDoorsOptions splitAtDoors;
   ShortDeadEndsOptions shortDeadEnds;
   JoinDoorsOptions joinDoors;
   RoomGraphOptions roomGraph;

@@ -35,7 +35,8 @@ struct Stages {
   TopologyGraph pruned;      ///< III-A, without dead ends
   TopologyGraph joinedUp;    ///< III-A, with near vertices joined
   TopologyGraph largest;     ///< III-A, the graph without rooms
-  double roomRadius = 0;     ///< of the disc that rooms are found with [m]
+  std::vector<Clutter> clutter;  ///< what rooms are found without
+  double roomRadius = 0;     ///< of the disc that rooms are found with [m]; 0 when split at doors
   Rooms rooms;               ///< III-B
   PathStretches stretches;   ///< III-C, per edge of `largest`
   TopologyGraph cut;         ///< III-D and E: paths cut, room ids set

@@ -8,8 +8,7 @@
 
 namespace roomgraph {
 
-/** Finds the room at a place, and the polygon edges that a path can cross. Keeps a reference to the
- *  rooms, which must outlive it. */
+/** Finds the room at a place, and the polygon edges that a path can cross. */
 class RoomIndex {
  public:
   using Opening = std::pair<Point, Point>;
@@ -21,7 +20,8 @@ class RoomIndex {
   /** The openings whose surroundings the segment p–q touches; each once. */
   std::vector<Opening> openingsNear(Point p, Point q) const;
 
-  /** The room whose polygon holds `p` in its inside; none elsewhere. Rooms do not overlap. */
+  /** The room whose polygon holds `p` in its inside; none elsewhere. Rooms do not overlap. About
+   *  O(rooms + polygon points in the row of p). */
   RoomId roomAt(Point p) const;
 
  private:
@@ -35,8 +35,18 @@ class RoomIndex {
   template <class Visit>
   void forBuckets(Point p, Point q, const Visit& visit) const;
 
-  const Rooms& rooms_;
-  std::vector<Box> boxes_;
+  /** The polygon edges of one room by the rows of height rowHeight that they touch. */
+  struct Rows {
+    Box box;
+    double rowHeight = 0;
+    std::vector<std::vector<Opening>> edges;
+
+    std::size_t rowOf(double y) const;
+  };
+  static Rows makeRows(const Polygon& polygon);
+  static bool isInside(const Rows& rows, Point p);
+
+  std::vector<Rows> rooms_;
   std::vector<Opening> openings_;
   double bucketSize_;
   std::unordered_map<Bucket, std::vector<std::uint32_t>, BucketHash> buckets_;

@@ -12,7 +12,8 @@ namespace roomgraph {
 // Next: borderVertices
 
 struct FindRoomsOptions {
-  double minWidth = 1.6;  ///< diameter of the disc that must fit in everywhere [m]
+  /** Diameter of the disc that must fit in everywhere; 0 to split at doors instead [m]. */
+  double minWidth = 0;
   double alphaPx2 = 0;    ///< the same as CGAL's alpha, its squared radius [px2]; 0 for minWidth
 };
 void describe(FindRoomsOptions& options, FieldTable& table);

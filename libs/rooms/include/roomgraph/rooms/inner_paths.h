@@ -7,15 +7,16 @@ namespace roomgraph {
 
 /** The ways through one room, from a common start. */
 struct InnerPaths {
-  Point center;           ///< where they start: a place on a path inside of the room
-  double clearance = 0;   ///< there [m]
+  Point center;             ///< where they start: a place on a path inside of the room
+  double clearance = 0;     ///< there [m]
   std::vector<Path> paths;  ///< to each of the asked vertices, in their order
 };
 
-/** Starts at the place nearest to `center` on the given edges, and follows them on the shortest
- *  way to each of `ends`. An end that they do not reach gets a straight path with clearance 0.
- *  There must be at least one edge. O(n log n). */
+/** Starts at the place nearest to `center` on the given edges with at least `minClearance`, or
+ *  anywhere on them where there is none, and follows them on the shortest way to each of `ends`. An
+ * end that they do not reach gets a straight path with clearance 0. There must be at least one
+ * edge. O(n log n). */
 InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
-                      const std::vector<VertexId>& ends, Point center);
+                      const std::vector<VertexId>& ends, Point center, double minClearance);
 
 }  // namespace roomgraph

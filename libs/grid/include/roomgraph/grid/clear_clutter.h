@@ -1,0 +1,40 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/base/Options.h"
+#include "roomgraph/grid/Grid.h"
+#include "roomgraph/grid/obstacle_sites.h"
+
+namespace roomgraph {
+
+// Paper, end of IV-C: "one would first need to filter out smaller obstacles (e.g. using a 'pillar
+// detection')"
+// In:   Grid, ObstacleSites
+// Out:  the same without clutter, to find rooms in
+// Next: findRooms
+
+struct ClearClutterOptions {
+  double maxSize = 1.2;  ///< diagonal of the upright box round an obstacle; 0 keeps all [m]
+};
+void describe(ClearClutterOptions& options, FieldTable& table);
+
+/** A small obstacle with free space all round it: a table, a pillar, a bin, a person, a speck. */
+struct Clutter {
+  Point center;     ///< of its box [m, map frame]
+  double size = 0;  ///< diagonal of its box [m]
+};
+
+/** The map as if the clutter were not there. */
+struct ClearedMap {
+  Grid grid;
+  ObstacleSites sites;  ///< in the order of the given ones
+  std::vector<Clutter> clutter;  ///< by its first cell in the order of rows
+};
+
+/** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
+ *  limit and does not touch the border. `sites` must be those of `grid`. O(cells). */
+ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
+                        const ClearClutterOptions& options);
+
+}  // namespace roomgraph
