@@ -54,17 +54,17 @@ bool assignFlag(const std::string& text, bool& target) {
 }
 
 bool assign(const Field& field, const std::string& text) {
-  return std::visit(
-      Overload{[&](double* value) { return assignNumber(field, text, *value); },
-               [&](int* value) { return assignNumber(field, text, *value); },
-               [&](bool* value) { return assignFlag(text, *value); },
-               [&](std::string* value) {
-                 const auto& known = field.choices;
-                 if (std::find(known.begin(), known.end(), text) == known.end()) return false;
-                 *value = text;
-                 return true;
-               }},
-      field.value);
+  return std::visit(Overload{[&](double* value) { return assignNumber(field, text, *value); },
+                             [&](int* value) { return assignNumber(field, text, *value); },
+                             [&](bool* value) { return assignFlag(text, *value); },
+                             [&](std::string* value) {
+                               const auto& known = field.choices;
+                               if (std::find(known.begin(), known.end(), text) == known.end())
+                                 return false;
+                               *value = text;
+                               return true;
+                             }},
+                    field.value);
 }
 
 }  // namespace
@@ -104,11 +104,12 @@ void FieldTable::set(const std::string& section, const std::string& key, const s
 }
 
 std::string valueText(const Field& field) {
-  return std::visit(Overload{[](const double* value) { return numberText(*value); },
-                             [](const int* value) { return numberText(*value); },
-                             [](const bool* value) { return std::string(*value ? "true" : "false"); },
-                             [](const std::string* value) { return *value; }},
-                    field.value);
+  return std::visit(
+      Overload{[](const double* value) { return numberText(*value); },
+               [](const int* value) { return numberText(*value); },
+               [](const bool* value) { return std::string(*value ? "true" : "false"); },
+               [](const std::string* value) { return *value; }},
+      field.value);
 }
 
 std::string rangeText(const Field& field) {

@@ -15,7 +15,8 @@ int cellIndex(double offset, double resolution, int count) {
 }  // namespace
 
 Cell GridFrame::cellAt(Point p) const {
-  return {cellIndex(p.x - origin.x, resolution, width), cellIndex(p.y - origin.y, resolution, height)};
+  return {cellIndex(p.x - origin.x, resolution, width),
+          cellIndex(p.y - origin.y, resolution, height)};
 }
 
 }  // namespace roomgraph

@@ -30,11 +30,13 @@ StateOfGrey threeStates(double occupiedAbove, double freeBelow) {
 
 void describe(BinarizeOptions& options, FieldTable& table) {
   const char* section = "binarize";
-  table.count(section, "black_threshold", options.blackThreshold, 0, 765,
-              "A cell is occupied where R + G + B is at most this, all others are free; 0 for three "
-              "states.");
-  table.number(section, "occupied_above", options.occupiedAbove, "", 0, 1,
-               "A cell is occupied above this probability; 0 for the threshold of the map's format.");
+  table.count(
+      section, "black_threshold", options.blackThreshold, 0, 765,
+      "A cell is occupied where R + G + B is at most this, all others are free; 0 for three "
+      "states.");
+  table.number(
+      section, "occupied_above", options.occupiedAbove, "", 0, 1,
+      "A cell is occupied above this probability; 0 for the threshold of the map's format.");
   table.number(section, "free_below", options.freeBelow, "", 0, 1,
                "A cell is free below this probability; 0 for the threshold of the map's format.");
 }

@@ -47,8 +47,8 @@ std::vector<std::uint8_t> thinObstacles(const Grid& grid, const ThinObstaclesOpt
   std::vector<std::uint8_t> kept(grid.cells.size());
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x) {
-      const bool isEnclosed = (useFour && near.isEnclosedBy4(x, y)) ||
-                              (useEight && near.isEnclosedBy8(x, y));
+      const bool isEnclosed =
+          (useFour && near.isEnclosedBy4(x, y)) || (useEight && near.isEnclosedBy8(x, y));
       kept[grid.frame.index({x, y})] = near.isObstacle(x, y) && !isEnclosed;
     }
   return kept;

@@ -130,8 +130,8 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   watch.lap("short_dead_ends");
   s.doors = joinDoors(s.cleaned, options.joinDoors);
   watch.lap("join_doors");
-  s.result = roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph,
-                       s.notes);
+  s.result =
+      roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph, s.notes);
   watch.lap("room_graph");
   addEmptinessNotes(s);
   return s;

@@ -8,8 +8,7 @@
 namespace roomgraph {
 namespace {
 
-Regions wideRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                    double radius) {
+Regions wideRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius) {
   const auto isWide = [&](std::uint32_t v) {
     return isInside[v] && voronoi.vertices[v].clearance > radius;
   };

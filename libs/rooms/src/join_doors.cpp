@@ -9,8 +9,8 @@ namespace {
 bool hasOneCorridor(const TopologyGraph& graph, VertexId v) {
   const auto out = graph.outgoing(v);
   return graph.vertex(v).kind == VertexKind::border &&
-         std::count_if(out.begin(), out.end(),
-                       [&](HalfEdgeId h) { return !graph.edge(h).room; }) == 1;
+         std::count_if(out.begin(), out.end(), [&](HalfEdgeId h) { return !graph.edge(h).room; }) ==
+             1;
 }
 
 bool isDoor(const TopologyGraph& graph, const Edge& edge, double maxDepth) {
@@ -22,8 +22,9 @@ bool isDoor(const TopologyGraph& graph, const Edge& edge, double maxDepth) {
 }  // namespace
 
 void describe(JoinDoorsOptions& options, FieldTable& table) {
-  table.number("join_doors", "max_depth", options.maxDepth, "m", 0, 10,
-               "A corridor up to this length between two rooms is one door with one border vertex.");
+  table.number(
+      "join_doors", "max_depth", options.maxDepth, "m", 0, 10,
+      "A corridor up to this length between two rooms is one door with one border vertex.");
 }
 
 TopologyGraph joinDoors(TopologyGraph graph, const JoinDoorsOptions& options) {

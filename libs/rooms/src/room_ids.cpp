@@ -34,8 +34,7 @@ void leaveClippedRooms(TopologyGraph& graph) {
   std::vector<Vertex> vertices = graph.vertices();
   std::vector<Edge> kept = std::move(graph).takeEdges();
   for (std::uint32_t e = 0; e < kept.size(); ++e)
-    if (kept[e].room && mainGroup.at(kept[e].room) != groups.find(e))
-      kept[e].room = RoomId::none();
+    if (kept[e].room && mainGroup.at(kept[e].room) != groups.find(e)) kept[e].room = RoomId::none();
   graph = TopologyGraph(std::move(vertices), std::move(kept));
 }
 
@@ -56,8 +55,8 @@ void setRoom(Vertex& vertex, VertexId v, const TopologyGraph& graph) {
 
 /** The border vertex at which a dead end starts, if it does; else none. */
 VertexId borderBase(const TopologyGraph& graph, const Edge& edge) {
-  for (const auto& [tip, base] : {std::pair(edge.source, edge.target),
-                                  std::pair(edge.target, edge.source)})
+  for (const auto& [tip, base] :
+       {std::pair(edge.source, edge.target), std::pair(edge.target, edge.source)})
     if (graph.degree(tip) == 1 && graph.vertex(base).kind == VertexKind::border) return base;
   return VertexId::none();
 }

@@ -11,8 +11,8 @@ bool isBorder(const TopologyGraph& graph, VertexId v) {
 
 /** The tip outside of the room of a dead end that starts at a border vertex; else none. */
 VertexId outerTip(const TopologyGraph& graph, const Edge& edge) {
-  for (const auto& [tip, base] : {std::pair(edge.source, edge.target),
-                                  std::pair(edge.target, edge.source)})
+  for (const auto& [tip, base] :
+       {std::pair(edge.source, edge.target), std::pair(edge.target, edge.source)})
     if (graph.degree(tip) == 1 && !graph.vertex(tip).room && isBorder(graph, base)) return tip;
   return VertexId::none();
 }

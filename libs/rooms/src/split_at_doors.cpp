@@ -27,11 +27,11 @@ std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const Insid
 
 void describe(SplitAtDoorsOptions& options, FieldTable& table) {
   const char* section = "split_at_doors";
-  table.number(section, "max_ratio", options.maxRatio, "", 0, 1,
-               "A passage is a door where it is narrower than this share of the narrower of its two "
-               "sides.");
-  table.number(section, "max_width", options.maxWidth, "m", 0, 100,
-               "A wider passage is no door.");
+  table.number(
+      section, "max_ratio", options.maxRatio, "", 0, 1,
+      "A passage is a door where it is narrower than this share of the narrower of its two "
+      "sides.");
+  table.number(section, "max_width", options.maxWidth, "m", 0, 100, "A wider passage is no door.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "Where no disc of this diameter fits in is no room of its own.");
   table.number(section, "max_elongation", options.maxElongation, "", 1, 1e6,
@@ -60,7 +60,8 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, d
     groups.join(a, b);
     widest[groups.find(a)] = widestOfBoth;
   }
-  return numbered(groups, [&](std::uint32_t v) { return isInside[v] != 0; }, widest.size(), 0);
+  return numbered(
+      groups, [&](std::uint32_t v) { return isInside[v] != 0; }, widest.size(), 0);
 }
 
 bool isCorridor(const Room& region, const SplitAtDoorsOptions& options) {

@@ -26,9 +26,10 @@ class Checker {
 
   void checkVertex(VertexId v) {
     const Vertex& vertex = graph_.vertex(v);
-    expect(std::isfinite(vertex.at.x) && std::isfinite(vertex.at.y), "vertex is nowhere", v.index());
-    expect(vertex.kind != VertexKind::deadEnd || graph_.degree(v) == 1,
-           "dead end has not one way", v.index());
+    expect(std::isfinite(vertex.at.x) && std::isfinite(vertex.at.y), "vertex is nowhere",
+           v.index());
+    expect(vertex.kind != VertexKind::deadEnd || graph_.degree(v) == 1, "dead end has not one way",
+           v.index());
     for (const HalfEdgeId h : graph_.outgoing(v))
       expect(graph_.source(h) == v && graph_.target(TopologyGraph::twin(h)) == v,
              "half edge and twin disagree", h.index());

@@ -69,8 +69,7 @@ std::vector<Path> pathsToRepresentatives(const TopologyGraph& graph,
     for (const HalfEdgeId out : ways[at.index()]) {
       const VertexId next = graph.target(out);
       if (isDone[next.index()]) continue;
-      paths[next.index()] =
-          joined(graph.halfPath(TopologyGraph::twin(out)), paths[at.index()]);
+      paths[next.index()] = joined(graph.halfPath(TopologyGraph::twin(out)), paths[at.index()]);
       open.push_back(next);
     }
   }
@@ -95,8 +94,7 @@ TopologyGraph joinVertices(TopologyGraph graph, const JoinVerticesOptions& optio
   const std::vector<EdgeId> forest = joiningForest(graph, limit, groups);
   if (forest.empty()) return graph;
   const std::vector<VertexId> representative = representatives(graph, groups);
-  const std::vector<Path> toRepresentative =
-      pathsToRepresentatives(graph, forest, representative);
+  const std::vector<Path> toRepresentative = pathsToRepresentatives(graph, forest, representative);
 
   std::vector<bool> keepVertex(graph.vertices().size()), keepEdge(graph.edges().size(), true);
   for (std::size_t v = 0; v < keepVertex.size(); ++v)

@@ -68,8 +68,7 @@ TopologyGraph keepLargest(TopologyGraph graph, const KeepLargestOptions& options
   double droppedLength = 0;
   for (auto it = components.begin(); it != components.end(); ++it) {
     if (it->isEmpty) continue;
-    const bool isKept =
-        it == largest || (options.allComponents && it->length >= options.minLength);
+    const bool isKept = it == largest || (options.allComponents && it->length >= options.minLength);
     keepComponent[std::size_t(it - components.begin())] = isKept;
     if (isKept) continue;
     ++droppedCount;

@@ -5,8 +5,9 @@
 namespace roomgraph {
 
 void describe(KeepClearOptions& options, FieldTable& table) {
-  table.number("keep_clear", "min_clearance", options.minClearance, "m", 0, 10,
-               "Voronoi edges that come nearer to an obstacle are dropped; never below 0.75 cells.");
+  table.number(
+      "keep_clear", "min_clearance", options.minClearance, "m", 0, 10,
+      "Voronoi edges that come nearer to an obstacle are dropped; never below 0.75 cells.");
 }
 
 double effectiveClearance(const KeepClearOptions& options, double resolution) {

@@ -28,9 +28,7 @@ void removeNotFree(const VoronoiGraph& graph, const Grid& grid, InsideFlags& isI
 /** Keeps the connected set of Delaunay faces with the largest area. */
 void keepBiggest(const VoronoiGraph& graph, InsideFlags& isInside) {
   UnionFind polygons(graph.vertices.size());
-  const auto isInner = [&](std::uint32_t v) {
-    return v != VoronoiEdge::kNoVertex && isInside[v];
-  };
+  const auto isInner = [&](std::uint32_t v) { return v != VoronoiEdge::kNoVertex && isInside[v]; };
   for (const VoronoiEdge& edge : graph.edges)
     if (isInner(edge.source) && isInner(edge.target)) polygons.join(edge.source, edge.target);
   // Twice the area of each face, summed over its Delaunay edges; shared edges cancel.
@@ -42,8 +40,7 @@ void keepBiggest(const VoronoiGraph& graph, InsideFlags& isInside) {
     if (isInner(edge.target)) area[polygons.find(edge.target)] -= twice;
   }
   if (area.empty()) return;
-  const auto biggest =
-      std::uint32_t(std::max_element(area.begin(), area.end()) - area.begin());
+  const auto biggest = std::uint32_t(std::max_element(area.begin(), area.end()) - area.begin());
   for (std::uint32_t v = 0; v < isInside.size(); ++v)
     if (isInside[v] && polygons.find(v) != biggest) isInside[v] = 0;
 }

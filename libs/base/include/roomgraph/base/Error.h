@@ -9,7 +9,8 @@ class DataError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/** What the caller asked for cannot be done. what() is one plain line: what, which value, what would do. */
+/** What the caller asked for cannot be done. what() is one plain line: what, which value, what
+ * would do. */
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -9,16 +9,17 @@ namespace roomgraph {
  *  Loading, saving, checking, help and documents are made from this. The default is
  *  not here: it is the initialiser of the member that `value` points to. */
 struct Field {
-  std::string section;   ///< the step that reads it, as in its file name
-  std::string name;      ///< snake_case
-  std::string unit;      ///< "m", "m2", "px2", "rad", "" for none
+  std::string section;       ///< the step that reads it, as in its file name
+  std::string name;          ///< snake_case
+  std::string unit;          ///< "m", "m2", "px2", "rad", "" for none
   double low = 0, high = 0;  ///< closed range of numbers; unused for switches and choices
-  std::string sentence;  ///< what it does, one sentence
+  std::string sentence;      ///< what it does, one sentence
   std::variant<double*, int*, bool*, std::string*> value;
   std::vector<std::string> choices;  ///< the legal values of a string
 };
 
-/** The settings of all steps, in pipeline order. Points into an options object that must outlive it. */
+/** The settings of all steps, in pipeline order. Points into an options object that must outlive
+ * it. */
 class FieldTable {
  public:
   void number(const char* section, const char* name, double& value, const char* unit, double low,

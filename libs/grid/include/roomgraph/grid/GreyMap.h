@@ -19,10 +19,11 @@ struct GreyMap {
   double occupiedAbove = 0.5, freeBelow = 0.5;
   /** Where the map came from. */
   struct Source {
-    std::string file;      ///< as the caller named it
-    std::string kind;      ///< "gridmap", "simplemap", "ros_map", "image"
-    std::string sha256;    ///< of the file's bytes, lower-case hex
-    std::string insertion; ///< how a simplemap was built into a grid, "key = value; ..."; else empty
+    std::string file;    ///< as the caller named it
+    std::string kind;    ///< "gridmap", "simplemap", "ros_map", "image"
+    std::string sha256;  ///< of the file's bytes (a yaml's, then its picture's), lower-case hex
+    std::string
+        insertion;  ///< how a simplemap was built into a grid, "key = value; ..."; else empty
   } source;
   Notes notes;
 };

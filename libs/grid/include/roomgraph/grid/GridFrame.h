@@ -19,7 +19,9 @@ struct GridFrame {
   std::size_t cellCount() const { return std::size_t(width) * std::size_t(height); }
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
   /** Row-major index; the cell must be contained. */
-  std::size_t index(Cell c) const { return std::size_t(c.y) * std::size_t(width) + std::size_t(c.x); }
+  std::size_t index(Cell c) const {
+    return std::size_t(c.y) * std::size_t(width) + std::size_t(c.x);
+  }
   Point center(Cell c) const {
     return {origin.x + (c.x + 0.5) * resolution, origin.y + (c.y + 0.5) * resolution};
   }

@@ -28,7 +28,7 @@ struct Clutter {
 /** The map as if the clutter were not there. */
 struct ClearedMap {
   Grid grid;
-  ObstacleSites sites;  ///< in the order of the given ones
+  ObstacleSites sites;           ///< in the order of the given ones
   std::vector<Clutter> clutter;  ///< by its first cell in the order of rows
 };
 

@@ -23,26 +23,26 @@ struct StageTiming {
 
 /** Every intermediate result of an extraction, in the order of the steps. */
 struct Stages {
-  ExtractOptions options;    ///< those that were used
-  GreyMap::Source source;    ///< which map it was
-  Grid grid;                 ///< IV-C: free, occupied, unknown
-  ObstacleSites sites;       ///< IV-C, III-A
-  VoronoiGraph voronoi;      ///< III-A
-  InsideFlags isInside;      ///< III-A, per Voronoi vertex
-  double clearance = 0;      ///< that every path keeps [m]
-  EdgeIndices clearEdges;    ///< III-A, of `voronoi`
-  TopologyGraph topology;    ///< III-A, as the Voronoi diagram gives it
-  TopologyGraph pruned;      ///< III-A, without dead ends
-  TopologyGraph joinedUp;    ///< III-A, with near vertices joined
-  TopologyGraph largest;     ///< III-A, the graph without rooms
+  ExtractOptions options;        ///< those that were used
+  GreyMap::Source source;        ///< which map it was
+  Grid grid;                     ///< IV-C: free, occupied, unknown
+  ObstacleSites sites;           ///< IV-C, III-A
+  VoronoiGraph voronoi;          ///< III-A
+  InsideFlags isInside;          ///< III-A, per Voronoi vertex
+  double clearance = 0;          ///< that every path keeps [m]
+  EdgeIndices clearEdges;        ///< III-A, of `voronoi`
+  TopologyGraph topology;        ///< III-A, as the Voronoi diagram gives it
+  TopologyGraph pruned;          ///< III-A, without dead ends
+  TopologyGraph joinedUp;        ///< III-A, with near vertices joined
+  TopologyGraph largest;         ///< III-A, the graph without rooms
   std::vector<Clutter> clutter;  ///< what rooms are found without
-  double roomRadius = 0;     ///< of the disc that rooms are found with [m]; 0 when split at doors
-  Rooms rooms;               ///< III-B
-  PathStretches stretches;   ///< III-C, per edge of `largest`
-  TopologyGraph cut;         ///< III-D and E: paths cut, room ids set
-  TopologyGraph cleaned;     ///< III-F: without short dead ends
-  TopologyGraph doors;       ///< with doors between rooms joined to one vertex
-  RoomGraph result;          ///< III-G
+  double roomRadius = 0;    ///< of the disc that rooms are found with [m]; 0 when split at doors
+  Rooms rooms;              ///< III-B
+  PathStretches stretches;  ///< III-C, per edge of `largest`
+  TopologyGraph cut;        ///< III-D and E: paths cut, room ids set
+  TopologyGraph cleaned;    ///< III-F: without short dead ends
+  TopologyGraph doors;      ///< with doors between rooms joined to one vertex
+  RoomGraph result;         ///< III-G
   Notes notes;
   std::vector<StageTiming> timings;
 };

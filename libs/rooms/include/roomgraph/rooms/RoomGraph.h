@@ -10,8 +10,8 @@ namespace roomgraph {
 /** One room of the result. */
 struct GraphRoom {
   Room shape;
-  Point center;     ///< where its vertex stands [m, map frame]
-  VertexId vertex;  ///< of kind room
+  Point center;                          ///< where its vertex stands [m, map frame]
+  VertexId vertex;                       ///< of kind room
   std::vector<VertexId> borderVertices;  ///< ascending; empty for a room without a way out
 };
 

@@ -14,7 +14,7 @@ namespace roomgraph {
 struct FindRoomsOptions {
   /** Diameter of the disc that must fit in everywhere; 0 to split at doors instead [m]. */
   double minWidth = 0;
-  double alphaPx2 = 0;    ///< the same as CGAL's alpha, its squared radius [px2]; 0 for minWidth
+  double alphaPx2 = 0;  ///< the same as CGAL's alpha, its squared radius [px2]; 0 for minWidth
 };
 void describe(FindRoomsOptions& options, FieldTable& table);
 

@@ -10,7 +10,8 @@ namespace roomgraph {
 // Next: roomGraph
 
 struct JoinDoorsOptions {
-  double maxDepth = 0.5;  ///< of the way through a door, about the wall's thickness; 0 for never [m]
+  double maxDepth =
+      0.5;  ///< of the way through a door, about the wall's thickness; 0 for never [m]
 };
 void describe(JoinDoorsOptions& options, FieldTable& table);
 

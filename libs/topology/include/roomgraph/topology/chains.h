@@ -29,8 +29,7 @@ struct Chains {
  *  vertex whose number of link ends is not 2. A closed run without a node gets the one of its
  *  vertices that `isBetter(a, b)` puts before all others. Chains are ordered by their first node,
  *  then by link. O(vertices + links). */
-Chains findChains(std::size_t vertexCount, const std::vector<Link>& links,
-                  std::vector<bool> isNode,
+Chains findChains(std::size_t vertexCount, const std::vector<Link>& links, std::vector<bool> isNode,
                   const std::function<bool(std::uint32_t, std::uint32_t)>& isBetter);
 
 }  // namespace roomgraph

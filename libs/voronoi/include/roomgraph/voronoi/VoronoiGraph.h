@@ -20,7 +20,7 @@ struct VoronoiEdge {
 
   std::uint32_t source = kNoVertex, target = kNoVertex;  ///< vertices; only target may be kNoVertex
   std::uint32_t left = 0, right = 0;  ///< the two sites, as seen when going from source to target
-  double minClearance = 0;  ///< smallest distance to an obstacle along the edge [m]
+  double minClearance = 0;            ///< smallest distance to an obstacle along the edge [m]
 
   bool isInfinite() const { return target == kNoVertex; }
 };

@@ -16,10 +16,10 @@ namespace roomgraph {
 using InsideFlags = std::vector<std::uint8_t>;
 
 struct KeepInsideOptions {
-  double outsideWidth = 3.0;  ///< diameter of the disc that must not get in from outside [m]
+  double outsideWidth = 3.0;   ///< diameter of the disc that must not get in from outside [m]
   double outsideAlphaPx2 = 0;  ///< the same as alpha, its squared radius [px2]; 0 for outsideWidth
-  bool biggestOnly = false;   ///< keep the biggest polygon only, as the paper does
-  bool freeOnly = true;       ///< keep only what lies in free cells
+  bool biggestOnly = false;    ///< keep the biggest polygon only, as the paper does
+  bool freeOnly = true;        ///< keep only what lies in free cells
 };
 void describe(KeepInsideOptions& options, FieldTable& table);
 

@@ -1,0 +1,45 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/base/Options.h"
+#include "roomgraph/grid/GreyMap.h"
+
+namespace roomgraph {
+
+// In:   the name of a map file
+// Out:  GreyMap
+// Next: binarize
+
+struct LoadGridOptions {
+  double resolution = 0.05;                      ///< of a bare image, and of a simplemap's grid [m]
+  double maxDistanceInsertion = 30;              ///< simplemap: ranges beyond this are not used [m]
+  double maxOccupancyUpdateCertainty = 0.65;     ///< simplemap: how far one beam moves a cell
+  bool considerInvalidRangesAsFreeSpace = true;  ///< simplemap: beams without return clear cells
+  bool wideningBeamsWithDistance = false;        ///< simplemap: beams widen as they go
+};
+void describe(LoadGridOptions& options, FieldTable& table);
+
+/** Reads a map, recognised by its content and never by its name. Any of these may be gzipped:
+ *  - MRPT COccupancyGridMap2D (`.gridmap`), stream versions 0 to 6. The grey levels equal what
+ *    MRPT's own reader gives; the frame keeps the stored bounds and resolution.
+ *  - MRPT CSimpleMap (`.simplemap`; also under its old name CSensFrameProbSequence), versions 0
+ *    and 1: its horizontal 2D range scans are inserted into a grid of options.resolution just large
+ *    enough for them, in the order of the file, with the options above, which
+ *    GreyMap::source.insertion records. Other observations are stepped over and noted
+ *    ("other_observations").
+ *  - ROS map yaml with its picture, whose name counts from the yaml's directory. Modes trinary and
+ *    scale use the yaml's thresholds; raw takes pixels of 0 to 100 as percent occupied, the rest as
+ *    unknown, and uses the thresholds, too. A yaw other than 0 is an error: the frame of a grid
+ *    here has no rotation. source.sha256 is that of the yaml followed by the picture.
+ *  - A bare picture (png of any depth, pgm): options.resolution, lower left corner at (0, 0).
+ *  Transparent pixels show a mid-grey background, which means unknown.
+ *
+ *  No byte reaches MRPT's readers unchecked: sizes, counts and checksums are verified first, and
+ *  nothing is allocated on the word of a header alone. At most 400 million cells. Peak memory for a
+ *  gridmap: 2 bytes per cell besides the compressed file. Deterministic; O(file + cells). Prints
+ *  nothing. Several threads may load at the same time.
+ *  @throws DataError with one line (file, problem, remedy) where the file is missing, damaged,
+ *  absurd or of no known kind. */
+GreyMap loadGrid(const std::string& file, const LoadGridOptions& options);
+
+}  // namespace roomgraph

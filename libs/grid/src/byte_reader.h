@@ -1,0 +1,56 @@
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+
+/** Throws the DataError "file: problem: remedy" as one printable line. */
+[[noreturn]] void refuse(const std::string& file, const std::string& problem,
+                         const std::string& remedy);
+
+/** Bytes that somebody else owns. */
+struct ByteView {
+  const std::uint8_t* data = nullptr;
+  std::size_t size = 0;
+};
+
+/** Reads little-endian values, as MRPT streams them, and never past the end. */
+class ByteReader {
+ public:
+  ByteReader(ByteView bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+
+  const std::string& file() const { return file_; }
+  std::size_t position() const { return position_; }
+  std::size_t left() const { return bytes_.size - position_; }
+
+  /** The next `count` bytes. Throws DataError where fewer are left. */
+  const std::uint8_t* take(std::uint64_t count) {
+    if (count > left()) refuse(file_, "it is cut short or damaged", "copy or save the map again");
+    const std::uint8_t* start = bytes_.data + position_;
+    position_ += static_cast<std::size_t>(count);
+    return start;
+  }
+  const std::uint8_t* peek() const { return bytes_.data + position_; }
+  void skip(std::uint64_t count) { take(count); }
+
+  template <class T>
+  T get() {
+    static_assert(std::is_arithmetic_v<T>);
+    T value;
+    std::memcpy(&value, take(sizeof(T)), sizeof(T));
+    return value;
+  }
+  /** A stored bool is any byte, of which only 0 is false. */
+  bool getFlag() { return get<std::uint8_t>() != 0; }
+
+ private:
+  ByteView bytes_;
+  std::string file_;
+  std::size_t position_ = 0;
+};
+
+}  // namespace roomgraph

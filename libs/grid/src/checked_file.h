@@ -1,0 +1,53 @@
+#pragma once
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "byte_reader.h"
+
+namespace roomgraph {
+
+/** A map may have at most this many cells. */
+constexpr std::uint64_t kMostCells = 400'000'000;
+
+/** A file whose bytes can be trusted to be those that were written: gzipped files are inflated with
+ *  their length and checksum verified. Reads no more than it is asked for, so that a file of the
+ *  wrong kind costs nothing. */
+class CheckedFile {
+ public:
+  /** Opens the file and reads its first bytes. Throws DataError where that is impossible. */
+  explicit CheckedFile(const std::string& name);
+
+  const std::string& name() const { return name_; }
+  /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
+  ByteView head() const { return {head_.data(), head_.size()}; }
+  /** How long the content claims to be. */
+  std::uint64_t claimedSize() const { return claimedSize_; }
+  /** All of the content, verified; stays valid as long as this object, or until release(). */
+  ByteView content();
+  /** Gives the memory of the content back. */
+  void release() { content_.reset(), stored_.reset(); }
+  /** Of the stored bytes, lower-case hex. Call content() first. */
+  const std::string& sha256() const { return sha256_; }
+
+ private:
+  void readHead();
+  void readStored();
+  void inflateAll();
+
+  std::string name_;
+  std::ifstream in_;
+  std::uint64_t storedSize_ = 0, claimedSize_ = 0;
+  bool isGzip_ = false;
+  std::vector<std::uint8_t> head_;
+  // Plain arrays: a vector would write to every byte before the first one is read.
+  std::unique_ptr<std::uint8_t[]> stored_, content_;
+  std::string sha256_;
+};
+
+/** Lower-case hex of the SHA-256 of `first` followed by `second`. */
+std::string sha256Of(ByteView first, ByteView second = {});
+
+}  // namespace roomgraph

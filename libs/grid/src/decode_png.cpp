@@ -1,0 +1,141 @@
+#include "decode_png.h"
+
+#include <png.h>
+#include <zlib.h>
+
+#include <csetjmp>
+#include <memory>
+
+namespace roomgraph {
+namespace {
+
+constexpr const char* kSaveAgain = "copy or save the picture again";
+constexpr std::size_t kSignatureSize = 8;
+constexpr int kBackground = 128;
+
+std::uint32_t bigEndian(const std::uint8_t* p) {
+  return std::uint32_t(p[0]) << 24 | std::uint32_t(p[1]) << 16 | std::uint32_t(p[2]) << 8 | p[3];
+}
+
+/** Everything that libpng's jumps must not skip the destructors of. */
+struct Decoder {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  ByteView left;
+  // A plain array: a vector would write to all of it before the first pixel has proved its worth.
+  std::unique_ptr<std::uint8_t[]> raw;
+  std::vector<png_bytep> rows;
+
+  ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void readBytes(png_structp png, png_bytep out, std::size_t count) {
+  auto& left = *static_cast<ByteView*>(png_get_io_ptr(png));
+  if (count > left.size) png_error(png, "end of data");
+  std::memcpy(out, left.data, count);
+  left.data += count;
+  left.size -= count;
+}
+
+[[noreturn]] void onError(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void onWarning(png_structp, png_const_charp) {}
+
+std::uint8_t greyOf(const std::uint8_t* pixel, int channels) {
+  const int level = channels >= 3 ? (pixel[0] + pixel[1] + pixel[2] + 1) / 3 : pixel[0];
+  if (channels % 2 == 1) return std::uint8_t(level);
+  const int alpha = pixel[channels - 1];
+  return std::uint8_t((level * alpha + kBackground * (255 - alpha) + 127) / 255);
+}
+
+void convertRow(const std::uint8_t* row, int channels, std::uint8_t* out, std::size_t width) {
+  for (std::size_t x = 0; x < width; ++x)
+    out[x] = greyOf(row + x * std::size_t(channels), channels);
+}
+
+/** 8 bits for each of 1 to 4 channels. Returns the number of passes over the rows. */
+int prepare(Decoder& d) {
+  png_read_info(d.png, d.info);
+  png_set_expand(d.png);
+  png_set_scale_16(d.png);
+  const int passes = png_set_interlace_handling(d.png);
+  png_read_update_info(d.png, d.info);
+  return passes;
+}
+
+/** Appends the rows from the top. False where libpng gives up. Holds nothing that a jump could
+ *  leak. */
+bool decode(Decoder& d, std::vector<std::uint8_t>& grey) {
+  if (setjmp(png_jmpbuf(d.png))) return false;
+  const int passes = prepare(d);
+  const std::size_t width = png_get_image_width(d.png, d.info);
+  const std::size_t height = png_get_image_height(d.png, d.info);
+  const std::size_t rowBytes = png_get_rowbytes(d.png, d.info);
+  const int channels = png_get_channels(d.png, d.info);
+  if (passes > 1) {  // rows come in pieces, so that all must be kept
+    d.raw.reset(new std::uint8_t[rowBytes * height]);
+    for (std::size_t y = 0; y < height; ++y) d.rows.push_back(d.raw.get() + y * rowBytes);
+    png_read_image(d.png, d.rows.data());
+  } else {
+    d.raw.reset(new std::uint8_t[rowBytes]);
+  }
+  grey.reserve(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    if (passes == 1) png_read_row(d.png, d.raw.get(), nullptr);
+    grey.resize(grey.size() + width);
+    convertRow(passes == 1 ? d.raw.get() : d.rows[y], channels, &grey[y * width], width);
+  }
+  return true;
+}
+
+}  // namespace
+
+PngHeader readPngHeader(ByteReader in) {
+  in.skip(kSignatureSize);
+  const std::uint8_t* chunk = in.take(8 + 13);
+  if (bigEndian(chunk) != 13 || std::memcmp(chunk + 4, "IHDR", 4) != 0)
+    refuse(in.file(), "it is damaged: it does not begin with its size", kSaveAgain);
+  PngHeader header;
+  header.width = bigEndian(chunk + 8);
+  header.height = bigEndian(chunk + 12);
+  constexpr int channelsByType[] = {1, 0, 3, 1, 2, 0, 4};
+  const int type = chunk[17];
+  header.bitsPerPixel = type <= 6 ? chunk[16] * channelsByType[type] : 0;
+  if (header.bitsPerPixel == 0)
+    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSaveAgain);
+  return header;
+}
+
+void checkPng(ByteReader in, const PngHeader& header) {
+  in.skip(kSignatureSize);
+  std::uint64_t dataBytes = 0;
+  for (bool isEnd = false; !isEnd;) {
+    const std::uint32_t length = bigEndian(in.take(4));
+    const std::uint8_t* chunk = in.take(std::uint64_t(length) + 4);
+    const std::uint32_t stored = bigEndian(in.take(4));
+    if (crc32_z(0, chunk, std::size_t(length) + 4) != stored)
+      refuse(in.file(), "it is damaged: a checksum in it is wrong", kSaveAgain);
+    if (std::memcmp(chunk, "IDAT", 4) == 0) dataBytes += length;
+    isEnd = std::memcmp(chunk, "IEND", 4) == 0;
+  }
+  if (in.left() > 0)
+    refuse(in.file(), "something follows the picture in it", "remove what was appended");
+  constexpr std::uint64_t mostInflation = 1032;
+  const std::uint64_t pixelBytes =
+      std::uint64_t(header.width) * header.height * std::uint64_t(header.bitsPerPixel) / 8;
+  if (pixelBytes / mostInflation > dataBytes)
+    refuse(in.file(), "it is damaged: it holds fewer pixels than it says", kSaveAgain);
+}
+
+std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {
+  std::vector<std::uint8_t> grey;
+  Decoder decoder;
+  decoder.left = png;
+  decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+  if (decoder.png) decoder.info = png_create_info_struct(decoder.png);
+  if (!decoder.info) throw std::bad_alloc();
+  png_set_read_fn(decoder.png, &decoder.left, readBytes);
+  if (!decode(decoder, grey)) refuse(file, "it is damaged: its pixels cannot be read", kSaveAgain);
+  return grey;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,24 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "byte_reader.h"
+
+namespace roomgraph {
+
+struct PngHeader {
+  std::uint32_t width = 0, height = 0;
+  int bitsPerPixel = 0;
+};
+
+/** Reads the size from the first bytes of a png. */
+PngHeader readPngHeader(ByteReader in);
+/** Throws DataError unless every chunk is whole, its checksum right, the last one the end of the
+ *  file, and the compressed data long enough for the pixels to be in it at all. */
+void checkPng(ByteReader in, const PngHeader& header);
+/** Decodes a checked png into one grey level per pixel, the highest row first. Gamma and colour
+ *  profiles are not applied, as map servers do not. */
+std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file);
+
+}  // namespace roomgraph

@@ -1,0 +1,81 @@
+#include "roomgraph/grid/load_grid.h"
+
+#include <new>
+
+#include "checked_file.h"
+#include "mrpt_object.h"
+#include "read_gridmap.h"
+#include "read_image.h"
+#include "read_ros_map.h"
+#include "read_scans.h"
+#include "read_simplemap.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr const char* kKnownKinds =
+    "give an MRPT gridmap or simplemap, a ROS map yaml, or a png or pgm picture";
+
+/** Common pictures of maps draw the unknown at 205 to 230, and free space near white. */
+GreyMap readBareImage(CheckedFile& file, const LoadGridOptions& options) {
+  GreyMap map;
+  readImage(file, map);
+  map.frame.resolution = options.resolution;
+  map.occupiedAbove = 0.65;
+  map.freeBelow = 0.095;
+  map.source.kind = "image";
+  return map;
+}
+
+bool isRegisteredName(const std::string& className) {
+  return className.size() > 1 && className[0] == 'C' && className[1] >= 'A' && className[1] <= 'Z';
+}
+
+GreyMap readByContent(CheckedFile& file, const LoadGridOptions& options) {
+  if (isPng(file.head()) || isPgm(file.head())) return readBareImage(file, options);
+  if (const auto object = peekObjectHeader(file.head())) {
+    if (object->className == "COccupancyGridMap2D") return readGridmap(file);
+    if (isSimplemapClass(object->className)) return readSimplemap(file, options);
+    if (isRegisteredName(object->className))
+      refuse(file.name(), "holds an MRPT object of class " + object->className, kKnownKinds);
+  }
+  if (auto map = readRosMap(file)) return std::move(*map);
+  refuse(file.name(), "is no map of a known kind", kKnownKinds);
+}
+
+}  // namespace
+
+void describe(LoadGridOptions& options, FieldTable& table) {
+  const char* section = "load_grid";
+  table.number(section, "resolution", options.resolution, "m", 0.001, 10,
+               "Side of a cell, for bare pictures and for grids built from a simplemap.");
+  table.number(section, "max_distance_insertion", options.maxDistanceInsertion, "m", 0.1, 1000,
+               "Ranges of a simplemap's scans beyond this are cut off.");
+  table.number(section, "max_occupancy_update_certainty", options.maxOccupancyUpdateCertainty, "",
+               0.51, 0.99,
+               "How sure one beam of a simplemap's scans makes a cell, as a probability.");
+  table.flag(section, "consider_invalid_ranges_as_free_space",
+             options.considerInvalidRangesAsFreeSpace,
+             "Whether beams of a simplemap's scans without return clear the cells they pass.");
+  table.flag(section, "widening_beams_with_distance", options.wideningBeamsWithDistance,
+             "Whether beams of a simplemap's scans widen with distance.");
+}
+
+GreyMap loadGrid(const std::string& name, const LoadGridOptions& options) {
+  try {
+    CheckedFile file(name);
+    GreyMap map = readByContent(file, options);
+    map.source.file = name;
+    if (map.source.sha256.empty()) map.source.sha256 = file.sha256();
+    return map;
+  } catch (const DataError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    refuse(name, "there is not enough memory for it", "give a smaller map");
+  } catch (const std::exception&) {
+    // MRPT's texts run over many lines and name its source files.
+    refuse(name, "it cannot be read as a map", "copy or save the map again");
+  }
+}
+
+}  // namespace roomgraph

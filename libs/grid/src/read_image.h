@@ -1,0 +1,15 @@
+#pragma once
+#include "checked_file.h"
+#include "roomgraph/grid/GreyMap.h"
+
+namespace roomgraph {
+
+bool isPng(ByteView head);
+bool isPgm(ByteView head);
+
+/** Reads a png or pgm into the map's size and grey levels, row 0 lowest. Colours are averaged,
+ *  transparent pixels show a background of 128. Throws DataError where it is damaged (checksums,
+ *  missing pixels), followed by something else, or larger than kMostCells. */
+void readImage(CheckedFile& file, GreyMap& map);
+
+}  // namespace roomgraph

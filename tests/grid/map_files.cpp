@@ -1,0 +1,106 @@
+#include "map_files.h"
+
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <mrpt/serialization/CArchive.h>
+#include <png.h>
+#include <stdlib.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+
+namespace roomgraph::test {
+
+namespace fs = std::filesystem;
+
+TempDir::TempDir() {
+  std::string name = (fs::temp_directory_path() / "roomgraph-test-XXXXXX").string();
+  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
+  path_ = name;
+}
+
+TempDir::~TempDir() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string TempDir::write(const std::string& name, const std::string& bytes) const {
+  const std::string file = path(name);
+  fs::remove(file);  // some file systems write a file that is truncated to the disk at once
+  std::ofstream(file, std::ios::binary) << bytes;
+  return file;
+}
+
+std::string gzipped(const std::string& bytes) {
+  z_stream stream{};
+  if (deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 9, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib");
+  std::string out(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = uInt(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = uInt(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+std::string streamed(const mrpt::serialization::CSerializable& object) {
+  mrpt::io::CMemoryStream stream;
+  mrpt::serialization::archiveFrom(stream) << object;
+  return {static_cast<const char*>(stream.getRawBufferData()),
+          std::size_t(stream.getTotalBytesCount())};
+}
+
+std::string png(int width, int height, int channels, const std::string& pixels) {
+  constexpr png_uint_32 formats[] = {PNG_FORMAT_GRAY, PNG_FORMAT_GA, PNG_FORMAT_RGB,
+                                     PNG_FORMAT_RGBA};
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = png_uint_32(width);
+  image.height = png_uint_32(height);
+  image.format = formats[channels - 1];
+  png_alloc_size_t size = 0;
+  png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr);
+  std::string out(size, '\0');
+  if (!png_image_write_to_memory(&image, out.data(), &size, 0, pixels.data(), 0, nullptr))
+    throw std::runtime_error("libpng");
+  out.resize(size);
+  return out;
+}
+
+mrpt::maps::COccupancyGridMap2D smallGrid() {
+  mrpt::maps::COccupancyGridMap2D grid(-0.2f, 0.3f, 0.3f, 0.7f, 0.1f);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x) grid.setCell(x, y, 0.05f + 0.045f * float(5 * y + x));
+  return grid;
+}
+
+mrpt::maps::CSimpleMap smallSimplemap() {
+  mrpt::maps::CSimpleMap map;
+  for (const double x : {-0.5, 0.0, 0.5}) {
+    auto scan = mrpt::obs::CObservation2DRangeScan::Create();
+    scan->aperture = float(M_PI);
+    scan->maxRange = 10;
+    scan->sensorLabel = "laser";
+    scan->resizeScan(40);
+    for (std::size_t i = 0; i < 40; ++i) {
+      const double angle = -M_PI / 2 + M_PI * double(i) / 40;
+      const double toSide = (2 - x) / std::max(1e-9, std::cos(angle));
+      const double toEnd = 2 / std::max(1e-9, std::abs(std::sin(angle)));
+      scan->setScanRange(i, float(std::min(toSide, toEnd)));
+      scan->setScanRangeValidity(i, i != 7);
+    }
+    mrpt::obs::CSensoryFrame frame;
+    frame.insert(scan);
+    map.insert(mrpt::poses::CPose3DPDFGaussian(mrpt::poses::CPose3D(x, 0, 0)), frame);
+  }
+  return map;
+}
+
+}  // namespace roomgraph::test

@@ -1,0 +1,43 @@
+#pragma once
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/serialization/CSerializable.h>
+
+#include <filesystem>
+#include <string>
+
+namespace roomgraph::test {
+
+/** A directory that goes away with its contents. */
+class TempDir {
+ public:
+  TempDir();
+  ~TempDir();
+  TempDir(const TempDir&) = delete;
+  TempDir& operator=(const TempDir&) = delete;
+
+  /** Writes the bytes and returns the file's full name. */
+  std::string write(const std::string& name, const std::string& bytes) const;
+  std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string gzipped(const std::string& bytes);
+/** What MRPT writes for the object. */
+std::string streamed(const mrpt::serialization::CSerializable& object);
+/** A grey or grey-alpha (2 channels), RGB or RGBA png, 8 bits per channel, rows from the top. */
+std::string png(int width, int height, int channels, const std::string& pixels);
+/** The value as it stands in MRPT's streams. */
+template <class T>
+std::string raw(T value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+/** 5 x 4 cells of 0.1 m with its lower left corner at (-0.2, 0.3), each cell different. */
+mrpt::maps::COccupancyGridMap2D smallGrid();
+/** Three poses in a square room of 4 m, each with a scan of 40 beams. */
+mrpt::maps::CSimpleMap smallSimplemap();
+
+}  // namespace roomgraph::test
