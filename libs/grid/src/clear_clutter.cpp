@@ -76,12 +76,12 @@ void describe(ClearClutterOptions& options, FieldTable& table) {
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
                         const ClearClutterOptions& options) {
-  ClearedMap cleared{grid, {sites.frame, {}}, {}};
+  ClearedMap cleared{grid, std::vector<std::uint8_t>(sites.cells.size()), {}};
   ClutterFinder finder(cleared.grid, options.maxSize);
   for (const Cell cell : sites.cells) finder.clear(cell, cleared.clutter);
   // A site whose cell has become free was clutter.
-  for (const Cell cell : sites.cells)
-    if (cleared.grid.atOrUnknown(cell) != State::free) cleared.sites.cells.push_back(cell);
+  for (std::size_t i = 0; i < sites.cells.size(); ++i)
+    cleared.isClutter[i] = cleared.grid.atOrUnknown(sites.cells[i]) == State::free;
   return cleared;
 }
 

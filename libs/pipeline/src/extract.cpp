@@ -8,6 +8,7 @@
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/topology/topology_graph.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/voronoi/voronoi_without.h"
 
 namespace roomgraph {
 namespace {
@@ -62,7 +63,7 @@ void findRooms(Stages& s) {
     s.rooms = roomsIn(s.voronoi, s.isInside, s.roomRadius, resolution, doors);
     return;
   }
-  const VoronoiGraph voronoi = voronoiGraph(cleared.sites);
+  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, cleared.isClutter);
   const InsideFlags isInside = keepInside(voronoi, cleared.grid, s.options.keepInside);
   s.rooms = roomsIn(voronoi, isInside, s.roomRadius, resolution, doors);
 }

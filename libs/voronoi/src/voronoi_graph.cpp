@@ -1,7 +1,8 @@
 #include "roomgraph/voronoi/voronoi_graph.h"
 
-#include <algorithm>
 #include <boost/polygon/voronoi.hpp>
+
+#include "edge_clearance.h"
 
 // Cells are sites as they are: Boost only has to find their coordinates.
 template <>
@@ -21,15 +22,8 @@ namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-/** Smallest distance to the sites p and q along the edge a–b that keeps equally far from both. */
-double minClearance(Point p, Point q, Point a, Point b, double clearanceA, double clearanceB) {
-  const Point between = midpoint(p, q);
-  const double along = dot(between - a, b - a);
-  const bool passesBetween = along > 0 && along < squaredNorm(b - a);
-  return passesBetween ? distance(p, q) / 2 : std::min(clearanceA, clearanceB);
-}
-
-/** The same for the ray from `a` that keeps equally far from p on its left and q on its right. */
+/** Smallest distance along the ray from `a` that keeps equally far from p on its left and q on its
+ *  right. */
 double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
   const Point ahead{p.y - q.y, q.x - p.x};
   return dot(midpoint(p, q) - a, ahead) > 0 ? distance(p, q) / 2 : clearanceA;
@@ -73,8 +67,7 @@ class Converter {
     if (edge->vertex1()) {
       result.target = indexOf(edge->vertex1());
       const VoronoiVertex& target = graph_.vertices[result.target];
-      result.minClearance =
-          minClearance(p, q, source.at, target.at, source.clearance, target.clearance);
+      result.minClearance = edgeClearance(p, q, source, target);
     } else {
       result.minClearance = minClearanceOfRay(p, q, source.at, source.clearance);
     }

@@ -12,7 +12,7 @@ namespace roomgraph {
 // detection')"
 // In:   Grid, ObstacleSites
 // Out:  the same without clutter, to find rooms in
-// Next: findRooms
+// Next: voronoiWithout
 
 struct ClearClutterOptions {
   double maxSize = 1.2;  ///< diagonal of the upright box round an obstacle; 0 keeps all [m]
@@ -28,8 +28,8 @@ struct Clutter {
 /** The map as if the clutter were not there. */
 struct ClearedMap {
   Grid grid;
-  ObstacleSites sites;           ///< in the order of the given ones
-  std::vector<Clutter> clutter;  ///< by its first cell in the order of rows
+  std::vector<std::uint8_t> isClutter;  ///< per site; non-zero where it belongs to clutter
+  std::vector<Clutter> clutter;         ///< by its first cell in the order of rows
 };
 
 /** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the

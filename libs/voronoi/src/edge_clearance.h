@@ -1,0 +1,15 @@
+#pragma once
+#include <algorithm>
+
+#include "roomgraph/voronoi/VoronoiGraph.h"
+
+namespace roomgraph {
+
+/** Smallest distance to the sites p and q along the edge a–b that keeps equally far from both. */
+inline double edgeClearance(Point p, Point q, const VoronoiVertex& a, const VoronoiVertex& b) {
+  const double along = dot(midpoint(p, q) - a.at, b.at - a.at);
+  const bool passesBetween = along > 0 && along < squaredNorm(b.at - a.at);
+  return passesBetween ? distance(p, q) / 2 : std::min(a.clearance, b.clearance);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,197 @@
+#include "roomgraph/voronoi/voronoi_without.h"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "edge_clearance.h"
+#include "roomgraph/base/UnionFind.h"
+#include "roomgraph/voronoi/voronoi_graph.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::uint32_t kNone = VoronoiEdge::kNoVertex;
+
+VoronoiEdge flipped(VoronoiEdge edge) {
+  std::swap(edge.source, edge.target);
+  std::swap(edge.left, edge.right);
+  return edge;
+}
+
+/** Faces of the triangulation that go, connected with each other. */
+struct Hole {
+  std::vector<std::uint32_t> sites;  ///< that stay, round the hole
+  std::vector<VoronoiEdge> rim;      ///< edges into the hole; the source stays, or is kNone
+};
+
+class HoleFiller {
+ public:
+  HoleFiller(const VoronoiGraph& graph, const ObstacleSites& sites,
+             const std::vector<std::uint8_t>& isLeftOut)
+      : graph_(graph), sites_(sites), isLeftOut_(isLeftOut) {}
+
+  /** Empty where a hole cannot be told from the outside: it reaches the hull, or its rim is
+   *  degenerate. */
+  std::optional<VoronoiGraph> run() {
+    flagVertices();
+    result_.sites = graph_.sites;
+    keepTheRest();
+    for (Hole& hole : holes())
+      if (!fill(hole)) return std::nullopt;
+    return std::move(result_);
+  }
+
+ private:
+  void flagVertices() {
+    goes_.assign(graph_.vertices.size(), 0);
+    for (const VoronoiEdge& edge : graph_.edges) {
+      if (!isLeftOut_[edge.left] && !isLeftOut_[edge.right]) continue;
+      goes_[edge.source] = 1;
+      if (!edge.isInfinite()) goes_[edge.target] = 1;
+    }
+  }
+
+  bool goes(std::uint32_t vertex) const { return vertex != kNone && goes_[vertex]; }
+
+  void keepTheRest() {
+    newOf_.assign(graph_.vertices.size(), kNone);
+    for (std::uint32_t v = 0; v < newOf_.size(); ++v) {
+      if (goes_[v]) continue;
+      newOf_[v] = std::uint32_t(result_.vertices.size());
+      result_.vertices.push_back(graph_.vertices[v]);
+    }
+    for (VoronoiEdge edge : graph_.edges) {
+      if (goes(edge.source) || goes(edge.target)) continue;
+      edge.source = newOf_[edge.source];
+      if (!edge.isInfinite()) edge.target = newOf_[edge.target];
+      result_.edges.push_back(edge);
+    }
+  }
+
+  std::vector<Hole> holes() const {
+    UnionFind groups(graph_.vertices.size());
+    for (const VoronoiEdge& edge : graph_.edges)
+      if (goes(edge.source) && goes(edge.target)) groups.join(edge.source, edge.target);
+    std::vector<Hole> holes;
+    std::unordered_map<std::uint32_t, std::size_t> holeOf;
+    for (const VoronoiEdge& edge : graph_.edges) {
+      if (!goes(edge.source) && !goes(edge.target)) continue;
+      const auto group = groups.find(goes(edge.source) ? edge.source : edge.target);
+      const auto it = holeOf.emplace(group, holes.size()).first;
+      if (it->second == holes.size()) holes.emplace_back();
+      Hole& hole = holes[it->second];
+      for (const auto site : {edge.left, edge.right})
+        if (!isLeftOut_[site]) hole.sites.push_back(site);
+      if (!goes(edge.source)) hole.rim.push_back(edge);
+      if (!goes(edge.target)) hole.rim.push_back(flipped(edge));
+    }
+    return holes;
+  }
+
+  bool fill(Hole& hole) {
+    std::sort(hole.sites.begin(), hole.sites.end());
+    hole.sites.erase(std::unique(hole.sites.begin(), hole.sites.end()), hole.sites.end());
+    ObstacleSites around{sites_.frame, {}};
+    for (const auto site : hole.sites) around.cells.push_back(sites_.cells[site]);
+    VoronoiGraph local = voronoiGraph(around);
+    std::unordered_map<std::uint64_t, std::size_t> edgeOf;
+    for (std::size_t e = 0; e < local.edges.size(); ++e) {
+      VoronoiEdge& edge = local.edges[e];
+      edge.left = hole.sites[edge.left];
+      edge.right = hole.sites[edge.right];
+      edgeOf[keyOf(edge)] = e;
+    }
+    return addLocal(hole, local, edgeOf);
+  }
+
+  static std::uint64_t keyOf(const VoronoiEdge& edge) {
+    const auto [low, high] = std::minmax(edge.left, edge.right);
+    return std::uint64_t(low) << 32 | high;
+  }
+
+  bool addLocal(const Hole& hole, const VoronoiGraph& local,
+                const std::unordered_map<std::uint64_t, std::size_t>& edgeOf) {
+    std::vector<std::uint8_t> isRim(local.edges.size());
+    std::vector<std::uint32_t> entry;  // the local vertex behind each rim edge
+    for (const VoronoiEdge& rim : hole.rim) {
+      const auto it = edgeOf.find(keyOf(rim));
+      if (it == edgeOf.end()) return false;
+      const VoronoiEdge& edge = local.edges[it->second];
+      isRim[it->second] = 1;
+      entry.push_back(edge.left == rim.left ? edge.target : edge.source);
+      if (entry.back() == kNone) return false;
+    }
+    const std::vector<std::uint32_t> newOf = addInner(local, isRim, entry);
+    for (std::size_t e = 0; e < local.edges.size(); ++e) {
+      VoronoiEdge edge = local.edges[e];
+      if (isRim[e] || newOf[edge.source] == kNone) continue;
+      if (edge.isInfinite()) return false;
+      edge.source = newOf[edge.source];
+      edge.target = newOf[edge.target];
+      result_.edges.push_back(edge);
+    }
+    for (std::size_t i = 0; i < entry.size(); ++i) addRim(hole.rim[i], newOf[entry[i]]);
+    return true;
+  }
+
+  /** Adds the local vertices inside of the hole; returns their new numbers. */
+  std::vector<std::uint32_t> addInner(const VoronoiGraph& local,
+                                      const std::vector<std::uint8_t>& isRim,
+                                      const std::vector<std::uint32_t>& entry) {
+    UnionFind groups(local.vertices.size());
+    for (std::size_t e = 0; e < local.edges.size(); ++e)
+      if (!isRim[e] && !local.edges[e].isInfinite())
+        groups.join(local.edges[e].source, local.edges[e].target);
+    std::vector<std::uint8_t> isInner(local.vertices.size());
+    for (const auto v : entry) isInner[groups.find(v)] = 1;
+    std::vector<std::uint32_t> newOf(local.vertices.size(), kNone);
+    for (std::uint32_t v = 0; v < newOf.size(); ++v) {
+      if (!isInner[groups.find(v)]) continue;
+      newOf[v] = std::uint32_t(result_.vertices.size());
+      result_.vertices.push_back(local.vertices[v]);
+    }
+    return newOf;
+  }
+
+  void addRim(VoronoiEdge edge, std::uint32_t inner) {
+    const Point p = graph_.sites[edge.left], q = graph_.sites[edge.right];
+    edge.target = inner;
+    if (edge.source == kNone) {  // from infinity: edges start at a vertex
+      const VoronoiVertex& vertex = result_.vertices[inner];
+      edge = flipped(edge);
+      const Point ahead{q.y - p.y, p.x - q.x};
+      const bool passesBetween = dot(midpoint(p, q) - vertex.at, ahead) > 0;
+      edge.minClearance = passesBetween ? distance(p, q) / 2 : vertex.clearance;
+    } else {
+      edge.source = newOf_[edge.source];
+      edge.minClearance =
+          edgeClearance(p, q, result_.vertices[edge.source], result_.vertices[inner]);
+    }
+    result_.edges.push_back(edge);
+  }
+
+  const VoronoiGraph& graph_;
+  const ObstacleSites& sites_;
+  const std::vector<std::uint8_t>& isLeftOut_;
+  std::vector<std::uint8_t> goes_;
+  std::vector<std::uint32_t> newOf_;
+  VoronoiGraph result_;
+};
+
+VoronoiGraph fromScratch(const ObstacleSites& sites, const std::vector<std::uint8_t>& isLeftOut) {
+  ObstacleSites kept{sites.frame, {}};
+  for (std::size_t i = 0; i < sites.cells.size(); ++i)
+    if (!isLeftOut[i]) kept.cells.push_back(sites.cells[i]);
+  return voronoiGraph(kept);
+}
+
+}  // namespace
+
+VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleSites& sites,
+                            const std::vector<std::uint8_t>& isLeftOut) {
+  auto filled = HoleFiller(graph, sites, isLeftOut).run();
+  return filled ? std::move(*filled) : fromScratch(sites, isLeftOut);
+}
+
+}  // namespace roomgraph
