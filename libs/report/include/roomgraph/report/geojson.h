@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/rooms/RoomGraph.h"
+
+namespace roomgraph {
+
+/** The graph as GeoJSON for the route server of nav2 (its GeoJsonGraphFileLoader), QGIS and others,
+ *  in metres of the map frame.
+ *
+ *  A robot on a nav2 route goes straight from node to node, so each path is split at its bends
+ *  (straightPieces) into nodes of kind "bend". Edges of nav2 are one-way, so each piece is there
+ *  twice. Ids are unique over all: 0 to V-1 are our vertices, then come the bends by edge, then the
+ *  pieces by edge, each one forth and then back.
+ *
+ *  Points have properties id, frame ("map") and metadata {kind, clearance, room}; MultiLineStrings
+ *  id, startid, endid, cost (length [m], overridable) and metadata {edge, kind, room, length,
+ *  min_clearance}, the numbers being those of our edge; rooms are Polygons with room, area and
+ *  inscribed_radius, which nav2 skips. nav2 refuses a graph without edges. Same graph, same bytes.
+ */
+std::string geojson(const RoomGraph& graph);
+
+}  // namespace roomgraph

@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+namespace roomgraph {
+
+/** Writes `bytes` to `path` so that there is the old file or the whole new one at any time, even if
+ *  the machine stops: a file of another name in the same folder is written, flushed to the disk and
+ *  renamed. A link is followed. Nothing is left behind on failure.
+ *  @throws DataError with one line (file, problem, remedy). */
+void writeFileAtomically(const std::string& path, const std::string& bytes);
+
+}  // namespace roomgraph

@@ -1,0 +1,52 @@
+#include "roomgraph/report/GraphFile.h"
+
+#include <filesystem>
+
+#include "roomgraph/base/version.h"
+
+namespace roomgraph {
+namespace {
+
+SavedOption savedOption(const Field& field) {
+  SavedOption option{field.section, field.name, {}};
+  std::visit([&](const auto* value) { option.value = *value; }, field.value);
+  return option;
+}
+
+/** The same field over a value of our own, for valueText(). */
+std::string text(SavedOption option) {
+  Field field;
+  std::visit([&](auto& value) { field.value = &value; }, option.value);
+  return valueText(field);
+}
+
+}  // namespace
+
+GraphFile graphFile(const Stages& stages) {
+  GraphFile file;
+  file.program = "roomgraph";
+  file.version = version();
+  file.input.file = std::filesystem::path(stages.source.file).filename().string();
+  file.input.kind = stages.source.kind;
+  file.input.sha256 = stages.source.sha256;
+  file.input.insertion = stages.source.insertion;
+  file.input.frame = stages.grid.frame;
+  ExtractOptions options = stages.options;
+  const FieldTable table = describe(options);
+  for (const Field& field : table.fields()) file.options.push_back(savedOption(field));
+  file.graph = stages.result;
+  file.notes = stages.notes;
+  return file;
+}
+
+std::string optionsIni(const GraphFile& file) {
+  std::string ini, section;
+  for (const SavedOption& option : file.options) {
+    if (option.section != section) ini += "[" + option.section + "]\n";
+    section = option.section;
+    ini += option.key + " = " + text(option) + "\n";
+  }
+  return ini;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,137 @@
+#include "Pen.h"
+
+#include "thinned_line.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kTolerancePx = 0.3;
+
+/** The number of bytes of the UTF-8 character that starts at `i`; 0 where none does. */
+std::size_t characterLength(const std::string& text, std::size_t i) {
+  const auto byte = [&](std::size_t k) { return k < text.size() ? std::uint8_t(text[k]) : 0; };
+  const unsigned lead = byte(i);
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xc2 ? 0
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if ((byte(i + k) & 0xc0u) != 0x80) return 0;
+  const unsigned second = byte(i + 1);
+  const bool isForbidden = (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
+                           (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f);
+  return isForbidden || lead < 0x20 || lead == 0x7f ? 0 : length;
+}
+
+/** cairo refuses to draw anything more after one bad character. */
+std::string printable(const std::string& text) {
+  std::string good;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = characterLength(text, i);
+    good += length ? text.substr(i, length) : "?";
+    i += length ? length : 1;
+  }
+  return good;
+}
+
+void traceSquare(cairo_t* cairo, Point px, double half) {
+  cairo_rectangle(cairo, px.x - half, px.y - half, 2 * half, 2 * half);
+}
+
+void traceDiamond(cairo_t* cairo, Point px, double half) {
+  cairo_move_to(cairo, px.x, px.y - half);
+  cairo_line_to(cairo, px.x + half, px.y);
+  cairo_line_to(cairo, px.x, px.y + half);
+  cairo_line_to(cairo, px.x - half, px.y);
+  cairo_close_path(cairo);
+}
+
+void traceDisc(cairo_t* cairo, Point px, double radius) {
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, px.x, px.y, radius, 0, 2 * kPi);
+}
+
+}  // namespace
+
+void Pen::ink(Colour c, double alpha) const {
+  cairo_set_source_rgba(cairo_, c.red / 255.0, c.green / 255.0, c.blue / 255.0, alpha);
+}
+
+void Pen::trace(const Polyline& line) const {
+  Polyline px;
+  for (const Point p : line) px.push_back(view_.px(p));
+  const Polyline thinned = thinnedLine(px, kTolerancePx);
+  for (std::size_t i = 0; i < thinned.size(); ++i)
+    (i == 0 ? cairo_move_to : cairo_line_to)(cairo_, thinned[i].x, thinned[i].y);
+}
+
+void Pen::trace(const Polygon& polygon) const {
+  const auto traceRing = [&](const Ring& ring) {
+    trace(ring);
+    if (!ring.empty()) cairo_close_path(cairo_);
+  };
+  traceRing(polygon.outer);
+  for (const Ring& hole : polygon.holes) traceRing(hole);
+}
+
+void Pen::stroke(double widthPx) const {
+  cairo_set_line_width(cairo_, widthPx);
+  cairo_stroke(cairo_);
+}
+
+void Pen::mark(VertexKind kind, Point px) const {
+  Colour fill = ink::blue, edge = ink::paper;
+  switch (kind) {
+    case VertexKind::junction:
+      traceDisc(cairo_, px, 3.4);
+      break;
+    case VertexKind::deadEnd:
+      traceSquare(cairo_, px, 3.2);
+      fill = ink::vermilion;
+      break;
+    case VertexKind::border:
+      traceDiamond(cairo_, px, 5);
+      fill = ink::yellow;
+      edge = ink::text;
+      break;
+    case VertexKind::room:
+      traceDisc(cairo_, px, 5);
+      fill = ink::paper;
+      edge = ink::inside;
+      break;
+    case VertexKind::ring:
+      traceDisc(cairo_, px, 4.2);
+      fill = ink::paper;
+      edge = ink::blue;
+      break;
+  }
+  ink(fill);
+  cairo_fill_preserve(cairo_);
+  ink(edge);
+  stroke(kind == VertexKind::ring || kind == VertexKind::room ? 1.8 : 1);
+}
+
+void Pen::font(double sizePx, bool isBold) const {
+  cairo_select_font_face(cairo_, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                         isBold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo_, sizePx);
+}
+
+double Pen::textWidth(const std::string& line, double sizePx, bool isBold) const {
+  font(sizePx, isBold);
+  cairo_text_extents_t extents;
+  cairo_text_extents(cairo_, printable(line).c_str(), &extents);
+  return extents.x_advance;
+}
+
+void Pen::text(const std::string& line, Point at, double sizePx, bool isBold, Align align) const {
+  const double width = align == Align::left ? 0 : textWidth(line, sizePx, isBold);
+  font(sizePx, isBold);
+  cairo_move_to(cairo_, at.x - (align == Align::centre ? width / 2 : width), at.y);
+  cairo_show_text(cairo_, printable(line).c_str());
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,53 @@
+#pragma once
+#include <cairo.h>
+
+#include <string>
+
+#include "View.h"
+#include "png_bytes.h"
+#include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/geometry/Polyline.h"
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+/** The colours of lines and marks: Okabe and Ito's, which the colour-blind can tell apart. */
+namespace ink {
+constexpr Colour text{32, 36, 42}, quiet{105, 112, 122}, paper{255, 255, 255}, rule{205, 210, 216};
+constexpr Colour blue{0, 114, 178}, vermilion{213, 94, 0}, green{0, 158, 115}, sky{86, 180, 233},
+    orange{230, 159, 0}, yellow{240, 228, 66}, purple{204, 121, 167}, inside{92, 74, 110};
+}  // namespace ink
+
+/** Draws things of the map on a cairo context whose origin is the view's upper left corner. What is
+ *  measured in px here stays the same however large the map is. */
+class Pen {
+ public:
+  Pen(cairo_t* cairo, const View& view) : cairo_(cairo), view_(view) {}
+
+  cairo_t* cairo() const { return cairo_; }
+  const View& view() const { return view_; }
+
+  void ink(Colour colour, double alpha = 1) const;
+
+  /** Adds to cairo's current path; points that make no visible
+   *  difference are left out. */
+  void trace(const Polyline& line) const;
+  void trace(const Polygon& polygon) const;
+  void stroke(double widthPx) const;
+
+  /** The mark of a vertex at a place on the picture: a shape and a colour for each kind. */
+  void mark(VertexKind kind, Point px) const;
+
+  enum class Align { left, centre, right };
+  /** One line of text; `at` is on its base line. What is not UTF-8 becomes '?'. */
+  void text(const std::string& line, Point at, double sizePx, bool isBold, Align align) const;
+  double textWidth(const std::string& line, double sizePx, bool isBold) const;
+
+ private:
+  void font(double sizePx, bool isBold) const;
+
+  cairo_t* cairo_;
+  const View& view_;
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,124 @@
+#include "draw_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+namespace roomgraph {
+namespace {
+
+constexpr int kMargin = 20, kTitleHeight = 58, kMinWidth = 560;
+constexpr double kTitlePx = 18, kSubtitlePx = 12.5, kLegendPx = 12.5;
+constexpr double kRowPx = 24, kSymbolPx = 26, kGapPx = 22;
+
+using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+/** Text is measured before there is a sheet to draw on. */
+Cairo scratch() {
+  cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
+  Cairo cairo(cairo_create(surface), cairo_destroy);
+  cairo_surface_destroy(surface);
+  return cairo;
+}
+
+/** The whole line, or as much of it as fits, without cutting a UTF-8 character. */
+std::string shortened(const Pen& pen, std::string line, double sizePx, bool isBold, double width) {
+  if (pen.textWidth(line, sizePx, isBold) <= width) return line;
+  while (!line.empty() && pen.textWidth(line + "…", sizePx, isBold) > width) {
+    while (line.size() > 1 && (std::uint8_t(line.back()) & 0xc0u) == 0x80) line.pop_back();
+    line.pop_back();
+  }
+  return line + "…";
+}
+
+double scaleBarLength(const View& view) {
+  return roundLength(std::clamp(0.22 * view.widthPx(), 60.0, 220.0) / view.pxPerMetre());
+}
+
+std::string metresText(double metres) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  if (metres < 0.01)
+    text << metres * 1000 << " mm";
+  else if (metres < 1)
+    text << metres * 100 << " cm";
+  else
+    text << metres << " m";
+  return text.str();
+}
+
+void drawScaleBar(const Pen& pen, Point at) {
+  const double metres = scaleBarLength(pen.view());
+  const double width = metres * pen.view().pxPerMetre();
+  cairo_t* cairo = pen.cairo();
+  pen.ink(ink::text);
+  cairo_move_to(cairo, at.x, at.y - 4);
+  cairo_line_to(cairo, at.x, at.y + 4);
+  cairo_move_to(cairo, at.x, at.y);
+  cairo_line_to(cairo, at.x + width, at.y);
+  cairo_move_to(cairo, at.x + width, at.y - 4);
+  cairo_line_to(cairo, at.x + width, at.y + 4);
+  pen.stroke(1.6);
+  pen.text(metresText(metres), {at.x + width + 8, at.y + 4.5}, kLegendPx, true, Pen::Align::left);
+}
+
+void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
+  const double width = layout.width - 2 * kMargin;
+  pen.ink(ink::text);
+  pen.text(shortened(pen, scene.title, kTitlePx, true, width), {kMargin, kMargin + 14.0}, kTitlePx,
+           true, Pen::Align::left);
+  pen.ink(ink::quiet);
+  pen.text(shortened(pen, scene.subtitle, kSubtitlePx, false, width), {kMargin, kMargin + 36.0},
+           kSubtitlePx, false, Pen::Align::left);
+}
+
+}  // namespace
+
+double roundLength(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length)));
+  for (const double step : {5.0, 2.0})
+    if (step * power <= length) return step * power;
+  return power;
+}
+
+Layout layoutOf(const Scene& scene, const View& view) {
+  Layout layout;
+  layout.width = std::max(kMinWidth, view.widthPx() + 2 * kMargin);
+  layout.map = {double((layout.width - view.widthPx()) / 2), double(kMargin + kTitleHeight - 6)};
+  const Cairo cairo = scratch();
+  const Pen pen(cairo.get(), view);
+  const double right = layout.width - kMargin;
+  Point next{kMargin, layout.map.y + view.heightPx() + kRowPx};
+  layout.scaleBar = {next.x + 1, next.y};
+  const double metres = scaleBarLength(view);
+  next.x += metres * view.pxPerMetre() + 8 + pen.textWidth(metresText(metres), kLegendPx, true) +
+            1.5 * kGapPx;
+  for (const LegendItem& item : scene.legend) {
+    const double width = kSymbolPx + pen.textWidth(item.label, kLegendPx, false);
+    if (next.x + width > right && next.x > kMargin) next = {kMargin, next.y + kRowPx};
+    layout.legend.push_back({next.x + 9, next.y});
+    next.x += width + kGapPx;
+  }
+  layout.height = int(next.y) + kMargin;
+  return layout;
+}
+
+void drawFrame(cairo_t* cairo, const Scene& scene, const View& view, const Layout& layout) {
+  const Pen pen(cairo, view);
+  drawTitle(pen, scene, layout);
+  cairo_rectangle(cairo, layout.map.x - 0.5, layout.map.y - 0.5, view.widthPx() + 1,
+                  view.heightPx() + 1);
+  pen.ink(ink::rule);
+  pen.stroke(1);
+  drawScaleBar(pen, layout.scaleBar);
+  for (std::size_t i = 0; i < scene.legend.size(); ++i) {
+    const Point at = layout.legend[i];
+    scene.legend[i].symbol(pen, at);
+    pen.ink(ink::text);
+    pen.text(scene.legend[i].label, {at.x + kSymbolPx - 11, at.y + 4.5}, kLegendPx, false,
+             Pen::Align::left);
+  }
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,209 @@
+#include "draw_layers.h"
+
+#include <algorithm>
+
+#include "backdrop.h"
+#include "room_colours.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kCorridorPx = 2.0, kInsidePx = 1.3, kOutlinePx = 1.2;
+constexpr double kDash[] = {4, 3};
+
+/** Calls stroke now and then: cairo is slow with very long paths. */
+class Strokes {
+ public:
+  Strokes(const Pen& pen, double widthPx) : pen_(pen), widthPx_(widthPx) {}
+  ~Strokes() { pen_.stroke(widthPx_); }
+  void added() {
+    if (++count_ % 256 == 0) pen_.stroke(widthPx_);
+  }
+
+ private:
+  const Pen& pen_;
+  double widthPx_;
+  int count_ = 0;
+};
+
+void strokeEdges(const Pen& pen, const TopologyGraph& graph, bool insideRooms, double widthPx) {
+  Strokes strokes(pen, widthPx);
+  for (const Edge& edge : graph.edges()) {
+    if (bool(edge.room) != insideRooms) continue;
+    pen.trace(edge.path.points);
+    // One by one, or crossing lines of one stroke would each restart the dashes elsewhere.
+    strokes.added();
+  }
+}
+
+Colour darker(Colour c) {
+  const auto dim = [](std::uint8_t v) { return std::uint8_t(v * 0.72); };
+  return {dim(c.red), dim(c.green), dim(c.blue)};
+}
+
+void labelDisc(const Pen& pen, Point at, double radius, const std::string& label) {
+  cairo_t* cairo = pen.cairo();
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, at.x, at.y, radius, 0, 6.283185307179586);
+  pen.ink(ink::paper, 0.95);
+  cairo_fill_preserve(cairo);
+  pen.ink(ink::inside);
+  pen.stroke(1.4);
+  const double sizePx = radius * (label.size() < 3 ? 1.15 : 0.86);
+  pen.text(label, {at.x, at.y + 0.36 * sizePx}, sizePx, true, Pen::Align::centre);
+}
+
+const char* legendName(VertexKind kind, bool isMany) {
+  switch (kind) {
+    case VertexKind::junction:
+      return isMany ? "junctions" : "junction";
+    case VertexKind::deadEnd:
+      return isMany ? "dead ends" : "dead end";
+    case VertexKind::border:
+      return isMany ? "border vertices" : "border vertex";
+    case VertexKind::room:
+      return isMany ? "room vertices" : "room vertex";
+    case VertexKind::ring:
+      return isMany ? "ring vertices" : "ring vertex";
+  }
+  return "";
+}
+
+void strokeSample(const Pen& pen, Point at, Colour colour, double widthPx) {
+  cairo_move_to(pen.cairo(), at.x - 9, at.y);
+  cairo_line_to(pen.cairo(), at.x + 9, at.y);
+  pen.ink(colour);
+  pen.stroke(widthPx);
+}
+
+}  // namespace
+
+void drawRooms(const Pen& pen, const std::vector<const Polygon*>& rooms) {
+  const std::vector<Colour> colours = roomColours(rooms);
+  cairo_set_line_join(pen.cairo(), CAIRO_LINE_JOIN_ROUND);
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    pen.trace(*rooms[r]);
+    cairo_set_fill_rule(pen.cairo(), CAIRO_FILL_RULE_EVEN_ODD);
+    pen.ink(colours[r], 0.34);
+    cairo_fill_preserve(pen.cairo());
+    pen.ink(darker(colours[r]), 0.85);
+    pen.stroke(kOutlinePx);
+  }
+}
+
+void drawPaths(const Pen& pen, const TopologyGraph& graph) {
+  cairo_set_line_join(pen.cairo(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_dash(pen.cairo(), kDash, 2, 0);
+  pen.ink(ink::inside, 0.9);
+  strokeEdges(pen, graph, true, kInsidePx);
+  cairo_set_dash(pen.cairo(), nullptr, 0, 0);
+  pen.ink(ink::blue);
+  strokeEdges(pen, graph, false, kCorridorPx);
+}
+
+void drawVertices(const Pen& pen, const TopologyGraph& graph) {
+  for (const Vertex& vertex : graph.vertices())
+    if (vertex.kind != VertexKind::room) pen.mark(vertex.kind, pen.view().px(vertex.at));
+}
+
+void drawRoomLabels(const Pen& pen, const std::vector<GraphRoom>& rooms) {
+  for (std::size_t r = 0; r < rooms.size(); ++r) {
+    const double room = rooms[r].shape.inscribedRadius * pen.view().pxPerMetre();
+    labelDisc(pen, pen.view().px(rooms[r].center), std::clamp(0.45 * room, 8.0, 13.0),
+              std::to_string(r));
+  }
+}
+
+void drawSites(const Pen& pen, const ObstacleSites& sites) {
+  const double half = std::max(0.6, 0.5 * sites.frame.resolution * pen.view().pxPerMetre());
+  pen.ink(ink::vermilion);
+  int count = 0;
+  for (const Cell cell : sites.cells) {
+    const Point at = pen.view().px(sites.frame.center(cell));
+    cairo_rectangle(pen.cairo(), at.x - half, at.y - half, 2 * half, 2 * half);
+    if (++count % 256 == 0) cairo_fill(pen.cairo());
+  }
+  cairo_fill(pen.cairo());
+}
+
+void drawVoronoi(const Pen& pen, const VoronoiGraph& graph,
+                 const std::function<bool(std::size_t)>& isShown, Colour colour) {
+  pen.ink(colour);
+  Strokes strokes(pen, 0.9);
+  for (std::size_t e = 0; e < graph.edges.size(); ++e) {
+    const VoronoiEdge& edge = graph.edges[e];
+    if (edge.isInfinite() || !isShown(e)) continue;
+    pen.trace(Polyline{graph.vertices[edge.source].at, graph.vertices[edge.target].at});
+    strokes.added();
+  }
+}
+
+std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
+  std::vector<LegendItem> items;
+  for (const VertexKind kind :
+       {VertexKind::border, VertexKind::junction, VertexKind::deadEnd, VertexKind::ring}) {
+    const auto count = std::count_if(graph.vertices().begin(), graph.vertices().end(),
+                                     [&](const Vertex& v) { return v.kind == kind; });
+    if (count == 0) continue;
+    items.push_back({counted(std::size_t(count), legendName(kind, false), legendName(kind, true)),
+                     [kind](const Pen& pen, Point at) { pen.mark(kind, at); }});
+  }
+  const auto inside = std::size_t(std::count_if(graph.edges().begin(), graph.edges().end(),
+                                                [](const Edge& e) { return bool(e.room); }));
+  if (inside < graph.edges().size())
+    items.push_back(lineLegend(counted(graph.edges().size() - inside, "corridor", "corridors"),
+                               ink::blue, kCorridorPx));
+  if (inside > 0)
+    items.push_back(
+        {counted(inside, "way inside a room", "ways inside rooms"), [](const Pen& pen, Point at) {
+           cairo_set_dash(pen.cairo(), kDash, 2, 0);
+           strokeSample(pen, at, ink::inside, kInsidePx);
+           cairo_set_dash(pen.cairo(), nullptr, 0, 0);
+         }});
+  return items;
+}
+
+LegendItem roomLegend(std::size_t count) {
+  return {counted(count, "room", "rooms"), [](const Pen& pen, Point at) {
+            cairo_rectangle(pen.cairo(), at.x - 9, at.y - 6, 18, 12);
+            pen.ink(ink::sky, 0.34);
+            cairo_fill_preserve(pen.cairo());
+            pen.ink(darker(ink::sky), 0.85);
+            pen.stroke(kOutlinePx);
+            pen.mark(VertexKind::room, at);
+          }};
+}
+
+std::vector<LegendItem> stateLegend(const Grid& grid) {
+  std::vector<LegendItem> items;
+  const auto add = [&](State state, const char* label) {
+    if (std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end())
+      items.push_back(squareLegend(label, stateColour(state)));
+  };
+  add(State::free, "free");
+  add(State::occupied, "occupied");
+  add(State::unknown, "unknown");
+  return items;
+}
+
+LegendItem lineLegend(const std::string& label, Colour colour, double widthPx) {
+  return {label, [=](const Pen& pen, Point at) { strokeSample(pen, at, colour, widthPx); }};
+}
+
+LegendItem squareLegend(const std::string& label, Colour colour) {
+  return {label, [=](const Pen& pen, Point at) {
+            cairo_rectangle(pen.cairo(), at.x - 5.5, at.y - 5.5, 11, 11);
+            pen.ink(colour);
+            cairo_fill_preserve(pen.cairo());
+            pen.ink(ink::quiet, 0.6);
+            pen.stroke(1);
+          }};
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  std::string digits = std::to_string(count);
+  for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, "\u2009");
+  return digits + " " + (count == 1 ? one : many);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,34 @@
+#pragma once
+#include <functional>
+
+#include "Scene.h"
+#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/rooms/RoomGraph.h"
+#include "roomgraph/voronoi/VoronoiGraph.h"
+
+namespace roomgraph {
+
+/** Each layer is drawn over the ones before it. */
+void drawRooms(const Pen& pen, const std::vector<const Polygon*>& rooms);
+/** Ways inside of rooms thin and dashed below, corridors on top of them. */
+void drawPaths(const Pen& pen, const TopologyGraph& graph);
+/** The marks of all kinds but those of rooms, which drawRoomLabels() draws. */
+void drawVertices(const Pen& pen, const TopologyGraph& graph);
+/** The id of each room on a disc where its vertex stands. */
+void drawRoomLabels(const Pen& pen, const std::vector<GraphRoom>& rooms);
+void drawSites(const Pen& pen, const ObstacleSites& sites);
+/** The finite edges that `isShown` picks by their index. */
+void drawVoronoi(const Pen& pen, const VoronoiGraph& graph,
+                 const std::function<bool(std::size_t)>& isShown, Colour colour);
+
+/** What the layers above show, with counts; what does not occur is left out. */
+std::vector<LegendItem> graphLegend(const TopologyGraph& graph);
+LegendItem roomLegend(std::size_t count);
+std::vector<LegendItem> stateLegend(const Grid& grid);
+LegendItem lineLegend(const std::string& label, Colour colour, double widthPx);
+LegendItem squareLegend(const std::string& label, Colour colour);
+
+/** "1 room", "2 rooms", "3 vertices"; thousands are set apart. */
+std::string counted(std::size_t count, const std::string& one, const std::string& many);
+
+}  // namespace roomgraph

@@ -1,0 +1,222 @@
+#include "roomgraph/report/draw_stages.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "draw_layers.h"
+#include "render.h"
+#include "result_scene.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/report/names.h"
+#include "roomgraph/report/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** One step: what it is called, what it counts, what it shows. */
+struct Picture {
+  const char *name, *paper, *title;
+  Json counts;
+  Scene scene;
+};
+
+std::vector<const Polygon*> polygonsOf(const Rooms& rooms) {
+  std::vector<const Polygon*> polygons;
+  for (const Room& room : rooms) polygons.push_back(&room.polygon);
+  return polygons;
+}
+
+Picture gridPicture(const Stages& stages) {
+  Picture picture{"grid", "IV-C", "free, occupied and unknown cells", Json::object(), {}};
+  const auto& cells = stages.grid.cells;
+  const auto count = [&](State state) { return std::count(cells.begin(), cells.end(), state); };
+  picture.counts = {{"free", count(State::free)},
+                    {"occupied", count(State::occupied)},
+                    {"unknown", count(State::unknown)}};
+  picture.scene.legend = stateLegend(stages.grid);
+  return picture;
+}
+
+Picture sitesPicture(const Stages& stages) {
+  const std::size_t count = stages.sites.cells.size();
+  Picture picture{"sites",
+                  "IV-C, III-A",
+                  "obstacles after thinning, the sites of the Voronoi diagram",
+                  Json::object({{"sites", count}}),
+                  {}};
+  picture.scene.layers = [&stages](const Pen& pen) { drawSites(pen, stages.sites); };
+  picture.scene.legend = {squareLegend(counted(count, "site", "sites"), ink::vermilion)};
+  return picture;
+}
+
+/** The edges of the Voronoi diagram that a filter leaves. */
+Picture voronoiPicture(const char* name, const char* title, const Stages& stages,
+                       std::vector<bool> isShown) {
+  const auto count = std::size_t(std::count(isShown.begin(), isShown.end(), true));
+  Picture picture{name, "III-A", title, Json::object({{"edges", count}}), {}};
+  picture.scene.legend = {
+      lineLegend(counted(count, "Voronoi edge", "Voronoi edges"), ink::blue, 1.2)};
+  picture.scene.layers = [&stages, shown = std::move(isShown)](const Pen& pen) {
+    drawVoronoi(
+        pen, stages.voronoi, [&](std::size_t e) { return shown[e]; }, ink::blue);
+  };
+  return picture;
+}
+
+std::vector<bool> finiteEdges(const VoronoiGraph& voronoi) {
+  std::vector<bool> isFinite;
+  for (const VoronoiEdge& edge : voronoi.edges) isFinite.push_back(!edge.isInfinite());
+  return isFinite;
+}
+
+std::vector<bool> insideEdges(const Stages& stages) {
+  std::vector<bool> isInside = finiteEdges(stages.voronoi);
+  for (std::size_t e = 0; e < isInside.size(); ++e) {
+    const VoronoiEdge& edge = stages.voronoi.edges[e];
+    if (isInside[e]) isInside[e] = stages.isInside[edge.source] && stages.isInside[edge.target];
+  }
+  return isInside;
+}
+
+std::vector<bool> clearEdges(const Stages& stages) {
+  std::vector<bool> isClear(stages.voronoi.edges.size());
+  for (const auto e : stages.clearEdges) isClear[e] = true;
+  return isClear;
+}
+
+Json graphCounts(const TopologyGraph& graph) {
+  Json counts{{"vertices", graph.vertices().size()}, {"edges", graph.edges().size()}};
+  for (const Vertex& vertex : graph.vertices()) {
+    Json& count = counts[kindName(vertex.kind)];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
+  return counts;
+}
+
+Picture graphPicture(const char* name, const char* paper, const char* title,
+                     const TopologyGraph& graph, const Rooms* rooms) {
+  Picture picture{name, paper, title, graphCounts(graph), {}};
+  picture.scene.layers = [&graph, rooms](const Pen& pen) {
+    if (rooms) drawRooms(pen, polygonsOf(*rooms));
+    drawPaths(pen, graph);
+    drawVertices(pen, graph);
+  };
+  picture.scene.legend = graphLegend(graph);
+  return picture;
+}
+
+Picture roomsPicture(const Stages& stages) {
+  const std::size_t count = stages.rooms.size();
+  Picture picture{"rooms",
+                  "III-B",
+                  "rooms, the inner polygons of the alpha shape",
+                  Json::object({{"rooms", count}}),
+                  {}};
+  picture.scene.layers = [&stages](const Pen& pen) {
+    drawRooms(pen, polygonsOf(stages.rooms));
+    for (const Room& room : stages.rooms)
+      pen.mark(VertexKind::room, pen.view().px(room.widestPlace));
+  };
+  picture.scene.legend = {roomLegend(count)};
+  return picture;
+}
+
+/** Where the paths cross the rooms: the ends of the stretches inside of each path. */
+std::vector<Point> crossings(const Stages& stages) {
+  std::vector<Point> places;
+  for (std::size_t e = 0; e < stages.stretches.size(); ++e)
+    for (std::size_t s = 1; s < stages.stretches[e].size(); ++s)
+      places.push_back(pointAt(stages.largest.edges()[e].path.points, stages.stretches[e][s].from));
+  return places;
+}
+
+Picture borderPicture(const Stages& stages) {
+  const std::vector<Point> places = crossings(stages);
+  Picture picture{"border_vertices",
+                  "III-C",
+                  "where paths cross the rooms' polygons",
+                  Json::object({{"crossings", places.size()}}),
+                  {}};
+  picture.scene.layers = [&stages, places](const Pen& pen) {
+    drawRooms(pen, polygonsOf(stages.rooms));
+    drawPaths(pen, stages.largest);
+    for (const Point p : places) pen.mark(VertexKind::border, pen.view().px(p));
+  };
+  picture.scene.legend = {
+      roomLegend(stages.rooms.size()),
+      {counted(places.size(), "crossing", "crossings"),
+       [](const Pen& pen, Point at) { pen.mark(VertexKind::border, at); }},
+      lineLegend(counted(stages.largest.edges().size(), "path", "paths"), ink::blue, 2)};
+  return picture;
+}
+
+Picture resultPicture(const Stages& stages) {
+  Picture picture{"result", "III-G", "the room graph", graphCounts(stages.result.graph),
+                  resultScene(stages)};
+  picture.counts["rooms"] = stages.result.rooms.size();
+  return picture;
+}
+
+std::vector<Picture> pictures(const Stages& s) {
+  return {
+      gridPicture(s),
+      sitesPicture(s),
+      voronoiPicture("voronoi", "Voronoi diagram of the sites", s, finiteEdges(s.voronoi)),
+      voronoiPicture("inside", "without what lies outside", s, insideEdges(s)),
+      voronoiPicture("clear", "without what is too near to an obstacle", s, clearEdges(s)),
+      graphPicture("topology", "III-A", "runs of Voronoi edges joined to paths", s.topology,
+                   nullptr),
+      graphPicture("pruned", "III-A", "without dead ends that lead nowhere", s.pruned, nullptr),
+      graphPicture("joined", "III-A", "near vertices joined", s.joinedUp, nullptr),
+      graphPicture("largest", "III-A", "connected parts that are kept", s.largest, nullptr),
+      roomsPicture(s),
+      borderPicture(s),
+      graphPicture("cut", "III-D, III-E", "paths cut at the border vertices, with room ids", s.cut,
+                   &s.rooms),
+      graphPicture("cleaned", "III-F", "without short dead ends at rooms", s.cleaned, &s.rooms),
+      graphPicture("doors", "ours", "doors between two rooms joined to one vertex", s.doors,
+                   &s.rooms),
+      resultPicture(s),
+  };
+}
+
+std::string twoDigits(std::size_t number) {
+  return (number < 10 ? "0" : "") + std::to_string(number);
+}
+
+void makeFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw DataError(folder + ": cannot be made (" + error.message() +
+                    "): choose a folder that may be written");
+}
+
+}  // namespace
+
+void writeStages(const Stages& stages, const std::string& folder) {
+  makeFolder(folder);
+  const std::string map = std::filesystem::path(stages.source.file).filename().string();
+  std::string list;
+  std::size_t number = 0;
+  for (Picture& picture : pictures(stages)) {
+    const std::string heading = twoDigits(++number) + " " + picture.name;
+    const std::string file = twoDigits(number) + "_" + picture.name + ".png";
+    picture.scene.title = heading + "  ·  " + picture.paper + "  ·  " + picture.title;
+    picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
+    writeFileAtomically(folder + "/" + file, renderPng(stages.grid, picture.scene));
+    const Json entry{{"file", file},
+                     {"paper", picture.paper},
+                     {"title", picture.title},
+                     {"counts", picture.counts}};
+    list += (list.empty() ? "\n" : ",\n") + entry.dump();
+  }
+  writeFileAtomically(
+      folder + "/stages.json",
+      "{\n\"format\": \"roomgraph/stages\",\n\"version\": 1,\n\"stages\": [" + list + "\n]\n}\n");
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,140 @@
+#include "roomgraph/report/graph_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "json_text.h"
+#include "roomgraph/report/names.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json point(Point p) { return {rounded(p.x), rounded(p.y)}; }
+
+template <class Thing>
+Json idOrNull(Id<Thing> id) {
+  return id ? Json(id.index()) : Json(nullptr);
+}
+
+/** File names need not be UTF-8; what is not gets a replacement sign. */
+std::string text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json inputJson(const GraphFile::Input& input) {
+  const GridFrame& frame = input.frame;
+  Json json{{"file", input.file},
+            {"sha256", input.sha256},
+            {"kind", input.kind},
+            {"resolution", frame.resolution},
+            {"size", {frame.width, frame.height}},
+            {"origin", {frame.origin.x, frame.origin.y}}};
+  if (!input.insertion.empty()) json["insertion"] = input.insertion;
+  return json;
+}
+
+/** The object's text with one more member at its end, which is given as text. */
+std::string withMember(std::string object, const char* name, const std::string& value) {
+  object.pop_back();
+  return object + ",\"" + name + "\":" + value + "}";
+}
+
+std::string pointsText(const std::vector<Point>& points) {
+  std::string json;
+  addPoints(json, points);
+  return json;
+}
+
+std::string vertexText(std::size_t id, const Vertex& vertex) {
+  return text({{"id", id},
+               {"kind", kindName(vertex.kind)},
+               {"x", rounded(vertex.at.x)},
+               {"y", rounded(vertex.at.y)},
+               {"clearance", rounded(vertex.clearance)},
+               {"room", idOrNull(vertex.room)}});
+}
+
+std::string edgeText(std::size_t id, const Edge& edge) {
+  const Json json{{"id", id},
+                  {"source", edge.source.index()},
+                  {"target", edge.target.index()},
+                  {"kind", kindName(edge)},
+                  {"room", idOrNull(edge.room)},
+                  {"length", rounded(edge.path.length)},
+                  {"min_clearance", rounded(edge.path.minClearance)}};
+  return withMember(text(json), "path", pointsText(edge.path.points));
+}
+
+Polygon roundedPolygon(Polygon polygon) {
+  for (Point& p : polygon.outer) p = rounded(p);
+  for (Ring& ring : polygon.holes)
+    for (Point& p : ring) p = rounded(p);
+  return polygon;
+}
+
+std::string roomText(std::size_t id, const GraphRoom& room) {
+  const Polygon& polygon = room.shape.polygon;
+  Json borders = Json::array();
+  for (const VertexId v : room.borderVertices) borders.push_back(v.index());
+  const Json json{{"id", id},
+                  {"vertex", idOrNull(room.vertex)},
+                  {"center", point(room.center)},
+                  {"area", rounded(area(roundedPolygon(polygon)))},
+                  {"inscribed_radius", rounded(room.shape.inscribedRadius)},
+                  {"widest_place", point(room.shape.widestPlace)},
+                  {"border_vertices", std::move(borders)}};
+  std::string holes = "[";
+  for (const Ring& hole : polygon.holes) holes += (holes.size() > 1 ? "," : "") + pointsText(hole);
+  return withMember(withMember(text(json), "polygon", pointsText(polygon.outer)), "holes",
+                    holes + "]");
+}
+
+std::string noteText(std::size_t, const Note& note) {
+  Json json{{"code", note.code}, {"text", note.text}, {"x", nullptr}, {"y", nullptr}};
+  if (note.where) {
+    json["x"] = rounded((*note.where)[0]);
+    json["y"] = rounded((*note.where)[1]);
+  }
+  return text(json);
+}
+
+/** "name": [ with one element on each line. */
+template <class List, class ToText>
+std::string listText(const char* name, const List& list, ToText toText) {
+  std::string all = std::string("\"") + name + "\": [";
+  for (std::size_t i = 0; i < list.size(); ++i) all += (i ? ",\n" : "\n") + toText(i, list[i]);
+  return all + (list.empty() ? "]" : "\n]");
+}
+
+/** A line for each section. */
+std::string optionsText(const std::vector<SavedOption>& options) {
+  Json sections = Json::object();
+  for (const SavedOption& option : options)
+    std::visit([&](const auto& value) { sections[option.section][option.key] = value; },
+               option.value);
+  std::string all = "\"options\": {";
+  const char* separator = "\n";
+  for (const auto& [section, values] : sections.items()) {
+    all += separator + text(Json(section)) + ": " + text(values);
+    separator = ",\n";
+  }
+  return all + (sections.empty() ? "}" : "\n}");
+}
+
+}  // namespace
+
+std::string graphJson(const GraphFile& file) {
+  const TopologyGraph& graph = file.graph.graph;
+  const Json program{{"name", file.program}, {"version", file.version}};
+  return "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + text(program) +
+         ",\n\"input\": " + text(inputJson(file.input)) + ",\n" + optionsText(file.options) +
+         ",\n" + listText("vertices", graph.vertices(), vertexText) + ",\n" +
+         listText("edges", graph.edges(), edgeText) + ",\n" +
+         listText("rooms", file.graph.rooms, roomText) + ",\n" +
+         listText("notes", file.notes, noteText) + "\n}\n";
+}
+
+std::string graphJson(const Stages& stages) { return graphJson(graphFile(stages)); }
+
+}  // namespace roomgraph

@@ -1,0 +1,94 @@
+#include "png_bytes.h"
+
+#include <png.h>
+#include <zlib.h>
+
+#include <cstring>
+#include <new>
+
+namespace roomgraph {
+namespace {
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(data), size);
+}
+
+void noFlush(png_structp) {}
+
+/** Memory is all that libpng can run out of here; its own way out is a jump over destructors. */
+[[noreturn]] void onError(png_structp, png_const_charp) { throw std::bad_alloc(); }
+
+void noWarning(png_structp, png_const_charp) {}
+
+/** One PNG being written to a string. */
+class Encoder {
+ public:
+  Encoder(int width, int height, int depth, int type) {
+    png_ = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, noWarning);
+    if (!png_) throw std::bad_alloc();
+    info_ = png_create_info_struct(png_);
+    if (!info_) {
+      png_destroy_write_struct(&png_, nullptr);
+      throw std::bad_alloc();
+    }
+    png_set_write_fn(png_, &bytes_, append, noFlush);
+    png_set_IHDR(png_, info_, png_uint_32(width), png_uint_32(height), depth, type,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(png_, 2);
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+  }
+  Encoder(const Encoder&) = delete;
+  Encoder& operator=(const Encoder&) = delete;
+  ~Encoder() { png_destroy_write_struct(&png_, &info_); }
+
+  png_structp png() { return png_; }
+  png_infop info() { return info_; }
+  std::string finish() {
+    png_write_end(png_, nullptr);
+    return std::move(bytes_);
+  }
+
+ private:
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string pngBytes(const PaletteImage& image) {
+  Encoder encoder(image.width, image.height, 2, PNG_COLOR_TYPE_PALETTE);
+  std::vector<png_color> palette;
+  for (const Colour c : image.palette) palette.push_back({c.red, c.green, c.blue});
+  png_set_PLTE(encoder.png(), encoder.info(), palette.data(), int(palette.size()));
+  png_write_info(encoder.png(), encoder.info());
+  std::vector<png_byte> row((std::size_t(image.width) + 3) / 4);
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint8_t* source = &image.indices[std::size_t(y) * std::size_t(image.width)];
+    std::fill(row.begin(), row.end(), png_byte(0));
+    for (int x = 0; x < image.width; ++x)
+      row[std::size_t(x) / 4] |= png_byte(source[x] << (6 - 2 * (x % 4)));
+    png_write_row(encoder.png(), row.data());
+  }
+  return encoder.finish();
+}
+
+std::string pngBytes(const unsigned char* pixels, int width, int height, int stride) {
+  Encoder encoder(width, height, 8, PNG_COLOR_TYPE_RGB);
+  png_write_info(encoder.png(), encoder.info());
+  std::vector<png_byte> row(std::size_t(width) * 3);
+  for (int y = 0; y < height; ++y) {
+    const unsigned char* source = pixels + std::ptrdiff_t(y) * stride;
+    for (std::size_t x = 0; x < std::size_t(width); ++x) {
+      std::uint32_t word = 0;
+      std::memcpy(&word, source + 4 * x, sizeof word);
+      row[3 * x] = png_byte(word >> 16);
+      row[3 * x + 1] = png_byte(word >> 8);
+      row[3 * x + 2] = png_byte(word);
+    }
+    png_write_row(encoder.png(), row.data());
+  }
+  return encoder.finish();
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,27 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace roomgraph {
+
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+};
+
+/** A picture of few colours, one palette index for each pixel. */
+struct PaletteImage {
+  int width = 0, height = 0;
+  std::vector<Colour> palette;        ///< at most 4
+  std::vector<std::uint8_t> indices;  ///< row-major, row 0 on top
+};
+
+/** PNG file with two bits for each pixel. */
+std::string pngBytes(const PaletteImage& image);
+
+/** PNG file of opaque pixels, as cairo holds them: one 32 bit word 0xXXRRGGBB each, `stride` bytes
+ *  from row to row, row 0 on top. Fast rather than small. */
+std::string pngBytes(const unsigned char* pixels, int width, int height, int stride);
+
+}  // namespace roomgraph

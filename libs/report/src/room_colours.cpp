@@ -1,0 +1,43 @@
+#include "room_colours.h"
+
+#include <algorithm>
+#include <array>
+
+#include "Pen.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::array<Colour, 6> kColours{ink::sky,    ink::orange, ink::green,
+                                         ink::purple, ink::yellow, ink::vermilion};
+constexpr double kNear = 1.0;  // [m] between the boxes of two rooms
+
+bool areNear(const Box& a, const Box& b) {
+  return a.low.x - kNear < b.high.x && b.low.x - kNear < a.high.x && a.low.y - kNear < b.high.y &&
+         b.low.y - kNear < a.high.y;
+}
+
+}  // namespace
+
+std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms) {
+  std::vector<Box> boxes;
+  std::vector<std::size_t> choice;
+  std::array<int, kColours.size()> used{};
+  for (const Polygon* room : rooms) {
+    boxes.push_back(room->outer.empty() ? Box{} : boundingBox(room->outer));
+    std::array<int, kColours.size()> usedNear{};
+    for (std::size_t r = 0; r < choice.size(); ++r)
+      if (areNear(boxes.back(), boxes[r])) ++usedNear[choice[r]];
+    std::size_t best = 0;
+    for (std::size_t c = 1; c < kColours.size(); ++c)
+      if (std::make_pair(usedNear[c], used[c]) < std::make_pair(usedNear[best], used[best]))
+        best = c;
+    ++used[best];
+    choice.push_back(best);
+  }
+  std::vector<Colour> colours;
+  for (const std::size_t c : choice) colours.push_back(kColours[c]);
+  return colours;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "png_bytes.h"
+#include "roomgraph/geometry/Polygon.h"
+
+namespace roomgraph {
+
+/** A colour for each room, such that rooms near to each other differ as long as there are colours
+ *  left. Depends on the order of the rooms. O(n^2) in the number of rooms, but quick. */
+std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms);
+
+}  // namespace roomgraph

@@ -1,0 +1,106 @@
+#include "roomgraph/report/geojson.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sample_stages.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Features {
+  std::vector<Json> nodes, edges, polygons;
+};
+
+/** Sorted by the type of geometry, as nav2's loader does it. */
+Features features(const std::string& text) {
+  Features sorted;
+  const Json json = Json::parse(text);
+  for (const Json& feature : json["features"]) {
+    const std::string type = feature["geometry"]["type"];
+    (type == "Point"             ? sorted.nodes
+     : type == "MultiLineString" ? sorted.edges
+                                 : sorted.polygons)
+        .push_back(feature);
+  }
+  return sorted;
+}
+
+TEST(Geojson, idsAreUniqueOverNodesAndEdges) {
+  const Features all = features(geojson(sampleStages().result));
+  std::set<unsigned> ids;
+  for (const auto& list : {all.nodes, all.edges})
+    for (const Json& feature : list) {
+      ASSERT_TRUE(feature["properties"]["id"].is_number_unsigned());
+      EXPECT_TRUE(ids.insert(feature["properties"]["id"].get<unsigned>()).second);
+    }
+  EXPECT_EQ(ids.size(), all.nodes.size() + all.edges.size());
+}
+
+TEST(Geojson, verticesComeFirstUnderTheirOwnIds) {
+  const RoomGraph graph = sampleStages().result;
+  const Features all = features(geojson(graph));
+  ASSERT_GE(all.nodes.size(), graph.graph.vertices().size());
+  for (std::size_t v = 0; v < graph.graph.vertices().size(); ++v) {
+    EXPECT_EQ(all.nodes[v]["properties"]["id"], v);
+    EXPECT_EQ(all.nodes[v]["properties"]["frame"], "map");
+    EXPECT_NEAR(all.nodes[v]["geometry"]["coordinates"][0].get<double>(),
+                graph.graph.vertices()[v].at.x, 1e-4);
+  }
+  EXPECT_EQ(all.nodes[0]["properties"]["metadata"]["kind"], "room");
+}
+
+TEST(Geojson, everyPieceIsThereBothWaysBetweenKnownNodes) {
+  const Features all = features(geojson(sampleStages().result));
+  std::map<unsigned, Json> place;
+  for (const Json& node : all.nodes)
+    place[node["properties"]["id"].get<unsigned>()] = node["geometry"]["coordinates"];
+  std::multiset<std::pair<unsigned, unsigned>> ways;
+  for (const Json& edge : all.edges) {
+    const unsigned from = edge["properties"]["startid"], to = edge["properties"]["endid"];
+    const Json line = edge["geometry"]["coordinates"][0];
+    EXPECT_EQ(line[0], place.at(from));
+    EXPECT_EQ(line[1], place.at(to));
+    ways.insert({from, to});
+  }
+  for (const auto& [from, to] : ways) EXPECT_EQ(ways.count({from, to}), ways.count({to, from}));
+}
+
+TEST(Geojson, aRobotThatDrivesStraightFromNodeToNodeFollowsThePath) {
+  const RoomGraph graph = sampleStages().result;
+  std::vector<double> driven(graph.graph.edges().size());
+  for (const Json& edge : features(geojson(graph)).edges)
+    driven[edge["properties"]["metadata"]["edge"].get<std::size_t>()] +=
+        edge["properties"]["cost"].get<double>() / 2;  // forth and back
+  for (std::size_t e = 0; e < driven.size(); ++e)
+    EXPECT_NEAR(driven[e], graph.graph.edges()[e].path.length, 0.02) << e;
+}
+
+TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
+  const Features all = features(geojson(sampleStages().result));
+  ASSERT_EQ(all.polygons.size(), 2u);
+  EXPECT_EQ(all.polygons[0]["geometry"]["type"], "Polygon");
+  const Json rings = all.polygons[0]["geometry"]["coordinates"];
+  ASSERT_EQ(rings.size(), 2u);
+  for (const Json& ring : rings) EXPECT_EQ(ring.front(), ring.back());
+  EXPECT_EQ(all.polygons[0]["properties"]["area"], 16.31);
+}
+
+/** nav2's loader throws at null, wherever in the properties it is. */
+TEST(Geojson, holdsNoNull) {
+  EXPECT_EQ(geojson(sampleStages().result).find("null"), std::string::npos);
+  EXPECT_EQ(geojson(extractedStages().result).find("null"), std::string::npos);
+}
+
+TEST(Geojson, ofAnEmptyGraphHasNoFeature) {
+  EXPECT_TRUE(Json::parse(geojson({}))["features"].empty());
+}
+
+}  // namespace
+}  // namespace roomgraph

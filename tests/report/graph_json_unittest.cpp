@@ -1,0 +1,148 @@
+#include "roomgraph/report/graph_json.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+#include <rapidjson/stringbuffer.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "sample_stages.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::json;
+
+/** Where the text breaks the schema; empty where it does not. */
+std::string schemaComplaint(const std::string& text) {
+  rapidjson::Document schemaText, document;
+  schemaText.Parse(readAll(ROOMGRAPH_SCHEMA).c_str());
+  if (schemaText.HasParseError()) return "the schema is no JSON";
+  document.Parse(text.c_str());
+  if (document.HasParseError()) return "the document is no JSON";
+  const rapidjson::SchemaDocument schema(schemaText);
+  rapidjson::SchemaValidator validator(schema);
+  if (document.Accept(validator)) return {};
+  rapidjson::StringBuffer place;
+  validator.GetInvalidDocumentPointer().StringifyUriFragment(place);
+  return std::string(validator.GetInvalidSchemaKeyword()) + " at " + place.GetString();
+}
+
+TEST(GraphJson, ofASampleFollowsTheSchema) {
+  EXPECT_EQ(schemaComplaint(graphJson(sampleStages())), "");
+}
+
+TEST(GraphJson, ofAnExtractionFollowsTheSchema) {
+  const Stages stages = extractedStages();
+  ASSERT_EQ(stages.result.rooms.size(), 2u);
+  EXPECT_EQ(schemaComplaint(graphJson(stages)), "");
+}
+
+TEST(GraphJson, ofAnEmptyResultFollowsTheSchema) {
+  Stages stages = sampleStages();
+  stages.result = {};
+  stages.notes.clear();
+  EXPECT_EQ(schemaComplaint(graphJson(stages)), "");
+}
+
+TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
+  const Json good = Json::parse(graphJson(sampleStages()));
+  const auto complaint = [&](const char* place, const Json& value) {
+    Json broken = good;
+    broken[Json::json_pointer(place)] = value;
+    return schemaComplaint(broken.dump());
+  };
+  ASSERT_EQ(schemaComplaint(good.dump()), "");
+  for (const char* name : {"format", "version", "program", "input", "options", "vertices", "edges",
+                           "rooms", "notes"}) {
+    Json broken = good;
+    broken.erase(name);
+    EXPECT_NE(schemaComplaint(broken.dump()), "") << name;
+  }
+  EXPECT_NE(complaint("/version", 2), "");
+  EXPECT_NE(complaint("/input/sha256", "abc"), "");
+  EXPECT_NE(complaint("/input/resolution", 0), "");
+  EXPECT_NE(complaint("/vertices/0/kind", "door"), "");
+  EXPECT_NE(complaint("/vertices/0/room", -1), "");
+  EXPECT_NE(complaint("/vertices/0/x", nullptr), "");
+  EXPECT_NE(complaint("/edges/0/path/0", Json::array({1.0})), "");
+  EXPECT_NE(complaint("/edges/0/source", "n0"), "");
+  EXPECT_NE(complaint("/rooms/0/polygon", Json::array()), "");
+}
+
+TEST(GraphJson, holdsWhatTheGraphHolds) {
+  const Json json = Json::parse(graphJson(sampleStages()));
+  EXPECT_EQ(json["format"], "roomgraph/graph");
+  EXPECT_EQ(json["version"], 1);
+  EXPECT_EQ(json["input"]["file"], "two rooms.png");
+  EXPECT_EQ(json["input"]["size"], Json({110, 50}));
+  EXPECT_EQ(json["input"]["origin"], Json({-1, -2}));
+  EXPECT_FALSE(json["input"].contains("insertion"));
+  EXPECT_EQ(json["vertices"][0], Json({{"id", 0},
+                                       {"kind", "room"},
+                                       {"x", 1.45},
+                                       {"y", 0.5},
+                                       {"clearance", 1.2346},
+                                       {"room", 0}}));
+  EXPECT_EQ(json["vertices"][5]["kind"], "dead_end");
+  EXPECT_TRUE(json["vertices"][5]["room"].is_null());
+  EXPECT_EQ(json["edges"][0]["kind"], "room");
+  EXPECT_EQ(json["edges"][3]["kind"], "corridor");
+  EXPECT_EQ(json["edges"][3]["path"], Json({{7.6, 0.5}, {8, 0.7}, {8.4, 0.5}}));
+  EXPECT_EQ(json["rooms"][0]["holes"].size(), 1u);
+  EXPECT_NEAR(json["rooms"][0]["area"].get<double>(), 4 * 4.1 - 0.09, 1e-9);
+  EXPECT_EQ(json["rooms"][1]["border_vertices"], Json({2, 3}));
+  EXPECT_EQ(json["notes"][0]["x"], 1);
+  EXPECT_EQ(json["notes"][0]["y"], 2);
+  EXPECT_TRUE(json["notes"][1]["x"].is_null());
+}
+
+TEST(GraphJson, holdsEveryOptionWithItsType) {
+  Stages stages = sampleStages();
+  stages.options.findRooms.minWidth = 2.25;
+  const Json json = Json::parse(graphJson(stages));
+  EXPECT_EQ(json["options"]["find_rooms"]["min_width"], 2.25);
+  const FieldTable table = describe(stages.options);
+  std::size_t count = 0;
+  for (const auto& section : json["options"]) count += section.size();
+  EXPECT_EQ(count, table.fields().size());
+  EXPECT_TRUE(json["options"]["keep_largest"]["all_components"].is_boolean());
+  EXPECT_TRUE(json["options"]["thin_obstacles"]["neighbours"].is_string());
+}
+
+TEST(GraphJson, doesNotDependOnTheFolderOfTheMap) {
+  Stages here = sampleStages(), there = sampleStages();
+  there.source.file = "/another/" + std::string("two rooms.png");
+  EXPECT_EQ(graphJson(here), graphJson(there));
+}
+
+TEST(GraphJson, writesCoordinatesInTenthsOfMillimetres) {
+  Stages stages = sampleStages();
+  stages.result.graph =
+      TopologyGraph({{{-0.00001, 1.0 / 3}, 12345678.00006, VertexKind::junction, {}}}, {});
+  stages.result.rooms.clear();
+  const std::string text = graphJson(stages);
+  EXPECT_NE(text.find("\"x\":0.0,\"y\":0.3333,\"clearance\":12345678.0001"), std::string::npos);
+}
+
+TEST(GraphJson, anUnboundedClearanceIsNull) {
+  Stages stages = sampleStages();
+  auto vertices = stages.result.graph.vertices();
+  auto edges = stages.result.graph.edges();
+  edges[0].path.minClearance = std::numeric_limits<double>::infinity();
+  stages.result.graph = TopologyGraph(vertices, edges);
+  const std::string text = graphJson(stages);
+  EXPECT_TRUE(Json::parse(text)["edges"][0]["min_clearance"].is_null());
+  EXPECT_EQ(schemaComplaint(text), "");
+}
+
+TEST(GraphJson, aFileNameThatIsNotUtf8StillGivesJson) {
+  Stages stages = sampleStages();
+  stages.source.file = "caf\xe9.png";
+  EXPECT_EQ(schemaComplaint(graphJson(stages)), "");
+}
+
+}  // namespace
+}  // namespace roomgraph

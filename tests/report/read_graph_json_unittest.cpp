@@ -1,0 +1,149 @@
+#include "roomgraph/report/read_graph_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/report/graph_json.h"
+#include "roomgraph/report/write_file.h"
+#include "sample_stages.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/** The message for a text that must be refused; "" where it is not. */
+std::string refusal(const std::string& text) {
+  try {
+    parseGraphJson(text, "x.json");
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void expectOneLine(const std::string& message) {
+  EXPECT_EQ(message.rfind("x.json: ", 0), 0u) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  EXPECT_LT(message.size(), 200u) << message;
+}
+
+TEST(ReadGraphJson, writtenAgainGivesTheSameBytes) {
+  for (const Stages& stages : {sampleStages(), extractedStages()}) {
+    const std::string text = graphJson(stages);
+    EXPECT_EQ(graphJson(parseGraphJson(text, "x.json")), text);
+  }
+}
+
+TEST(ReadGraphJson, givesTheGraphBack) {
+  const Stages stages = sampleStages();
+  const GraphFile file = parseGraphJson(graphJson(stages), "x.json");
+  const TopologyGraph &before = stages.result.graph, &after = file.graph.graph;
+  ASSERT_EQ(after.vertices().size(), before.vertices().size());
+  ASSERT_EQ(after.edges().size(), before.edges().size());
+  for (std::size_t v = 0; v < after.vertices().size(); ++v) {
+    EXPECT_EQ(after.vertices()[v].kind, before.vertices()[v].kind);
+    EXPECT_EQ(after.vertices()[v].room, before.vertices()[v].room);
+    EXPECT_NEAR(distance(after.vertices()[v].at, before.vertices()[v].at), 0, 1e-4);
+  }
+  for (std::size_t e = 0; e < after.edges().size(); ++e) {
+    EXPECT_EQ(after.edges()[e].source, before.edges()[e].source);
+    EXPECT_EQ(after.edges()[e].target, before.edges()[e].target);
+    EXPECT_EQ(after.edges()[e].room, before.edges()[e].room);
+    EXPECT_EQ(after.edges()[e].path.points.size(), before.edges()[e].path.points.size());
+  }
+  ASSERT_EQ(file.graph.rooms.size(), 2u);
+  EXPECT_EQ(file.graph.rooms[1].borderVertices, stages.result.rooms[1].borderVertices);
+  EXPECT_EQ(file.graph.rooms[0].shape.polygon.holes.size(), 1u);
+  EXPECT_EQ(file.input.frame.width, 110);
+  EXPECT_EQ(file.input.frame.origin, (Point{-1, -2}));
+  ASSERT_EQ(file.notes.size(), 2u);
+  EXPECT_FALSE(file.notes[1].where);
+}
+
+TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
+  Stages stages = sampleStages();
+  stages.options.findRooms.minWidth = 2.25;
+  stages.options.keepLargest.allComponents = true;
+  stages.options.thinObstacles.neighbours = "4";
+  const GraphFile file = parseGraphJson(graphJson(stages), "x.json");
+  ExtractOptions options;
+  FieldTable table = describe(options);
+  fromIni(optionsIni(file), "x.json", table);
+  EXPECT_EQ(options.findRooms.minWidth, 2.25);
+  EXPECT_TRUE(options.keepLargest.allComponents);
+  EXPECT_EQ(options.thinObstacles.neighbours, "4");
+  FieldTable written = describe(stages.options);
+  EXPECT_EQ(toIni(table), toIni(written));
+}
+
+TEST(ReadGraphJson, skipsFieldsItDoesNotKnow) {
+  const std::string text = graphJson(sampleStages());
+  Json json = Json::parse(text);
+  json["areas"] = Json::array({1, 2});
+  json["vertices"][0]["name"] = "kitchen";
+  EXPECT_EQ(graphJson(parseGraphJson(json.dump(), "x.json")), text);
+}
+
+TEST(ReadGraphJson, everyTruncationIsRefusedInOneLine) {
+  const std::string text = graphJson(sampleStages());
+  // The last two characters are the closing brace and the end of its line.
+  for (std::size_t size = 0; size + 2 <= text.size(); size += 7) {
+    const std::string message = refusal(text.substr(0, size));
+    expectOneLine(message);
+  }
+}
+
+TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {
+  const Json good = Json::parse(graphJson(sampleStages()));
+  const std::pair<const char*, Json> wrong[] = {
+      {"/format", "geojson"},
+      {"/version", 2},
+      {"/program", 1},
+      {"/input/size", Json::array({1, 2, 3})},
+      {"/input/size", Json::array({-1, 2})},
+      {"/input/origin", "here"},
+      {"/options", Json::array()},
+      {"/options/find_rooms", 1},
+      {"/options/find_rooms/min_width", Json::array()},
+      {"/vertices", 3},
+      {"/vertices/1/id", 0},
+      {"/vertices/0/kind", "door"},
+      {"/vertices/0/room", 2},
+      {"/vertices/0/x", "1"},
+      {"/edges/0/source", 7},
+      {"/edges/0/target", -1},
+      {"/edges/0/target", 1.5},
+      {"/edges/0/path", Json::array()},
+      {"/edges/0/path/0", Json::array({1, 2, 3})},
+      {"/rooms/0/vertex", 99},
+      {"/rooms/0/border_vertices/0", nullptr},
+      {"/rooms/0/polygon", 4},
+      {"/notes/0/code", nullptr},
+  };
+  for (const auto& [place, value] : wrong) {
+    Json broken = good;
+    broken[Json::json_pointer(place)] = value;
+    SCOPED_TRACE(place);
+    expectOneLine(refusal(broken.dump()));
+  }
+}
+
+TEST(ReadGraphJson, otherJsonIsRefused) {
+  for (const char* text : {"", "null", "[]", "{}", "42", "{\"format\": 1}", "{\"format\"}"})
+    expectOneLine(refusal(text));
+  EXPECT_NE(refusal("{}").find("has no 'format'"), std::string::npos);
+}
+
+TEST(ReadGraphJson, readsFilesAndNamesTheOnesItCannotRead) {
+  const TestFolder folder;
+  writeFileAtomically(folder / "x.json", graphJson(sampleStages()));
+  EXPECT_EQ(readGraphJson(folder / "x.json").graph.rooms.size(), 2u);
+  EXPECT_THROW(readGraphJson(folder / "y.json"), DataError);
+  EXPECT_THROW(readGraphJson(folder.path()), DataError);
+}
+
+}  // namespace
+}  // namespace roomgraph
