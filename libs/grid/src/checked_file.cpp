@@ -1,4 +1,4 @@
-#include "checked_file.h"
+#include "roomgraph/grid/checked_file.h"
 
 #include <openssl/evp.h>
 #include <zlib.h>

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "byte_reader.h"
+#include "roomgraph/grid/byte_reader.h"
 
 namespace roomgraph {
 

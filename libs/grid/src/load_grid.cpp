@@ -2,13 +2,13 @@
 
 #include <new>
 
-#include "checked_file.h"
-#include "mrpt_object.h"
 #include "read_gridmap.h"
 #include "read_image.h"
 #include "read_ros_map.h"
 #include "read_scans.h"
 #include "read_simplemap.h"
+#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "mrpt_object.h"
+#include "roomgraph/grid/mrpt_object.h"
 
 #include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3DPDFParticles.h>

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "mrpt_object.h"
+#include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
 namespace {

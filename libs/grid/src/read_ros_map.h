@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include "checked_file.h"
 #include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/grid/checked_file.h"
 
 namespace roomgraph {
 

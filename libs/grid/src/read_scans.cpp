@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mrpt_object.h"
+#include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
 namespace {

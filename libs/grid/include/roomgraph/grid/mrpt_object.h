@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "byte_reader.h"
+#include "roomgraph/grid/byte_reader.h"
 
 namespace roomgraph {
 

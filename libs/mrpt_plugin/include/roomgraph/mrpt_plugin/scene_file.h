@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
+
+namespace roomgraph {
+
+/** The graph as a scene whose camera looks at all of it from above, slightly tilted. */
+MrptScene graphScene(const CRoomGraph& graph);
+
+/** The bytes of a `.3Dscene` file for SceneViewer3D; the same graph gives the same bytes. */
+std::string sceneBytes(const CRoomGraph& graph);
+
+}  // namespace roomgraph

@@ -1,0 +1,214 @@
+#include "roomgraph/mrpt_plugin/draw_graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw_map.h"
+#include "roomgraph/mrpt_plugin/colors.h"
+#include "triangulate.h"
+
+namespace roomgraph {
+namespace {
+
+// How the parts lie above each other, in layers.
+enum Layer {
+  kFloorLayer = 1,
+  kOutlineLayer,
+  kRoomWayLayer,
+  kCorridorLayer,
+  kRimLayer,
+  kDiscLayer,
+  kNumberLayer
+};
+
+/** Draws relative to a place in the middle: MRPT draws in single precision. */
+struct Sheet {
+  Point anchor;
+  double layerHeight = 0;
+  double discRadius = 0;  // of a vertex that is no room
+
+  mrpt::math::TPoint3Df at(Point p, Layer layer) const {
+    const Point q = p - anchor;
+    return {float(q.x), float(q.y), float(layer * layerHeight)};
+  }
+};
+
+mrpt::img::TColor mrptColor(Color c) { return {c.r, c.g, c.b}; }
+
+void addTriangle(viz::CSetOfTriangles& triangles, const std::array<mrpt::math::TPoint3Df, 3>& at,
+                 Color color) {
+  viz::TTriangle triangle(at[0], at[1], at[2]);
+  triangle.setColor(mrptColor(color));
+  triangles.insertTriangle(triangle);
+}
+
+void addDisc(viz::CSetOfTriangles& triangles, const Sheet& sheet, Point center, double radius,
+             Layer layer, Color color) {
+  constexpr int corners = 24;
+  const auto corner = [&](int i) {
+    const double angle = 2 * M_PI * (i % corners) / corners;
+    return sheet.at(center + radius * Point{std::cos(angle), std::sin(angle)}, layer);
+  };
+  for (int i = 0; i < corners; ++i)
+    addTriangle(triangles, {sheet.at(center, layer), corner(i), corner(i + 1)}, color);
+}
+
+viz::CSetOfTriangles::Ptr makeTriangles(const std::string& name) {
+  auto triangles = viz::CSetOfTriangles::Create();
+  triangles->setName(name);
+  triangles->enableLight(false);  // the colours are those of the legend
+  return triangles;
+}
+
+/** Where the left edge of a ribbon runs by its i-th point; the right edge mirrors it. */
+Point sideways(const Polyline& line, std::size_t i, bool isClosed) {
+  const std::size_t n = line.size();
+  const auto normal = [&](std::size_t from) {
+    const Point along = line[(from + 1) % n] - line[from];
+    const double size = norm(along);
+    return size > 0 ? (1 / size) * Point{-along.y, along.x} : Point{};
+  };
+  const bool hasBefore = isClosed || i > 0, hasAfter = isClosed || i + 1 < n;
+  const Point before = hasBefore ? normal((i + n - 1) % n) : normal(i);
+  const Point sum = before + (hasAfter ? normal(i) : before);
+  // A mitre keeps the width; at sharp turns it would be a spike.
+  const double scale = 2 / std::max(1.0, squaredNorm(sum));
+  return scale * sum;
+}
+
+/** A line as a flat ribbon: OpenGL's own lines are one pixel wide on most machines. */
+void addRibbon(viz::CSetOfTriangles& triangles, const Sheet& sheet, const Polyline& line,
+               bool isClosed, double width, Layer layer, Color color) {
+  const std::size_t n = line.size();
+  for (std::size_t i = 0; i + (isClosed ? 0 : 1) < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    const Point a = (width / 2) * sideways(line, i, isClosed);
+    const Point b = (width / 2) * sideways(line, next, isClosed);
+    const auto left = sheet.at(line[i] + a, layer), right = sheet.at(line[i] - a, layer);
+    const auto nextLeft = sheet.at(line[next] + b, layer);
+    const auto nextRight = sheet.at(line[next] - b, layer);
+    addTriangle(triangles, {right, nextRight, left}, color);
+    addTriangle(triangles, {left, nextRight, nextLeft}, color);
+  }
+}
+
+viz::CSetOfTriangles::Ptr drawFloors(const RoomGraph& graph, const Sheet& sheet) {
+  auto floors = makeTriangles("rooms");
+  for (std::size_t i = 0; i < graph.rooms.size(); ++i)
+    for (const Triangle& t : triangulate(graph.rooms[i].shape.polygon))
+      addTriangle(
+          *floors,
+          {sheet.at(t[0], kFloorLayer), sheet.at(t[1], kFloorLayer), sheet.at(t[2], kFloorLayer)},
+          roomColor(i));
+  return floors;
+}
+
+viz::CSetOfTriangles::Ptr drawOutlines(const RoomGraph& graph, const Sheet& sheet) {
+  auto outlines = makeTriangles("room outlines");
+  const auto add = [&](const Ring& ring) {
+    addRibbon(*outlines, sheet, ring, true, 0.25 * sheet.discRadius, kOutlineLayer,
+              kRoomOutlineColor);
+  };
+  for (const GraphRoom& room : graph.rooms) {
+    add(room.shape.polygon.outer);
+    for (const Ring& hole : room.shape.polygon.holes) add(hole);
+  }
+  return outlines;
+}
+
+viz::CSetOfTriangles::Ptr drawWays(const RoomGraph& graph, const Sheet& sheet, bool inRooms) {
+  auto ways = makeTriangles(inRooms ? "ways in rooms" : "corridors");
+  const double width = (inRooms ? 0.45 : 0.7) * sheet.discRadius;
+  for (const Edge& edge : graph.graph.edges())
+    if (bool(edge.room) == inRooms)
+      addRibbon(*ways, sheet, edge.path.points, false, width,
+                inRooms ? kRoomWayLayer : kCorridorLayer, inRooms ? kRoomWayColor : kCorridorColor);
+  return ways;
+}
+
+/** Room vertices are large enough for a number, yet no larger than their room. */
+double discRadius(const RoomGraph& graph, const Vertex& vertex, const Sheet& sheet) {
+  if (vertex.kind != VertexKind::room || !vertex.room) return sheet.discRadius;
+  const double fits = graph.rooms[vertex.room.index()].shape.inscribedRadius / 2;
+  return std::clamp(fits, sheet.discRadius, 2.4 * sheet.discRadius);
+}
+
+viz::CSetOfTriangles::Ptr drawVertices(const RoomGraph& graph, const Sheet& sheet) {
+  auto discs = makeTriangles("vertices");
+  for (const Vertex& vertex : graph.graph.vertices()) {
+    const double radius = discRadius(graph, vertex, sheet);
+    addDisc(*discs, sheet, vertex.at, radius + 0.22 * sheet.discRadius, kRimLayer, kRimColor);
+    addDisc(*discs, sheet, vertex.at, radius, kDiscLayer, vertexColor(vertex.kind));
+  }
+  return discs;
+}
+
+viz::CText3D::Ptr drawNumber(std::size_t number, Point at, double discRadius, const Sheet& sheet) {
+  auto text = viz::CText3D::Create(std::to_string(number), "sans", 1.0F, viz::FILL);
+  text->setColor_u8(mrptColor(kNumberColor));
+  // The text's box tells how large it is at scale 1, and where its middle lies.
+  const auto box = text->getBoundingBox();
+  const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
+  const double scale = 1.5 * discRadius / std::max(1e-6, std::hypot(width, height));
+  const Point middle{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
+  const auto place = sheet.at(at - scale * middle, kNumberLayer);
+  text->setScale(float(scale));
+  text->setLocation(place.x, place.y, place.z);
+  return text;
+}
+
+viz::CSetOfObjects::Ptr drawNumbers(const RoomGraph& graph, const Sheet& sheet) {
+  auto numbers = viz::CSetOfObjects::Create();
+  numbers->setName("room numbers");
+  for (std::size_t i = 0; i < graph.rooms.size(); ++i) {
+    const Vertex& vertex = graph.graph.vertex(graph.rooms[i].vertex);
+    numbers->insert(drawNumber(i, vertex.at, discRadius(graph, vertex, sheet), sheet));
+  }
+  return numbers;
+}
+
+Sheet makeSheet(const CRoomGraph& graph) {
+  const Box box = drawnBox(graph);
+  const double size = distance(box.low, box.high);
+  Sheet sheet;
+  sheet.anchor = midpoint(box.low, box.high);
+  sheet.layerHeight = 0.0015 * size;
+  sheet.discRadius = std::clamp(0.0075 * size, 0.02, 0.6);
+  return sheet;
+}
+
+}  // namespace
+
+Box drawnBox(const CRoomGraph& graph) {
+  std::vector<Point> points;
+  for (const Vertex& vertex : graph.file.graph.graph.vertices()) points.push_back(vertex.at);
+  for (const GraphRoom& room : graph.file.graph.rooms)
+    points.insert(points.end(), room.shape.polygon.outer.begin(), room.shape.polygon.outer.end());
+  for (const Edge& edge : graph.file.graph.graph.edges())
+    points.insert(points.end(), edge.path.points.begin(), edge.path.points.end());
+  if (graph.map && !graph.map->cells.empty()) {
+    const GridFrame& frame = graph.map->frame;
+    points.push_back(frame.origin);
+    points.push_back(frame.origin +
+                     frame.resolution * Point{double(frame.width), double(frame.height)});
+  }
+  if (points.empty()) return {{-0.5, -0.5}, {0.5, 0.5}};
+  return boundingBox(points);
+}
+
+viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph) {
+  const Sheet sheet = makeSheet(graph);
+  const RoomGraph& rooms = graph.file.graph;
+  auto all = viz::CSetOfObjects::Create();
+  all->setName("room graph");
+  all->setLocation(sheet.anchor.x, sheet.anchor.y, 0);
+  if (graph.map && !graph.map->cells.empty()) all->insert(drawMap(*graph.map, sheet.anchor));
+  for (const auto& part :
+       {drawFloors(rooms, sheet), drawOutlines(rooms, sheet), drawWays(rooms, sheet, true),
+        drawWays(rooms, sheet, false), drawVertices(rooms, sheet)})
+    if (part->getTrianglesCount() > 0) all->insert(part);
+  if (!rooms.rooms.empty()) all->insert(drawNumbers(rooms, sheet));
+  return all;
+}
+
+}  // namespace roomgraph

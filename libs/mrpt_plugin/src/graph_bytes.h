@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
+
+namespace roomgraph {
+
+/** The newest layout of the object's bytes. */
+constexpr std::uint8_t kGraphBytesVersion = 0;
+
+/** Throws UsageError where the map has more or fewer cells than its frame calls for. */
+void checkMapSize(const CRoomGraph& graph);
+
+/** Everything that a CRoomGraph holds; its map must have the right size. */
+std::string graphBytes(const CRoomGraph& graph);
+
+/** Reads graphBytes() back. Throws DataError with one line, beginning with `name`, unless each
+ * count fits the bytes, each id its list, each coordinate is finite and no byte is left over. */
+void readGraphBytes(ByteView bytes, const std::string& name, CRoomGraph& graph);
+
+}  // namespace roomgraph

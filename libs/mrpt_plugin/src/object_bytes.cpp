@@ -1,0 +1,40 @@
+#include "object_bytes.h"
+
+#include <mrpt/io/CMemoryStream.h>
+#include <zlib.h>
+
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+namespace roomgraph {
+namespace {
+
+std::string gzipped(const void* bytes, std::size_t size) {
+  if (size > std::numeric_limits<uInt>::max())
+    throw std::length_error("the object is larger than 4 GB");
+  z_stream stream{};
+  constexpr int gzipFrame = 16 + MAX_WBITS, memory = 8;
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzipFrame, memory,
+                   Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::bad_alloc();
+  std::string out(deflateBound(&stream, uLong(size)), '\0');
+  stream.next_in = static_cast<Bytef*>(const_cast<void*>(bytes));
+  stream.avail_in = static_cast<uInt>(size);
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);  // cannot fail: there is room for all of it
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+}  // namespace
+
+std::string gzippedObject(const mrpt::serialization::CSerializable& object) {
+  mrpt::io::CMemoryStream stream;
+  mrpt::serialization::archiveFrom(stream) << object;
+  return gzipped(stream.getRawBufferData(), std::size_t(stream.getTotalBytesCount()));
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,71 @@
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/CMemoryStream.h>
+
+#include "roomgraph/mrpt_plugin/graph_text.h"
+#include "roomgraph/mrpt_plugin/register_classes.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "sample_graph.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(CRoomGraph, isFoundByNameOnceRegistered) {
+  registerMrptClasses();
+  registerMrptClasses();
+  const auto* found = mrpt::rtti::findRegisteredClass("roomgraph::CRoomGraph");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found, CLASS_ID(CRoomGraph));
+}
+
+TEST(CRoomGraph, comesBackFromAStreamThatKnowsOnlyItsName) {
+  registerMrptClasses();
+  const CRoomGraph sample = sampleGraph();
+  mrpt::io::CMemoryStream stream;
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  archive << sample;
+  stream.Seek(0);
+  const auto object = archive.ReadObject();
+  const auto back = std::dynamic_pointer_cast<CRoomGraph>(object);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(roomGraphBytes(*back), roomGraphBytes(sample));
+  // As RawLogViewer asks.
+  EXPECT_NE(dynamic_cast<const viz::Visualizable*>(object.get()), nullptr);
+  EXPECT_NE(dynamic_cast<const mrpt::Stringifyable*>(object.get()), nullptr);
+}
+
+TEST(CRoomGraph, aStreamThatEndsTooEarlyIsAnError) {
+  mrpt::io::CMemoryStream whole;
+  mrpt::serialization::archiveFrom(whole) << sampleGraph();
+  const auto size = static_cast<std::size_t>(whole.getTotalBytesCount());
+  for (const std::size_t end : {size / 2, size - 2, std::size_t{40}}) {
+    mrpt::io::CMemoryStream cut(whole.getRawBufferData(), end);
+    auto archive = mrpt::serialization::archiveFrom(cut);
+    CRoomGraph back;
+    try {
+      archive >> back;
+      FAIL() << "read " << end << " of " << size << " bytes";
+    } catch (const std::exception& error) {
+      // MRPT's stream adds its own lines.
+      EXPECT_NE(std::string(error.what()).find("room graph: it is cut short or damaged"),
+                std::string::npos);
+    }
+  }
+}
+
+TEST(CRoomGraph, describesItselfByGraphText) {
+  const CRoomGraph sample = sampleGraph();
+  EXPECT_EQ(sample.asString(), graphText(sample.file));
+}
+
+TEST(CRoomGraph, drawsItselfBesideWhatIsThere) {
+  auto container = viz::CSetOfObjects::Create();
+  container->insert(viz::CSetOfObjects::Create());
+  sampleGraph().getVisualizationInto(*container);
+  EXPECT_EQ(container->size(), 2U);
+  EXPECT_TRUE(container->getByName("room graph"));
+}
+
+}  // namespace
+}  // namespace roomgraph
