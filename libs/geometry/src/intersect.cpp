@@ -33,6 +33,7 @@ std::vector<double> intersect(Point p, Point q, Point a, Point b) {
   if (const auto* point = boost::get<Exact::Point_2>(&*meeting)) return {fractionOf(*point, p, q)};
   const auto& shared = boost::get<Exact::Segment_2>(*meeting);
   double first = fractionOf(shared.source(), p, q), last = fractionOf(shared.target(), p, q);
+  if (shared.is_degenerate()) return {first};
   if (first > last) std::swap(first, last);
   return {first, last};
 }

@@ -31,6 +31,7 @@ class ClutterFinder {
     group_.clear();
     low_ = high_ = first;
     add(first);
+    if (size() > maxSize_) return false;
     for (std::size_t i = 0; i < group_.size(); ++i)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)

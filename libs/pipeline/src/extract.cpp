@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/cut_paths.h"
@@ -41,14 +42,24 @@ Rooms roomsIn(const VoronoiGraph& voronoi, const InsideFlags& isInside, double r
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
   const double minClearance = effectiveClearance(anyPassage, resolution);
-  Rooms rooms = traceRooms(voronoi, splitAtDoors(voronoi, isInside, minClearance, doors));
-  rooms.erase(std::remove_if(rooms.begin(), rooms.end(),
-                             [&](const Room& room) {
-                               return 2 * room.inscribedRadius < doors.minRoomWidth ||
-                                      isCorridor(room, doors);
-                             }),
-              rooms.end());
+  const Regions regions = splitAtDoors(voronoi, isInside, minClearance, doors);
+  const Rooms all = traceRooms(voronoi, regions);
+  Rooms rooms;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!regions.isCorridor[i]) rooms.push_back(all[i]);
   return rooms;
+}
+
+Note clutterNote(const std::vector<Clutter>& clutter) {
+  const auto largest = std::max_element(
+      clutter.begin(), clutter.end(),
+      [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "%zu free-standing obstacles up to %.2f m large are taken for clutter and do not "
+                "split rooms",
+                clutter.size(), largest->size);
+  return {"clutter", text, std::array<double, 2>{largest->center.x, largest->center.y}};
 }
 
 /** III-B, on the map without clutter. */
@@ -59,10 +70,11 @@ void findRooms(Stages& s) {
   const auto& doors = s.options.splitAtDoors;
   ClearedMap cleared = clearClutter(s.grid, s.sites, s.options.clearClutter);
   s.clutter = std::move(cleared.clutter);
-  if (s.clutter.empty()) {
+  if (s.clutter.empty()) {  // saves the copies
     s.rooms = roomsIn(s.voronoi, s.isInside, s.roomRadius, resolution, doors);
     return;
   }
+  s.notes.push_back(clutterNote(s.clutter));
   const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, cleared.isClutter);
   const InsideFlags isInside = keepInside(voronoi, cleared.grid, s.options.keepInside);
   s.rooms = roomsIn(voronoi, isInside, s.roomRadius, resolution, doors);
@@ -80,7 +92,7 @@ void addEmptinessNotes(Stages& s) {
   else if (s.result.graph.vertices().empty())
     note("no_path", "no place of the map is wide enough for a path");
   else if (s.result.rooms.empty())
-    note("no_room", "the map has no room of the given width");
+    note("no_room", "the map has no room, only corridors");
 }
 
 }  // namespace

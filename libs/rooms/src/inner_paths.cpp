@@ -24,11 +24,15 @@ PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& 
     double along = 0;
     const Polyline& points = graph.edge(e).path.points;
     const std::vector<Point>& obstacles = graph.edge(e).path.obstacles;
+    const auto isBorder = [&](VertexId v) { return graph.vertex(v).kind == VertexKind::border; };
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (i > 0) along += distance(points[i - 1], points[i]);
       // The end by the path's own length, which may be rounded otherwise than this sum.
       const double here = i + 1 < points.size() ? along : graph.edge(e).path.length;
       const double clearance = distance(points[i], obstacles[i > 0 ? i - 1 : 0]);
+      const bool isRoomEnd = (i == 0 && isBorder(graph.edge(e).source)) ||
+                             (i + 1 == points.size() && isBorder(graph.edge(e).target));
+      if (isRoomEnd && minClearance > 0) continue;
       if (clearance >= minClearance && distance(points[i], p) < best.offset)
         best = {e, here, distance(points[i], p)};
     }

@@ -1,11 +1,15 @@
 #include "roomgraph/rooms/split_at_doors.h"
 
 #include <algorithm>
+#include <map>
 
 #include "roomgraph/base/UnionFind.h"
 
 namespace roomgraph {
 namespace {
+
+/** Widths that differ by less than this share are equal: rounding must not decide. */
+constexpr double kSame = 1e-9;
 
 /** The edges inside, from wide to narrow. */
 std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const InsideFlags& isInside,
@@ -23,55 +27,178 @@ std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const Insid
   return edges;
 }
 
+/** Regions as they grow, merge and get their kinds. A region goes by the number of its first
+ *  vertex. */
+class Splitter {
+ public:
+  Splitter(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
+           const SplitAtDoorsOptions& options)
+      : voronoi_(voronoi),
+        isInside_(isInside),
+        options_(options),
+        edges_(edgesByWidth(voronoi, isInside, minClearance)),
+        groups_(voronoi.vertices.size()) {
+    for (const VoronoiVertex& vertex : voronoi.vertices) radius_.push_back(vertex.clearance);
+  }
+
+  Regions run() {
+    for (const std::uint32_t e : edges_) meet(voronoi_.edges[e]);
+    sumAreas();
+    while (absorbNiches()) {
+    }
+    return regions();
+  }
+
+ private:
+  /** The widest passage between two regions, and how many there are. */
+  struct Passage {
+    double width = 0;  // half of it, as clearance
+    int count = 0;
+  };
+  using Neighbours = std::map<std::uint32_t, Passage>;
+
+  bool isDoor(double passage, std::uint32_t a, std::uint32_t b) const {
+    const double narrower = std::min(radius_[a], radius_[b]);
+    return passage < options_.maxRatio * narrower * (1 - kSame) &&
+           passage < options_.maxWidth / 2 &&
+           narrower >= options_.minRoomWidth / 2 * (1 - kSame);
+  }
+
+  bool isNarrowBeside(std::uint32_t a, std::uint32_t b) const {
+    return radius_[a] < options_.nicheRatio * radius_[b] * (1 - kSame);
+  }
+
+  void meet(const VoronoiEdge& edge) {
+    const auto a = groups_.find(edge.source), b = groups_.find(edge.target);
+    if (a == b || isDoor(edge.minClearance, a, b) || isNarrowBeside(a, b) || isNarrowBeside(b, a))
+      return;
+    join(a, b);
+  }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    const double radius = std::max(radius_[a], radius_[b]);
+    const double area = area_.empty() ? 0 : area_[a] + area_[b];
+    groups_.join(a, b);
+    const auto both = groups_.find(a);
+    radius_[both] = radius;
+    if (!area_.empty()) area_[both] = area;
+  }
+
+  /** Twice the area of each face is the sum over its Delaunay edges; shared ones cancel. */
+  void sumAreas() {
+    area_.assign(voronoi_.vertices.size(), 0.0);
+    if (voronoi_.sites.empty()) return;
+    const Point origin = voronoi_.sites.front();
+    for (const VoronoiEdge& edge : voronoi_.edges) {
+      const double area = cross(voronoi_.sites[edge.right] - origin,
+                                voronoi_.sites[edge.left] - origin) / 2;
+      area_[groups_.find(edge.source)] += area;
+      if (!edge.isInfinite()) area_[groups_.find(edge.target)] -= area;
+    }
+  }
+
+  /** 1 for a square, the ratio of its sides for a rectangle, large for a corridor. */
+  double elongation(std::uint32_t region) const {
+    const double side = 2 * radius_[region];
+    return area_[region] / (side * side);
+  }
+
+  std::map<std::uint32_t, Neighbours> neighbours() {
+    std::map<std::uint32_t, Neighbours> all;
+    for (const std::uint32_t e : edges_) {
+      const VoronoiEdge& edge = voronoi_.edges[e];
+      const auto a = groups_.find(edge.source), b = groups_.find(edge.target);
+      if (a == b) continue;
+      for (Passage* passage : {&all[a][b], &all[b][a]}) {
+        passage->width = std::max(passage->width, edge.minClearance);
+        ++passage->count;
+      }
+    }
+    return all;
+  }
+
+  /** The one region that this is a niche of: wide beside it, not behind a door, while all others
+   *  are niches of this one. None where there is no such, or more than one. */
+  std::uint32_t ownerOf(std::uint32_t region, const Neighbours& around) const {
+    std::uint32_t owner = Regions::kNone;
+    for (const auto& [other, passage] : around) {
+      const bool isOpen = !isDoor(passage.width, region, other);
+      if (isOpen && isNarrowBeside(other, region)) continue;
+      if (owner != Regions::kNone || !isOpen || !isNarrowBeside(region, other))
+        return Regions::kNone;
+      owner = other;
+    }
+    return owner;
+  }
+
+  /** Joins all niches with their owners at once; returns whether there were any. */
+  bool absorbNiches() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const auto& [region, around] : neighbours()) {
+      const std::uint32_t owner = ownerOf(region, around);
+      if (owner != Regions::kNone && elongation(region) <= options_.maxElongation)
+        pairs.push_back({region, owner});
+    }
+    for (const auto& [region, owner] : pairs) join(groups_.find(region), groups_.find(owner));
+    return !pairs.empty();
+  }
+
+  bool isCorridor(std::uint32_t region, const Neighbours& around) const {
+    // A door frame is wider than it is deep; the disc in a room leaves at most its corners over.
+    constexpr double frameElongation = 0.5;
+    if (2 * radius_[region] < options_.minRoomWidth * (1 - kSame)) return true;
+    if (elongation(region) < frameElongation) return true;
+    int exits = 0;
+    for (const auto& [other, passage] : around) exits += passage.count;
+    return exits > 1 && elongation(region) > options_.maxElongation &&
+           2 * radius_[region] <= options_.maxCorridorWidth;
+  }
+
+  Regions regions() {
+    const auto isMember = [&](std::uint32_t v) { return isInside_[v] != 0; };
+    Regions result = numbered(groups_, isMember, voronoi_.vertices.size(), 0);
+    const auto around = neighbours();
+    result.isCorridor.resize(result.count);
+    for (std::uint32_t v = 0; v < voronoi_.vertices.size(); ++v) {
+      if (!isMember(v) || groups_.find(v) != v) continue;
+      const auto it = around.find(v);
+      result.isCorridor[result.regionOf[v]] =
+          isCorridor(v, it == around.end() ? Neighbours() : it->second);
+    }
+    return result;
+  }
+
+  const VoronoiGraph& voronoi_;
+  const InsideFlags& isInside_;
+  const SplitAtDoorsOptions& options_;
+  std::vector<std::uint32_t> edges_;
+  UnionFind groups_;
+  std::vector<double> radius_;  // of the largest disc
+  std::vector<double> area_;
+};
+
 }  // namespace
 
 void describe(SplitAtDoorsOptions& options, FieldTable& table) {
   const char* section = "split_at_doors";
-  table.number(
-      section, "max_ratio", options.maxRatio, "", 0, 1,
-      "A passage is a door where it is narrower than this share of the narrower of its two "
-      "sides.");
+  table.number(section, "max_ratio", options.maxRatio, "", 0, 1,
+               "A passage is a door where it is narrower than this share of the narrower of its two "
+               "sides.");
   table.number(section, "max_width", options.maxWidth, "m", 0, 100, "A wider passage is no door.");
+  table.number(section, "niche_ratio", options.nicheRatio, "", 0, 1,
+               "A region narrower than this share of the one that it opens into is a niche of that.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
-               "Where no disc of this diameter fits in is no room of its own.");
+               "Where no disc of this diameter fits in is no room.");
   table.number(section, "max_elongation", options.maxElongation, "", 1, 1e6,
-               "Area of a room over that of the square round its largest disc; longer ones are "
-               "corridors.");
+               "A region whose area is more than this many squares round its largest disc is a "
+               "corridor.");
   table.number(section, "max_corridor_width", options.maxCorridorWidth, "m", 0, 1000,
                "A region wider than this is a room, however long it is.");
 }
 
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
                      const SplitAtDoorsOptions& options) {
-  UnionFind groups(voronoi.vertices.size());
-  // Of each group, for its first vertex: the radius of its largest disc.
-  std::vector<double> widest(voronoi.vertices.size());
-  for (std::size_t v = 0; v < widest.size(); ++v) widest[v] = voronoi.vertices[v].clearance;
-  for (const std::uint32_t e : edgesByWidth(voronoi, isInside, minClearance)) {
-    const VoronoiEdge& edge = voronoi.edges[e];
-    const auto a = groups.find(edge.source), b = groups.find(edge.target);
-    if (a == b) continue;
-    const auto [narrower, wider] = std::minmax(widest[a], widest[b]);
-    const bool isDoor = edge.minClearance < options.maxRatio * narrower &&
-                        edge.minClearance < options.maxWidth / 2 &&
-                        narrower >= options.minRoomWidth / 2;
-    if (isDoor) continue;
-    const double widestOfBoth = wider;
-    groups.join(a, b);
-    widest[groups.find(a)] = widestOfBoth;
-  }
-  return numbered(
-      groups, [&](std::uint32_t v) { return isInside[v] != 0; }, widest.size(), 0);
-}
-
-bool isCorridor(const Room& region, const SplitAtDoorsOptions& options) {
-  return 2 * region.inscribedRadius <= options.maxCorridorWidth &&
-         elongation(region) > options.maxElongation;
-}
-
-double elongation(const Room& room) {
-  const double side = 2 * room.inscribedRadius;
-  return area(room.polygon) / (side * side);
+  return Splitter(voronoi, isInside, minClearance, options).run();
 }
 
 }  // namespace roomgraph

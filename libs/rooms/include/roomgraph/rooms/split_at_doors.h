@@ -13,28 +13,26 @@ namespace roomgraph {
 struct SplitAtDoorsOptions {
   /** A passage is a door where it is narrower than this share of the narrower of its two sides. */
   double maxRatio = 0.8;
-  double maxWidth = 2.5;       ///< of a door [m]
-  double minRoomWidth = 1.0;   ///< of the largest disc in a region of its own [m]
-  double maxElongation = 3.5;  ///< of a room; what is longer is a corridor, unless it is too wide
+  double maxWidth = 2.5;  ///< of a door [m]
+  /** A region narrower than this share of the one that it opens into is a niche of that. */
+  double nicheRatio = 0.6;
+  double minRoomWidth = 1.0;      ///< of the largest disc in a room [m]
+  double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 5.0;  ///< a wider region is a room, however long [m]
 };
 void describe(SplitAtDoorsOptions& options, FieldTable& table);
 
 /** Splits the inside at its doors. The alpha shapes of all alphas form a tree: going from wide to
  *  narrow, each widest place starts a region, and two regions meet where a disc of some diameter
- *  first fits through between them. That meeting is a door or joins the two: it is a door where it
- *  is narrow beside both, as told by the options. So each room has its own door width and its own
- *  inscribed radius, and no alpha is set. Noise of height h on the walls moves all these widths by
- *  at most 2 h (stability of persistence, Cohen-Steiner et al. 2007). `minClearance` keeps passages
- *  between neighbouring cells of a wall out [m]. O(n log n). */
+ *  first fits through between them. They become one unless that passage is a door (narrow beside
+ *  both) or one of them is narrow beside the other. So each room has its own door width and its own
+ *  inscribed radius, and no alpha is set.
+ *  What is narrow beside its neighbour and opens into that one only, a corner or an alcove, then
+ *  joins it, unless it is long; what is left over is a corridor where it is too narrow for a room,
+ *  or long and has two ways out. `minClearance` keeps passages between neighbouring cells of a wall
+ *  out [m]. Equal widths are joined in no particular order, which does not show: only regions that
+ *  are not equal are ever kept apart. O(n log n). */
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
                      const SplitAtDoorsOptions& options);
-
-/** Whether a region is long and narrow: the graph keeps its paths. O(polygon points). */
-bool isCorridor(const Room& region, const SplitAtDoorsOptions& options);
-
-/** Area over that of the square round the largest disc: 1 for a square, the ratio of its sides for
- *  a rectangle, large for a corridor however it bends. */
-double elongation(const Room& room);
 
 }  // namespace roomgraph

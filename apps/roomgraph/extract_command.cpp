@@ -1,0 +1,96 @@
+#include "extract_command.h"
+
+#include <memory>
+
+#include "Command.h"
+#include "extract_map.h"
+#include "option_arguments.h"
+#include "output_names.h"
+
+namespace roomgraph {
+namespace {
+
+struct ExtractArguments {
+  std::vector<std::string> maps;
+  OptionArguments options;
+  std::string folder = ".";
+  std::string formats = "all";
+  std::string stagesFolder;
+  bool showTimings = false, isQuiet = false, isVerbose = false;
+  unsigned threads = 0;
+};
+
+void declareOutput(ExtractArguments& arguments, CLI::App& app) {
+  app.add_option("-o,--output", arguments.folder,
+                 "Folder for the results, X.json and so on; made if it is not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--format", arguments.formats,
+                 "What to write, separated by commas: " + formatNames() + ".")
+      ->type_name("LIST")
+      ->capture_default_str();
+  app.add_option("--stages", arguments.stagesFolder,
+                 "Also draw every step of the extraction, into DIR/X.")
+      ->type_name("DIR");
+}
+
+void declareRunning(ExtractArguments& arguments, CLI::App& app) {
+  app.add_flag("--timings", arguments.showTimings,
+               "Print a table of the steps and their times to stderr.");
+  app.add_option("--threads", arguments.threads,
+                 "How many maps are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+  CLI::Option* quiet =
+      app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors and --timings.");
+  app.add_flag("-v,--verbose", arguments.isVerbose, "Print also how each map was read.")
+      ->excludes(quiet);
+}
+
+Verbosity verbosityOf(const ExtractArguments& arguments) {
+  if (arguments.isQuiet) return Verbosity::quiet;
+  return arguments.isVerbose ? Verbosity::verbose : Verbosity::normal;
+}
+
+int run(const ExtractArguments& arguments) {
+  ExtractTask task;
+  task.options = toOptions(arguments.options);
+  task.formats = parseFormats(arguments.formats);
+  task.folder = arguments.folder;
+  task.stagesFolder = arguments.stagesFolder;
+  task.showTimings = arguments.showTimings;
+  task.verbosity = verbosityOf(arguments);
+
+  std::vector<std::string> extensions;
+  for (const OutputFormat& format : task.formats) extensions.push_back(format.name);
+  checkOutputNames(arguments.maps, task.folder, extensions);
+  makeWritableFolder(task.folder);
+  if (!task.stagesFolder.empty()) makeWritableFolder(task.stagesFolder);
+
+  JobList jobs;
+  jobs.count = arguments.maps.size();
+  jobs.stepsPerJob = stepCount(task);
+  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
+    return extractMap(arguments.maps[index], task, stepDone);
+  };
+  return runInOrder(jobs, arguments.threads, task.verbosity != Verbosity::quiet);
+}
+
+}  // namespace
+
+std::function<int()> extractCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<ExtractArguments>();
+  app.add_option("MAP", arguments->maps,
+                 "Maps: MRPT .gridmap or .simplemap, ROS map .yaml, or a picture (.png, .pgm); "
+                 "recognised by content, gzipped or not. Several maps run in parallel.")
+      ->type_name("")
+      ->required();
+  declareOutput(*arguments, app);
+  declareConfig(arguments->options, app);
+  declareResolution(arguments->options, app);
+  declareRooms(arguments->options, app);
+  declareRunning(*arguments, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,158 @@
+#include "extract_map.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "error_line.h"
+#include "output_names.h"
+#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/pipeline/extract.h"
+#include "roomgraph/report/draw_stages.h"
+#include "roomgraph/report/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char buffer[256];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
+  return mapFile + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
+         counted(result.graph.vertices().size(), "vertex", "vertices") + ", " +
+         counted(result.graph.edges().size(), "edge", "edges") + "\n";
+}
+
+/** One line per note when verbose, else one per kind of note. */
+std::string noteLines(const std::string& mapFile, const Notes& notes, Verbosity verbosity) {
+  std::map<std::string, std::size_t> counts;
+  for (const Note& note : notes) ++counts[note.code];
+  std::string lines;
+  for (const Note& note : notes) {
+    std::size_t& count = counts[note.code];
+    if (count == 0) continue;
+    std::string text = mapFile + ": note: " + note.text;
+    if (verbosity == Verbosity::verbose && note.where)
+      text += formatted(" (at %.2f, %.2f)", (*note.where)[0], (*note.where)[1]);
+    if (verbosity == Verbosity::normal) {
+      if (count > 1)
+        text += " (and " + std::to_string(count - 1) + " more like this: see --verbose)";
+      count = 0;
+    }
+    lines += errorLine(text);
+  }
+  return lines;
+}
+
+std::string verboseLine(const std::string& mapFile, const Stages& stages) {
+  const GridFrame& frame = stages.grid.frame;
+  return errorLine(mapFile + ": " + stages.source.kind +
+                   formatted(", %d x %d cells of %g m, lower left corner (%g, %g), paths keep "
+                             "%g m clear, %zu pieces of clutter do not split rooms",
+                             frame.width, frame.height, frame.resolution, frame.origin.x,
+                             frame.origin.y, stages.clearance, stages.clutter.size()));
+}
+
+std::string timingTable(const std::string& mapFile, const std::vector<StageTiming>& timings) {
+  std::string table = mapFile + ":\n";
+  double total = 0;
+  for (const StageTiming& timing : timings) {
+    table += formatted("  %-20s %10.2f ms\n", timing.stage.c_str(), 1e3 * timing.seconds);
+    total += timing.seconds;
+  }
+  return table + formatted("  %-20s %10.2f ms\n", "total", 1e3 * total);
+}
+
+/** One map on its way from file to files. */
+class Extraction {
+ public:
+  Extraction(const std::string& mapFile, const ExtractTask& task,
+             const std::function<void()>& stepDone)
+      : mapFile_(mapFile), task_(task), stepDone_(stepDone) {}
+
+  JobReport run() {
+    const GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
+    lap("load_grid");
+    Stages stages = extract(map, task_.options);
+    timings_.insert(timings_.end(), stages.timings.begin(), stages.timings.end());
+    last_ = Clock::now();
+    stepDone_();
+    writeResults(stages);
+    describe(stages);
+    return std::move(report_);
+  }
+
+ private:
+  void lap(const std::string& stage) {
+    const Clock::time_point now = Clock::now();
+    timings_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+    stepDone_();
+  }
+
+  void writeResults(const Stages& stages) {
+    std::vector<std::string> contents;
+    for (const OutputFormat& format : task_.formats) {
+      contents.push_back(format.bytes(stages));
+      lap(format.name);
+    }
+    if (!task_.stagesFolder.empty()) {
+      const auto folder = std::filesystem::path(task_.stagesFolder) / outputStem(mapFile_);
+      writeStages(stages, folder.string());
+      files_.push_back(folder.string() + "/");
+      lap("stages");
+    }
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+      const std::string file = outputFile(task_.folder, mapFile_, task_.formats[i].name);
+      writeFileAtomically(file, contents[i]);
+      files_.push_back(file);
+    }
+    lap("write_files");
+  }
+
+  void describe(const Stages& stages) {
+    if (task_.showTimings) report_.err += timingTable(mapFile_, timings_);
+    if (task_.verbosity == Verbosity::quiet) return;
+    if (task_.verbosity == Verbosity::verbose) report_.err += verboseLine(mapFile_, stages);
+    report_.err += noteLines(mapFile_, stages.notes, task_.verbosity);
+    report_.out += summaryLine(mapFile_, stages.result);
+    for (const std::string& file : files_) report_.out += "  " + file + "\n";
+  }
+
+  const std::string& mapFile_;
+  const ExtractTask& task_;
+  const std::function<void()>& stepDone_;
+  JobReport report_;
+  std::vector<std::string> files_;
+  std::vector<StageTiming> timings_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace
+
+std::size_t stepCount(const ExtractTask& task) {
+  return task.formats.size() + (task.stagesFolder.empty() ? 3 : 4);
+}
+
+JobReport extractMap(const std::string& mapFile, const ExtractTask& task,
+                     const std::function<void()>& stepDone) {
+  try {
+    return Extraction(mapFile, task, stepDone).run();
+  } catch (...) {
+    const Failure failure = currentFailure(mapFile);
+    return {"", failure.line, failure.exitCode};
+  }
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,94 @@
+#include "info_command.h"
+
+#include <zlib.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+
+#include "Command.h"
+#include "error_line.h"
+#include "option_arguments.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/mrpt_plugin/graph_text.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "roomgraph/report/read_graph_json.h"
+
+namespace roomgraph {
+namespace {
+
+struct InfoArguments {
+  std::vector<std::string> files;
+  OptionArguments options;
+};
+
+/** The first bytes of a file, unpacked where it is gzipped; empty where it cannot be read. */
+std::string firstBytes(const std::string& file) {
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
+  if (!in) return {};
+  std::array<char, 64> bytes{};
+  const int count = gzread(in.get(), bytes.data(), unsigned(bytes.size()));
+  return count > 0 ? std::string(bytes.data(), std::size_t(count)) : std::string();
+}
+
+std::string mapText(const std::string& file, const ExtractOptions& options) {
+  const GreyMap map = loadGrid(file, options.loadGrid);
+  const GridFrame& frame = map.frame;
+  std::array<std::size_t, 3> counts{};
+  for (const State state : binarize(map, options.binarize).cells) ++counts[std::size_t(state)];
+  const double cells = frame.cellCount() > 0 ? double(frame.cellCount()) : 1;
+  const auto share = [&](State state) { return 100 * double(counts[std::size_t(state)]) / cells; };
+  char lines[512];
+  std::snprintf(lines, sizeof lines,
+                "kind        %s\nsize        %d x %d cells, %g x %g m\nresolution  %g m\n"
+                "origin      (%g, %g) m\ncells       %.1f %% free, %.1f %% occupied, "
+                "%.1f %% unknown\n",
+                map.source.kind.c_str(), frame.width, frame.height, frame.width * frame.resolution,
+                frame.height * frame.resolution, frame.resolution, frame.origin.x, frame.origin.y,
+                share(State::free), share(State::occupied), share(State::unknown));
+  std::string text = lines + ("sha256      " + map.source.sha256) + "\n";
+  if (!map.source.insertion.empty()) text += "insertion   " + map.source.insertion + "\n";
+  for (const Note& note : map.notes) text += "note        " + note.text + "\n";
+  return text;
+}
+
+std::string infoText(const std::string& file, const ExtractOptions& options) {
+  const std::string start = firstBytes(file);
+  const auto first = start.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && start[first] == '{') return graphText(readGraphJson(file));
+  if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
+  return mapText(file, options);
+}
+
+int run(const InfoArguments& arguments) {
+  const ExtractOptions options = toOptions(arguments.options);
+  int exitCode = kDone;
+  for (const std::string& file : arguments.files) {
+    try {
+      const std::string text = infoText(file, options);
+      std::printf("%s%s:\n%s", &file == &arguments.files.front() ? "" : "\n", file.c_str(),
+                  text.c_str());
+    } catch (...) {
+      const Failure failure = currentFailure(file);
+      std::fflush(stdout);
+      std::fputs(failure.line.c_str(), stderr);
+      exitCode = std::max(exitCode, failure.exitCode);
+    }
+  }
+  return exitCode;
+}
+
+}  // namespace
+
+std::function<int()> infoCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<InfoArguments>();
+  app.add_option("FILE", arguments->files,
+                 "Maps as for 'roomgraph extract', or results: X.json, X.roomgraph.")
+      ->type_name("")
+      ->required();
+  declareConfig(arguments->options, app);
+  declareResolution(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

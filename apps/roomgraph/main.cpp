@@ -1,0 +1,54 @@
+#include <cstdio>
+
+#include "Command.h"
+#include "config_command.h"
+#include "error_line.h"
+#include "extract_command.h"
+#include "info_command.h"
+#include "roomgraph/base/version.h"
+#include "stability_command.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr Command kCommands[] = {
+    {"extract", "Read maps and write the topology graph of each, with its rooms.", extractCommand},
+    {"stability",
+     "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
+     stabilityCommand},
+    {"info", "Say what is in map files, graph files (X.json) and MRPT files (X.roomgraph).",
+     infoCommand},
+    {"config", "Print all options as a commented ini file, for use with --config.", configCommand},
+};
+
+int run(int count, char** arguments) {
+  CLI::App app("Room-aware topology graphs of 2D grid maps.", "roomgraph");
+  app.set_version_flag("--version", version());
+  app.require_subcommand(1);
+  int exitCode = kDone;
+  for (const Command& command : kCommands) {
+    CLI::App* sub = app.add_subcommand(command.name, command.sentence);
+    sub->final_callback([&exitCode, work = command.declare(*sub)] { exitCode = work(); });
+  }
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    std::fputs(errorLine(error.what() + std::string(" (see 'roomgraph --help')")).c_str(), stderr);
+    return kBadUsage;
+  }
+  return exitCode;
+}
+
+}  // namespace
+}  // namespace roomgraph
+
+int main(int count, char** arguments) {
+  try {
+    return roomgraph::run(count, arguments);
+  } catch (...) {
+    const roomgraph::Failure failure = roomgraph::currentFailure("");
+    std::fputs(failure.line.c_str(), stderr);
+    return failure.exitCode;
+  }
+}

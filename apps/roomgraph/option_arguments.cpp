@@ -1,0 +1,96 @@
+#include "option_arguments.h"
+
+#include <fstream>
+#include <sstream>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/report/read_graph_json.h"
+
+namespace roomgraph {
+namespace {
+
+/** What the option table says of a key, for the help of its shorthand. */
+std::string help(const char* section, const char* key) {
+  ExtractOptions options;
+  const FieldTable table = describe(options);
+  for (const Field& field : table.fields())
+    if (field.section == section && field.name == key)
+      return field.sentence + " (" + rangeText(field) + "; sets " + section + "." + key + ")";
+  throw std::logic_error(std::string("no option ") + section + "." + key);
+}
+
+std::string textOf(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in || !text) throw UsageError(file + ": cannot be read: --config takes an ini or json file");
+  return text.str();
+}
+
+/** An ini file, or the options that an earlier result was made with. */
+void readConfig(const std::string& file, FieldTable& table) {
+  const std::string text = textOf(file);
+  const auto first = text.find_first_not_of(" \t\r\n");
+  const bool isJson = first != std::string::npos && text[first] == '{';
+  fromIni(isJson ? optionsIni(parseGraphJson(text, file)) : text, file, table);
+}
+
+void applySetting(const std::string& setting, FieldTable& table) {
+  const auto equals = setting.find('=');
+  const auto dot = setting.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot > equals)
+    throw UsageError("--set " + setting +
+                     ": use SECTION.KEY=VALUE with a section and key of 'roomgraph config'");
+  table.set(setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1),
+            setting.substr(equals + 1));
+}
+
+}  // namespace
+
+void declareConfig(OptionArguments& arguments, CLI::App& app) {
+  app.add_option("--preset", arguments.preset,
+                 "Where the options start from: 'default' (metres, unknown cells kept apart) or "
+                 "'paper' (the paper's numbers, in cells).")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("-c,--config", arguments.configFile,
+                 "Options from an ini file (see 'roomgraph config'), or from an earlier X.json: "
+                 "those it was made with.")
+      ->type_name("FILE");
+  app.add_option("--set", arguments.settings,
+                 "Sets one option, after --config; may be given several times.")
+      ->type_name("SECTION.KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void declareResolution(OptionArguments& arguments, CLI::App& app) {
+  app.add_option("--resolution", arguments.resolution, help("load_grid", "resolution"))
+      ->type_name("M");
+}
+
+void declareRooms(OptionArguments& arguments, CLI::App& app) {
+  CLI::Option* width =
+      app.add_option("--room-width", arguments.roomWidth, help("find_rooms", "min_width"))
+          ->type_name("M");
+  app.add_option("--alpha-px2", arguments.alphaPx2, help("find_rooms", "alpha_px2"))
+      ->type_name("A")
+      ->excludes(width);
+  app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
+}
+
+ExtractOptions toOptions(const OptionArguments& arguments) {
+  ExtractOptions options = preset(arguments.preset);
+  FieldTable table = describe(options);
+  if (!arguments.configFile.empty()) readConfig(arguments.configFile, table);
+  for (const std::string& setting : arguments.settings) applySetting(setting, table);
+  if (!arguments.resolution.empty()) table.set("load_grid", "resolution", arguments.resolution);
+  if (!arguments.roomWidth.empty()) {
+    table.set("find_rooms", "min_width", arguments.roomWidth);
+    table.set("find_rooms", "alpha_px2", "0");
+  }
+  if (!arguments.alphaPx2.empty()) table.set("find_rooms", "alpha_px2", arguments.alphaPx2);
+  if (arguments.allComponents) table.set("keep_largest", "all_components", "true");
+  return options;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,31 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "roomgraph/pipeline/ExtractOptions.h"
+
+namespace roomgraph {
+
+/** The arguments that set options of the pipeline, the same in every subcommand. */
+struct OptionArguments {
+  std::string preset = "default";
+  std::string configFile;
+  std::vector<std::string> settings;            ///< SECTION.KEY=VALUE
+  std::string resolution, roomWidth, alphaPx2;  ///< empty where not given
+  bool allComponents = false;
+};
+
+/** Declares --preset, --config and --set. Help texts come from the field table. */
+void declareConfig(OptionArguments& arguments, CLI::App& app);
+/** Declares --resolution. */
+void declareResolution(OptionArguments& arguments, CLI::App& app);
+/** Declares --room-width, --alpha-px2 and --all-components. */
+void declareRooms(OptionArguments& arguments, CLI::App& app);
+
+/** First the preset, then the file, then --set, then the shorthands; later ones win.
+ *  Throws UsageError for an unknown name or a value out of range, and DataError for a graph file
+ *  that cannot be read. */
+ExtractOptions toOptions(const OptionArguments& arguments);
+
+}  // namespace roomgraph

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/pipeline/Stages.h"
+
+namespace roomgraph {
+
+/** A kind of file that a result can be written as. */
+struct OutputFormat {
+  const char* name;  ///< for --format, and the file's extension
+  std::string (*bytes)(const Stages& stages);
+};
+
+/** "json, svg, ... or all", for people. */
+std::string formatNames();
+
+/** The formats of a comma-separated list, in the order of the list, each once; "all" stands for
+ *  every one. Throws UsageError for a name that is none. */
+std::vector<OutputFormat> parseFormats(const std::string& list);
+
+}  // namespace roomgraph

@@ -1,0 +1,92 @@
+#include "output_names.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool endsWith(const std::string& name, const std::string& end) {
+  return name.size() > end.size() &&
+         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
+           return a == std::tolower(static_cast<unsigned char>(b));
+         });
+}
+
+/** The picture that a ROS map's yaml names; empty for any other file. */
+std::string pictureOf(const std::string& mapFile) {
+  if (!endsWith(mapFile, ".yaml") && !endsWith(mapFile, ".yml")) return {};
+  std::ifstream in(mapFile);
+  std::string line;
+  constexpr int kMostLines = 100;
+  for (int i = 0; i < kMostLines && std::getline(in, line); ++i) {
+    if (line.rfind("image:", 0) != 0) continue;
+    const auto first = line.find_first_not_of(" \t\"'", 6);
+    if (first == std::string::npos) return {};
+    const auto last = line.find_last_not_of(" \t\r\"'");
+    return (fs::path(mapFile).parent_path() / line.substr(first, last + 1 - first)).string();
+  }
+  return {};
+}
+
+void checkNotReplaced(const std::string& result, const std::string& input) {
+  std::error_code error;  // where one of them does not exist they are not the same
+  if (fs::equivalent(result, input, error) && !error)
+    throw UsageError(result + ": would replace the map it is made from: choose another folder " +
+                     "with --output, or other formats with --format");
+}
+
+}  // namespace
+
+std::string outputStem(const std::string& mapFile) {
+  std::string name = fs::path(mapFile).filename().string();
+  if (endsWith(name, ".gz")) name.resize(name.size() - 3);
+  for (const std::string end : {".gridmap", ".simplemap", ".yaml", ".yml", ".pgm", ".png"})
+    if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
+  return name;
+}
+
+std::string outputFile(const std::string& folder, const std::string& mapFile,
+                       const std::string& extension) {
+  return (fs::path(folder) / (outputStem(mapFile) + "." + extension)).string();
+}
+
+void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
+                      const std::vector<std::string>& extensions) {
+  std::map<std::string, std::string> mapOfStem;
+  std::vector<std::string> inputs = mapFiles;
+  for (const std::string& file : mapFiles) {
+    const std::string stem = outputStem(file);
+    const auto [known, isNew] = mapOfStem.emplace(stem, file);
+    if (!isNew)
+      throw UsageError(known->second + " and " + file + " would both be written as " +
+                       outputFile(folder, file, extensions.empty() ? "*" : extensions.front()) +
+                       ": rename one, or extract them into different folders");
+    const std::string picture = pictureOf(file);
+    if (!picture.empty()) inputs.push_back(picture);
+  }
+  for (const std::string& file : mapFiles)
+    for (const std::string& extension : extensions)
+      for (const std::string& input : inputs)
+        checkNotReplaced(outputFile(folder, file, extension), input);
+}
+
+void makeWritableFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0)
+    throw DataError(folder + ": cannot be written to" +
+                    (error ? " (" + error.message() + ")" : std::string()) +
+                    ": choose another folder with --output");
+}
+
+}  // namespace roomgraph

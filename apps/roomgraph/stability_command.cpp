@@ -1,0 +1,93 @@
+#include "stability_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "Command.h"
+#include "option_arguments.h"
+#include "output_names.h"
+#include "stability_map.h"
+
+namespace roomgraph {
+namespace {
+
+struct StabilityArguments {
+  std::vector<std::string> maps;
+  OptionArguments options;
+  StabilityTask task;
+};
+
+void declareExperiment(StabilityOptions& options, CLI::App& app) {
+  app.add_option("--distances", options.distances,
+                 "How far from a wall new cells may be, in cells per axis, separated by commas.")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->capture_default_str();
+  app.add_option("--percents", options.percents,
+                 "Shares of the occupied cells that move, separated by commas.")
+      ->delimiter(',')
+      ->type_name("LIST")
+      ->capture_default_str();
+  app.add_option("--repeats", options.repeats, "Noisy maps for each distance and share.")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "Of the noise. The same seed gives the same files.")
+      ->type_name("S")
+      ->capture_default_str();
+  app.add_option("--match-within", options.matchWithin,
+                 "How far apart a vertex and its partner may be in the one-to-one matching [m].")
+      ->type_name("M")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+void declareRunning(StabilityTask& task, CLI::App& app) {
+  app.add_option("-o,--output", task.folder,
+                 "Folder for the results, X.stability.csv and X.stability.json; made if it is not "
+                 "there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--threads", task.threads,
+                 "How many noisy maps are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", task.isQuiet, "Print nothing but errors.");
+}
+
+int run(const StabilityArguments& arguments) {
+  StabilityTask task = arguments.task;
+  task.extract = toOptions(arguments.options);
+  stabilityRuns(task.options);  // throws where they make no sense
+  checkOutputNames(arguments.maps, task.folder,
+                   {"stability.csv", "stability.json", "stability.partial.json"});
+  makeWritableFolder(task.folder);
+  int exitCode = kDone;
+  for (const std::string& map : arguments.maps)
+    exitCode = std::max(exitCode, stabilityOfMap(map, task));
+  if (!task.isQuiet)
+    std::puts(
+        "The distances of the paper's text are 1, 2, 3 and 5, those of its tables are "
+        "labelled 1 to 4.");
+  return exitCode;
+}
+
+}  // namespace
+
+std::function<int()> stabilityCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<StabilityArguments>();
+  arguments->task.folder = ".";
+  app.add_option("MAP", arguments->maps,
+                 "Maps, as for 'roomgraph extract'. One after the other; the noisy maps of each "
+                 "run in parallel.")
+      ->type_name("")
+      ->required();
+  declareExperiment(arguments->task.options, app);
+  declareConfig(arguments->options, app);
+  declareResolution(arguments->options, app);
+  declareRooms(arguments->options, app);
+  declareRunning(arguments->task, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

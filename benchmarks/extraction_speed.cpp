@@ -1,0 +1,234 @@
+// How much the whole extraction costs beside the bare Voronoi diagram of the same sites.
+#include <errno.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <boost/polygon/voronoi.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "FloorPlan.h"
+#include "make_office.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/pipeline/extract.h"
+#include "write_map.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMostRatio = 2.0, kMostExponent = 1.1;
+constexpr double kBytesPerSite = 600, kBytesPerCell = 3;
+
+/** A map to measure: a file, or an artificial office where `file` is empty. */
+struct Case {
+  std::string name, file;
+  int officeSize = 0;  ///< cells each way
+};
+
+struct Memory {
+  double bytes = 0;  ///< peak, beyond that of a map of 8 x 8 cells
+  double sites = 0, cells = 0;
+
+  double perSite() const { return (bytes - kBytesPerCell * cells) / sites; }
+};
+
+struct Times {
+  std::vector<double> bare, whole;  ///< [s of CPU], in the order of the repeats
+
+  double best() const {
+    return *std::min_element(whole.begin(), whole.end()) /
+           *std::min_element(bare.begin(), bare.end());
+  }
+  double median() const {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < bare.size(); ++i) ratios.push_back(whole[i] / bare[i]);
+    std::nth_element(ratios.begin(), ratios.begin() + std::ptrdiff_t(ratios.size() / 2),
+                     ratios.end());
+    return ratios[ratios.size() / 2];
+  }
+};
+
+std::vector<Case> allCases(int largest) {
+  const std::string mrpt = "/usr/share/mrpt/datasets/";
+  std::vector<Case> cases = {{"uwb", mrpt + "uwb_ro-localization_demo_map.gridmap.gz"},
+                             {"Malaga campus", mrpt + "2006-MalagaCampus.gridmap.gz"}};
+  for (int size = 1000; size <= largest; size *= 2)
+    cases.push_back({"office " + std::to_string(size) + "²", "", size});
+  return cases;
+}
+
+GreyMap load(const Case& which) {
+  if (!which.file.empty()) return loadGrid(which.file, {});
+  MakeOfficeOptions office;
+  office.width = office.height = which.officeSize;
+  return makeOffice(office);
+}
+
+/** CPU time of this process [s]: other programs on the machine do not count. */
+double cpuSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+/** The share of the extraction that comes after the sites. */
+double shareAfterSites(const Stages& stages) {
+  double all = 0, before = 0;
+  for (const StageTiming& timing : stages.timings) {
+    all += timing.seconds;
+    if (timing.stage == "binarize" || timing.stage == "obstacle_sites") before += timing.seconds;
+  }
+  return 1 - before / all;
+}
+
+double timeWhole(const GreyMap& map, std::vector<boost::polygon::point_data<int>>& sites) {
+  const double start = cpuSeconds();
+  const Stages stages = extract(map, {});
+  const double seconds = cpuSeconds() - start;
+  sites.clear();
+  for (const Cell cell : stages.sites.cells) sites.emplace_back(cell.x, cell.y);
+  return seconds * shareAfterSites(stages);
+}
+
+double timeBare(const std::vector<boost::polygon::point_data<int>>& sites) {
+  boost::polygon::voronoi_diagram<double> diagram;
+  const double start = cpuSeconds();
+  boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
+  return cpuSeconds() - start;
+}
+
+/** In turns, so that what slows the machine down slows both; at least 5 times, up to 3 s. */
+Times measureTimes(const Case& which) {
+  const GreyMap map = load(which);
+  std::vector<boost::polygon::point_data<int>> sites;
+  Times times;
+  timeWhole(map, sites);  // warms up, and finds the sites
+  double spent = 0;
+  while (times.bare.size() < 5 || (spent < 3 && times.bare.size() < 51)) {
+    times.bare.push_back(timeBare(sites));
+    times.whole.push_back(timeWhole(map, sites));
+    spent += times.bare.back() + times.whole.back();
+  }
+  return times;
+}
+
+/** Peak of the resident memory so far [bytes]. Of this program only: getrusage also counts what the
+ *  process was before it became this program. */
+double peakBytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    double kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+  }
+  throw DataError("/proc/self/status: has no VmHWM; this needs Linux");
+}
+
+/** Reads and extracts a map of 8 x 8 cells: the code and the tables that any map needs are then in
+ *  memory, MRPT's start among them. */
+void warmUp() {
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("roomgraph_speed_" + std::to_string(getpid()) + ".gridmap.gz");
+  FloorPlan plan(8, 8, 0.05);
+  plan.fill({0, 0, 8, 8}, grey::kWall);
+  plan.fill({1, 1, 7, 7}, grey::kFree);
+  writeGridmap(plan.map(), file);
+  const GreyMap map = loadGrid(file, {});
+  std::filesystem::remove(file);
+  extract(map, {});
+}
+
+/** What a child process does: one extraction, then how much memory it took. */
+void printMemory(const Case& which) {
+  warmUp();
+  const double start = peakBytes();
+  const GreyMap map = load(which);
+  const Stages stages = extract(map, {});
+  std::printf("%.0f %zu %zu\n", peakBytes() - start, stages.sites.cells.size(), map.grey.size());
+}
+
+Memory measureMemory(const Case& which, int largest) {
+  const std::string command = "exec '" + std::string(program_invocation_name) + "' --largest " +
+                              std::to_string(largest) + " --memory '" + which.name + "'";
+  const std::unique_ptr<FILE, int (*)(FILE*)> child(popen(command.c_str(), "r"), pclose);
+  Memory memory;
+  if (!child ||
+      std::fscanf(child.get(), "%lf %lf %lf", &memory.bytes, &memory.sites, &memory.cells) != 3)
+    throw DataError(which.name + ": the run that measures memory failed");
+  return memory;
+}
+
+/** Slope of the line through (log x, log y). */
+double exponent(const std::vector<double>& xs, const std::vector<double>& ys) {
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  const double n = double(xs.size());
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const double x = std::log(xs[i]), y = std::log(ys[i]);
+    sx += x, sy += y, sxx += x * x, sxy += x * y;
+  }
+  return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+}
+
+const char* verdict(bool isWithin) { return isWithin ? "PASS" : "**over**"; }
+
+bool measureAll(int largest) {
+  std::printf(
+      "| map | cells | sites | time, median | time, best | time <= %.1f | "
+      "bytes per site beyond %.0f per cell | memory <= %.0f |\n"
+      "|---|---|---|---|---|---|---|---|\n",
+      kMostRatio, kBytesPerCell, kBytesPerSite);
+  bool isAllWithin = true;
+  std::vector<double> sites, bare, whole;
+  for (const Case& which : allCases(largest)) {
+    const Memory memory = measureMemory(which, largest);
+    const Times times = measureTimes(which);
+    const bool isFast = times.median() <= kMostRatio, isSmall = memory.perSite() <= kBytesPerSite;
+    std::printf("| %s | %.0f | %.0f | %.2f | %.2f | %s | %.0f | %s |\n", which.name.c_str(),
+                memory.cells, memory.sites, times.median(), times.best(), verdict(isFast),
+                memory.perSite(), verdict(isSmall));
+    std::fflush(stdout);
+    isAllWithin = isAllWithin && isFast && isSmall;
+    if (!which.file.empty()) continue;
+    sites.push_back(memory.sites);
+    bare.push_back(*std::min_element(times.bare.begin(), times.bare.end()));
+    whole.push_back(*std::min_element(times.whole.begin(), times.whole.end()));
+  }
+  if (sites.size() < 2) return isAllWithin;
+  const double growth = exponent(sites, whole);
+  std::printf(
+      "\nOver the offices, time grows with sites^%.2f (at most %.1f: %s); "
+      "the bare diagram with sites^%.2f.\n",
+      growth, kMostExponent, verdict(growth <= kMostExponent), exponent(sites, bare));
+  return isAllWithin && growth <= kMostExponent;
+}
+
+}  // namespace
+}  // namespace roomgraph
+
+int main(int argc, char** argv) {
+  CLI::App app("CPU time and memory of the extraction, as ratios to the bare Voronoi diagram.");
+  int largest = 8000;
+  std::string memoryOf;
+  app.add_option("--largest", largest, "largest office [cells each way]: 1000, 2000, 4000 or 8000")
+      ->capture_default_str();
+  app.add_option("--memory", memoryOf,
+                 "only extract this one map; print the bytes it took, its sites and cells");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (memoryOf.empty()) return roomgraph::measureAll(largest) ? 0 : 1;
+    for (const roomgraph::Case& which : roomgraph::allCases(largest))
+      if (which.name == memoryOf) return roomgraph::printMemory(which), 0;
+    throw roomgraph::UsageError("there is no map '" + memoryOf + "'");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "extraction_speed: %s\n", error.what());
+    return 2;
+  }
+}

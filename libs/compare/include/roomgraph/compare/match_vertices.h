@@ -1,0 +1,40 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+// Ours, beside the paper's measure
+// In:   two TopologyGraphs in one frame
+// Out:  which vertex is which
+// Next: stability
+
+struct MatchedVertices {
+  VertexId base, other;
+  double distance = 0;  ///< [m]
+};
+
+/** Pairs each vertex of `base` with at most one of `other` and the other way round, none of them
+ *  farther apart than `maxDistance` [m]. The nearest two of all are a pair, then the nearest two of
+ *  those that are left, and so on: the one matching in which no two vertices are both nearer to
+ *  each other than to their partners. So it is the same from both sides. Equal distances go by
+ *  vertex numbers, `base` first. Pairs are ordered by distance. O(k log k) for k pairs in reach,
+ *  besides sorting the vertices. */
+std::vector<MatchedVertices> matchVertices(const TopologyGraph& base, const TopologyGraph& other,
+                                           double maxDistance);
+
+/** What a matching says in four numbers. */
+struct VertexAgreement {
+  std::optional<double> median;          ///< distance of the pairs [m]; none where there is no pair
+  std::optional<double> percentile90;    ///< of the pairs, the same
+  std::optional<double> unmatchedBase;   ///< share, 0 to 1; none for an empty graph
+  std::optional<double> unmatchedOther;  ///< share, 0 to 1; none for an empty graph
+};
+
+/** `pairs` must be ordered by distance. Percentiles are read between the two nearest pairs. */
+VertexAgreement vertexAgreement(const std::vector<MatchedVertices>& pairs, std::size_t baseCount,
+                                std::size_t otherCount);
+
+}  // namespace roomgraph

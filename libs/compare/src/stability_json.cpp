@@ -1,0 +1,18 @@
+#include "stability_json.h"
+
+namespace roomgraph {
+
+Json optionsJson(const ExtractOptions& options) {
+  ExtractOptions copy = options;
+  const FieldTable table = describe(copy);
+  Json json = Json::object();
+  for (const Field& field : table.fields())
+    std::visit([&](const auto* value) { json[field.section][field.name] = *value; }, field.value);
+  return json;
+}
+
+std::string lineOf(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,36 @@
+# 0 for success and help, 1 for data that cannot be used, 2 for a call that makes no sense.
+. "$(dirname "$0")/common.sh"
+rooms a.pgm
+
+expect 0 "$roomgraph" --help
+expect 0 "$roomgraph" extract --help
+expect 0 "$roomgraph" --version
+expect 0 "$roomgraph" extract a.pgm -o o
+expect 1 "$roomgraph" extract missing.gridmap -o o
+one_line err missing.gridmap
+
+expect 2 "$roomgraph"
+one_line err roomgraph
+expect 2 "$roomgraph" extract
+one_line err MAP
+expect 2 "$roomgraph" exctract a.pgm
+expect 2 "$roomgraph" extract a.pgm --no-such-option
+one_line err --no-such-option
+expect 2 "$roomgraph" extract a.pgm --format pdf
+one_line err pdf geojson
+expect 2 "$roomgraph" extract a.pgm --preset fast
+one_line err fast paper
+expect 2 "$roomgraph" extract a.pgm --resolution 0
+one_line err resolution "use "
+expect 2 "$roomgraph" extract a.pgm --set find_rooms.no_such_key=1
+one_line err find_rooms no_such_key
+expect 2 "$roomgraph" extract a.pgm --set nonsense
+one_line err nonsense
+expect 2 "$roomgraph" extract a.pgm --room-width 2 --alpha-px2 200
+one_line err --room-width --alpha-px2
+expect 2 "$roomgraph" extract a.pgm --config missing.ini
+one_line err missing.ini
+
+touch file
+expect 1 "$roomgraph" extract a.pgm -o file/below
+one_line err file/below

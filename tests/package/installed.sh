@@ -1,0 +1,13 @@
+#!/bin/bash
+# installed.sh BUILD_DIR WORK_DIR: a stranger builds against what `cmake --install` gives.
+set -euo pipefail
+build=$1 work=$2 stranger=$(cd "$(dirname "$0")/stranger" && pwd)
+rm -rf "$work"
+cmake --install "$build" --prefix "$work/prefix" > /dev/null
+test -x "$work/prefix/bin/roomgraph"
+test -f "$work/prefix/share/roomgraph/config_files/default.ini"
+
+cmake -S "$stranger" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix"
+cmake --build "$work/build"
+"$work/build/stranger"
+"$work/build/stranger_plugin"

@@ -1,0 +1,181 @@
+#include "roomgraph/pipeline/extract.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "random_maps.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/rooms/find_rooms.h"
+#include "roomgraph/voronoi/voronoi_graph.h"
+
+namespace roomgraph::test {
+namespace {
+
+void write(const Point& p, std::ostream& out) { out << p.x << ' ' << p.y << ' '; }
+
+/** Every number of the result, to the last bit. */
+std::string bytesOf(const RoomGraph& result) {
+  std::ostringstream out;
+  out << std::hexfloat;
+  for (const Vertex& v : result.graph.vertices()) {
+    write(v.at, out);
+    out << v.clearance << ' ' << int(v.kind) << ' ' << (v.room ? int(v.room.index()) : -1) << '\n';
+  }
+  for (const Edge& e : result.graph.edges()) {
+    out << e.source.index() << ' ' << e.target.index() << ' ' << e.path.length << ' '
+        << e.path.minClearance << ' ';
+    for (const Point p : e.path.points) write(p, out);
+    out << (e.room ? int(e.room.index()) : -1) << '\n';
+  }
+  for (const GraphRoom& room : result.rooms) {
+    write(room.center, out);
+    out << room.shape.inscribedRadius << ' ';
+    for (const Point p : room.shape.polygon.outer) write(p, out);
+    for (const Ring& hole : room.shape.polygon.holes)
+      for (const Point p : hole) write(p, out);
+    for (const VertexId v : room.borderVertices) out << v.index() << ' ';
+    out << '\n';
+  }
+  return out.str();
+}
+
+TEST(Extract, givesTheSameBytesTwice) {
+  const GreyMap map = greyMap(noisyOffice(7, 300));
+  const std::string first = bytesOf(extract(map, {}).result);
+  EXPECT_GT(first.size(), 10000u);
+  EXPECT_EQ(first, bytesOf(extract(map, {}).result));
+}
+
+TEST(Extract, givesTheSameBytesOnSeveralThreads) {
+  std::vector<GreyMap> maps;
+  std::vector<std::string> alone, together(8);
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    maps.push_back(greyMap(noisyOffice(seed, 260)));
+    alone.push_back(bytesOf(extract(maps.back(), {}).result));
+  }
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < together.size(); ++i)
+    threads.emplace_back([&, i] { together[i] = bytesOf(extract(maps[i % 4], {}).result); });
+  for (std::thread& thread : threads) thread.join();
+  for (std::size_t i = 0; i < together.size(); ++i) EXPECT_EQ(together[i], alone[i % 4]) << i;
+}
+
+/** The rooms as sets of corners: the same for any order of rooms and any start of a ring. */
+std::vector<std::vector<Point>> cornersOf(const Rooms& rooms) {
+  std::vector<std::vector<Point>> all;
+  for (const Room& room : rooms) {
+    std::vector<Point> corners = room.polygon.outer;
+    for (const Ring& hole : room.polygon.holes)
+      corners.insert(corners.end(), hole.begin(), hole.end());
+    std::sort(corners.begin(), corners.end());
+    all.push_back(corners);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
+  ExtractOptions options;
+  options.findRooms.minWidth = 1.63;  // no multiple of a cell: no ties
+  options.clearClutter.maxSize = 0;
+  const Stages stages = extract(greyMap(noisyOffice(5, 300)), options);
+  ASSERT_GT(stages.rooms.size(), 2u);
+  ObstacleSites shuffled = stages.sites;
+  std::mt19937 random(11);
+  for (std::size_t i = shuffled.cells.size(); i > 1; --i)
+    std::swap(shuffled.cells[i - 1], shuffled.cells[random() % i]);
+  const VoronoiGraph voronoi = voronoiGraph(shuffled);
+  const InsideFlags isInside = keepInside(voronoi, stages.grid, stages.options.keepInside);
+  EXPECT_EQ(cornersOf(findRooms(voronoi, isInside, stages.roomRadius)), cornersOf(stages.rooms));
+}
+
+TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
+  const Stages stages = extract(greyMap(randomMap(3, 60, 40, 0.1)), {});
+  std::vector<std::string> names;
+  for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
+  const std::vector<std::string> expected{
+      "binarize",        "obstacle_sites", "voronoi_graph",   "keep_inside",  "keep_clear",
+      "topology_graph",  "dead_ends",      "join_vertices",   "keep_largest", "find_rooms",
+      "border_vertices", "cut_paths",      "short_dead_ends", "join_doors",   "room_graph"};
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());
+  EXPECT_EQ(stages.isInside.size(), stages.voronoi.vertices.size());
+}
+
+TEST(Extract, findsNoRoomNarrowerThanAPath) {
+  ExtractOptions options;
+  options.findRooms.minWidth = 0.1;
+  const Stages stages = extract(greyMap(randomMap(3, 60, 40, 0.1)), options);
+  EXPECT_EQ(stages.roomRadius, stages.clearance);
+}
+
+TEST(Extract, acceptsAMapWithoutCells) {
+  GreyMap map;
+  map.frame = {0, 0, 0.1, {}};
+  const Stages stages = extract(map, {});
+  EXPECT_TRUE(stages.result.graph.vertices().empty());
+  ASSERT_EQ(stages.notes.size(), 1u);
+  EXPECT_EQ(stages.notes.front().code, "no_free_cell");
+}
+
+TEST(Extract, tellsWhyNoPathWasFound) {
+  const Stages stages = extract(greyMap(drawn({"###", "#.#", "###"}, 0.1)), {});
+  ASSERT_EQ(stages.notes.size(), 1u);
+  EXPECT_EQ(stages.notes.front().code, "no_path");
+}
+
+TEST(Extract, passesTheNotesOfTheMapOn) {
+  GreyMap map = greyMap(drawn({"..."}, 0.1));
+  map.notes.push_back({"odd", "an odd map", std::nullopt});
+  const Stages stages = extract(map, {});
+  ASSERT_FALSE(stages.notes.empty());
+  EXPECT_EQ(stages.notes.front().code, "odd");
+}
+
+TEST(Preset, paperHasThePapersNumbers) {
+  const ExtractOptions options = preset("paper");
+  EXPECT_EQ(options.binarize.blackThreshold, 100);
+  EXPECT_EQ(options.thinObstacles.neighbours, "8");
+  EXPECT_EQ(options.shortDeadEnds.minLengthPx, 20);
+  EXPECT_GT(options.findRooms.alphaPx2, 0);
+  EXPECT_TRUE(options.roomGraph.straightEdges);
+}
+
+TEST(Preset, throwsForAnUnknownName) { EXPECT_THROW(preset("fast"), UsageError); }
+
+TEST(ExtractOptions, everyDefaultLiesInItsRange) {
+  for (const char* name : {"default", "paper"}) {
+    ExtractOptions options = preset(name);
+    FieldTable table = describe(options);
+    for (const Field& field : table.fields())
+      EXPECT_NO_THROW(table.set(field.section, field.name, valueText(field)))
+          << name << " [" << field.section << "] " << field.name;
+  }
+}
+
+TEST(ExtractOptions, everyFieldHasAPlaceASentenceAndItsOwnName) {
+  ExtractOptions options;
+  std::set<std::string> seen;
+  const FieldTable table = describe(options);
+  for (const Field& field : table.fields()) {
+    EXPECT_TRUE(seen.insert(field.section + "/" + field.name).second) << field.name;
+    EXPECT_EQ(field.sentence.back(), '.') << field.name;
+  }
+  EXPECT_GT(seen.size(), 20u);
+}
+
+TEST(ExtractOptions, survivesTheIniFile) {
+  ExtractOptions paper = preset("paper"), read;
+  FieldTable from = describe(paper), to = describe(read);
+  fromIni(toIni(from), "x.ini", to);
+  EXPECT_EQ(toIni(to), toIni(from));
+  ExtractOptions plain;
+  EXPECT_NE(toIni(describe(plain)), toIni(from));
+}
+
+}  // namespace
+}  // namespace roomgraph::test
