@@ -42,18 +42,13 @@ Rooms roomsIn(const VoronoiGraph& voronoi, const InsideFlags& isInside, double r
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
   const double minClearance = effectiveClearance(anyPassage, resolution);
-  const Regions regions = splitAtDoors(voronoi, isInside, minClearance, doors);
-  const Rooms all = traceRooms(voronoi, regions);
-  Rooms rooms;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (!regions.isCorridor[i]) rooms.push_back(all[i]);
-  return rooms;
+  return traceRooms(voronoi, splitAtDoors(voronoi, isInside, minClearance, doors));
 }
 
 Note clutterNote(const std::vector<Clutter>& clutter) {
-  const auto largest = std::max_element(
-      clutter.begin(), clutter.end(),
-      [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
+  const auto largest =
+      std::max_element(clutter.begin(), clutter.end(),
+                       [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
   char text[120];
   std::snprintf(text, sizeof text,
                 "%zu free-standing obstacles up to %.2f m large are taken for clutter and do not "

@@ -46,13 +46,14 @@ class Splitter {
     sumAreas();
     while (absorbNiches()) {
     }
-    return regions();
+    return rooms();
   }
 
  private:
   /** The widest passage between two regions, and how many there are. */
   struct Passage {
     double width = 0;  // half of it, as clearance
+    Point at;
     int count = 0;
   };
   using Neighbours = std::map<std::uint32_t, Passage>;
@@ -60,8 +61,7 @@ class Splitter {
   bool isDoor(double passage, std::uint32_t a, std::uint32_t b) const {
     const double narrower = std::min(radius_[a], radius_[b]);
     return passage < options_.maxRatio * narrower * (1 - kSame) &&
-           passage < options_.maxWidth / 2 &&
-           narrower >= options_.minRoomWidth / 2 * (1 - kSame);
+           passage < options_.maxWidth / 2 && narrower >= options_.minSideWidth / 2 * (1 - kSame);
   }
 
   bool isNarrowBeside(std::uint32_t a, std::uint32_t b) const {
@@ -84,14 +84,22 @@ class Splitter {
     if (!area_.empty()) area_[both] = area;
   }
 
+  /** From here on only the edges between regions matter. */
+  void keepPassages() {
+    const auto isInner = [&](std::uint32_t e) {
+      return groups_.find(voronoi_.edges[e].source) == groups_.find(voronoi_.edges[e].target);
+    };
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isInner), edges_.end());
+  }
+
   /** Twice the area of each face is the sum over its Delaunay edges; shared ones cancel. */
   void sumAreas() {
     area_.assign(voronoi_.vertices.size(), 0.0);
     if (voronoi_.sites.empty()) return;
     const Point origin = voronoi_.sites.front();
     for (const VoronoiEdge& edge : voronoi_.edges) {
-      const double area = cross(voronoi_.sites[edge.right] - origin,
-                                voronoi_.sites[edge.left] - origin) / 2;
+      const double area =
+          cross(voronoi_.sites[edge.right] - origin, voronoi_.sites[edge.left] - origin) / 2;
       area_[groups_.find(edge.source)] += area;
       if (!edge.isInfinite()) area_[groups_.find(edge.target)] -= area;
     }
@@ -104,14 +112,17 @@ class Splitter {
   }
 
   std::map<std::uint32_t, Neighbours> neighbours() {
+    keepPassages();
     std::map<std::uint32_t, Neighbours> all;
     for (const std::uint32_t e : edges_) {
       const VoronoiEdge& edge = voronoi_.edges[e];
       const auto a = groups_.find(edge.source), b = groups_.find(edge.target);
-      if (a == b) continue;
       for (Passage* passage : {&all[a][b], &all[b][a]}) {
-        passage->width = std::max(passage->width, edge.minClearance);
         ++passage->count;
+        if (edge.minClearance <= passage->width) continue;
+        passage->width = edge.minClearance;
+        passage->at =
+            midpoint(voronoi_.vertices[edge.source].at, voronoi_.vertices[edge.target].at);
       }
     }
     return all;
@@ -131,16 +142,41 @@ class Splitter {
     return owner;
   }
 
-  /** Joins all niches with their owners at once; returns whether there were any. */
-  bool absorbNiches() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  /** A region, the one that it may be a niche of, and how far it reaches into the wall. */
+  struct Niche {
+    std::uint32_t region, owner;
+    Passage opening;
+    double depth = 0;
+  };
+
+  std::vector<Niche> niches() {
+    std::vector<Niche> found;
+    std::vector<std::uint32_t> indexOf(voronoi_.vertices.size(), Regions::kNone);
     for (const auto& [region, around] : neighbours()) {
       const std::uint32_t owner = ownerOf(region, around);
-      if (owner != Regions::kNone && elongation(region) <= options_.maxElongation)
-        pairs.push_back({region, owner});
+      if (owner == Regions::kNone) continue;
+      indexOf[region] = std::uint32_t(found.size());
+      found.push_back({region, owner, around.at(owner), 0});
     }
-    for (const auto& [region, owner] : pairs) join(groups_.find(region), groups_.find(owner));
-    return !pairs.empty();
+    if (found.empty()) return found;
+    for (std::uint32_t v = 0; v < voronoi_.vertices.size(); ++v) {
+      const std::uint32_t index = isInside_[v] ? indexOf[groups_.find(v)] : Regions::kNone;
+      if (index == Regions::kNone) continue;
+      Niche& niche = found[index];
+      niche.depth = std::max(niche.depth, distance(voronoi_.vertices[v].at, niche.opening.at));
+    }
+    return found;
+  }
+
+  /** Joins all niches with their owners at once; returns whether there were any. */
+  bool absorbNiches() {
+    bool isAny = false;
+    for (const Niche& niche : niches()) {
+      if (niche.depth > options_.maxNicheDepth * 2 * niche.opening.width) continue;
+      join(groups_.find(niche.region), groups_.find(niche.owner));
+      isAny = true;
+    }
+    return isAny;
   }
 
   bool isCorridor(std::uint32_t region, const Neighbours& around) const {
@@ -154,18 +190,17 @@ class Splitter {
            2 * radius_[region] <= options_.maxCorridorWidth;
   }
 
-  Regions regions() {
-    const auto isMember = [&](std::uint32_t v) { return isInside_[v] != 0; };
-    Regions result = numbered(groups_, isMember, voronoi_.vertices.size(), 0);
+  /** What is no corridor. */
+  Regions rooms() {
     const auto around = neighbours();
-    result.isCorridor.resize(result.count);
-    for (std::uint32_t v = 0; v < voronoi_.vertices.size(); ++v) {
-      if (!isMember(v) || groups_.find(v) != v) continue;
+    std::vector<std::uint8_t> isRoom(voronoi_.vertices.size());
+    for (std::uint32_t v = 0; v < isRoom.size(); ++v) {
+      if (!isInside_[v] || groups_.find(v) != v) continue;
       const auto it = around.find(v);
-      result.isCorridor[result.regionOf[v]] =
-          isCorridor(v, it == around.end() ? Neighbours() : it->second);
+      isRoom[v] = !isCorridor(v, it == around.end() ? Neighbours() : it->second);
     }
-    return result;
+    const auto isMember = [&](std::uint32_t v) { return isInside_[v] && isRoom[groups_.find(v)]; };
+    return numbered(groups_, isMember, voronoi_.vertices.size(), 0);
   }
 
   const VoronoiGraph& voronoi_;
@@ -181,12 +216,18 @@ class Splitter {
 
 void describe(SplitAtDoorsOptions& options, FieldTable& table) {
   const char* section = "split_at_doors";
-  table.number(section, "max_ratio", options.maxRatio, "", 0, 1,
-               "A passage is a door where it is narrower than this share of the narrower of its two "
-               "sides.");
+  table.number(
+      section, "max_ratio", options.maxRatio, "", 0, 1,
+      "A passage is a door where it is narrower than this share of the narrower of its two "
+      "sides.");
   table.number(section, "max_width", options.maxWidth, "m", 0, 100, "A wider passage is no door.");
-  table.number(section, "niche_ratio", options.nicheRatio, "", 0, 1,
-               "A region narrower than this share of the one that it opens into is a niche of that.");
+  table.number(
+      section, "niche_ratio", options.nicheRatio, "", 0, 1,
+      "A region narrower than this share of the one that it opens into is a niche of that.");
+  table.number(section, "max_niche_depth", options.maxNicheDepth, "", 0, 1e6,
+               "A niche deeper than this many widths of its opening is a corridor.");
+  table.number(section, "min_side_width", options.minSideWidth, "m", 0, 100,
+               "A door has room for a disc of this diameter on each of its sides.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "Where no disc of this diameter fits in is no room.");
   table.number(section, "max_elongation", options.maxElongation, "", 1, 1e6,

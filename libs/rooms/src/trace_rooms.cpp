@@ -24,7 +24,7 @@ std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regio
     if (target != kNone) boundary.push_back({target, edge.left, edge.right});
   }
   std::sort(boundary.begin(), boundary.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
-    return std::tie(a.room, a.from, a.to) < std::tie(b.room, b.from, b.to);
+    return std::tie(a.from, a.room, a.to) < std::tie(b.from, b.room, b.to);
   });
   return boundary;
 }
@@ -38,7 +38,13 @@ double clockwiseTurn(Point from, Point to) {
 class RingTracer {
  public:
   RingTracer(const VoronoiGraph& voronoi, std::vector<BoundaryEdge> boundary)
-      : sites_(voronoi.sites), boundary_(std::move(boundary)), place_(sites_.size(), kNone) {}
+      : sites_(voronoi.sites),
+        boundary_(std::move(boundary)),
+        firstFrom_(sites_.size() + 1),
+        place_(sites_.size(), kNone) {
+    for (const BoundaryEdge& edge : boundary_) ++firstFrom_[edge.from + 1];
+    for (std::size_t i = 0; i < sites_.size(); ++i) firstFrom_[i + 1] += firstFrom_[i];
+  }
 
   /** Calls `add(room, ring)` for every simple ring of every room. */
   template <class Add>
@@ -60,20 +66,16 @@ class RingTracer {
 
   /** The next edge round the same piece of the room; null where the ring closes. */
   BoundaryEdge* next(const BoundaryEdge& edge) {
-    const BoundaryEdge key{edge.room, edge.to, 0};
-    auto it = std::lower_bound(boundary_.begin(), boundary_.end(), key,
-                               [](const BoundaryEdge& a, const BoundaryEdge& b) {
-                                 return std::tie(a.room, a.from) < std::tie(b.room, b.from);
-                               });
     BoundaryEdge* best = nullptr;
     double leastTurn = 7;
     const Point back = sites_[edge.from] - sites_[edge.to];
-    for (; it != boundary_.end() && it->room == edge.room && it->from == edge.to; ++it) {
-      if (it->isUsed) continue;
-      const double turn = clockwiseTurn(back, sites_[it->to] - sites_[it->from]);
+    for (std::size_t i = firstFrom_[edge.to]; i < firstFrom_[edge.to + 1]; ++i) {
+      BoundaryEdge& other = boundary_[i];
+      if (other.isUsed || other.room != edge.room) continue;
+      const double turn = clockwiseTurn(back, sites_[other.to] - sites_[other.from]);
       if (turn < leastTurn) {
         leastTurn = turn;
-        best = &*it;
+        best = &other;
       }
     }
     return best;
@@ -103,7 +105,8 @@ class RingTracer {
 
   const std::vector<Point>& sites_;
   std::vector<BoundaryEdge> boundary_;
-  std::vector<std::uint32_t> place_;  // of a site in the open ring
+  std::vector<std::uint32_t> firstFrom_;  // per site into boundary_
+  std::vector<std::uint32_t> place_;      // of a site in the open ring
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace roomgraph {
 
 struct JoinDoorsOptions {
   double maxDepth =
-      0.5;  ///< of the way through a door, about the wall's thickness; 0 for never [m]
+      1.0;  ///< of the way through a door, about the wall's thickness; 0 for never [m]
 };
 void describe(JoinDoorsOptions& options, FieldTable& table);
 

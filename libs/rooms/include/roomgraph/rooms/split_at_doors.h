@@ -7,7 +7,7 @@ namespace roomgraph {
 
 // Ours, in place of III-B's one alpha for the whole map
 // In:   VoronoiGraph of the map without clutter, and what of it lies inside
-// Out:  Regions: rooms and corridors
+// Out:  Regions: the rooms; what is in none is corridor
 // Next: traceRooms
 
 struct SplitAtDoorsOptions {
@@ -16,7 +16,10 @@ struct SplitAtDoorsOptions {
   double maxWidth = 2.5;  ///< of a door [m]
   /** A region narrower than this share of the one that it opens into is a niche of that. */
   double nicheRatio = 0.6;
-  double minRoomWidth = 1.0;      ///< of the largest disc in a room [m]
+  double maxNicheDepth =
+      1.5;  ///< of a niche, in widths of its opening; what is deeper is a corridor
+  double minSideWidth = 1.0;      ///< of the largest disc on each side of a door [m]
+  double minRoomWidth = 1.6;      ///< of the largest disc in a room [m]
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 5.0;  ///< a wider region is a room, however long [m]
 };

@@ -15,7 +15,6 @@ struct Regions {
 
   std::vector<std::uint32_t> regionOf;  ///< per Voronoi vertex; kNone where it is in no region
   std::uint32_t count = 0;
-  std::vector<std::uint8_t> isCorridor;  ///< per region; empty where all are rooms
   /** Faces of one region are parted where less than this lies between them and an obstacle [m]. */
   double radius = 0;
 
@@ -29,7 +28,7 @@ struct Regions {
 template <class IsMember>
 Regions numbered(UnionFind& groups, const IsMember& isMember, std::size_t vertexCount,
                  double radius) {
-  Regions regions{std::vector<std::uint32_t>(vertexCount, Regions::kNone), 0, {}, radius};
+  Regions regions{std::vector<std::uint32_t>(vertexCount, Regions::kNone), 0, radius};
   for (std::uint32_t v = 0; v < vertexCount; ++v) {
     if (!isMember(v)) continue;
     const std::uint32_t first = groups.find(v);
