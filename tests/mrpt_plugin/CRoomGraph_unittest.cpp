@@ -36,6 +36,7 @@ TEST(CRoomGraph, comesBackFromAStreamThatKnowsOnlyItsName) {
 }
 
 TEST(CRoomGraph, aStreamThatEndsTooEarlyIsAnError) {
+  registerMrptClasses();
   mrpt::io::CMemoryStream whole;
   mrpt::serialization::archiveFrom(whole) << sampleGraph();
   const auto size = static_cast<std::size_t>(whole.getTotalBytesCount());
@@ -49,7 +50,8 @@ TEST(CRoomGraph, aStreamThatEndsTooEarlyIsAnError) {
     } catch (const std::exception& error) {
       // MRPT's stream adds its own lines.
       EXPECT_NE(std::string(error.what()).find("room graph: it is cut short or damaged"),
-                std::string::npos);
+                std::string::npos)
+          << error.what();
     }
   }
 }
