@@ -14,9 +14,10 @@ std::string gzipped(const void* bytes, std::size_t size) {
   if (size > std::numeric_limits<uInt>::max())
     throw std::length_error("the object is larger than 4 GB");
   z_stream stream{};
+  // A scene compresses nearly as well at the lowest level, in a third of the time.
   constexpr int gzipFrame = 16 + MAX_WBITS, memory = 8;
-  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzipFrame, memory,
-                   Z_DEFAULT_STRATEGY) != Z_OK)
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzipFrame, memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
     throw std::bad_alloc();
   std::string out(deflateBound(&stream, uLong(size)), '\0');
   stream.next_in = static_cast<Bytef*>(const_cast<void*>(bytes));
