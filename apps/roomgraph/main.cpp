@@ -6,6 +6,7 @@
 #include "extract_command.h"
 #include "info_command.h"
 #include "roomgraph/base/version.h"
+#include "score_rooms_command.h"
 #include "stability_command.h"
 
 namespace roomgraph {
@@ -16,6 +17,8 @@ constexpr Command kCommands[] = {
     {"stability",
      "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
      stabilityCommand},
+    {"score-rooms", "Measure how well the rooms of a label picture agree with the true ones.",
+     scoreRoomsCommand},
     {"info", "Say what is in map files, graph files (X.json) and MRPT files (X.roomgraph).",
      infoCommand},
     {"config", "Print all options as a commented ini file, for use with --config.", configCommand},

@@ -47,30 +47,76 @@ std::uint8_t greyOf(const std::uint8_t* pixel, int channels) {
   return std::uint8_t((level * alpha + kBackground * (255 - alpha) + 127) / 255);
 }
 
-void convertRow(const std::uint8_t* row, int channels, std::uint8_t* out, std::size_t width) {
-  for (std::size_t x = 0; x < width; ++x)
-    out[x] = greyOf(row + x * std::size_t(channels), channels);
+/** How the pixels of a row lie in memory. */
+struct RowFormat {
+  std::size_t width = 0;
+  int channels = 0, bits = 0;
+  int transparentGrey = -1;  ///< the grey that stands for no pixel, if there is one
+};
+
+void convertToGrey(const std::uint8_t* row, const RowFormat& format, std::uint8_t* out) {
+  for (std::size_t x = 0; x < format.width; ++x)
+    out[x] = greyOf(row + x * std::size_t(format.channels), format.channels);
 }
 
-/** 8 bits for each of 1 to 4 channels. Returns the number of passes over the rows. */
-int prepare(Decoder& d) {
-  png_read_info(d.png, d.info);
+/** 8 bits for each of 1 to 4 channels. */
+void prepareGrey(Decoder& d, RowFormat&) {
   png_set_expand(d.png);
   png_set_scale_16(d.png);
-  const int passes = png_set_interlace_handling(d.png);
-  png_read_update_info(d.png, d.info);
-  return passes;
 }
+
+std::uint32_t labelOf(const std::uint8_t* pixel, const RowFormat& format) {
+  constexpr std::uint32_t white = 0xffffff;
+  const int bytes = format.bits / 8;
+  const auto sample = [&](int channel) {
+    const std::uint8_t* p = pixel + std::ptrdiff_t(channel) * bytes;
+    return bytes == 2 ? std::uint32_t(p[0]) << 8 | p[1] : std::uint32_t(p[0]);
+  };
+  if (format.channels % 2 == 0 && sample(format.channels - 1) == 0) return 0;
+  if (format.channels < 3) return int(sample(0)) == format.transparentGrey ? 0 : sample(0);
+  const std::uint32_t colour = sample(0) << 16 | sample(1) << 8 | sample(2);
+  return colour == white ? 0 : colour;
+}
+
+void convertToLabels(const std::uint8_t* row, const RowFormat& format, std::uint32_t* out) {
+  const auto bytes = std::size_t(format.channels * format.bits / 8);
+  for (std::size_t x = 0; x < format.width; ++x) out[x] = labelOf(row + x * bytes, format);
+}
+
+/** Greys as they are stored, in 8 or 16 bits; palettes as their colours. */
+void prepareLabels(Decoder& d, RowFormat& format) {
+  png_set_packing(d.png);
+  if (png_get_color_type(d.png, d.info) & PNG_COLOR_MASK_COLOR) {
+    png_set_expand(d.png);
+    return;
+  }
+  png_color_16p grey = nullptr;
+  if (png_get_tRNS(d.png, d.info, nullptr, nullptr, &grey) && grey)
+    format.transparentGrey = grey->gray;
+}
+
+/** What becomes of the pixels. */
+template <class Pixel>
+struct Conversion {
+  void (*prepare)(Decoder& d, RowFormat& format);
+  void (*convertRow)(const std::uint8_t* row, const RowFormat& format, Pixel* out);
+};
 
 /** Appends the rows from the top. False where libpng gives up. Holds nothing that a jump could
  *  leak. */
-bool decode(Decoder& d, std::vector<std::uint8_t>& grey) {
+template <class Pixel>
+bool decode(Decoder& d, const Conversion<Pixel>& conversion, std::vector<Pixel>& pixels) {
   if (setjmp(png_jmpbuf(d.png))) return false;
-  const int passes = prepare(d);
-  const std::size_t width = png_get_image_width(d.png, d.info);
+  RowFormat format;
+  png_read_info(d.png, d.info);
+  conversion.prepare(d, format);
+  const int passes = png_set_interlace_handling(d.png);
+  png_read_update_info(d.png, d.info);
   const std::size_t height = png_get_image_height(d.png, d.info);
   const std::size_t rowBytes = png_get_rowbytes(d.png, d.info);
-  const int channels = png_get_channels(d.png, d.info);
+  format.width = png_get_image_width(d.png, d.info);
+  format.channels = png_get_channels(d.png, d.info);
+  format.bits = png_get_bit_depth(d.png, d.info);
   if (passes > 1) {  // rows come in pieces, so that all must be kept
     d.raw.reset(new std::uint8_t[rowBytes * height]);
     for (std::size_t y = 0; y < height; ++y) d.rows.push_back(d.raw.get() + y * rowBytes);
@@ -78,13 +124,28 @@ bool decode(Decoder& d, std::vector<std::uint8_t>& grey) {
   } else {
     d.raw.reset(new std::uint8_t[rowBytes]);
   }
-  grey.reserve(width * height);
+  pixels.reserve(format.width * height);
   for (std::size_t y = 0; y < height; ++y) {
     if (passes == 1) png_read_row(d.png, d.raw.get(), nullptr);
-    grey.resize(grey.size() + width);
-    convertRow(passes == 1 ? d.raw.get() : d.rows[y], channels, &grey[y * width], width);
+    pixels.resize(pixels.size() + format.width);
+    conversion.convertRow(passes == 1 ? d.raw.get() : d.rows[y], format, &pixels[y * format.width]);
   }
   return true;
+}
+
+template <class Pixel>
+std::vector<Pixel> decodeAll(ByteView png, const Conversion<Pixel>& conversion,
+                             const std::string& file) {
+  std::vector<Pixel> pixels;
+  Decoder decoder;
+  decoder.left = png;
+  decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+  if (decoder.png) decoder.info = png_create_info_struct(decoder.png);
+  if (!decoder.info) throw std::bad_alloc();
+  png_set_read_fn(decoder.png, &decoder.left, readBytes);
+  if (!decode(decoder, conversion, pixels))
+    refuse(file, "it is damaged: its pixels cannot be read", kSaveAgain);
+  return pixels;
 }
 
 }  // namespace
@@ -99,7 +160,9 @@ PngHeader readPngHeader(ByteReader in) {
   header.height = bigEndian(chunk + 12);
   constexpr int channelsByType[] = {1, 0, 3, 1, 2, 0, 4};
   const int type = chunk[17];
+  header.bitsPerChannel = chunk[16];
   header.bitsPerPixel = type <= 6 ? chunk[16] * channelsByType[type] : 0;
+  header.isColour = type == 2 || type == 6;
   if (header.bitsPerPixel == 0)
     refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSaveAgain);
   return header;
@@ -127,15 +190,11 @@ void checkPng(ByteReader in, const PngHeader& header) {
 }
 
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {
-  std::vector<std::uint8_t> grey;
-  Decoder decoder;
-  decoder.left = png;
-  decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
-  if (decoder.png) decoder.info = png_create_info_struct(decoder.png);
-  if (!decoder.info) throw std::bad_alloc();
-  png_set_read_fn(decoder.png, &decoder.left, readBytes);
-  if (!decode(decoder, grey)) refuse(file, "it is damaged: its pixels cannot be read", kSaveAgain);
-  return grey;
+  return decodeAll(png, Conversion<std::uint8_t>{prepareGrey, convertToGrey}, file);
+}
+
+std::vector<std::uint32_t> decodePngLabels(ByteView png, const std::string& file) {
+  return decodeAll(png, Conversion<std::uint32_t>{prepareLabels, convertToLabels}, file);
 }
 
 }  // namespace roomgraph

@@ -9,7 +9,8 @@ namespace roomgraph {
 
 struct PngHeader {
   std::uint32_t width = 0, height = 0;
-  int bitsPerPixel = 0;
+  int bitsPerPixel = 0, bitsPerChannel = 0;
+  bool isColour = false;  ///< three colours in each pixel, and no palette
 };
 
 /** Reads the size from the first bytes of a png. */
@@ -20,5 +21,8 @@ void checkPng(ByteReader in, const PngHeader& header);
 /** Decodes a checked png into one grey level per pixel, the highest row first. Gamma and colour
  *  profiles are not applied, as map servers do not. */
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file);
+/** Decodes a checked png into one label per pixel as readLabels() has them, the highest row first.
+ *  Must not be called for colours of 16 bits per channel. */
+std::vector<std::uint32_t> decodePngLabels(ByteView png, const std::string& file);
 
 }  // namespace roomgraph

@@ -1,0 +1,82 @@
+#include "decode_pgm.h"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace roomgraph {
+namespace {
+
+constexpr const char* kSaveAgain = "copy or save the picture again";
+
+/** The next whole number of a pgm, with blanks and comments before it. */
+std::uint64_t readPgmNumber(ByteReader& in) {
+  const auto next = [&in] { return in.left() > 0 ? int(*in.peek()) : -1; };
+  while (std::isspace(next()) || next() == '#') {
+    if (next() == '#')
+      while (next() >= 0 && next() != '\n') in.skip(1);
+    else
+      in.skip(1);
+  }
+  if (next() >= 0 && !std::isdigit(next()))
+    refuse(in.file(), "it is damaged: a number is missing in it", kSaveAgain);
+  std::uint64_t number = 0;
+  int digits = 0;
+  for (; std::isdigit(next()) && digits < 10; ++digits)
+    number = number * 10 + std::uint64_t(*in.take(1) - '0');
+  if (digits == 0) in.skip(1);  // the end of the file
+  return number;
+}
+
+std::size_t bytesPerPixel(const PgmHeader& header) {
+  return header.isText ? 2 : header.brightest < 256 ? 1 : 2;
+}
+
+std::uint32_t readPixel(ByteReader& in, const PgmHeader& header) {
+  if (header.isText) {
+    constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+    return std::uint32_t(std::min(readPgmNumber(in), most));
+  }
+  std::uint32_t value = 0;
+  for (std::size_t b = 0; b < bytesPerPixel(header); ++b) value = value * 256 + *in.take(1);
+  return value;
+}
+
+}  // namespace
+
+PgmHeader readPgmHeader(ByteReader in) {
+  PgmHeader header;
+  header.isText = in.take(2)[1] == '2';
+  header.width = readPgmNumber(in);
+  header.height = readPgmNumber(in);
+  header.brightest = readPgmNumber(in);
+  if (header.brightest == 0 || header.brightest > 65535)
+    refuse(in.file(), "it is damaged: its brightest value is not in 1 to 65535", kSaveAgain);
+  in.skip(1);
+  header.size = in.position();
+  return header;
+}
+
+void checkPgm(const CheckedFile& file, const PgmHeader& header) {
+  const std::uint64_t pixelBytes = header.width * header.height * bytesPerPixel(header);
+  // The last number of a text may end with the file.
+  if (file.claimedSize() + 1 < header.size + pixelBytes)
+    refuse(file.name(), "it is cut short: pixels are missing", kSaveAgain);
+}
+
+void decodePgm(
+    CheckedFile& file, const PgmHeader& header,
+    const std::function<void(std::size_t row, const std::vector<std::uint32_t>&)>& take) {
+  ByteReader in(file.content(), file.name());
+  in.skip(header.size);
+  std::vector<std::uint32_t> values(header.width);
+  for (std::size_t row = header.height; row-- > 0;) {
+    for (std::uint32_t& value : values) value = readPixel(in, header);
+    take(row, values);
+  }
+  while (in.left() > 0)
+    if (!std::isspace(*in.take(1)))
+      refuse(file.name(), "something follows the picture in it", "remove what was appended");
+}
+
+}  // namespace roomgraph
