@@ -61,7 +61,7 @@ std::string verboseLine(const std::string& mapFile, const Stages& stages) {
                    formatted(", %d x %d cells of %g m, lower left corner (%g, %g), paths keep "
                              "%g m clear, %zu pieces of clutter do not split rooms",
                              frame.width, frame.height, frame.resolution, frame.origin.x,
-                             frame.origin.y, stages.clearance, stages.clutter.size()));
+                             frame.origin.y, stages.clearance, stages.cleared.clutter.size()));
 }
 
 std::string timingTable(const std::string& mapFile, const std::vector<StageTiming>& timings) {

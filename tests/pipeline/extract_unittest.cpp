@@ -10,6 +10,7 @@
 #include "random_maps.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/rooms/find_rooms.h"
+#include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
 namespace roomgraph::test {
@@ -90,7 +91,8 @@ TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
     std::swap(shuffled.cells[i - 1], shuffled.cells[random() % i]);
   const VoronoiGraph voronoi = voronoiGraph(shuffled);
   const InsideFlags isInside = keepInside(voronoi, stages.grid, stages.options.keepInside);
-  EXPECT_EQ(cornersOf(findRooms(voronoi, isInside, stages.roomRadius)), cornersOf(stages.rooms));
+  const Regions regions = findRooms(voronoi, isInside, stages.roomRadius, 0);
+  EXPECT_EQ(cornersOf(traceRooms(voronoi, regions)), cornersOf(stages.rooms));
 }
 
 TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
@@ -99,8 +101,9 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
       "binarize",        "obstacle_sites", "voronoi_graph",   "keep_inside",  "keep_clear",
-      "topology_graph",  "dead_ends",      "join_vertices",   "keep_largest", "find_rooms",
-      "border_vertices", "cut_paths",      "short_dead_ends", "join_doors",   "room_graph"};
+      "topology_graph",  "dead_ends",      "join_vertices",   "keep_largest", "clear_clutter",
+      "voronoi_without", "find_rooms",     "border_vertices", "cut_paths",    "short_dead_ends",
+      "join_doors",      "room_graph",     "area_graph"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());
   EXPECT_EQ(stages.isInside.size(), stages.voronoi.vertices.size());

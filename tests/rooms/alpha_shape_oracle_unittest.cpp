@@ -15,6 +15,7 @@
 #include "random_maps.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/rooms/find_rooms.h"
+#include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
 namespace roomgraph::test {
@@ -113,8 +114,9 @@ std::vector<Outline> ourRooms(const MapText& map, double alpha) {
   options.freeOnly = false;
   options.outsideAlphaPx2 = alpha;
   std::vector<Outline> outlines;
-  for (const Room& room :
-       findRooms(voronoi, keepInside(voronoi, grid, options), std::sqrt(alpha))) {
+  const Regions regions =
+      findRooms(voronoi, keepInside(voronoi, grid, options), std::sqrt(alpha), 0);
+  for (const Room& room : traceRooms(voronoi, regions)) {
     Outline outline;
     outline.area = area(room.polygon);
     const auto add = [&](const Ring& ring) {

@@ -11,6 +11,7 @@
 #include "roomgraph/rooms/room_graph.h"
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/rooms/short_dead_ends.h"
+#include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/topology/invariants.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
@@ -43,7 +44,7 @@ Rooms roomsOf(const MapText& map, double radius) {
   KeepInsideOptions options;
   options.outsideWidth = 2 * radius;
   options.freeOnly = false;
-  return findRooms(voronoi, keepInside(voronoi, grid, options), radius);
+  return traceRooms(voronoi, findRooms(voronoi, keepInside(voronoi, grid, options), radius, 0));
 }
 
 TEST(FindRooms, aCorridorIsNotARoom) {

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <cstdio>
 
+#include "roomgraph/areas/area_graph.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
+#include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/topology/topology_graph.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 #include "roomgraph/voronoi/voronoi_without.h"
@@ -36,13 +38,14 @@ bool hasAny(const Grid& grid, State state) {
   return std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end();
 }
 
-Rooms roomsIn(const VoronoiGraph& voronoi, const InsideFlags& isInside, double roomRadius,
-              double resolution, const SplitAtDoorsOptions& doors) {
-  if (roomRadius > 0) return findRooms(voronoi, isInside, roomRadius);
+/** III-B with one alpha, or ours. */
+Regions roomRegions(const Stages& s) {
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
-  const double minClearance = effectiveClearance(anyPassage, resolution);
-  return traceRooms(voronoi, splitAtDoors(voronoi, isInside, minClearance, doors));
+  const double minClearance = effectiveClearance(anyPassage, s.grid.frame.resolution);
+  if (s.roomRadius > 0)
+    return findRooms(s.clearedVoronoi, s.clearedIsInside, s.roomRadius, minClearance);
+  return splitAtDoors(s.clearedVoronoi, s.clearedIsInside, minClearance, s.options.splitAtDoors);
 }
 
 Note clutterNote(const std::vector<Clutter>& clutter) {
@@ -55,24 +58,6 @@ Note clutterNote(const std::vector<Clutter>& clutter) {
                 "split rooms",
                 clutter.size(), largest->size);
   return {"clutter", text, std::array<double, 2>{largest->center.x, largest->center.y}};
-}
-
-/** III-B, on the map without clutter. */
-void findRooms(Stages& s) {
-  const double resolution = s.grid.frame.resolution;
-  const double radius = roomRadius(s.options.findRooms, resolution);
-  s.roomRadius = radius > 0 ? std::max(radius, s.clearance) : 0;
-  const auto& doors = s.options.splitAtDoors;
-  ClearedMap cleared = clearClutter(s.grid, s.sites, s.options.clearClutter);
-  s.clutter = std::move(cleared.clutter);
-  if (s.clutter.empty()) {  // saves the copies
-    s.rooms = roomsIn(s.voronoi, s.isInside, s.roomRadius, resolution, doors);
-    return;
-  }
-  s.notes.push_back(clutterNote(s.clutter));
-  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, cleared.isClutter);
-  const InsideFlags isInside = keepInside(voronoi, cleared.grid, s.options.keepInside);
-  s.rooms = roomsIn(voronoi, isInside, s.roomRadius, resolution, doors);
 }
 
 /** Why the result is empty, or lacks rooms. */
@@ -99,6 +84,8 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.notes = map.notes;
   const double resolution = map.frame.resolution;
   s.clearance = effectiveClearance(options.keepClear, resolution);
+  const double roomDisc = roomRadius(options.findRooms, resolution);
+  s.roomRadius = roomDisc > 0 ? std::max(roomDisc, s.clearance) : 0;
   const double minLength = shortLength(options.shortDeadEnds, resolution);
   Stopwatch watch(s.timings);
 
@@ -128,7 +115,13 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   watch.lap("keep_largest");
 
   // III-B to III-G: the rooms
-  findRooms(s);
+  s.cleared = clearClutter(s.grid, s.sites, options.clearClutter);
+  watch.lap("clear_clutter");
+  s.clearedVoronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
+  s.clearedIsInside = keepInside(s.clearedVoronoi, s.cleared.grid, options.keepInside);
+  watch.lap("voronoi_without");
+  s.regions = roomRegions(s);
+  s.rooms = traceRooms(s.clearedVoronoi, s.regions);
   watch.lap("find_rooms");
   s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
   watch.lap("border_vertices");
@@ -141,6 +134,10 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.result =
       roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph, s.notes);
   watch.lap("room_graph");
+  s.areas = areaGraph({s.cleared.grid, s.clearedVoronoi, s.clearedIsInside, s.regions}, s.result,
+                      s.clearance, s.notes);
+  watch.lap("area_graph");
+  if (!s.cleared.clutter.empty()) s.notes.push_back(clutterNote(s.cleared.clutter));
   addEmptinessNotes(s);
   return s;
 }

@@ -2,25 +2,10 @@
 
 #include <cmath>
 
+#include "number_regions.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/rooms/trace_rooms.h"
 
 namespace roomgraph {
-namespace {
-
-Regions wideRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius) {
-  const auto isWide = [&](std::uint32_t v) {
-    return isInside[v] && voronoi.vertices[v].clearance > radius;
-  };
-  UnionFind groups(voronoi.vertices.size());
-  for (const VoronoiEdge& edge : voronoi.edges)
-    if (edge.minClearance > radius && !edge.isInfinite() && isWide(edge.source) &&
-        isWide(edge.target))
-      groups.join(edge.source, edge.target);
-  return numbered(groups, isWide, voronoi.vertices.size(), radius);
-}
-
-}  // namespace
 
 void describe(FindRoomsOptions& options, FieldTable& table) {
   const char* section = "find_rooms";
@@ -35,8 +20,19 @@ double roomRadius(const FindRoomsOptions& options, double resolution) {
   return options.alphaPx2 > 0 ? std::sqrt(options.alphaPx2) * resolution : options.minWidth / 2;
 }
 
-Rooms findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius) {
-  return traceRooms(voronoi, wideRegions(voronoi, isInside, radius));
+Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius,
+                  double minClearance) {
+  const auto isWide = [&](std::uint32_t v) { return voronoi.vertices[v].clearance > radius; };
+  UnionFind groups(voronoi.vertices.size());
+  for (const VoronoiEdge& edge : voronoi.edges) {
+    if (edge.isInfinite() || !isInside[edge.source] || !isInside[edge.target]) continue;
+    const bool isInRoom = isWide(edge.source) && isWide(edge.target);
+    const bool isInCorridor = !isWide(edge.source) && !isWide(edge.target);
+    if ((isInRoom && edge.minClearance > radius) ||
+        (isInCorridor && edge.minClearance >= minClearance))
+      groups.join(edge.source, edge.target);
+  }
+  return numberRegions(groups, isInside, isWide, radius);
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,7 @@
 #include "roomgraph/rooms/room_graph.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/rooms/inner_paths.h"
@@ -53,6 +54,22 @@ bool leavesPolygon(const Polygon& polygon, Point from, Point to, double toleranc
          std::any_of(polygon.holes.begin(), polygon.holes.end(), isCrossedBefore);
 }
 
+/** Whether a straight path meets another one anywhere but where both start, or where both end. */
+bool crosses(const Path& straight, const Path& other) {
+  const Point p = straight.points.front(), q = straight.points.back();
+  const auto isShared = [&](double at) {
+    const Point meeting = p + at * (q - p);
+    const double near = 1e-6;  // [m]
+    return (distance(meeting, p) < near && distance(other.points.front(), p) < near) ||
+           (distance(meeting, q) < near && distance(other.points.back(), q) < near) ||
+           (distance(meeting, q) < near && distance(other.points.front(), q) < near);
+  };
+  for (std::size_t i = 0; i + 1 < other.points.size(); ++i)
+    for (const double at : intersect(p, q, other.points[i], other.points[i + 1]))
+      if (!isShared(at)) return true;
+  return false;
+}
+
 class RoomBuilder {
  public:
   RoomBuilder(const TopologyGraph& graph, const ObstacleRows& obstacles, double clearance,
@@ -61,14 +78,14 @@ class RoomBuilder {
 
   /** Where the room's vertex stands, and its paths to the room's border vertices. */
   InnerPaths build(const Room& room, const RoomParts& parts) const {
-    const Point center = centroid(room.polygon);
-    InnerPaths star = straightPaths(room, parts, center);
+    InnerPaths star = straightPaths(room, parts, centroid(room.polygon));
     if (straight_) return star;
-    const bool isInside = sideOf(room.polygon, center) == Side::inside;
-    if (isInside && star.clearance >= clearance_ && allAreClear(room, star)) return star;
+    if (sideOf(room.polygon, star.center) == Side::inside && star.clearance >= clearance_ &&
+        bend(room, parts, star))
+      return star;
     if (!parts.innerEdges.empty())
       // Half as wide as the room gets: not in a door, nor in a corner.
-      return innerPaths(graph_, parts.innerEdges, parts.borderVertices, center,
+      return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
                         room.inscribedRadius / 2);
     return straightPaths(room, parts, room.widestPlace);
   }
@@ -78,24 +95,55 @@ class RoomBuilder {
     InnerPaths star;
     star.center = center;
     star.clearance = obstacles_.clearance(center, center, room.inscribedRadius);
-    for (const VertexId v : parts.borderVertices) {
-      const Vertex& border = graph_.vertex(v);
-      Path path;
-      path.points = {center, border.at};
-      path.length = distance(center, border.at);
-      path.minClearance = obstacles_.clearance(center, border.at, border.clearance);
-      star.paths.push_back(std::move(path));
-    }
+    for (const VertexId v : parts.borderVertices)
+      star.paths.push_back(straightPath(center, graph_.vertex(v).at, graph_.vertex(v).clearance));
     return star;
   }
 
-  bool allAreClear(const Room& room, const InnerPaths& star) const {
-    return std::all_of(star.paths.begin(), star.paths.end(), [&](const Path& path) {
-      // A border vertex in the middle of a door lies a little outside of the polygon.
-      const double tolerance = 2 * clearance_;
-      return path.minClearance >= clearance_ &&
-             !leavesPolygon(room.polygon, path.points.front(), path.points.back(), tolerance);
-    });
+  /** `clearance` is that of the target. */
+  Path straightPath(Point source, Point target, double clearance) const {
+    Path path;
+    path.points = {source, target};
+    path.length = distance(source, target);
+    path.minClearance = obstacles_.clearance(source, target, clearance);
+    return path;
+  }
+
+  bool isClear(const Room& room, const Path& path) const {
+    // A border vertex in the middle of a door lies a little outside of the polygon.
+    const double tolerance = 2 * clearance_;
+    return path.minClearance >= clearance_ &&
+           !leavesPolygon(room.polygon, path.points.front(), path.points.back(), tolerance);
+  }
+
+  /** Leads the paths that are not clear along the graph's instead, and those that would cross
+   *  these. Returns false where there is no clear way from the centre to the graph's paths. */
+  bool bend(const Room& room, const RoomParts& parts, InnerPaths& star) const {
+    std::vector<std::size_t> straight, bent;
+    for (std::size_t i = 0; i < star.paths.size(); ++i)
+      (isClear(room, star.paths[i]) ? straight : bent).push_back(i);
+    if (bent.empty()) return true;
+    if (parts.innerEdges.empty()) return false;
+    const InnerPaths inner =
+        innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center, clearance_);
+    Path way = straightPath(star.center, inner.center, inner.clearance);
+    if (!isClear(room, way)) return false;
+    for (std::size_t done = 0; done < bent.size(); ++done) {
+      const Path& path = inner.paths[bent[done]];
+      if (crosses(way, path)) return false;
+      const auto isCrossed = [&](std::size_t i) {
+        return crosses(star.paths[i], way) || crosses(star.paths[i], path);
+      };
+      const auto firstCrossed =
+          std::stable_partition(straight.begin(), straight.end(), std::not_fn(isCrossed));
+      bent.insert(bent.end(), firstCrossed, straight.end());
+      straight.erase(firstCrossed, straight.end());
+    }
+    for (const std::size_t i : bent) {
+      star.paths[i] = joined(way, inner.paths[i]);
+      star.paths[i].obstacles.clear();  // not known along the first part
+    }
+    return true;
   }
 
   const TopologyGraph& graph_;

@@ -15,11 +15,19 @@ struct BoundaryEdge {
   bool isUsed = false;
 };
 
-std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regions& regions) {
+/** Of the regions below `count`. */
+std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regions& regions,
+                                        std::uint32_t count) {
+  const auto traced = [&](std::uint32_t vertex) {
+    const std::uint32_t region = regions.of(vertex);
+    return region < count ? region : kNone;
+  };
   std::vector<BoundaryEdge> boundary;
   for (const VoronoiEdge& edge : voronoi.edges) {
-    const auto source = regions.of(edge.source), target = regions.of(edge.target);
-    if (source == target && (source == kNone || edge.minClearance > regions.radius)) continue;
+    const auto source = traced(edge.source), target = traced(edge.target);
+    // The disc of the alpha shape parts rooms, not corridors.
+    if (source == target && (source >= regions.roomCount || edge.minClearance > regions.radius))
+      continue;
     if (source != kNone) boundary.push_back({source, edge.right, edge.left});
     if (target != kNone) boundary.push_back({target, edge.left, edge.right});
   }
@@ -109,19 +117,18 @@ class RingTracer {
   std::vector<std::uint32_t> place_;      // of a site in the open ring
 };
 
-}  // namespace
-
-Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions) {
-  Rooms rooms(regions.count);
+Rooms traceBelow(const VoronoiGraph& voronoi, const Regions& regions, std::uint32_t count) {
+  Rooms rooms(count);
+  for (std::uint32_t r = 0; r < count; ++r) rooms[r].region = r;
   for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
-    if (regions.regionOf[v] == kNone) continue;
+    if (regions.regionOf[v] >= count) continue;
     Room& room = rooms[regions.regionOf[v]];
     const VoronoiVertex& vertex = voronoi.vertices[v];
     if (vertex.clearance <= room.inscribedRadius) continue;
     room.inscribedRadius = vertex.clearance;
     room.widestPlace = vertex.at;
   }
-  RingTracer(voronoi, boundaryEdges(voronoi, regions))
+  RingTracer(voronoi, boundaryEdges(voronoi, regions, count))
       .run([&](std::uint32_t room, const Ring& ring) {
         Polygon& polygon = rooms[room].polygon;
         if (signedArea(ring) > signedArea(polygon.outer))
@@ -130,6 +137,16 @@ Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions) {
           polygon.holes.push_back(ring);
       });
   return rooms;
+}
+
+}  // namespace
+
+Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions) {
+  return traceBelow(voronoi, regions, regions.roomCount);
+}
+
+Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
+  return traceBelow(voronoi, regions, regions.count);
 }
 
 }  // namespace roomgraph

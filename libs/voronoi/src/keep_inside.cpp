@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/voronoi/face_areas.h"
 
 namespace roomgraph {
 namespace {
@@ -31,14 +32,9 @@ void keepBiggest(const VoronoiGraph& graph, InsideFlags& isInside) {
   const auto isInner = [&](std::uint32_t v) { return v != VoronoiEdge::kNoVertex && isInside[v]; };
   for (const VoronoiEdge& edge : graph.edges)
     if (isInner(edge.source) && isInner(edge.target)) polygons.join(edge.source, edge.target);
-  // Twice the area of each face, summed over its Delaunay edges; shared edges cancel.
-  std::vector<double> area(graph.vertices.size(), 0.0);
-  for (const VoronoiEdge& edge : graph.edges) {
-    const Point origin = graph.sites.front();
-    const double twice = cross(graph.sites[edge.right] - origin, graph.sites[edge.left] - origin);
-    if (isInner(edge.source)) area[polygons.find(edge.source)] += twice;
-    if (isInner(edge.target)) area[polygons.find(edge.target)] -= twice;
-  }
+  const std::vector<double> area = faceAreas(graph, [&](std::uint32_t v) {
+    return isInside[v] ? polygons.find(v) : VoronoiEdge::kNoVertex;
+  });
   if (area.empty()) return;
   const auto biggest = std::uint32_t(std::max_element(area.begin(), area.end()) - area.begin());
   for (std::uint32_t v = 0; v < isInside.size(); ++v)

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "roomgraph/base/Ids.h"
@@ -11,6 +12,7 @@ struct Room {
   Polygon polygon;             ///< its corners are obstacles [m, map frame]
   Point widestPlace;           ///< centre of the largest disc between the obstacles that fits in
   double inscribedRadius = 0;  ///< of that disc [m]
+  std::uint32_t region = 0;    ///< of Regions, which it was traced from; not kept in files
 };
 
 using Rooms = std::vector<Room>;

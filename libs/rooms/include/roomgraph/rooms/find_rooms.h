@@ -1,15 +1,14 @@
 #pragma once
 #include "roomgraph/base/Options.h"
-#include "roomgraph/rooms/Room.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/rooms/Regions.h"
 #include "roomgraph/voronoi/keep_inside.h"
 
 namespace roomgraph {
 
 // Paper III-B
 // In:   VoronoiGraph and what of it lies inside
-// Out:  Rooms
-// Next: borderVertices
+// Out:  Regions
+// Next: traceRooms
 
 struct FindRoomsOptions {
   /** Diameter of the disc that must fit in everywhere; 0 to split at doors instead [m]. */
@@ -21,12 +20,13 @@ void describe(FindRoomsOptions& options, FieldTable& table);
 /** The disc's radius [m]. */
 double roomRadius(const FindRoomsOptions& options, double resolution);
 
-/** The inner polygons of the alpha shape of the obstacles: where a disc of `radius` fits in without
- *  touching one, grown to the obstacles that stop it. Two places are in one room if the disc can
- *  move between them. Read off the Voronoi diagram: a room is a connected set of vertices with more
- *  clearance than `radius`, joined by edges with more clearance than that, and its polygon is the
- *  union of their Delaunay faces. The regularised alpha shape of CGAL has the same polygons.
- *  Rooms are ordered by their smallest Voronoi vertex. O(n). */
-Rooms findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius);
+/** Which places are in one room: those between which a disc of `radius` can move without touching
+ *  an obstacle. Read off the Voronoi diagram: a room is a connected set of vertices with more
+ *  clearance than `radius`, joined by edges with more clearance than that. traceRooms() gives each
+ *  the union of its Delaunay faces, and so the inner polygons of the regularised alpha shape of
+ *  CGAL. What is in no room is corridor, in pieces that are joined by edges of at least
+ *  `minClearance` [m]. O(n). */
+Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius,
+                  double minClearance);
 
 }  // namespace roomgraph

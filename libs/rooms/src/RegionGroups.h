@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "roomgraph/base/UnionFind.h"
+#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/voronoi/keep_inside.h"
+
+namespace roomgraph {
+
+/** Widths that differ by less than this share are equal: rounding must not decide. */
+constexpr double kSameWidth = 1e-9;
+
+/** The regions of the inside as they grow together. A region goes by its smallest vertex. */
+class RegionGroups {
+ public:
+  /** The widest passage between two regions, and how many there are. */
+  struct Passage {
+    double clearance = 0;  // half of its width [m]
+    Point at;
+    int count = 0;
+  };
+  using Neighbours = std::map<std::uint32_t, Passage>;
+
+  /** Each vertex is a region; they are joined by edges of at least `minClearance` only. */
+  RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance);
+
+  /** The edges between vertices inside, from wide to narrow; after keepPassages() those between
+   *  different regions. */
+  const std::vector<std::uint32_t>& edges() const { return edges_; }
+  const VoronoiGraph& voronoi() const { return voronoi_; }
+  const InsideFlags& isInside() const { return isInside_; }
+  UnionFind& groups() { return groups_; }
+
+  std::uint32_t find(std::uint32_t vertex) { return groups_.find(vertex); }
+  double radius(std::uint32_t region) const { return radius_[region]; }  // of the largest disc
+  double area(std::uint32_t region) const { return area_[region]; }      // after sumAreas()
+  /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
+  double elongation(std::uint32_t region) const;
+
+  void join(std::uint32_t a, std::uint32_t b);
+  void sumAreas();
+  /** Who meets whom where, by region. O(passages). */
+  std::map<std::uint32_t, Neighbours> neighbours();
+
+ private:
+  void keepPassages();
+
+  const VoronoiGraph& voronoi_;
+  const InsideFlags& isInside_;
+  std::vector<std::uint32_t> edges_;
+  UnionFind groups_;
+  std::vector<double> radius_, area_;
+};
+
+}  // namespace roomgraph

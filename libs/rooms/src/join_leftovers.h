@@ -1,0 +1,10 @@
+#pragma once
+#include "RegionGroups.h"
+#include "roomgraph/rooms/split_at_doors.h"
+
+namespace roomgraph {
+
+/** Joins what is too small for an area of its own with a neighbour each. Needs areas. */
+void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options);
+
+}  // namespace roomgraph
