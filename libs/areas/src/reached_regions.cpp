@@ -1,5 +1,7 @@
 #include "reached_regions.h"
 
+#include <algorithm>
+
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/rooms/RoomIndex.h"
 
@@ -7,7 +9,7 @@ namespace roomgraph {
 namespace {
 
 /** One region at least of each connected part of the graph. */
-std::vector<std::uint32_t> seeds(const Rooms& traced, const RoomGraph& graph) {
+std::vector<std::uint32_t> seeds(const RegionOutlines& outlines, const RoomGraph& graph) {
   const auto& vertices = graph.graph.vertices();
   UnionFind parts(vertices.size());
   for (const Edge& edge : graph.graph.edges())
@@ -18,11 +20,15 @@ std::vector<std::uint32_t> seeds(const Rooms& traced, const RoomGraph& graph) {
     found.push_back(room.shape.region);
     isFound[parts.find(std::uint32_t(room.vertex.index()))] = 1;
   }
-  const RoomIndex index(traced, 0);
-  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    if (isFound[parts.find(v)]) continue;
-    const RoomId region = index.roomAt(vertices[v].at);
-    if (!region) continue;  // on a line between two, or beside clutter at the border
+  const auto isMissing = [&](std::uint32_t v) { return !isFound[parts.find(v)]; };
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t v = 0; v < vertices.size(); ++v)
+    if (isMissing(v)) missing.push_back(v);
+  if (missing.empty()) return found;
+  const RoomIndex index(outlines.regions, 0);
+  for (const std::uint32_t v : missing) {
+    const RoomId region = isMissing(v) ? index.roomAt(vertices[v].at) : RoomId::none();
+    if (!region) continue;  // on a line between two
     found.push_back(std::uint32_t(region.index()));
     isFound[parts.find(v)] = 1;
   }
@@ -31,28 +37,21 @@ std::vector<std::uint32_t> seeds(const Rooms& traced, const RoomGraph& graph) {
 
 }  // namespace
 
-bool isPassage(const VoronoiEdge& edge, const Regions& regions, double clearance) {
-  if (edge.isInfinite() || edge.minClearance < clearance) return false;
-  const std::uint32_t a = regions.of(edge.source), b = regions.of(edge.target);
-  return a != b && a != Regions::kNone && b != Regions::kNone;
-}
-
-std::vector<std::uint8_t> reachedRegions(const ClearedSpace& space, const Rooms& traced,
-                                         const RoomGraph& graph, double clearance) {
-  const Regions& regions = space.regions;
-  std::vector<std::uint8_t> isOpen(regions.count, 1);
-  for (std::uint32_t r = 0; r < regions.roomCount; ++r) isOpen[r] = 0;
+std::vector<std::uint8_t> reachedRegions(const RegionOutlines& outlines, const RoomGraph& graph,
+                                         double clearance) {
+  const std::size_t count = outlines.regions.size();
+  // A room that is not in the graph is not reached, nor what lies behind it.
+  std::vector<std::uint8_t> isOpen(count, 1);
+  std::fill_n(isOpen.begin(), outlines.roomCount, std::uint8_t(0));
   for (const GraphRoom& room : graph.rooms) isOpen[room.shape.region] = 1;
 
-  UnionFind parts(regions.count);
-  for (const VoronoiEdge& edge : space.voronoi.edges) {
-    if (!isPassage(edge, regions, clearance)) continue;
-    const std::uint32_t a = regions.of(edge.source), b = regions.of(edge.target);
-    if (isOpen[a] && isOpen[b]) parts.join(a, b);
-  }
-  std::vector<std::uint8_t> isReachedPart(regions.count), isReached(regions.count);
-  for (const std::uint32_t region : seeds(traced, graph)) isReachedPart[parts.find(region)] = 1;
-  for (std::uint32_t r = 0; r < regions.count; ++r)
+  UnionFind parts(count);
+  for (const RegionBorder& border : outlines.borders)
+    if (isPassage(border, clearance) && isOpen[border.left] && isOpen[border.right])
+      parts.join(border.left, border.right);
+  std::vector<std::uint8_t> isReachedPart(count), isReached(count);
+  for (const std::uint32_t region : seeds(outlines, graph)) isReachedPart[parts.find(region)] = 1;
+  for (std::uint32_t r = 0; r < count; ++r)
     isReached[r] = isOpen[r] && isReachedPart[parts.find(r)];
   return isReached;
 }

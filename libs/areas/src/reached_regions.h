@@ -2,16 +2,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/areas/area_graph.h"
+#include "roomgraph/areas/region_outlines.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {
 
-/** A Delaunay edge in which two regions meet, wide enough for the robot. */
-bool isPassage(const VoronoiEdge& edge, const Regions& regions, double clearance);
+/** Whether two regions meet there in an opening that is wide enough for the robot. */
+inline bool isPassage(const RegionBorder& border, double clearance) {
+  return border.clearance > 0 && border.clearance >= clearance;
+}
 
-/** Per region, non-zero where the graph reaches it. `traced` are the polygons of all regions. */
-std::vector<std::uint8_t> reachedRegions(const ClearedSpace& space, const Rooms& traced,
-                                         const RoomGraph& graph, double clearance);
+/** Per region, non-zero where the graph reaches it. */
+std::vector<std::uint8_t> reachedRegions(const RegionOutlines& outlines, const RoomGraph& graph,
+                                         double clearance);
 
 }  // namespace roomgraph

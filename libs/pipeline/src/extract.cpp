@@ -8,7 +8,6 @@
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
-#include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/topology/topology_graph.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 #include "roomgraph/voronoi/voronoi_without.h"
@@ -39,13 +38,13 @@ bool hasAny(const Grid& grid, State state) {
 }
 
 /** III-B with one alpha, or ours. */
-Regions roomRegions(const Stages& s) {
+Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, const Stages& s) {
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
-  const double minClearance = effectiveClearance(anyPassage, s.grid.frame.resolution);
-  if (s.roomRadius > 0)
-    return findRooms(s.clearedVoronoi, s.clearedIsInside, s.roomRadius, minClearance);
-  return splitAtDoors(s.clearedVoronoi, s.clearedIsInside, minClearance, s.options.splitAtDoors);
+  const double resolution = s.grid.frame.resolution;
+  const double minClearance = effectiveClearance(anyPassage, resolution);
+  if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
+  return splitAtDoors(voronoi, isInside, minClearance, resolution, s.options.splitAtDoors);
 }
 
 Note clutterNote(const std::vector<Clutter>& clutter) {
@@ -117,12 +116,16 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   // III-B to III-G: the rooms
   s.cleared = clearClutter(s.grid, s.sites, options.clearClutter);
   watch.lap("clear_clutter");
-  s.clearedVoronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
-  s.clearedIsInside = keepInside(s.clearedVoronoi, s.cleared.grid, options.keepInside);
-  watch.lap("voronoi_without");
-  s.regions = roomRegions(s);
-  s.rooms = traceRooms(s.clearedVoronoi, s.regions);
-  watch.lap("find_rooms");
+  {  // The diagram without clutter is as large as the other, and not needed for long.
+    const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
+    const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, options.keepInside);
+    watch.lap("voronoi_without");
+    const Regions regions = findRegions(voronoi, isInside, s);
+    watch.lap("find_rooms");
+    s.outlines = regionOutlines(s.cleared.grid, voronoi, isInside, regions);
+    s.rooms = s.outlines.rooms();
+    watch.lap("region_outlines");
+  }
   s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
   watch.lap("border_vertices");
   s.cut = roomIds(cutPaths(s.largest, s.stretches), s.rooms, minLength);
@@ -134,8 +137,7 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.result =
       roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph, s.notes);
   watch.lap("room_graph");
-  s.areas = areaGraph({s.cleared.grid, s.clearedVoronoi, s.clearedIsInside, s.regions}, s.result,
-                      s.clearance, s.notes);
+  s.areas = areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   watch.lap("area_graph");
   if (!s.cleared.clutter.empty()) s.notes.push_back(clutterNote(s.cleared.clutter));
   addEmptinessNotes(s);

@@ -25,13 +25,15 @@ std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const Insid
 }  // namespace
 
 RegionGroups::RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                           double minClearance)
-    : voronoi_(voronoi),
+                           double minClearance, double halfCell)
+    : halfCell_(halfCell),
+      voronoi_(voronoi),
       isInside_(isInside),
       edges_(edgesByWidth(voronoi, isInside, minClearance)),
       groups_(voronoi.vertices.size()) {
   radius_.reserve(voronoi.vertices.size());
-  for (const VoronoiVertex& vertex : voronoi.vertices) radius_.push_back(vertex.clearance);
+  for (const VoronoiVertex& vertex : voronoi.vertices)
+    radius_.push_back(std::max(0.0, vertex.clearance - halfCell));
 }
 
 double RegionGroups::elongation(std::uint32_t region) const {
@@ -67,9 +69,7 @@ std::map<std::uint32_t, RegionGroups::Neighbours> RegionGroups::neighbours() {
     const std::uint32_t a = find(edge.source), b = find(edge.target);
     for (Passage* passage : {&all[a][b], &all[b][a]}) {
       ++passage->count;
-      if (edge.minClearance <= passage->clearance) continue;
-      passage->clearance = edge.minClearance;
-      passage->at = midpoint(voronoi_.vertices[edge.source].at, voronoi_.vertices[edge.target].at);
+      passage->clearance = std::max(passage->clearance, clearance(edge));
     }
   }
   return all;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -18,13 +19,15 @@ class RegionGroups {
   /** The widest passage between two regions, and how many there are. */
   struct Passage {
     double clearance = 0;  // half of its width [m]
-    Point at;
     int count = 0;
   };
   using Neighbours = std::map<std::uint32_t, Passage>;
 
-  /** Each vertex is a region; they are joined by edges of at least `minClearance` only. */
-  RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance);
+  /** Each vertex is a region; they are joined by edges of at least `minClearance` only. Obstacles
+   *  are cells, and reach `halfCell` beyond their centres [m]: all widths here are free of them, so
+   *  that they do not depend on the map's resolution. */
+  RegionGroups(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
+               double halfCell);
 
   /** The edges between vertices inside, from wide to narrow; after keepPassages() those between
    *  different regions. */
@@ -34,6 +37,9 @@ class RegionGroups {
   UnionFind& groups() { return groups_; }
 
   std::uint32_t find(std::uint32_t vertex) { return groups_.find(vertex); }
+  double clearance(const VoronoiEdge& edge) const {
+    return std::max(0.0, edge.minClearance - halfCell_);
+  }
   double radius(std::uint32_t region) const { return radius_[region]; }  // of the largest disc
   double area(std::uint32_t region) const { return area_[region]; }      // after sumAreas()
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
@@ -47,6 +53,7 @@ class RegionGroups {
  private:
   void keepPassages();
 
+  double halfCell_;
   const VoronoiGraph& voronoi_;
   const InsideFlags& isInside_;
   std::vector<std::uint32_t> edges_;

@@ -1,6 +1,8 @@
 #include "roomgraph/rooms/split_at_doors.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <tuple>
 #include <utility>
 
 #include "RegionGroups.h"
@@ -26,14 +28,90 @@ bool isNarrowBeside(const RegionGroups& regions, std::uint32_t a, std::uint32_t 
   return std::min(ofA, ofB) < narrowRatio * std::max(ofA, ofB) * (1 - kSameWidth);
 }
 
+/** Joins regions through open passages of one width. The order of these does not matter: first,
+ *  regions as wide as each other join; then, in rounds, each joins the widest of the others that it
+ *  is open to. So a door frame goes to one of its rooms, and not to both. */
+class PassageJoiner {
+ public:
+  PassageJoiner(RegionGroups& regions, const SplitAtDoorsOptions& options)
+      : regions_(regions), options_(options) {}
+
+  void join(std::vector<std::uint32_t> edges) {
+    do findOpenPairs(edges);
+    while (joinEqual() || joinWidest());
+  }
+
+ private:
+  /** Two regions that meet without a door; the narrower one first. */
+  struct Pair {
+    std::uint32_t region, host;
+    double hostRadius;
+  };
+
+  void findOpenPairs(std::vector<std::uint32_t>& edges) {
+    pairs_.clear();
+    const auto isJoined = [&](std::uint32_t e) {
+      const VoronoiEdge& edge = regions_.voronoi().edges[e];
+      std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
+      if (a == b) return true;
+      if (regions_.radius(b) < regions_.radius(a)) std::swap(a, b);
+      clearance_ = regions_.clearance(edge);
+      if (!isDoorBetween(a, b) && !isNarrowBeside(regions_, a, b, options_.narrowRatio))
+        pairs_.push_back({a, b, regions_.radius(b)});
+      return false;
+    };
+    edges.erase(std::remove_if(edges.begin(), edges.end(), isJoined), edges.end());
+  }
+
+  bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
+    return isDoor(regions_, clearance_, a, b, options_.maxRatio, options_.maxWidth);
+  }
+
+  bool joinEqual() {
+    std::vector<Pair> equal;
+    for (const Pair& pair : pairs_)
+      if (regions_.radius(pair.region) >= pair.hostRadius * (1 - kSameWidth)) equal.push_back(pair);
+    return joinAll(equal);
+  }
+
+  bool joinWidest() {
+    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
+      return std::tie(p.region, q.hostRadius, p.host) < std::tie(q.region, p.hostRadius, q.host);
+    });
+    std::vector<Pair> widest;
+    for (std::size_t i = 0, end = 0; i < pairs_.size(); i = end) {
+      while (end < pairs_.size() && pairs_[end].region == pairs_[i].region) ++end;
+      std::size_t tied = i;
+      while (tied < end && pairs_[tied].hostRadius >= pairs_[i].hostRadius * (1 - kSameWidth))
+        ++tied;
+      // What lies in a door between two equal rooms stays a leftover.
+      const bool isOneHost = pairs_[i].host == pairs_[tied - 1].host;
+      if (isOneHost || !isDoorBetween(pairs_[i].host, pairs_[tied - 1].host))
+        widest.insert(widest.end(), pairs_.begin() + std::ptrdiff_t(i),
+                      pairs_.begin() + std::ptrdiff_t(tied));
+    }
+    return joinAll(widest);
+  }
+
+  bool joinAll(const std::vector<Pair>& pairs) {
+    for (const Pair& pair : pairs) regions_.join(pair.region, pair.host);
+    return !pairs.empty();
+  }
+
+  RegionGroups& regions_;
+  const SplitAtDoorsOptions& options_;
+  double clearance_ = 0;  // of all these passages
+  std::vector<Pair> pairs_;
+};
+
 /** From wide to narrow: what is no door joins. */
 void joinOpenPassages(RegionGroups& regions, const SplitAtDoorsOptions& options) {
-  for (const std::uint32_t e : regions.edges()) {
-    const VoronoiEdge& edge = regions.voronoi().edges[e];
-    const auto a = regions.find(edge.source), b = regions.find(edge.target);
-    if (a != b && !isDoor(regions, edge.minClearance, a, b, options.maxRatio, options.maxWidth) &&
-        !isNarrowBeside(regions, a, b, options.narrowRatio))
-      regions.join(a, b);
+  const std::vector<std::uint32_t>& edges = regions.edges();
+  const auto width = [&](std::size_t i) { return regions.voronoi().edges[edges[i]].minClearance; };
+  PassageJoiner joiner(regions, options);
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
+    joiner.join({edges.begin() + std::ptrdiff_t(first), edges.begin() + std::ptrdiff_t(end)});
   }
 }
 
@@ -106,8 +184,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
 }
 
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
-                     const SplitAtDoorsOptions& options) {
-  RegionGroups regions(voronoi, isInside, minClearance);
+                     double resolution, const SplitAtDoorsOptions& options) {
+  RegionGroups regions(voronoi, isInside, minClearance, resolution / 2);
   joinOpenPassages(regions, options);
   regions.sumAreas();
   joinLeftovers(regions, options);

@@ -29,6 +29,9 @@ struct Passage {
   Point middle() const { return midpoint(from, to); }
 };
 
+/** As many areas can be told apart in 16 bits. */
+constexpr std::size_t kMaxLabelledAreas = 65535;
+
 /** The free space of a map in areas that meet in passages (Area Graph; Hou et al. 2019). */
 struct AreaGraph {
   std::vector<Area> areas;        ///< rooms in the order of the room graph, then corridors

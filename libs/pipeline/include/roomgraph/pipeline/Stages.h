@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/areas/region_outlines.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/grid/obstacle_sites.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
-#include "roomgraph/rooms/Regions.h"
 #include "roomgraph/rooms/RoomGraph.h"
 #include "roomgraph/rooms/border_vertices.h"
 #include "roomgraph/voronoi/VoronoiGraph.h"
@@ -25,23 +25,21 @@ struct StageTiming {
 
 /** Every intermediate result of an extraction, in the order of the steps. */
 struct Stages {
-  ExtractOptions options;       ///< those that were used
-  GreyMap::Source source;       ///< which map it was
-  Grid grid;                    ///< IV-C: free, occupied, unknown
-  ObstacleSites sites;          ///< IV-C, III-A
-  VoronoiGraph voronoi;         ///< III-A
-  InsideFlags isInside;         ///< III-A, per Voronoi vertex
-  double clearance = 0;         ///< that every path keeps [m]
-  EdgeIndices clearEdges;       ///< III-A, of `voronoi`
-  TopologyGraph topology;       ///< III-A, as the Voronoi diagram gives it
-  TopologyGraph pruned;         ///< III-A, without dead ends
-  TopologyGraph joinedUp;       ///< III-A, with near vertices joined
-  TopologyGraph largest;        ///< III-A, the graph without rooms
-  ClearedMap cleared;           ///< end of IV-C: the map without clutter, for rooms and areas
-  VoronoiGraph clearedVoronoi;  ///< of that map
-  InsideFlags clearedIsInside;  ///< per vertex of `clearedVoronoi`
+  ExtractOptions options;   ///< those that were used
+  GreyMap::Source source;   ///< which map it was
+  Grid grid;                ///< IV-C: free, occupied, unknown
+  ObstacleSites sites;      ///< IV-C, III-A
+  VoronoiGraph voronoi;     ///< III-A
+  InsideFlags isInside;     ///< III-A, per Voronoi vertex
+  double clearance = 0;     ///< that every path keeps [m]
+  EdgeIndices clearEdges;   ///< III-A, of `voronoi`
+  TopologyGraph topology;   ///< III-A, as the Voronoi diagram gives it
+  TopologyGraph pruned;     ///< III-A, without dead ends
+  TopologyGraph joinedUp;   ///< III-A, with near vertices joined
+  TopologyGraph largest;    ///< III-A, the graph without rooms
+  ClearedMap cleared;       ///< end of IV-C: the map without clutter, for rooms and areas
   double roomRadius = 0;    ///< of the disc that rooms are found with [m]; 0 when split at doors
-  Regions regions;          ///< of `clearedVoronoi`: rooms and pieces of corridor
+  RegionOutlines outlines;  ///< of that map: rooms and pieces of corridor
   Rooms rooms;              ///< III-B
   PathStretches stretches;  ///< III-C, per edge of `largest`
   TopologyGraph cut;        ///< III-D and E: paths cut, room ids set

@@ -21,8 +21,8 @@ struct SplitAtDoorsOptions {
   double minRoomWidth = 2.0;      ///< of the largest disc in a room [m]
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 6.0;  ///< a wider region is a room, however long [m]
-  double corridorRatio = 0.7;     ///< maxRatio between two pieces of corridor
-  double corridorDoor = 2.0;      ///< maxWidth between two pieces of corridor [m]
+  double corridorRatio = 0.65;    ///< maxRatio between two pieces of corridor
+  double corridorDoor = 1.8;      ///< maxWidth between two pieces of corridor [m]
 };
 void describe(SplitAtDoorsOptions& options, FieldTable& table);
 
@@ -34,10 +34,11 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table);
  *  Then leftovers, such as door frames and the corners beside them, join the neighbour behind
  *  their widest passage; of several as wide the largest. What remains is a corridor where it is too
  *  narrow for a room, or long (its area in squares round its largest disc is its elongation) and
- * has two ways out; pieces of corridor without a door between them become one. `minClearance` keeps
- * passages between neighbouring cells of a wall out [m]. Equal widths are joined in no particular
- * order, which does not show: only regions that are not equal are ever kept apart. O(n log n). */
+ *  has two ways out; pieces of corridor without a door between them become one.
+ *  All widths are free ones, between the sides of obstacle cells of size `resolution` [m], not
+ *  between their centres. `minClearance` keeps passages between neighbouring cells of a wall out
+ *  [m]. Equal widths are judged together, so the order of the edges does not matter. O(n log n). */
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
-                     const SplitAtDoorsOptions& options);
+                     double resolution, const SplitAtDoorsOptions& options);
 
 }  // namespace roomgraph

@@ -1,0 +1,100 @@
+#include "roomgraph/areas/region_outlines.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "roomgraph/rooms/trace_rooms.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::uint32_t kNone = Regions::kNone;
+
+/** Gives faces without a region that of a neighbour, in rounds from the regions outwards. */
+class FaceCover {
+ public:
+  FaceCover(const Grid& grid, const VoronoiGraph& voronoi, const InsideFlags& isInside,
+            const Regions& regions)
+      : voronoi_(voronoi), regionOf_(regions.regionOf), isHidden_(regionOf_.size()) {
+    // What lies in free space and is not inside is outside.
+    for (std::uint32_t v = 0; v < isHidden_.size(); ++v)
+      isHidden_[v] = !isInside[v] && !grid.isFree(voronoi.vertices[v].at);
+  }
+
+  std::vector<std::uint32_t> run() {
+    collectEdges();
+    while (spread()) {
+    }
+    return std::move(regionOf_);
+  }
+
+ private:
+  struct Offer {
+    double width = 0;  // of the opening
+    std::uint32_t region = kNone;
+  };
+
+  void collectEdges() {
+    for (const VoronoiEdge& edge : voronoi_.edges)
+      if (!edge.isInfinite() && (isHidden_[edge.source] || isHidden_[edge.target]))
+        edges_.push_back(&edge);
+  }
+
+  /** A face may take the region of a neighbour. */
+  bool isOpenTo(std::uint32_t face, std::uint32_t neighbour) const {
+    return isHidden_[face] && regionOf_[face] == kNone && regionOf_[neighbour] != kNone;
+  }
+
+  /** One round: each face takes the region behind its widest opening. */
+  bool spread() {
+    std::vector<std::pair<std::uint32_t, Offer>> offers;
+    const auto offer = [&](const VoronoiEdge& edge, std::uint32_t to, std::uint32_t from) {
+      if (isOpenTo(to, from))
+        offers.push_back(
+            {to,
+             {distance(voronoi_.sites[edge.left], voronoi_.sites[edge.right]), regionOf_[from]}});
+    };
+    for (const VoronoiEdge* edge : edges_) {
+      offer(*edge, edge->source, edge->target);
+      offer(*edge, edge->target, edge->source);
+    }
+    // The best of each face is the last.
+    std::sort(offers.begin(), offers.end(), [](const auto& a, const auto& b) {
+      return std::make_pair(a.first, a.second.width) < std::make_pair(b.first, b.second.width);
+    });
+    for (const auto& [face, best] : offers) regionOf_[face] = best.region;
+    const auto isDone = [&](const VoronoiEdge* edge) {
+      const auto isOpen = [&](std::uint32_t v) { return isHidden_[v] && regionOf_[v] == kNone; };
+      return !isOpen(edge->source) && !isOpen(edge->target);
+    };
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isDone), edges_.end());
+    return !offers.empty();
+  }
+
+  const VoronoiGraph& voronoi_;
+  std::vector<std::uint32_t> regionOf_;
+  std::vector<std::uint8_t> isHidden_;
+  std::vector<const VoronoiEdge*> edges_;
+};
+
+}  // namespace
+
+RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
+                              const InsideFlags& isInside, const Regions& regions) {
+  RegionOutlines outlines;
+  outlines.regions = traceRegions(voronoi, regions);
+  outlines.roomCount = regions.roomCount;
+  const std::vector<std::uint32_t> cover = FaceCover(grid, voronoi, isInside, regions).run();
+  for (const VoronoiEdge& edge : voronoi.edges) {
+    const std::uint32_t source = cover[edge.source];
+    const std::uint32_t target = edge.isInfinite() ? kNone : cover[edge.target];
+    if (source == target) continue;
+    const bool isOpening = regions.of(edge.source) != kNone && regions.of(edge.target) != kNone;
+    // The source lies on the left of the way from the right site to the left one.
+    outlines.borders.push_back({source, target, voronoi.sites[edge.right], voronoi.sites[edge.left],
+                                isOpening ? edge.minClearance : 0});
+  }
+  return outlines;
+}
+
+}  // namespace roomgraph
