@@ -14,7 +14,7 @@ struct ExtractArguments {
   std::vector<std::string> maps;
   OptionArguments options;
   std::string folder = ".";
-  std::string formats = "all";
+  std::string formats = defaultFormats();
   std::string stagesFolder;
   bool showTimings = false, isQuiet = false, isVerbose = false;
   unsigned threads = 0;
@@ -26,7 +26,8 @@ void declareOutput(ExtractArguments& arguments, CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--format", arguments.formats,
-                 "What to write, separated by commas: " + formatNames() + ".")
+                 "What to write, separated by commas: " + formatNames() +
+                     ". Labels and osm, the areas of the map, only where asked for.")
       ->type_name("LIST")
       ->capture_default_str();
   app.add_option("--stages", arguments.stagesFolder,
@@ -62,7 +63,7 @@ int run(const ExtractArguments& arguments) {
   task.verbosity = verbosityOf(arguments);
 
   std::vector<std::string> extensions;
-  for (const OutputFormat& format : task.formats) extensions.push_back(format.name);
+  for (const OutputFormat& format : task.formats) extensions.push_back(format.extension);
   checkOutputNames(arguments.maps, task.folder, extensions);
   makeWritableFolder(task.folder);
   if (!task.stagesFolder.empty()) makeWritableFolder(task.stagesFolder);

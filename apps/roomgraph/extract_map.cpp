@@ -114,7 +114,7 @@ class Extraction {
       lap("stages");
     }
     for (std::size_t i = 0; i < contents.size(); ++i) {
-      const std::string file = outputFile(task_.folder, mapFile_, task_.formats[i].name);
+      const std::string file = outputFile(task_.folder, mapFile_, task_.formats[i].extension);
       writeFileAtomically(file, contents[i]);
       files_.push_back(file);
     }

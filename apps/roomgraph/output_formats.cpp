@@ -7,23 +7,30 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
+#include "roomgraph/report/area_labels_png.h"
 #include "roomgraph/report/draw.h"
 #include "roomgraph/report/geojson.h"
 #include "roomgraph/report/graph_json.h"
 #include "roomgraph/report/graphml.h"
+#include "roomgraph/report/osm_xml.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr OutputFormat kFormats[] = {
-    {"json", [](const Stages& stages) { return graphJson(stages); }},
-    {"svg", drawSvg},
-    {"png", drawPng},
-    {"graphml", [](const Stages& stages) { return graphml(stages.result); }},
-    {"geojson", [](const Stages& stages) { return geojson(stages.result); }},
-    {"3Dscene", [](const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }},
-    {"roomgraph", [](const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }},
+    {"json", "json", [](const Stages& stages) { return graphJson(stages); }},
+    {"svg", "svg", drawSvg},
+    {"png", "png", drawPng},
+    {"graphml", "graphml", [](const Stages& stages) { return graphml(stages.result); }},
+    {"geojson", "geojson", [](const Stages& stages) { return geojson(stages.result); }},
+    {"3Dscene", "3Dscene", [](const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }},
+    {"roomgraph", "roomgraph",
+     [](const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }},
+    {"labels", "areas.png",
+     [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }},
+    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas); }},
 };
+constexpr std::size_t kDefaultCount = 7;  // the first ones
 
 bool sameName(const OutputFormat& format, const std::string& name) { return name == format.name; }
 
@@ -33,6 +40,13 @@ std::string formatNames() {
   std::string names;
   for (const OutputFormat& format : kFormats) names += std::string(format.name) + ", ";
   return names.substr(0, names.size() - 2) + " or all";
+}
+
+std::string defaultFormats() {
+  std::string names;
+  for (std::size_t i = 0; i < kDefaultCount; ++i)
+    names += (i ? "," : "") + std::string(kFormats[i].name);
+  return names;
 }
 
 std::vector<OutputFormat> parseFormats(const std::string& list) {

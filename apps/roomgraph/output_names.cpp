@@ -62,22 +62,23 @@ std::string outputFile(const std::string& folder, const std::string& mapFile,
 
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
                       const std::vector<std::string>& extensions) {
-  std::map<std::string, std::string> mapOfStem;
+  // Two maps of one X meet in any result; X.areas.png may be the labels of X or a picture of
+  // X.areas.
+  std::map<std::string, std::string> mapOfResult;
   std::vector<std::string> inputs = mapFiles;
   for (const std::string& file : mapFiles) {
-    const std::string stem = outputStem(file);
-    const auto [known, isNew] = mapOfStem.emplace(stem, file);
-    if (!isNew)
-      throw UsageError(known->second + " and " + file + " would both be written as " +
-                       outputFile(folder, file, extensions.empty() ? "*" : extensions.front()) +
-                       ": rename one, or extract them into different folders");
+    for (const std::string& extension : extensions) {
+      const std::string result = outputFile(folder, file, extension);
+      const auto [known, isNew] = mapOfResult.emplace(result, file);
+      if (!isNew)
+        throw UsageError(known->second + " and " + file + " would both be written as " + result +
+                         ": rename one, or extract them into different folders");
+    }
     const std::string picture = pictureOf(file);
     if (!picture.empty()) inputs.push_back(picture);
   }
-  for (const std::string& file : mapFiles)
-    for (const std::string& extension : extensions)
-      for (const std::string& input : inputs)
-        checkNotReplaced(outputFile(folder, file, extension), input);
+  for (const auto& [result, file] : mapOfResult)
+    for (const std::string& input : inputs) checkNotReplaced(result, input);
 }
 
 void makeWritableFolder(const std::string& folder) {

@@ -12,8 +12,8 @@ std::string outputStem(const std::string& mapFile);
 std::string outputFile(const std::string& folder, const std::string& mapFile,
                        const std::string& extension);
 
-/** Throws UsageError where two maps have the same X, or where a result would replace one of the
- *  maps, or the picture that a ROS map names. */
+/** Throws UsageError where two maps have a result of the same name, or where a result would replace
+ *  one of the maps, or the picture that a ROS map names. */
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
                       const std::vector<std::string>& extensions);
 

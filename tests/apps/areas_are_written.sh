@@ -21,8 +21,8 @@ import json, sys, xml.etree.ElementTree as tree
 graph = json.load(open(sys.argv[1]))
 osm = tree.parse(sys.argv[2]).getroot()
 kinds = [tag.get("v") for way in osm.findall("way") for tag in way if tag.get("k") == "osmAG:type"]
-assert kinds.count("area") == len(graph["areas"]) == 2, kinds
-assert kinds.count("passage") == len(graph["passages"]) == 1, kinds
+assert kinds.count("area") == len(graph["areas"]) >= 2, kinds
+assert kinds.count("passage") == len(graph["passages"]) >= 1, kinds
 P
 
 # The labels of a.pgm and the picture of a.areas.pgm would be one file.

@@ -20,7 +20,7 @@ TEST(DrawStages, writesOnePictureForEachStepAndTheCounts) {
   writeStages(stages, folder / "stages");
   const Json json = Json::parse(readAll(folder / "stages/stages.json"));
   EXPECT_EQ(json["format"], "roomgraph/stages");
-  ASSERT_EQ(json["stages"].size(), 15u);
+  ASSERT_EQ(json["stages"].size(), 16u);
   for (const Json& stage : json["stages"]) {
     SCOPED_TRACE(stage["file"].get<std::string>());
     EXPECT_GT(decodePng(readAll(folder / ("stages/" + stage["file"].get<std::string>()))).width, 0);
@@ -31,6 +31,10 @@ TEST(DrawStages, writesOnePictureForEachStepAndTheCounts) {
   EXPECT_EQ(json["stages"][4]["counts"]["edges"], stages.clearEdges.size());
   EXPECT_EQ(json["stages"][8]["counts"]["vertices"], stages.largest.vertices().size());
   EXPECT_EQ(json["stages"][14]["counts"]["rooms"], stages.result.rooms.size());
+  EXPECT_EQ(json["stages"][15]["file"], "16_areas.png");
+  EXPECT_EQ(json["stages"][15]["counts"]["rooms"], stages.result.rooms.size());
+  EXPECT_EQ(json["stages"][15]["counts"]["passages"], stages.areas.passages.size());
+  EXPECT_EQ(json["stages"][15]["counts"]["clutter"], 1);
 }
 
 TEST(DrawStages, ofAnEmptyMapAreWritten) {
@@ -38,7 +42,7 @@ TEST(DrawStages, ofAnEmptyMapAreWritten) {
   Stages stages;
   stages.grid = {{3, 3, 0.05, {}}, std::vector<State>(9, State::unknown)};
   writeStages(stages, folder.path());
-  EXPECT_EQ(folder.names().size(), 16u);
+  EXPECT_EQ(folder.names().size(), 17u);
 }
 
 TEST(DrawStages, aFileInTheWayIsAnError) {

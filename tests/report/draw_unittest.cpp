@@ -28,9 +28,31 @@ TEST(Draw, thePngShowsMapRoomsAndEveryKindOfVertex) {
       << "first room";
 }
 
+TEST(Draw, thePngShowsPassagesAndClutter) {
+  Stages stages = sampleStages();
+  stages.result = {};
+  const Pixels all = decodePng(drawPng(stages));
+  stages.areas = {};
+  const Pixels withoutPassages = decodePng(drawPng(stages));
+  stages.cleared = {};
+  const Pixels plain = decodePng(drawPng(stages));
+  EXPECT_GT(all.countOf(230, 159, 0), 100);
+  EXPECT_EQ(withoutPassages.countOf(230, 159, 0), 0);
+  const auto coloured = [](const Pixels& pixels) {
+    int count = 0;
+    for (std::size_t i = 0; i < pixels.rgb.size(); i += 3)
+      count += pixels.rgb[i] > pixels.rgb[i + 1] + 15;
+    return count;
+  };
+  EXPECT_GT(coloured(withoutPassages), 50);
+  EXPECT_EQ(coloured(plain), 0);
+}
+
 TEST(Draw, aPictureWithoutAGraphHasNoColour) {
   Stages stages = sampleStages();
   stages.result = {};
+  stages.areas = {};
+  stages.cleared = {};
   const Pixels pixels = decodePng(drawPng(stages));
   EXPECT_EQ(pixels.countOf(0, 114, 178), 0);
   EXPECT_EQ(pixels.countOf(240, 228, 66), 0);

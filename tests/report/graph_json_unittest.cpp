@@ -43,6 +43,7 @@ TEST(GraphJson, ofAnExtractionFollowsTheSchema) {
 TEST(GraphJson, ofAnEmptyResultFollowsTheSchema) {
   Stages stages = sampleStages();
   stages.result = {};
+  stages.areas = {};
   stages.notes.clear();
   EXPECT_EQ(schemaComplaint(graphJson(stages)), "");
 }
@@ -70,6 +71,39 @@ TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
   EXPECT_NE(complaint("/edges/0/path/0", Json::array({1.0})), "");
   EXPECT_NE(complaint("/edges/0/source", "n0"), "");
   EXPECT_NE(complaint("/rooms/0/polygon", Json::array()), "");
+  EXPECT_NE(complaint("/areas/0/kind", "hall"), "");
+  EXPECT_NE(complaint("/areas/0/holes", nullptr), "");
+  EXPECT_NE(complaint("/passages/0/areas", Json::array({1})), "");
+  EXPECT_NE(complaint("/passages/0/ends/0", Json::array({1.0})), "");
+}
+
+TEST(GraphJson, ofAnOlderProgramWithoutAreasFollowsTheSchema) {
+  Json json = Json::parse(graphJson(sampleStages()));
+  json.erase("areas");
+  EXPECT_NE(schemaComplaint(json.dump()), "") << "passages between no areas";
+  json.erase("passages");
+  EXPECT_EQ(schemaComplaint(json.dump()), "");
+}
+
+TEST(GraphJson, holdsAreasAndPassages) {
+  const Json json = Json::parse(graphJson(sampleStages()));
+  ASSERT_EQ(json["areas"].size(), 3u);
+  EXPECT_EQ(json["areas"][1]["kind"], "room");
+  EXPECT_EQ(json["areas"][1]["room"], 1);
+  EXPECT_EQ(json["areas"][1]["area"], json["rooms"][1]["area"]);
+  EXPECT_EQ(json["areas"][1]["passages"], Json({0, 1}));
+  EXPECT_EQ(json["areas"][0]["holes"], json["rooms"][0]["holes"]);
+  EXPECT_EQ(json["areas"][2]["kind"], "corridor");
+  EXPECT_TRUE(json["areas"][2]["room"].is_null());
+  EXPECT_EQ(json["areas"][2]["inscribed_radius"], 0.5);
+  EXPECT_EQ(json["areas"][2]["widest_place"], Json({8.5, 0.5}));
+  EXPECT_EQ(json["areas"][2]["polygon"].size(), 4u);
+  EXPECT_NEAR(json["areas"][2]["area"].get<double>(), 1.8 * 0.95, 1e-9);
+  EXPECT_EQ(json["passages"][1], Json({{"id", 1},
+                                       {"areas", {1, 2}},
+                                       {"ends", {{7.55, 0.95}, {7.65, 0.0}}},
+                                       {"middle", {7.6, 0.475}},
+                                       {"width", 0.9552}}));
 }
 
 TEST(GraphJson, holdsWhatTheGraphHolds) {

@@ -63,6 +63,39 @@ TEST(ReadGraphJson, givesTheGraphBack) {
   EXPECT_FALSE(file.notes[1].where);
 }
 
+TEST(ReadGraphJson, givesAreasAndPassagesBack) {
+  const AreaGraph before = sampleStages().areas;
+  const AreaGraph after = parseGraphJson(graphJson(sampleStages()), "x.json").areas;
+  ASSERT_EQ(after.areas.size(), before.areas.size());
+  ASSERT_EQ(after.passages.size(), before.passages.size());
+  for (std::size_t a = 0; a < after.areas.size(); ++a) {
+    EXPECT_EQ(after.areas[a].room, before.areas[a].room);
+    EXPECT_EQ(after.areas[a].passages, before.areas[a].passages);
+    EXPECT_EQ(after.areas[a].polygon.outer.size(), before.areas[a].polygon.outer.size());
+    EXPECT_EQ(after.areas[a].polygon.holes.size(), before.areas[a].polygon.holes.size());
+    EXPECT_EQ(after.areas[a].inscribedRadius, before.areas[a].inscribedRadius);
+    EXPECT_EQ(after.areas[a].widestPlace, before.areas[a].widestPlace);
+  }
+  for (std::size_t p = 0; p < after.passages.size(); ++p) {
+    EXPECT_EQ(after.passages[p].a, before.passages[p].a);
+    EXPECT_EQ(after.passages[p].b, before.passages[p].b);
+    EXPECT_NEAR(distance(after.passages[p].from, before.passages[p].from), 0, 1e-4);
+    EXPECT_NEAR(distance(after.passages[p].to, before.passages[p].to), 0, 1e-4);
+    EXPECT_NEAR(after.passages[p].width, before.passages[p].width, 1e-4);
+  }
+  EXPECT_TRUE(after.labels.empty());
+}
+
+TEST(ReadGraphJson, readsFilesOfAnOlderProgramWithoutAreas) {
+  Json json = Json::parse(graphJson(sampleStages()));
+  json.erase("areas");
+  expectOneLine(refusal(json.dump()));
+  json.erase("passages");
+  const GraphFile file = parseGraphJson(json.dump(), "x.json");
+  EXPECT_TRUE(file.areas.areas.empty());
+  EXPECT_EQ(file.graph.rooms.size(), 2u);
+}
+
 TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
   Stages stages = sampleStages();
   stages.options.findRooms.minWidth = 2.25;
@@ -82,7 +115,7 @@ TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
 TEST(ReadGraphJson, skipsFieldsItDoesNotKnow) {
   const std::string text = graphJson(sampleStages());
   Json json = Json::parse(text);
-  json["areas"] = Json::array({1, 2});
+  json["furniture"] = Json::array({1, 2});
   json["vertices"][0]["name"] = "kitchen";
   EXPECT_EQ(graphJson(parseGraphJson(json.dump(), "x.json")), text);
 }
@@ -122,6 +155,20 @@ TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {
       {"/rooms/0/border_vertices/0", nullptr},
       {"/rooms/0/polygon", 4},
       {"/notes/0/code", nullptr},
+      {"/areas", nullptr},
+      {"/areas/1/id", 0},
+      {"/areas/0/room", 2},
+      {"/areas/0/kind", "corridor"},
+      {"/areas/2/kind", "room"},
+      {"/areas/0/passages/0", 2},
+      {"/areas/0/polygon/0", Json::array({1})},
+      {"/areas/0/inscribed_radius", "1"},
+      {"/passages", 1},
+      {"/passages/1/id", 2},
+      {"/passages/0/areas/1", 3},
+      {"/passages/0/areas", Json::array({0, 1, 2})},
+      {"/passages/0/ends", Json::array({Json::array({1, 2})})},
+      {"/passages/0/width", nullptr},
   };
   for (const auto& [place, value] : wrong) {
     Json broken = good;

@@ -76,6 +76,30 @@ TopologyGraph sampleGraph() {
   return {std::move(vertices), std::move(edges)};
 }
 
+/** The two rooms, the dead end as corridor, and a cell of each with its label. */
+AreaGraph sampleAreas(const Stages& stages) {
+  AreaGraph areas;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Room& shape = stages.result.rooms[i].shape;
+    areas.areas.push_back({RoomId(i), shape.polygon, shape.widestPlace, shape.inscribedRadius, {}});
+  }
+  areas.areas.push_back({RoomId::none(), square({7.65, 0}, {9.45, 0.95}), {8.5, 0.5}, 0.5, {}});
+  const auto passage = [&](std::size_t a, std::size_t b, Point from, Point to) {
+    const PassageId id(areas.passages.size());
+    areas.passages.push_back({AreaId(a), AreaId(b), from, to, distance(from, to)});
+    areas.areas[a].passages.push_back(id);
+    areas.areas[b].passages.push_back(id);
+  };
+  passage(0, 1, {3.45, 2.55}, {3.45, -1.55});
+  passage(1, 2, {7.55, 0.95}, {7.65, 0.00004});
+  const GridFrame& frame = stages.grid.frame;
+  areas.labels.assign(frame.cellCount(), 0);
+  for (std::uint16_t i = 0; i < 3; ++i)
+    areas.labels[frame.index(frame.cellAt(areas.areas[i].widestPlace))] = std::uint16_t(i + 1);
+  areas.labels[frame.index({5, 5})] = 300;  // does not fit into 8 bits
+  return areas;
+}
+
 }  // namespace
 
 Stages sampleStages() {
@@ -96,6 +120,8 @@ Stages sampleStages() {
   right.vertex = VertexId(1);
   right.borderVertices = {VertexId(2), VertexId(3)};
   stages.result.rooms = {left, right};
+  stages.areas = sampleAreas(stages);
+  stages.cleared.clutter = {{{1.15, 0.15}, 0.42}};
   stages.notes = {{"something", "has \"quotes\" and a place", std::array<double, 2>{1, 2.00001}},
                   {"another_thing", "has none", std::nullopt}};
   return stages;

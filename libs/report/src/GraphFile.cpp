@@ -35,6 +35,8 @@ GraphFile graphFile(const Stages& stages) {
   const FieldTable table = describe(options);
   for (const Field& field : table.fields()) file.options.push_back(savedOption(field));
   file.graph = stages.result;
+  file.areas.areas = stages.areas.areas;
+  file.areas.passages = stages.areas.passages;
   file.notes = stages.notes;
   return file;
 }

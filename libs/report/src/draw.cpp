@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "area_layers.h"
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"
@@ -14,6 +15,14 @@ std::string resolutionText(double metres) {
   text.imbue(std::locale::classic());
   text << metres << " m per cell";
   return text.str();
+}
+
+std::vector<LegendItem> areaLegend(const Stages& stages) {
+  std::vector<LegendItem> items;
+  if (const std::size_t count = stages.areas.passages.size()) items.push_back(passageLegend(count));
+  if (const std::size_t count = stages.cleared.clutter.size())
+    items.push_back(clutterLegend(count));
+  return items;
 }
 
 Scene resultScene(const Stages& stages) {
@@ -29,13 +38,19 @@ Scene resultScene(const Stages& stages) {
     std::vector<const Polygon*> polygons;
     for (const GraphRoom& room : stages.result.rooms) polygons.push_back(&room.shape.polygon);
     drawRooms(pen, polygons);
+    drawClutter(pen, stages.cleared.clutter);
+    drawPassages(pen, stages.areas.passages);
     drawPaths(pen, stages.result.graph);
     drawVertices(pen, stages.result.graph);
     drawRoomLabels(pen, stages.result.rooms);
   };
   if (!result.rooms.empty()) scene.legend.push_back(roomLegend(result.rooms.size()));
-  for (const auto& items : {graphLegend(graph), stateLegend(stages.grid)})
+  const auto add = [&](const std::vector<LegendItem>& items) {
     scene.legend.insert(scene.legend.end(), items.begin(), items.end());
+  };
+  add(graphLegend(graph));
+  add(areaLegend(stages));
+  add(stateLegend(stages.grid));
   return scene;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "area_layers.h"
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"
@@ -160,6 +161,30 @@ Picture resultPicture(const Stages& stages) {
   return picture;
 }
 
+Picture areasPicture(const Stages& stages) {
+  const std::vector<Area>& areas = stages.areas.areas;
+  const auto rooms = std::size_t(
+      std::count_if(areas.begin(), areas.end(), [](const Area& area) { return area.isRoom(); }));
+  const std::size_t corridors = areas.size() - rooms;
+  Picture picture{"areas",
+                  "ours",
+                  "rooms, pieces of corridor and passages",
+                  Json::object({{"rooms", rooms},
+                                {"corridors", corridors},
+                                {"passages", stages.areas.passages.size()},
+                                {"clutter", stages.cleared.clutter.size()}}),
+                  {}};
+  picture.scene.layers = [&stages](const Pen& pen) {
+    drawAreas(pen, stages.areas.areas);
+    drawClutter(pen, stages.cleared.clutter);
+    drawPassages(pen, stages.areas.passages);
+    drawRoomLabels(pen, stages.result.rooms);
+  };
+  picture.scene.legend = {roomLegend(rooms), corridorAreaLegend(corridors)};
+  for (const LegendItem& item : areaLegend(stages)) picture.scene.legend.push_back(item);
+  return picture;
+}
+
 std::vector<Picture> pictures(const Stages& s) {
   return {
       gridPicture(s),
@@ -180,6 +205,7 @@ std::vector<Picture> pictures(const Stages& s) {
       graphPicture("doors", "ours", "doors between two rooms joined to one vertex", s.doors,
                    &s.rooms),
       resultPicture(s),
+      areasPicture(s),
   };
 }
 

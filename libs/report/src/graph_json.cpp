@@ -73,6 +73,13 @@ Polygon roundedPolygon(Polygon polygon) {
   return polygon;
 }
 
+/** The object's text with the members "polygon" and "holes" at its end. */
+std::string withPolygon(const std::string& object, const Polygon& polygon) {
+  std::string holes = "[";
+  for (const Ring& hole : polygon.holes) holes += (holes.size() > 1 ? "," : "") + pointsText(hole);
+  return withMember(withMember(object, "polygon", pointsText(polygon.outer)), "holes", holes + "]");
+}
+
 std::string roomText(std::size_t id, const GraphRoom& room) {
   const Polygon& polygon = room.shape.polygon;
   Json borders = Json::array();
@@ -84,10 +91,29 @@ std::string roomText(std::size_t id, const GraphRoom& room) {
                   {"inscribed_radius", rounded(room.shape.inscribedRadius)},
                   {"widest_place", point(room.shape.widestPlace)},
                   {"border_vertices", std::move(borders)}};
-  std::string holes = "[";
-  for (const Ring& hole : polygon.holes) holes += (holes.size() > 1 ? "," : "") + pointsText(hole);
-  return withMember(withMember(text(json), "polygon", pointsText(polygon.outer)), "holes",
-                    holes + "]");
+  return withPolygon(text(json), polygon);
+}
+
+std::string areaText(std::size_t id, const Area& area) {
+  Json passages = Json::array();
+  for (const PassageId p : area.passages) passages.push_back(p.index());
+  const Json json{{"id", id},
+                  {"kind", area.isRoom() ? "room" : "corridor"},
+                  {"room", idOrNull(area.room)},
+                  {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
+                  {"inscribed_radius", rounded(area.inscribedRadius)},
+                  {"widest_place", point(area.widestPlace)},
+                  {"passages", std::move(passages)}};
+  return withPolygon(text(json), area.polygon);
+}
+
+std::string passageText(std::size_t id, const Passage& passage) {
+  const Point from = rounded(passage.from), to = rounded(passage.to);
+  return text({{"id", id},
+               {"areas", {passage.a.index(), passage.b.index()}},
+               {"ends", {point(from), point(to)}},
+               {"middle", point(midpoint(from, to))},
+               {"width", rounded(passage.width)}});
 }
 
 std::string noteText(std::size_t, const Note& note) {
@@ -132,6 +158,8 @@ std::string graphJson(const GraphFile& file) {
          ",\n" + listText("vertices", graph.vertices(), vertexText) + ",\n" +
          listText("edges", graph.edges(), edgeText) + ",\n" +
          listText("rooms", file.graph.rooms, roomText) + ",\n" +
+         listText("areas", file.areas.areas, areaText) + ",\n" +
+         listText("passages", file.areas.passages, passageText) + ",\n" +
          listText("notes", file.notes, noteText) + "\n}\n";
 }
 

@@ -91,4 +91,21 @@ std::string pngBytes(const unsigned char* pixels, int width, int height, int str
   return encoder.finish();
 }
 
+std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height) {
+  Encoder encoder(width, height, 16, PNG_COLOR_TYPE_GRAY);
+  // Most rows are like the one before.
+  png_set_filter(encoder.png(), PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_write_info(encoder.png(), encoder.info());
+  std::vector<png_byte> row(std::size_t(width) * 2);
+  for (int y = 0; y < height; ++y) {
+    const std::uint16_t* source = &levels[std::size_t(y) * std::size_t(width)];
+    for (std::size_t x = 0; x < std::size_t(width); ++x) {
+      row[2 * x] = png_byte(source[x] >> 8);
+      row[2 * x + 1] = png_byte(source[x] & 0xff);
+    }
+    png_write_row(encoder.png(), row.data());
+  }
+  return encoder.finish();
+}
+
 }  // namespace roomgraph

@@ -24,4 +24,7 @@ std::string pngBytes(const PaletteImage& image);
  *  from row to row, row 0 on top. Fast rather than small. */
 std::string pngBytes(const unsigned char* pixels, int width, int height, int stride);
 
+/** PNG file with 16 bits of grey for each pixel; `levels` are row-major, row 0 on top. */
+std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height);
+
 }  // namespace roomgraph

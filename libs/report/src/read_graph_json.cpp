@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "JsonNode.h"
+#include "read_areas.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/report/names.h"
 
@@ -13,90 +15,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** What is wrong with a file, found anywhere below its top; says where and what. */
-struct Broken {
-  std::string where, problem;
-};
-
-/** A value of the file and its place in it, for messages. */
-struct Node {
-  const Json& json;
-  std::string place;
-
-  Node operator[](const char* key) const {
-    if (!json.is_object()) throw Broken{place, "is no object"};
-    const auto found = json.find(key);
-    if (found == json.end()) throw Broken{place, std::string("has no '") + key + "'"};
-    return {*found, place.empty() ? key : place + "." + key};
-  }
-  std::vector<Node> list() const {
-    if (!json.is_array()) throw Broken{place, "is no list"};
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json.size(); ++i)
-      nodes.push_back({json[i], place + "[" + std::to_string(i) + "]"});
-    return nodes;
-  }
-  double number() const {
-    if (!json.is_number()) throw Broken{place, "is no number"};
-    return json.get<double>();
-  }
-  /** Null stands for a number that is not finite: nothing bounds it. */
-  double numberOrInfinity() const {
-    return json.is_null() ? std::numeric_limits<double>::infinity() : number();
-  }
-  std::string text() const {
-    if (!json.is_string()) throw Broken{place, "is no text"};
-    return json.get<std::string>();
-  }
-  std::size_t countBelow(std::size_t end) const {
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= end)
-      throw Broken{place, "is no whole number below " + std::to_string(end)};
-    return json.get<std::size_t>();
-  }
-};
-
-/** The place in a list of `size` things. */
-template <class ThingId>
-ThingId readId(const Node& node, std::size_t size) {
-  return ThingId(node.countBelow(size));
-}
-
-template <class ThingId>
-ThingId readIdOrNone(const Node& node, std::size_t size) {
-  return node.json.is_null() ? ThingId::none() : readId<ThingId>(node, size);
-}
-
-Point readPoint(const Node& node) {
-  const auto numbers = node.list();
-  if (numbers.size() != 2) throw Broken{node.place, "is no pair [x, y]"};
-  return {numbers[0].number(), numbers[1].number()};
-}
-
-std::vector<Point> readPoints(const Node& node) {
-  std::vector<Point> points;
-  for (const Node& pair : node.list()) points.push_back(readPoint(pair));
-  return points;
-}
-
-/** Each thing carries its place in the list as its id. */
-void checkId(const Node& node, std::size_t expected) {
-  if (node["id"].countBelow(expected + 1) != expected)
-    throw Broken{node.place, "does not have the id " + std::to_string(expected)};
-}
-
-GraphFile::Input readInput(const Node& node) {
+GraphFile::Input readInput(const JsonNode& node) {
   GraphFile::Input input;
   input.file = node["file"].text();
   input.kind = node["kind"].text();
   input.sha256 = node["sha256"].text();
-  if (node.json.contains("insertion")) input.insertion = node["insertion"].text();
+  if (node.contains("insertion")) input.insertion = node["insertion"].text();
   constexpr std::size_t kMaxCells = std::numeric_limits<int>::max();
   const auto size = node["size"].list();
   if (size.size() != 2) throw Broken{node.place + ".size", "is no pair [width, height]"};
   input.frame.width = int(size[0].countBelow(kMaxCells));
   input.frame.height = int(size[1].countBelow(kMaxCells));
   input.frame.resolution = node["resolution"].number();
-  input.frame.origin = readPoint(node["origin"]);
+  input.frame.origin = node["origin"].point();
   return input;
 }
 
@@ -115,7 +46,7 @@ SavedOption readOption(const std::string& section, const std::string& key, const
   return option;
 }
 
-std::vector<SavedOption> readOptions(const Node& node) {
+std::vector<SavedOption> readOptions(const JsonNode& node) {
   std::vector<SavedOption> options;
   if (!node.json.is_object()) throw Broken{node.place, "is no object"};
   for (const auto& [section, values] : node.json.items()) {
@@ -126,7 +57,7 @@ std::vector<SavedOption> readOptions(const Node& node) {
   return options;
 }
 
-Vertex readVertex(const Node& node, std::size_t roomCount) {
+Vertex readVertex(const JsonNode& node, std::size_t roomCount) {
   const auto kind = kindOfName(node["kind"].text());
   if (!kind) throw Broken{node.place + ".kind", "is no kind of vertex"};
   return {{node["x"].number(), node["y"].number()},
@@ -135,61 +66,59 @@ Vertex readVertex(const Node& node, std::size_t roomCount) {
           readIdOrNone<RoomId>(node["room"], roomCount)};
 }
 
-Edge readEdge(const Node& node, std::size_t vertexCount, std::size_t roomCount) {
+Edge readEdge(const JsonNode& node, std::size_t vertexCount, std::size_t roomCount) {
   Edge edge;
   edge.source = readId<VertexId>(node["source"], vertexCount);
   edge.target = readId<VertexId>(node["target"], vertexCount);
   edge.room = readIdOrNone<RoomId>(node["room"], roomCount);
-  edge.path.points = readPoints(node["path"]);
+  edge.path.points = node["path"].points();
   if (edge.path.points.empty()) throw Broken{node.place + ".path", "has no point"};
   edge.path.length = node["length"].number();
   edge.path.minClearance = node["min_clearance"].numberOrInfinity();
   return edge;
 }
 
-GraphRoom readRoom(const Node& node, std::size_t vertexCount) {
+GraphRoom readRoom(const JsonNode& node, std::size_t vertexCount) {
   GraphRoom room;
-  room.shape.polygon.outer = readPoints(node["polygon"]);
-  for (const Node& hole : node["holes"].list())
-    room.shape.polygon.holes.push_back(readPoints(hole));
-  room.shape.widestPlace = readPoint(node["widest_place"]);
+  room.shape.polygon = readPolygon(node);
+  room.shape.widestPlace = node["widest_place"].point();
   room.shape.inscribedRadius = node["inscribed_radius"].number();
-  room.center = readPoint(node["center"]);
+  room.center = node["center"].point();
   room.vertex = readIdOrNone<VertexId>(node["vertex"], vertexCount);
-  for (const Node& border : node["border_vertices"].list())
+  for (const JsonNode& border : node["border_vertices"].list())
     room.borderVertices.push_back(readId<VertexId>(border, vertexCount));
   return room;
 }
 
-RoomGraph readGraph(const Node& top) {
+RoomGraph readGraph(const JsonNode& top) {
   const auto vertexNodes = top["vertices"].list(), edgeNodes = top["edges"].list(),
              roomNodes = top["rooms"].list();
   std::vector<Vertex> vertices;
-  for (const Node& node : vertexNodes) {
-    checkId(node, vertices.size());
+  for (const JsonNode& node : vertexNodes) {
+    node.checkId(vertices.size());
     vertices.push_back(readVertex(node, roomNodes.size()));
   }
   std::vector<Edge> edges;
-  for (const Node& node : edgeNodes) {
-    checkId(node, edges.size());
+  for (const JsonNode& node : edgeNodes) {
+    node.checkId(edges.size());
     edges.push_back(readEdge(node, vertices.size(), roomNodes.size()));
   }
   RoomGraph result;
-  for (const Node& node : roomNodes) {
-    checkId(node, result.rooms.size());
+  for (const JsonNode& node : roomNodes) {
+    node.checkId(result.rooms.size());
     result.rooms.push_back(readRoom(node, vertices.size()));
   }
   result.graph = TopologyGraph(std::move(vertices), std::move(edges));
   return result;
 }
 
-Note readNote(const Node& node) {
+Note readNote(const JsonNode& node) {
   Note note{node["code"].text(), node["text"].text(), {}};
   if (!node["x"].json.is_null()) note.where = {node["x"].number(), node["y"].number()};
   return note;
 }
 
-GraphFile readFile(const Node& top) {
+GraphFile readFile(const JsonNode& top) {
   if (top["format"].text() != "roomgraph/graph") throw Broken{"format", "is not 'roomgraph/graph'"};
   if (top["version"].json != 1)
     throw Broken{"version", "is not 1, the only one this program reads"};
@@ -199,7 +128,8 @@ GraphFile readFile(const Node& top) {
   file.input = readInput(top["input"]);
   file.options = readOptions(top["options"]);
   file.graph = readGraph(top);
-  for (const Node& node : top["notes"].list()) file.notes.push_back(readNote(node));
+  file.areas = readAreas(top, file.graph.rooms.size());
+  for (const JsonNode& node : top["notes"].list()) file.notes.push_back(readNote(node));
   return file;
 }
 

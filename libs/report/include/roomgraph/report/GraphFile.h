@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "roomgraph/areas/AreaGraph.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/pipeline/Stages.h"
 #include "roomgraph/rooms/RoomGraph.h"
@@ -27,6 +28,7 @@ struct GraphFile {
   std::vector<SavedOption> options;  ///< all of them, in pipeline order
   /** Read from a file, the paths have no obstacles and all numbers are rounded to 0.1 mm. */
   RoomGraph graph;
+  AreaGraph areas;  ///< without labels, which are a picture of their own
   Notes notes;
 };
 

@@ -6,7 +6,7 @@
 namespace roomgraph {
 
 /** Writes one PNG for each step into `folder`, which is made if it is not there: 01_grid.png to
- *  15_result.png in the order of the pipeline, each with the section of the paper in its title; and
+ *  16_areas.png in the order of the pipeline, each with the section of the paper in its title; and
  *  stages.json with the counts: {"format": "roomgraph/stages", "version": 1, "stages": [{"file",
  *  "paper", "title", "counts": {name: number}}]}. Same stages, same bytes.
  *  @throws DataError where a file or the folder cannot be written. */

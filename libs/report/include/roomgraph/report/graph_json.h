@@ -6,10 +6,10 @@
 namespace roomgraph {
 
 /** The text of a roomgraph/graph version 1 file; share/roomgraph/schema/graph-1.schema.json says
- *  what each field means. Ids are places in the lists; vertices, edges and rooms stand on a line
- *  each. Lengths and coordinates are rounded to 0.1 mm, and `area` is that of the rounded polygon.
- *  The same file gives the same bytes. Numbers that are not finite are written as null.
- *  O(size of the text). */
+ *  what each field means. Ids are places in the lists; vertices, edges, rooms, areas and passages
+ *  stand on a line each. Lengths and coordinates are rounded to 0.1 mm, and `area` is that of the
+ *  rounded polygon. The same file gives the same bytes. Numbers that are not finite are written as
+ *  null. O(size of the text). */
 std::string graphJson(const GraphFile& file);
 
 /** The file of an extraction. */

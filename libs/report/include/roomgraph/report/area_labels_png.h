@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/grid/GridFrame.h"
+
+namespace roomgraph {
+
+/** The labels of AreaGraph as the bytes of a PNG with 16 bits of grey: as many pixels as the map
+ *  has cells, the map's highest row on top; 0 for none, else 1 + the id of the area. `frame` is the
+ *  map's. readLabels() gives the labels back. Same labels, same bytes. O(cells). */
+std::string areaLabelsPng(const AreaGraph& graph, const GridFrame& frame);
+
+}  // namespace roomgraph

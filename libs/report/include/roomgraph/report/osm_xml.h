@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/areas/AreaGraph.h"
+
+namespace roomgraph {
+
+/** The areas as OpenStreetMap XML in the manner of osmAG (Feng et al., "osmAG: Hierarchical
+ *  Semantic Topometric Area Graph Maps in the OSM Format for Mobile Robotics", ROBIO 2023), for its
+ *  planners and for JOSM.
+ *
+ *  - Nodes are the corners of the polygons, one for each place; corners on a straight line are left
+ *    out, but for the ends of passages. The first node is the root, tagged name=root: the origin of
+ *    the map frame, at latitude and longitude 0, as the map does not tell where on Earth it is. The
+ *    others lie as far east (x) and north (y) of it as in the map, by the radii of WGS84 at the
+ *    root (equirectangular), to 0.1 mm.
+ *  - An area is a closed way, counter-clockwise, tagged osmAG:type=area, osmAG:areaType=room or
+ *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id. An area with holes
+ *    is also the outer member of a relation type=multipolygon; its holes are ways without tags.
+ *  - A passage is a way of two nodes, its ends, which are nodes of both areas; tagged
+ *    osmAG:type=passage, osmAG:from and osmAG:to with the names of the areas (osmAG's semantic
+ *    variant: JOSM changes ids when it saves), name=passage_2 and width [m].
+ *
+ *  Ids are negative, as those of all that is not in OSM's data base: nodes, ways and relations each
+ *  count from -1 down, areas before passages before holes. Same areas, same bytes.
+ *  O(n log n) in the number of corners. */
+std::string osmXml(const AreaGraph& graph);
+
+}  // namespace roomgraph

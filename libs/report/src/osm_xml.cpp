@@ -1,0 +1,142 @@
+#include "roomgraph/report/osm_xml.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "roomgraph/report/names.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+/** Radii of curvature of the WGS84 ellipsoid on the equator [m], eastward and northward. */
+constexpr double kEastRadius = 6378137.0, kNorthRadius = kEastRadius * (1 - 0.00669437999014);
+
+/** Degrees with nine digits, 0.1 mm; the same on every machine and in every locale. */
+std::string degreesText(double metres, double radius) {
+  constexpr std::int64_t kUnit = 1000000000;
+  const std::int64_t all = std::llround(metres / radius * 180 / kPi * double(kUnit));
+  const std::string fraction = std::to_string(std::abs(all) % kUnit);
+  return (all < 0 ? "-" : "") + std::to_string(std::abs(all) / kUnit) + "." +
+         std::string(9 - fraction.size(), '0') + fraction;
+}
+
+std::string metresText(double metres) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded(metres)).ptr};
+}
+
+/** Keys and values are our own words and numbers, so there is nothing to escape. */
+std::string tag(const char* key, const std::string& value) {
+  return std::string("    <tag k=\"") + key + "\" v=\"" + value + "\"/>\n";
+}
+
+std::string element(const char* kind, std::int64_t id) {
+  return std::string("  <") + kind + " id=\"" + std::to_string(id) +
+         "\" action=\"modify\" visible=\"true\"";
+}
+
+const char* kindName(const Area& area) { return area.isRoom() ? "room" : "corridor"; }
+
+/** Whether `p` lies between `a` and `b`, to 1 micrometre. */
+bool isOnTheWay(Point a, Point p, Point b) {
+  return std::abs(cross(p - a, b - p)) <= 1e-6 * distance(a, b) && dot(p - a, b - p) > 0;
+}
+
+class OsmWriter {
+ public:
+  explicit OsmWriter(const AreaGraph& graph) : graph_(graph) {
+    for (const Passage& passage : graph.passages) {
+      passageEnds_.insert(passage.from);
+      passageEnds_.insert(passage.to);
+    }
+  }
+
+  std::string run() {
+    for (std::size_t a = 0; a < graph_.areas.size(); ++a) addArea(a);
+    for (std::size_t p = 0; p < graph_.passages.size(); ++p) addPassage(p);
+    for (std::size_t a = 0; a < graph_.areas.size(); ++a)
+      if (!graph_.areas[a].polygon.holes.empty()) addHoles(a);
+    return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+           "<osm version=\"0.6\" generator=\"roomgraph\" upload=\"never\">\n" +
+           element("node", kRoot) + " lat=\"0.000000000\" lon=\"0.000000000\">\n" +
+           tag("name", "root") + "  </node>\n" + nodes_ + ways_ + relations_ + "</osm>\n";
+  }
+
+ private:
+  static constexpr std::int64_t kRoot = -1;
+
+  std::string areaName(AreaId area) const {
+    return std::string(kindName(graph_.areas[area.index()])) + "_" + std::to_string(area.index());
+  }
+
+  void addNode(Point p) {
+    const auto [known, isNew] = nodeIds_.emplace(p, kRoot - 1 - std::int64_t(nodeIds_.size()));
+    if (isNew)
+      nodes_ += element("node", known->second) + " lat=\"" + degreesText(p.y, kNorthRadius) +
+                "\" lon=\"" + degreesText(p.x, kEastRadius) + "\"/>\n";
+    ways_ += "    <nd ref=\"" + std::to_string(known->second) + "\"/>\n";
+  }
+
+  /** Returns its id. */
+  std::int64_t addWay(const std::vector<Point>& points, const std::string& tags) {
+    ways_ += element("way", --lastWay_) + ">\n";
+    for (const Point p : points) addNode(p);
+    ways_ += tags + "  </way>\n";
+    return lastWay_;
+  }
+
+  /** Closed; corners on a straight line are left out, but for the ends of passages. */
+  std::int64_t addRing(const Ring& ring, const std::string& tags) {
+    Ring kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point last = kept.empty() ? ring.back() : kept.back();
+      if (passageEnds_.count(ring[i]) || !isOnTheWay(last, ring[i], ring[(i + 1) % ring.size()]))
+        kept.push_back(ring[i]);
+    }
+    if (!kept.empty()) kept.push_back(kept.front());
+    return addWay(kept, tags);
+  }
+
+  void addArea(std::size_t a) {
+    const Area& area = graph_.areas[a];
+    addRing(area.polygon.outer, tag("indoor", kindName(area)) + tag("name", areaName(AreaId(a))) +
+                                    tag("osmAG:areaType", kindName(area)) +
+                                    tag("osmAG:type", "area"));
+  }
+
+  void addPassage(std::size_t p) {
+    const Passage& passage = graph_.passages[p];
+    addWay({passage.from, passage.to},
+           tag("name", "passage_" + std::to_string(p)) + tag("osmAG:from", areaName(passage.a)) +
+               tag("osmAG:to", areaName(passage.b)) + tag("osmAG:type", "passage") +
+               tag("width", metresText(passage.width)));
+  }
+
+  void addHoles(std::size_t a) {
+    const auto member = [](std::int64_t way, const char* role) {
+      return "    <member type=\"way\" ref=\"" + std::to_string(way) + "\" role=\"" + role +
+             "\"/>\n";
+    };
+    relations_ +=
+        element("relation", --lastRelation_) + ">\n" + member(-1 - std::int64_t(a), "outer");
+    for (const Ring& hole : graph_.areas[a].polygon.holes)
+      relations_ += member(addRing(hole, ""), "inner");
+    relations_ += tag("type", "multipolygon") + "  </relation>\n";
+  }
+
+  const AreaGraph& graph_;
+  std::set<Point> passageEnds_;
+  std::map<Point, std::int64_t> nodeIds_;
+  std::int64_t lastWay_ = 0, lastRelation_ = 0;
+  std::string nodes_, ways_, relations_;
+};
+
+}  // namespace
+
+std::string osmXml(const AreaGraph& graph) { return OsmWriter(graph).run(); }
+
+}  // namespace roomgraph
