@@ -1,0 +1,204 @@
+// How many rooms change when a map is turned, or drawn with larger or smaller cells.
+//
+// The thresholded map is resampled with 3 x 3 samples per cell (turn_map.h says how, and why walls
+// of one cell survive), goes through the extraction with the defaults, and the rooms are laid back
+// on the map as it was. A room is found again where its intersection over union with a room of the
+// turned map is more than a half. Changed are the rooms that are lost and the new ones without
+// partner, as a share of the rooms of the map. The same defaults for all maps.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "floor_plans.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/match_rooms.h"
+#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/pipeline/extract.h"
+#include "turn_map.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMostChanged = 0.05;
+constexpr double kFiner[] = {0.5, 0.71, 1.41, 2};
+
+struct Case {
+  std::string name;
+  std::function<GreyMap()> load;
+};
+
+struct Change {
+  std::size_t base = 0, lost = 0, added = 0;  ///< rooms, over all poses
+
+  double share(std::size_t rooms) const {
+    return base ? double(rooms) / double(base) : rooms ? 1 : 0;
+  }
+  double changed() const { return share(lost + added); }
+  Change& operator+=(const Change& other) {
+    base += other.base, lost += other.lost, added += other.added;
+    return *this;
+  }
+};
+
+struct CaseChanges {
+  std::size_t rooms = 0;
+  Change quarters, turned;  ///< by multiples of 90 degrees, which moves cells only; by others
+  Change finer[std::size(kFiner)];
+  int worstDegrees = 0;
+  Change worst;  ///< at that angle
+
+  Change byAngle() const { return Change(quarters) += turned; }
+  Change byResolution() const {
+    Change sum;
+    for (const Change& change : finer) sum += change;
+    return sum;
+  }
+};
+
+std::vector<Case> allCases(const std::string& data) {
+  std::vector<Case> cases;
+  for (const std::string& name : floorPlanNames(data))
+    cases.push_back(
+        {name, [=] { return floorPlan(data, name, "", floorPlanTruth(data, name).width); }});
+  for (const char* file :
+       {"paper_maps/belgioioso/belgioioso_render.yaml", "paper_maps/edmonton/edmonton_render.yaml",
+        "paper_maps/longwood/longwood.yaml", "multi_run/strands_tsc/tsc_2016-05.yaml"}) {
+    const std::filesystem::path path = std::filesystem::path(data) / file;
+    cases.push_back({path.stem().string(), [=] { return loadGrid(path.string(), {}); }});
+  }
+  return cases;
+}
+
+std::vector<GraphRoom> laidBack(std::vector<GraphRoom> rooms, const MapPose& pose,
+                                const GridFrame& old) {
+  const auto layBack = [&](Ring& ring) {
+    for (Point& p : ring) p = turnedBack(p, pose, old);
+  };
+  for (GraphRoom& room : rooms) {
+    layBack(room.shape.polygon.outer);
+    for (Ring& hole : room.shape.polygon.holes) layBack(hole);
+  }
+  return rooms;
+}
+
+/** Where to find a room on the map, for people. */
+void printRoom(const char* what, const GraphRoom& room) {
+  std::fprintf(stderr, "  %s %.1f m2 at %.1f %.1f, width %.2f m\n", what, area(room.shape.polygon),
+               room.shape.widestPlace.x, room.shape.widestPlace.y, 2 * room.shape.inscribedRadius);
+}
+
+void printUnmatched(const char* what, const std::vector<GraphRoom>& rooms,
+                    const std::vector<bool>& isMatched) {
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    if (!isMatched[i]) printRoom(what, rooms[i]);
+}
+
+Change changeAt(const Stages& base, const MapPose& pose, bool isVerbose) {
+  const std::vector<GraphRoom>& rooms = base.result.rooms;
+  const GridFrame& frame = base.grid.frame;
+  const std::vector<GraphRoom> others =
+      laidBack(extract(turnMap(base.grid, pose), {}).result.rooms, pose, frame);
+  const std::vector<MatchedRooms> matched = matchRooms(rooms, others, frame);
+  if (isVerbose) {
+    std::vector<bool> isFound(rooms.size()), hasPartner(others.size());
+    for (const MatchedRooms& pair : matched)
+      isFound[pair.base.index()] = hasPartner[pair.other.index()] = true;
+    std::fprintf(stderr, "%.0f degrees, cells %.2f times smaller:\n", pose.angle * 180 / M_PI,
+                 pose.finer);
+    printUnmatched("lost", rooms, isFound);
+    printUnmatched("new ", others, hasPartner);
+  }
+  return {rooms.size(), rooms.size() - matched.size(), others.size() - matched.size()};
+}
+
+CaseChanges measure(const Case& which, int step, bool isVerbose) {
+  const Stages base = extract(which.load(), {});
+  CaseChanges changes;
+  changes.rooms = base.result.rooms.size();
+  for (int degrees = 0; degrees < 360; degrees += step) {
+    const Change change = changeAt(base, {degrees * M_PI / 180, 1}, isVerbose);
+    (degrees % 90 == 0 ? changes.quarters : changes.turned) += change;
+    if (change.changed() > changes.worst.changed())
+      changes.worst = change, changes.worstDegrees = degrees;
+  }
+  for (std::size_t i = 0; i < std::size(kFiner); ++i)
+    changes.finer[i] = changeAt(base, {0, kFiner[i]}, isVerbose);
+  return changes;
+}
+
+const char* verdict(bool isWithin) { return isWithin ? "PASS" : "**over**"; }
+
+bool printRow(const std::string& name, const CaseChanges& changes) {
+  std::printf("| %s | %zu | %.1f | %.1f | %.1f | %.1f |", name.c_str(), changes.rooms,
+              100 * changes.quarters.changed(), 100 * changes.turned.share(changes.turned.lost),
+              100 * changes.turned.share(changes.turned.added), 100 * changes.turned.changed());
+  if (changes.worst.base)
+    std::printf(" %.1f at %d° |", 100 * changes.worst.changed(), changes.worstDegrees);
+  else
+    std::printf(" |");
+  for (const Change& change : changes.finer) std::printf(" %.1f |", 100 * change.changed());
+  const bool isTurnable = changes.byAngle().changed() < kMostChanged;
+  const bool isScalable = changes.byResolution().changed() < kMostChanged;
+  std::printf(" %s | %s |\n", verdict(isTurnable), verdict(isScalable));
+  std::fflush(stdout);
+  return isTurnable && isScalable;
+}
+
+void printHeader() {
+  std::printf(
+      "Rooms that change, in %% of the rooms of the map:\n\n"
+      "| map | rooms | quarter turns | other angles: lost | new | changed | worst angle |");
+  for (const double finer : kFiner) std::printf(" resolution ×%g |", finer);
+  std::printf(" turned < %g | resolution < %g |\n|---|---|---|---|---|---|---|", 100 * kMostChanged,
+              100 * kMostChanged);
+  for (std::size_t i = 0; i < std::size(kFiner) + 2; ++i) std::printf("---|");
+  std::printf("\n");
+}
+
+/** The targets are for the rooms of all maps together. */
+bool measureAll(const std::string& data, const std::string& only, int step, bool isVerbose) {
+  CaseChanges all;
+  std::size_t count = 0;
+  for (const Case& which : allCases(data)) {
+    if (!only.empty() && only != which.name) continue;
+    if (count++ == 0) printHeader();
+    const CaseChanges changes = measure(which, step, isVerbose);
+    printRow(which.name, changes);
+    all.rooms += changes.rooms;
+    all.quarters += changes.quarters, all.turned += changes.turned;
+    for (std::size_t i = 0; i < std::size(kFiner); ++i) all.finer[i] += changes.finer[i];
+  }
+  if (count == 0) throw UsageError("there is no map '" + only + "'");
+  return printRow("**all rooms**", all);
+}
+
+}  // namespace
+}  // namespace roomgraph
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Turns maps and changes their resolution, and counts the rooms that change; exit code 1 "
+      "where these are 5 % or more.");
+  std::string data, only;
+  int step = 10;
+  bool isVerbose = false;
+  app.add_option("--data", data, "folder of the map data; it holds room_seg/ipa and paper_maps")
+      ->required();
+  app.add_option("--only", only, "only this map, as lab_a_scan or longwood");
+  app.add_option("--step", step, "between two angles [degrees]")
+      ->check(CLI::Range(1, 360))
+      ->capture_default_str();
+  app.add_flag("--rooms", isVerbose, "also list the lost and the new rooms, on standard error");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return roomgraph::measureAll(data, only, step, isVerbose) ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "pose_stability: %s\n", error.what());
+    return 2;
+  }
+}
