@@ -1,0 +1,123 @@
+#include "roomgraph/compare/align_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "roomgraph/compare/alignment_confidence.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameTurn = 0.03, kSamePlace = 0.3;    // poses worth one closer look [rad, m]
+constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are not the same answer
+constexpr double kNoRunnerUp = -4;                      // its log odds
+constexpr double kMuchBetter = 6;                       // the best pose's score where it is alone
+
+void sortByScore(std::vector<AlignmentCandidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& l, const auto& r) { return l.score > r.score; });
+}
+
+AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment& b,
+                                 const Transform2D& near, const RefineAlignmentOptions& refine,
+                                 const VerifyAlignmentOptions& verify) {
+  AlignmentCandidate c;
+  c.pose = refineAlignment(a, b, near, refine);
+  c.evidence = verifyAlignment(a, b, c.pose, verify);
+  c.score = alignmentScore(c.evidence);
+  return c;
+}
+
+Point middleOf(const MapForAlignment& map) {
+  const GridFrame& f = map.frame;
+  return f.origin + 0.5 * f.resolution * Point{double(f.width), double(f.height)};
+}
+
+bool areNear(const Transform2D& l, const Transform2D& r, Point middle, double turn, double place) {
+  return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(middle), r(middle)) < place;
+}
+
+/** Any order that does not depend on which map was named first. */
+bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
+  const auto key = [](const MapForAlignment& m) {
+    return std::make_tuple(m.walls.size(), m.freeArea, m.frame.width, m.frame.height);
+  };
+  if (key(l) != key(r)) return key(l) > key(r);
+  return std::lexicographical_compare(
+      l.walls.begin(), l.walls.end(), r.walls.begin(), r.walls.end(),
+      [](const WallPoint& p, const WallPoint& q) { return p.place < q.place; });
+}
+
+bool areIdentical(const MapForAlignment& l, const MapForAlignment& r) {
+  return l.states == r.states && !isBefore(l, r) && !isBefore(r, l);
+}
+
+void judge(Alignment& result, const AlignMapsOptions& options) {
+  const double odds = sameSiteLogOdds(result.best->evidence);
+  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : kNoRunnerUp;
+  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : kMuchBetter;
+  result.siteConfidence = probability(odds);
+  result.isSameSite = result.siteConfidence >= options.minSameSite;
+  result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);
+  result.confidence = poseConfidence(odds, other, margin);
+  if (!result.isSameSite) result.confidence = std::min(result.confidence, result.siteConfidence);
+  result.runnerUpConfidence =
+      result.runnerUp ? (1 - result.confidence) * probability(other - margin) : 0;
+  result.overlap = result.best->evidence.overlap;
+}
+
+Alignment alignOrdered(const MapForAlignment& a, const MapForAlignment& b,
+                       const AlignMapsOptions& options) {
+  Alignment result;
+  const std::vector<AlignmentCandidate> found = alignmentCandidates(a, b, options);
+  if (found.empty()) return result;
+  result.best = found.front();
+  const Point middle = middleOf(b);
+  for (const AlignmentCandidate& c : found) {
+    if (areNear(c.pose, result.best->pose, middle, kOtherTurn, kOtherPlace)) continue;
+    result.runnerUp = c;
+    break;
+  }
+  if (areIdentical(a, b) && areNear(result.best->pose, {}, middle, kSameTurn, kSamePlace))
+    result.best->pose = {};
+  judge(result, options);
+  result.pose = result.best->pose;
+  return result;
+}
+
+}  // namespace
+
+std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
+                                                    const MapForAlignment& b,
+                                                    const AlignMapsOptions& options) {
+  std::vector<AlignmentCandidate> quick, found;
+  for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
+    quick.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
+  sortByScore(quick);
+  const Point middle = middleOf(b);
+  std::vector<Transform2D> seen;
+  for (const AlignmentCandidate& c : quick) {
+    if (int(seen.size()) == options.count) break;
+    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
+      return areNear(pose, c.pose, middle, kSameTurn, kSamePlace);
+    });
+    if (isSeen) continue;
+    seen.push_back(c.pose);
+    found.push_back(candidateNear(a, b, c.pose, options.refine, options.verify));
+  }
+  sortByScore(found);
+  return found;
+}
+
+Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
+                    const AlignMapsOptions& options) {
+  if (!isBefore(b, a)) return alignOrdered(a, b, options);
+  Alignment result = alignOrdered(b, a, options);
+  result.pose = result.pose.inverse();
+  if (result.best) result.best->pose = result.best->pose.inverse();
+  if (result.runnerUp) result.runnerUp->pose = result.runnerUp->pose.inverse();
+  return result;
+}
+
+}  // namespace roomgraph

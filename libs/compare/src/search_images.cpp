@@ -1,0 +1,89 @@
+#include "search_images.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace roomgraph {
+namespace {
+
+constexpr int kHit = 20, kSidelong = 12;  // a wall that faces the same way; up to 45 degrees off
+constexpr int kNear[3] = {10, 7, 5};      // tenths: in the cell, beside it, across its corner
+constexpr int kContradiction = -20;       // a wall in the middle of free space
+constexpr int kMiss = -10;                // a wall elsewhere in free space
+constexpr double kDeep = 0.7;             // what the middle is: so far from all walls [m]
+
+/** turned(), for many points. */
+class Turn {
+ public:
+  explicit Turn(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
+  Point operator()(Point v) const { return {c_ * v.x - s_ * v.y, s_ * v.x + c_ * v.y}; }
+
+ private:
+  double c_, s_;
+};
+
+Cell cellOf(Point p, double cell) {
+  return {int(std::floor(p.x / cell)), int(std::floor(p.y / cell))};
+}
+
+void setSize(SearchImages& images, const std::vector<SearchPoint>& points) {
+  Cell low{INT32_MAX, INT32_MAX}, high{INT32_MIN, INT32_MIN};
+  for (const SearchPoint& point : points) {
+    low = {std::min(low.x, point.cell.x), std::min(low.y, point.cell.y)};
+    high = {std::max(high.x, point.cell.x), std::max(high.y, point.cell.y)};
+  }
+  images.low = {low.x - 1, low.y - 1};
+  images.width = high.x - low.x + 3;
+  images.height = high.y - low.y + 3;
+  for (auto& values : images.values)
+    values.assign(std::size_t(images.width) * std::size_t(images.height), 0);
+}
+
+void addWall(SearchImages& images, const SearchPoint& point) {
+  for (int turn = -1; turn <= 1; ++turn) {
+    auto& values = images.values[std::size_t(point.octant + turn + kOctants) % kOctants];
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = point.cell.x + dx - images.low.x, y = point.cell.y + dy - images.low.y;
+        const int value = (turn == 0 ? kHit : kSidelong) * kNear[std::abs(dx) + std::abs(dy)] / 10;
+        std::int16_t& cell = values[std::size_t(y) * std::size_t(images.width) + std::size_t(x)];
+        cell = cell <= 0 ? std::int16_t(value) : std::max(cell, std::int16_t(value));
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<SearchPoint> searchPoints(const MapForAlignment& map, double angle, double cell,
+                                      std::size_t maxCount, int sign) {
+  const std::size_t stride = (map.walls.size() + maxCount - 1) / maxCount;
+  const Turn turn(angle);
+  std::vector<SearchPoint> points;
+  points.reserve(map.walls.size() / stride + 1);
+  for (std::size_t i = 0; i < map.walls.size(); i += stride) {
+    const Cell c = cellOf(turn(map.walls[i].place), cell);
+    points.push_back({{sign * c.x, sign * c.y}, octantOf(turn(map.walls[i].normal))});
+  }
+  return points;
+}
+
+SearchImages imagesOf(const MapForAlignment& map, double angle, double cell, int sign) {
+  SearchImages images;
+  const auto walls = searchPoints(map, angle, cell, map.walls.size(), sign);
+  setSize(images, walls);
+  const Turn turn(angle);
+  for (const Point& place : map.freePlaces) {
+    const bool isDeep = map.depths[map.frame.index(map.frame.cellAt(place))] >= kDeep;
+    const Cell c = cellOf(turn(place), cell);
+    const int x = sign * c.x - images.low.x, y = sign * c.y - images.low.y;
+    if (x < 0 || y < 0 || x >= images.width || y >= images.height) continue;
+    images.values[0][std::size_t(y) * std::size_t(images.width) + std::size_t(x)] =
+        std::int16_t(isDeep ? kContradiction : kMiss);
+  }
+  for (auto& values : images.values) values = images.values[0];
+  for (const SearchPoint& wall : walls) addWall(images, wall);
+  return images;
+}
+
+}  // namespace roomgraph

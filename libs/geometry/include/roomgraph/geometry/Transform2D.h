@@ -1,0 +1,47 @@
+#pragma once
+#include <cmath>
+
+#include "roomgraph/geometry/Point.h"
+
+namespace roomgraph {
+
+/** The same angle in (-pi, pi] [rad]. */
+inline double wrappedAngle(double angle) {
+  const double wrapped = std::remainder(angle, 2 * M_PI);
+  return wrapped <= -M_PI ? wrapped + 2 * M_PI : wrapped;
+}
+
+/** `v` turned by `angle` [rad], counter-clockwise. */
+inline Point turned(Point v, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
+}
+
+/** A turn by `phi` followed by a shift: what carries places of one frame into another, "a <- b".
+ *  Also the pose of b's origin in a. The default changes nothing. */
+struct Transform2D {
+  double x = 0, y = 0;  ///< [m]
+  double phi = 0;       ///< [rad]
+
+  Point shift() const { return {x, y}; }
+  /** The place in a of a place in b. */
+  Point operator()(Point p) const { return turned(p, phi) + shift(); }
+  /** b <- a. */
+  Transform2D inverse() const {
+    const Point back = turned({-x, -y}, -phi);
+    return {back.x, back.y, wrappedAngle(-phi)};
+  }
+  /** (a <- b) * (b <- c) = a <- c. */
+  friend Transform2D operator*(const Transform2D& ab, const Transform2D& bc) {
+    const Point at = ab(bc.shift());
+    return {at.x, at.y, wrappedAngle(ab.phi + bc.phi)};
+  }
+};
+
+/** The transform that turns by `phi` and carries `from` to `to`. */
+inline Transform2D carrying(Point from, Point to, double phi) {
+  const Point shift = to - turned(from, phi);
+  return {shift.x, shift.y, wrappedAngle(phi)};
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,21 @@
+#pragma once
+#include <cstdint>
+
+#include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/grid/Grid.h"
+
+namespace roomgraph::test {
+
+/** Which part of a building a map shows. */
+struct Seen {
+  double x0 = -1e9, x1 = 1e9;  ///< [m, frame of the building]
+};
+
+/** A building about 24 m wide and 16 m deep: a corridor with rooms of uneven widths on both sides,
+ *  and doors; sizes by the seed. Cells of 0.05 m. `pose` is map <- building. */
+Grid drawnBuilding(std::uint32_t seed, const Transform2D& pose, const Seen& seen = {});
+
+/** A square hall of 12 m with a pillar in its middle: the same after each quarter turn. */
+Grid squareHall(const Transform2D& pose);
+
+}  // namespace roomgraph::test
