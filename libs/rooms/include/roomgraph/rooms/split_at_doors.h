@@ -16,9 +16,9 @@ struct SplitAtDoorsOptions {
   double maxWidth = 3.0;  ///< of a door [m]
   /** A region narrower than this share of its neighbour is not part of that, door or not. */
   double narrowRatio = 0.45;
-  double maxLeftoverArea = 1.0;   ///< a region with less joins a neighbour [m2]
+  double maxLeftoverArea = 1.25;  ///< a region with less joins a neighbour [m2]
   double minElongation = 0.75;    ///< a region that is shorter joins a neighbour
-  double minRoomWidth = 2.0;      ///< of the largest disc in a room [m]
+  double minRoomWidth = 1.95;     ///< of the largest disc in a room [m]
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 6.0;  ///< a wider region is a room, however long [m]
   double corridorRatio = 0.65;    ///< maxRatio between two pieces of corridor
