@@ -18,7 +18,7 @@ class FaceCover {
       : voronoi_(voronoi), regionOf_(regions.regionOf), isHidden_(regionOf_.size()) {
     // What lies in free space and is not inside is outside.
     for (std::uint32_t v = 0; v < isHidden_.size(); ++v)
-      isHidden_[v] = !isInside[v] && !grid.isFree(voronoi.vertices[v].at);
+      isHidden_[v] = regionOf_[v] == kNone && (isInside[v] || !grid.isFree(voronoi.vertices[v].at));
   }
 
   std::vector<std::uint32_t> run() {

@@ -32,7 +32,7 @@ Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, doub
         (isInCorridor && edge.minClearance >= minClearance))
       groups.join(edge.source, edge.target);
   }
-  return numberRegions(groups, isInside, isWide, radius);
+  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), isWide, radius);
 }
 
 }  // namespace roomgraph

@@ -5,6 +5,14 @@
 
 namespace roomgraph {
 
+/** What of the inside is no gap between neighbouring cells of a wall. O(n). */
+inline InsideFlags clearInside(const VoronoiGraph& voronoi, InsideFlags isInside,
+                               double minClearance) {
+  for (std::size_t v = 0; v < isInside.size(); ++v)
+    if (voronoi.vertices[v].clearance < minClearance) isInside[v] = 0;
+  return isInside;
+}
+
 /** The groups of vertices inside as regions: first the rooms, then the others, each by its smallest
  *  vertex. `isRoom(v)` is asked for the smallest vertex of each group. O(n). */
 template <class IsRoom>

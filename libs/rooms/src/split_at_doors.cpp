@@ -185,7 +185,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
 
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options) {
-  RegionGroups regions(voronoi, isInside, minClearance, resolution / 2);
+  const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
+  RegionGroups regions(voronoi, isClear, minClearance, resolution / 2);
   joinOpenPassages(regions, options);
   regions.sumAreas();
   joinLeftovers(regions, options);
@@ -193,7 +194,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, d
   joinCorridors(regions, options, isCorridorAt);
   // A joined region goes by the smallest of its parts, all of which are corridors.
   const auto isRoom = [&](std::uint32_t v) { return !isCorridorAt[v]; };
-  return numberRegions(regions.groups(), isInside, isRoom, 0);
+  return numberRegions(regions.groups(), isClear, isRoom, 0);
 }
 
 }  // namespace roomgraph

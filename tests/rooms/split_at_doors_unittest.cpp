@@ -1,0 +1,145 @@
+#include "roomgraph/rooms/split_at_doors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+
+#include "MapText.h"
+#include "random_maps.h"
+#include "roomgraph/grid/thin_obstacles.h"
+#include "roomgraph/voronoi/voronoi_graph.h"
+
+namespace roomgraph::test {
+namespace {
+
+struct Inside {
+  Grid grid;
+  VoronoiGraph voronoi;
+  InsideFlags isInside;
+};
+
+Inside insideOf(const MapText& map) {
+  Inside inside{gridOf(map), {}, {}};
+  inside.voronoi = voronoiGraph(obstacleSites(inside.grid, thinObstacles(inside.grid, {}), false));
+  inside.isInside = keepInside(inside.voronoi, inside.grid, {});
+  return inside;
+}
+
+Regions split(const Inside& inside, const SplitAtDoorsOptions& options = {}) {
+  const double resolution = inside.grid.frame.resolution;
+  return splitAtDoors(inside.voronoi, inside.isInside, 0.75 * resolution, resolution, options);
+}
+
+/** Free cells (side 0.2 m) with a wall round them; then walls that leave out their gaps. */
+class Plan {
+ public:
+  Plan(int width, int height)
+      : rows_(std::size_t(height + 2), std::string(std::size_t(width + 2), '.')) {
+    wall(0, 0, width + 2, 1);
+    wall(0, height + 1, width + 2, 1);
+    wall(0, 0, 1, height + 2);
+    wall(width + 1, 0, 1, height + 2);
+  }
+
+  Plan& wall(int x, int y, int width, int height, char sign = '#') {
+    for (int row = y; row < y + height; ++row)
+      for (int column = x; column < x + width; ++column)
+        rows_[std::size_t(row)][std::size_t(column)] = sign;
+    return *this;
+  }
+  Plan& gap(int x, int y, int width, int height) { return wall(x, y, width, height, '.'); }
+
+  Inside inside() const { return insideOf(drawn(rows_, 0.2)); }
+
+ private:
+  std::vector<std::string> rows_;
+};
+
+TEST(SplitAtDoors, aDoorPartsTwoRooms) {
+  const Regions regions = split(Plan(41, 20).wall(21, 1, 1, 20).gap(21, 8, 1, 5).inside());
+  EXPECT_EQ(regions.roomCount, 2u);
+  EXPECT_EQ(regions.count, 2u);
+}
+
+TEST(SplitAtDoors, aWideOpeningDoesNot) {
+  const Regions regions = split(Plan(41, 20).wall(21, 1, 1, 20).gap(21, 3, 1, 16).inside());
+  EXPECT_EQ(regions.roomCount, 1u);
+  EXPECT_EQ(regions.count, 1u);
+}
+
+TEST(SplitAtDoors, aDoorFrameIsNoAreaOfItsOwn) {
+  // The larger room takes it.
+  const Regions regions = split(Plan(45, 20).wall(20, 1, 4, 20).gap(20, 8, 4, 5).inside());
+  EXPECT_EQ(regions.roomCount, 2u);
+  EXPECT_EQ(regions.count, 2u);
+}
+
+TEST(SplitAtDoors, aLongWayWithTwoEndsIsACorridor) {
+  const Regions regions = split(Plan(100, 30)
+                                    .wall(1, 12, 100, 1)
+                                    .wall(1, 22, 100, 12 - 3)
+                                    .gap(10, 12, 5, 1)
+                                    .gap(80, 12, 5, 1)
+                                    .wall(50, 1, 1, 11)
+                                    .inside());
+  EXPECT_EQ(regions.roomCount, 2u);
+  EXPECT_EQ(regions.count, 3u);
+}
+
+TEST(SplitAtDoors, aNarrowingDoesNotPartACorridor) {
+  const Inside inside = Plan(100, 8).wall(50, 1, 1, 1).wall(50, 8, 1, 1).inside();
+  EXPECT_EQ(split(inside).count, 1u);
+  SplitAtDoorsOptions strict;
+  strict.maxRatio = strict.corridorRatio = 1;
+  EXPECT_GT(split(inside, strict).count, 1u);
+}
+
+TEST(SplitAtDoors, widthsDoNotDependOnTheResolution) {
+  // 1.6 m are free on both: a room from there on.
+  SplitAtDoorsOptions options;
+  options.minRoomWidth = 1.6;
+  const std::vector<std::string> coarse(8 + 2, "#" + std::string(8, '.') + "#");
+  const std::vector<std::string> fine(16 + 2, "#" + std::string(16, '.') + "#");
+  for (auto [rows, resolution] : {std::pair{coarse, 0.2}, {fine, 0.1}}) {
+    rows.front() = rows.back() = std::string(rows[0].size(), '#');
+    const Inside inside = insideOf(drawn(rows, resolution));
+    options.minRoomWidth = 1.6;
+    EXPECT_EQ(split(inside, options).roomCount, 1u) << resolution;
+    options.minRoomWidth = 1.65;  // walls are rows of points, between which a disc reaches a bit
+    EXPECT_EQ(split(inside, options).roomCount, 0u) << resolution;
+  }
+}
+
+/** Which vertices are together, and whether in a room, whatever the regions' numbers. */
+std::map<std::uint32_t, std::pair<std::uint32_t, bool>> partition(const Regions& regions) {
+  std::map<std::uint32_t, std::uint32_t> firstOf;
+  std::map<std::uint32_t, std::pair<std::uint32_t, bool>> result;
+  for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
+    const std::uint32_t region = regions.of(v);
+    if (region == Regions::kNone) continue;
+    result[v] = {firstOf.emplace(region, v).first->second, region < regions.roomCount};
+  }
+  return result;
+}
+
+TEST(SplitAtDoors, theOrderOfTheEdgesDoesNotMatter) {
+  std::mt19937 random(3);
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    Inside inside = insideOf(noisyOffice(seed, 300));
+    const auto expected = partition(split(inside));
+    ASSERT_GT(expected.size(), 100u);
+    auto& edges = inside.voronoi.edges;
+    for (std::size_t i = edges.size(); i > 1; --i) std::swap(edges[i - 1], edges[random() % i]);
+    EXPECT_EQ(partition(split(inside)), expected) << seed;
+  }
+}
+
+TEST(SplitAtDoors, nothingInsideGivesNoRegion) {
+  const Inside inside = insideOf(drawn({"###", "###", "###"}, 0.2));
+  EXPECT_EQ(split(inside).count, 0u);
+}
+
+}  // namespace
+}  // namespace roomgraph::test
