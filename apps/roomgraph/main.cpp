@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "Command.h"
+#include "compare_command.h"
 #include "config_command.h"
 #include "error_line.h"
 #include "extract_command.h"
@@ -14,6 +15,9 @@ namespace {
 
 constexpr Command kCommands[] = {
     {"extract", "Read maps and write the topology graph of each, with its rooms.", extractCommand},
+    {"compare",
+     "Say which of several maps of one site is the best, and how far each is from the others.",
+     compareCommand},
     {"stability",
      "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
      stabilityCommand},

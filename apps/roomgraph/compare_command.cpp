@@ -1,0 +1,137 @@
+#include "compare_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "Command.h"
+#include "compare_maps.h"
+#include "error_line.h"
+#include "option_arguments.h"
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/comparison_json.h"
+#include "roomgraph/report/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMinCoverage = 0.7;
+
+struct CompareArguments {
+  CompareTask task;
+  OptionArguments options;
+  std::string folder = ".";
+  double failBelow = 0;
+  std::vector<std::string> failOn;
+};
+
+void declareGate(CompareArguments& arguments, CLI::App& app) {
+  app.add_option("--fail-below", arguments.failBelow,
+                 "Exit with 3 where a run has a score below this (0 to 100), or none.")
+      ->type_name("SCORE")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option(
+         "--fail-on", arguments.failOn,
+         "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen less "
+         "than 70 % of what two runs have seen), 'not-same-site' (a run is of another "
+         "site).")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"coverage", "not-same-site"}));
+}
+
+void declareRunning(CompareArguments& arguments, CLI::App& app) {
+  app.add_option("-o,--output", arguments.folder,
+                 "Folder for the results, comparison.json and comparison.runs.csv; made if it is "
+                 "not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_flag("--aligned", arguments.task.isAligned,
+               "All maps are in one frame already [m]: do not look for their poses.");
+  app.add_option("--reference", arguments.task.reference,
+                 "A map to measure all runs against, instead of against each other.")
+      ->type_name("MAP");
+  app.add_option("--threads", arguments.task.threads,
+                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", arguments.task.isQuiet, "Print nothing but errors.");
+}
+
+/** What --fail-below and --fail-on have to say, a line each; empty where nothing strikes. */
+std::string complaints(const Comparison& comparison, const CompareArguments& arguments) {
+  std::string lines;
+  const auto isAsked = [&](const char* what) {
+    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
+  };
+  for (const ComparedRun& run : comparison.runs) {
+    if (run.name == comparison.reference) continue;
+    if (arguments.failBelow > 0 && (!run.score || run.score->score < arguments.failBelow))
+      lines += errorLine(run.name + ": its score is below --fail-below");
+    for (const Measure& measure : run.measures)
+      if (isAsked("coverage") && measure.name == "coverage" &&
+          measure.value.value_or(0) < kMinCoverage)
+        lines += errorLine(run.name + ": has seen less than 70 % of what two runs have seen");
+  }
+  for (const LeftOutRun& run : comparison.leftOut) {
+    if (arguments.failBelow > 0) lines += errorLine(run.name + ": has no score");
+    if (run.isOtherSite && isAsked("not-same-site"))
+      lines += errorLine(run.name + ": is not of the same site");
+  }
+  return lines;
+}
+
+void checkNotReplaced(const CompareTask& task, const std::vector<std::string>& results) {
+  std::vector<std::string> inputs = task.files;
+  inputs.push_back(task.reference);
+  for (const std::string& result : results)
+    for (const std::string& input : inputs) {
+      std::error_code error;  // where one of them does not exist they are not the same
+      if (std::filesystem::equivalent(result, input, error) && !error)
+        throw UsageError(result + ": would replace a map: choose another folder with --output");
+    }
+}
+
+int run(const CompareArguments& arguments) {
+  CompareTask task = arguments.task;
+  task.extract = toOptions(arguments.options);
+  if (task.files.size() + (task.reference.empty() ? 0 : 1) < 2)
+    throw UsageError("compare: one run cannot be compared: name two, or a --reference");
+  const std::filesystem::path folder = arguments.folder;
+  const std::string json = (folder / "comparison.json").string();
+  const std::string csv = (folder / "comparison.runs.csv").string();
+  checkNotReplaced(task, {json, csv});
+  makeWritableFolder(arguments.folder);
+  const ComparedMaps result = compareMaps(task);
+  const Comparison& comparison = result.comparison;
+  writeFileAtomically(json, comparisonJson(comparison));
+  writeFileAtomically(csv, comparisonRunsCsv(comparison));
+  for (const LeftOutRun& run : comparison.leftOut)
+    if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
+  if (!task.isQuiet)
+    std::printf("%s%s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
+                comparison.verdict.c_str(), json.c_str(), csv.c_str());
+  const std::string struck = complaints(comparison, arguments);
+  std::fputs(struck.c_str(), stderr);
+  return struck.empty() ? result.exitCode : int(kStruck);
+}
+
+}  // namespace
+
+std::function<int()> compareCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  app.add_option("RUN", arguments->task.files,
+                 "Maps of one site, as for 'roomgraph extract'; their frames may differ.")
+      ->type_name("")
+      ->required();
+  declareRunning(*arguments, app);
+  declareGate(*arguments, app);
+  declareConfig(arguments->options, app);
+  declareResolution(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,121 @@
+#include "compare_maps.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "Command.h"
+#include "error_line.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/pipeline/extract.h"
+#include "run_in_order.h"
+#include "run_names.h"
+
+namespace roomgraph {
+namespace {
+
+PreparedRun preparedRun(const std::string& name, const std::string& file,
+                        const ExtractOptions& options) {
+  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
+  PreparedRun run{name, file, stages.source.sha256, mapForAlignment(stages.grid, {}),
+                  stages.result.rooms};
+  if (run.map.walls.empty())
+    throw DataError(file + ": has no wall beside free space: a run must have some");
+  return run;
+}
+
+/** The part of an error line behind "roomgraph: FILE: ". */
+std::string reasonIn(const std::string& line, const std::string& file) {
+  const std::size_t at = line.find(file + ": ");
+  std::string reason = at == std::string::npos ? line : line.substr(at + file.size() + 2);
+  while (!reason.empty() && reason.back() == '\n') reason.pop_back();
+  return reason;
+}
+
+/** The maps on their way from files to a comparison. */
+class Comparing {
+ public:
+  explicit Comparing(const CompareTask& task) : task_(task), files_(task.files) {
+    if (!task.reference.empty()) files_.push_back(task.reference);
+  }
+
+  ComparedMaps run() {
+    read();
+    sortRuns(runs_);
+    CompareRunsOptions options = task_.options;
+    for (std::size_t i = 0; i < runs_.size(); ++i)
+      if (!task_.reference.empty() && runs_[i].name == names_.back()) options.reference = i;
+    if (!task_.reference.empty() && !options.reference)
+      throw DataError(task_.reference + ": cannot be used as the reference: choose another one");
+    align();
+    result_.comparison = compareRuns(runs_, alignments_, options);
+    addUnread();
+    return std::move(result_);
+  }
+
+ private:
+  void read() {
+    names_ = runNames(files_);
+    std::vector<std::optional<PreparedRun>> runs(files_.size());
+    failures_.resize(files_.size());
+    JobList jobs;
+    jobs.count = files_.size();
+    jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
+      JobReport report;
+      try {
+        runs[i] = preparedRun(names_[i], files_[i], task_.extract);
+      } catch (...) {
+        const Failure failure = currentFailure(files_[i]);
+        report.err = failures_[i] = failure.line;
+        report.exitCode = failure.exitCode;
+      }
+      stepDone();
+      return report;
+    };
+    result_.exitCode = runInOrder(jobs, task_.threads, !task_.isQuiet);
+    for (auto& one : runs)
+      if (one) runs_.push_back(std::move(*one));
+  }
+
+  void align() {
+    const auto pairs = pairsOf(runs_.size());
+    alignments_.resize(pairs.size());
+    JobList jobs;
+    jobs.count = pairs.size();
+    jobs.run = [&](std::size_t k, const std::function<void()>& stepDone) {
+      const MapForAlignment &a = runs_[pairs[k].first].map, &b = runs_[pairs[k].second].map;
+      JobReport report;
+      try {
+        alignments_[k] = task_.isAligned ? trustedAlignment(a, b) : alignMaps(a, b, {});
+      } catch (...) {
+        const Failure failure = currentFailure(runs_[pairs[k].second].file);
+        report.err = failure.line;
+        report.exitCode = failure.exitCode;
+      }
+      stepDone();
+      return report;
+    };
+    const int exitCode = runInOrder(jobs, task_.threads, !task_.isQuiet);
+    result_.exitCode = std::max(result_.exitCode, exitCode);
+  }
+
+  void addUnread() {
+    std::vector<LeftOutRun>& out = result_.comparison.leftOut;
+    for (std::size_t i = 0; i < files_.size(); ++i)
+      if (!failures_[i].empty())
+        out.push_back({names_[i], files_[i], reasonIn(failures_[i], files_[i]), false});
+    std::sort(out.begin(), out.end(),
+              [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });
+  }
+
+  const CompareTask& task_;
+  std::vector<std::string> files_, names_, failures_;
+  std::vector<PreparedRun> runs_;
+  std::vector<Alignment> alignments_;
+  ComparedMaps result_;
+};
+
+}  // namespace
+
+ComparedMaps compareMaps(const CompareTask& task) { return Comparing(task).run(); }
+
+}  // namespace roomgraph

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Comparison
+// Out:  text of files, and a table
+// Next: a file
+
+/** JSON of format "roomgraph/comparison", version 1; see the schema in share/roomgraph/schema. What
+ *  cannot be told is null. Numbers are rounded to 0.0001. File names without their folder. */
+std::string comparisonJson(const Comparison& comparison);
+
+/** One line per run, best first, below a line of column names: empty fields for what cannot be
+ *  told. Of each measure the value alone. */
+std::string comparisonRunsCsv(const Comparison& comparison);
+
+/** The ranking, a line per run, for people. */
+std::string comparisonText(const Comparison& comparison);
+
+}  // namespace roomgraph

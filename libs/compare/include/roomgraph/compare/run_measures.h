@@ -1,0 +1,37 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/compare/wall_distances.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the runs of a site, placed
+// Out:  Measure
+// Next: compareRuns
+
+/** The runs of a site in one frame. */
+struct PlacedRuns {
+  std::vector<const PreparedRun*> runs;
+  std::vector<Transform2D> poses;  ///< site <- run
+  std::vector<double> trust;       ///< of each run as an other, 0 to 1
+  /** [i][j]: the walls of i against those of j. */
+  std::vector<std::vector<WallDistances>> distances;
+};
+
+/** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
+ *  free. Meaningful with three runs and 10 m2. Support in cells. O(runs * cells of the site). */
+std::vector<Measure> coverageOf(const PlacedRuns& site);
+
+/** Of one run: median ("wall_distance") and 90th percentile ("wall_distance_p90") of the distances
+ *  of its walls to those of the others, weighted by trust. Support in wall points. */
+std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run);
+
+/** Per run: `rooms_matched`, of the rooms of the others (weighted by trust) whose middle it has
+ * seen free or that match one of its own, the share that match: matchRooms. Support in rooms. No
+ * value where there is none. O(runs^2 * cells of the site). */
+std::vector<Measure> roomsMatchedOf(const PlacedRuns& site);
+
+}  // namespace roomgraph

@@ -1,0 +1,288 @@
+#include "roomgraph/compare/compare_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <tuple>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/run_measures.h"
+
+namespace roomgraph {
+namespace {
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+constexpr double kSameError = 1e-6;  // runs whose errors differ by less share a rank [m]
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+Point middleOf(const MapForAlignment& map) {
+  Point sum;
+  for (const WallPoint& wall : map.walls) sum = sum + wall.place;
+  return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
+}
+
+/** A set of runs that lie in one frame. */
+struct Site {
+  std::vector<std::size_t> runs;   ///< ascending
+  std::vector<Transform2D> poses;  ///< site <- run
+};
+
+bool isJoined(const Alignment& alignment, const SitePosesOptions& options) {
+  return alignment.isSameSite && alignment.confidence >= options.minConfidence;
+}
+
+/** The runs of the site, see compareRuns. */
+std::vector<std::size_t> membersOf(std::size_t runs, const Pairs& pairs,
+                                   const std::vector<Alignment>& alignments,
+                                   const CompareRunsOptions& options) {
+  std::vector<std::size_t> set(runs);  // of each run the first run it is joined to
+  std::iota(set.begin(), set.end(), std::size_t(0));
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!isJoined(alignments[k], options.poses)) continue;
+    const std::size_t l = set[pairs[k].first], r = set[pairs[k].second];
+    for (std::size_t& s : set)
+      if (s == l || s == r) s = std::min(l, r);
+  }
+  std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
+  for (const std::size_t s : set) ++size[s].first;
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (isJoined(alignments[k], options.poses))
+      size[set[pairs[k].first]].second += alignments[k].confidence;
+  const std::size_t chosen =
+      options.reference ? set[*options.reference]
+                        : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
+  std::vector<std::size_t> members;
+  for (std::size_t i = 0; i < runs; ++i)
+    if (set[i] == chosen) members.push_back(i);
+  return members;
+}
+
+/** The run of a site that the others fit best. */
+std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
+  std::vector<double> sum(runs);
+  for (const PairPose& pair : pairs) sum[pair.a] += pair.confidence, sum[pair.b] += pair.confidence;
+  return std::size_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
+}
+
+Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
+            const std::vector<Alignment>& alignments, const CompareRunsOptions& options) {
+  Site site;
+  site.runs = membersOf(runs.size(), pairs, alignments, options);
+  const auto placeOf = [&](std::size_t run) {
+    return std::lower_bound(site.runs.begin(), site.runs.end(), run) - site.runs.begin();
+  };
+  const auto isIn = [&](std::size_t run) {
+    return std::binary_search(site.runs.begin(), site.runs.end(), run);
+  };
+  std::vector<PairPose> used;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [a, b] = pairs[k];
+    if (!isJoined(alignments[k], options.poses) || !isIn(a) || !isIn(b)) continue;
+    used.push_back({std::size_t(placeOf(a)), std::size_t(placeOf(b)), alignments[k].pose,
+                    alignments[k].confidence, middleOf(runs[b].map)});
+  }
+  const std::size_t reference = options.reference ? std::size_t(placeOf(*options.reference))
+                                                  : centreOf(site.runs.size(), used);
+  for (const SitePose& placed : sitePoses(site.runs.size(), used, reference, options.poses).runs)
+    site.poses.push_back(placed.pose);
+  return site;
+}
+
+PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site) {
+  PlacedRuns result;
+  result.poses = site.poses;
+  for (const std::size_t run : site.runs) result.runs.push_back(&runs[run]);
+  const std::size_t n = site.runs.size();
+  result.distances.assign(n, std::vector<WallDistances>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j)
+        result.distances[i][j] = wallDistances(result.runs[i]->map, result.runs[j]->map,
+                                               site.poses[j].inverse() * site.poses[i]);
+  return result;
+}
+
+std::vector<std::vector<PairDistance>> meansOf(const PlacedRuns& site) {
+  const std::size_t n = site.runs.size();
+  std::vector<std::vector<PairDistance>> means(n, std::vector<PairDistance>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      WallDistances both = site.distances[std::min(i, j)][std::max(i, j)];
+      both.add(site.distances[std::max(i, j)][std::min(i, j)]);
+      means[i][j] = {both.mean(), both.count};
+    }
+  return means;
+}
+
+std::string reasonOf(const RunScore& score) {
+  std::string text = formatted("its walls lie %.3f m from those of the %zu other %s",
+                               score.distance, score.others, score.others == 1 ? "run" : "runs");
+  if (!score.isMeaningful) text += ", too little to judge by";
+  return text;
+}
+
+void addRuns(Comparison& result, PlacedRuns& site, std::optional<std::size_t> reference,
+             const CompareRunsOptions& options) {
+  const std::size_t n = site.runs.size();
+  const auto scores = scoreRuns(meansOf(site), reference, options.score);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double trust = scores[i] ? scores[i]->trust : 0;
+    site.trust.push_back(reference ? double(i == *reference) : trust);
+  }
+  const std::vector<Measure> coverage = coverageOf(site), rooms = roomsMatchedOf(site);
+  for (std::size_t i = 0; i < n; ++i) {
+    ComparedRun run;
+    run.name = site.runs[i]->name, run.file = site.runs[i]->file;
+    run.pose = site.poses[i];
+    run.score = scores[i];
+    run.measures = wallMeasuresOf(site, i);
+    run.measures.insert(run.measures.begin(), coverage[i]);
+    run.measures.push_back(rooms[i]);
+    run.reason = scores[i]        ? reasonOf(*scores[i])
+                 : reference == i ? "the others are measured against it"
+                                  : "no other run to compare it with";
+    result.runs.push_back(std::move(run));
+  }
+}
+
+void rank(std::vector<ComparedRun>& runs) {
+  const auto key = [](const ComparedRun& run) {
+    return std::make_tuple(!run.score, run.score ? run.score->distance : 0, run.name);
+  };
+  std::sort(runs.begin(), runs.end(),
+            [&](const ComparedRun& l, const ComparedRun& r) { return key(l) < key(r); });
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].score) continue;
+    const bool isSame = i > 0 && runs[i].score->distance - runs[i - 1].score->distance < kSameError;
+    runs[i].rank = isSame ? runs[i - 1].rank : i + 1;
+  }
+}
+
+ComparedPair pairOf(const PreparedRun& a, const PreparedRun& b, const Alignment& alignment) {
+  ComparedPair pair;
+  pair.a = a.name, pair.b = b.name;
+  pair.isSameSite = alignment.isSameSite;
+  if (alignment.best) pair.transform = alignment.pose;
+  pair.confidence = alignment.confidence;
+  pair.overlap = alignment.overlap;
+  if (alignment.runnerUp) pair.runnerUp = alignment.runnerUp->pose;
+  pair.runnerUpConfidence = alignment.runnerUpConfidence;
+  return pair;
+}
+
+void measurePair(ComparedPair& pair, const PlacedRuns& site, std::size_t i, std::size_t j) {
+  WallDistances both = site.distances[i][j];
+  both.add(site.distances[j][i]);
+  Measure mean;
+  mean.name = "wall_distance_mean", mean.unit = "m", mean.support = both.count;
+  if (both.count > 0) mean.value = both.mean();
+  mean.isMeaningful = both.count >= RunScoreOptions{}.minCount;
+  pair.measures.push_back(mean);
+  for (const auto& [name, share] :
+       {std::make_pair("wall_distance", 0.5), std::make_pair("wall_distance_p90", 0.9)}) {
+    Measure measure;
+    measure.name = name, measure.unit = "m", measure.support = both.count;
+    if (both.count > 0) measure.value = both.quantile(share);
+    measure.isMeaningful = both.count >= RunScoreOptions{}.minCount;
+    pair.measures.push_back(measure);
+  }
+}
+
+void addPairs(Comparison& result, const std::vector<PreparedRun>& runs, const Pairs& pairs,
+              const std::vector<Alignment>& alignments, const Site& site,
+              const PlacedRuns& inSite) {
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto [a, b] = pairs[k];
+    ComparedPair pair = pairOf(runs[a], runs[b], alignments[k]);
+    const auto i = std::lower_bound(site.runs.begin(), site.runs.end(), a);
+    const auto j = std::lower_bound(site.runs.begin(), site.runs.end(), b);
+    if (i != site.runs.end() && *i == a && j != site.runs.end() && *j == b)
+      measurePair(pair, inSite, std::size_t(i - site.runs.begin()),
+                  std::size_t(j - site.runs.begin()));
+    result.pairs.push_back(std::move(pair));
+  }
+}
+
+std::string verdictOf(const Comparison& result) {
+  if (result.runs.size() < 2) return "No two runs are of the same site: nothing can be compared.";
+  const ComparedRun &best = result.runs[0], &next = result.runs[1];
+  if (!best.score) return "The runs share no walls: nothing can be compared.";
+  if (!result.reference && result.runs.size() == 2)
+    return formatted("Two runs cannot tell which is better: their walls lie %.3f m apart.",
+                     best.score->distance);
+  std::string text =
+      best.name + formatted(
+                      " is the best map, with score %.1f (%.1f to %.1f) and a map error of "
+                      "about %.2f m",
+                      best.score->score, best.score->low, best.score->high, best.score->mapError);
+  if (next.score && next.score->high >= best.score->low)
+    text += "; " + next.name + " may be as good";
+  if (!best.score->isMeaningful) text += ", but there is too little to judge by";
+  return text + ".";
+}
+
+}  // namespace
+
+void sortRuns(std::vector<PreparedRun>& runs) {
+  std::sort(runs.begin(), runs.end(), [](const PreparedRun& l, const PreparedRun& r) {
+    return std::tie(l.sha256, l.name, l.file) < std::tie(r.sha256, r.name, r.file);
+  });
+}
+
+Pairs pairsOf(std::size_t runs) {
+  Pairs pairs;
+  for (std::size_t a = 0; a < runs; ++a)
+    for (std::size_t b = a + 1; b < runs; ++b) pairs.emplace_back(a, b);
+  return pairs;
+}
+
+Alignment trustedAlignment(const MapForAlignment& a, const MapForAlignment& b) {
+  Alignment alignment;
+  alignment.best = AlignmentCandidate{};
+  alignment.best->evidence = verifyAlignment(a, b, {}, {});
+  alignment.overlap = alignment.best->evidence.overlap;
+  alignment.confidence = alignment.siteConfidence = 1;
+  alignment.isSameSite = true;
+  return alignment;
+}
+
+Comparison compareRuns(const std::vector<PreparedRun>& runs,
+                       const std::vector<Alignment>& alignments,
+                       const CompareRunsOptions& options) {
+  const Pairs pairs = pairsOf(runs.size());
+  if (alignments.size() != pairs.size())
+    throw UsageError("compare_runs: there are " + std::to_string(pairs.size()) + " pairs, but " +
+                     std::to_string(alignments.size()) + " alignments");
+  if (options.reference && *options.reference >= runs.size())
+    throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
+  Comparison result;
+  if (runs.empty()) {
+    result.verdict = verdictOf(result);
+    return result;
+  }
+  const Site site = siteOf(runs, pairs, alignments, options);
+  PlacedRuns inSite = placed(runs, site);
+  std::optional<std::size_t> reference;
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (options.reference == site.runs[i]) reference = i;
+  if (reference) result.reference = runs[*options.reference].name;
+  addRuns(result, inSite, reference, options);
+  rank(result.runs);
+  addPairs(result, runs, pairs, alignments, site, inSite);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (!std::binary_search(site.runs.begin(), site.runs.end(), i))
+      result.leftOut.push_back(
+          {runs[i].name, runs[i].file, "does not lie in the same site as the others", true});
+  result.verdict = verdictOf(result);
+  return result;
+}
+
+}  // namespace roomgraph

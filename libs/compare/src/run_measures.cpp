@@ -1,0 +1,211 @@
+#include "roomgraph/compare/run_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/compare/match_rooms.h"
+#include "roomgraph/compare/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMinArea = 10;  // of the site, for a coverage that means something [m2]
+constexpr double kMinPoints = 300, kMinRooms = 3;
+constexpr std::size_t kMinRuns = 3;
+
+/** A frame around all placed runs. */
+GridFrame siteFrame(const PlacedRuns& site) {
+  Point low{1e30, 1e30}, high{-1e30, -1e30};
+  double cell = 0.1;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    cell = std::max(cell, site.runs[i]->map.frame.resolution);
+    for (const WallPoint& wall : site.runs[i]->map.walls) {
+      const Point p = site.poses[i](wall.place);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  return {int((high.x - low.x) / cell) + 1, int((high.y - low.y) / cell) + 1, cell, low};
+}
+
+bool isFreeIn(const MapForAlignment& map, Point p) {
+  const std::size_t cell = cellIndexAt(map.frame, p);
+  return cell < map.states.size() && map.states[cell] == State::free;
+}
+
+/** Cells by who has seen them free. */
+struct SeenCells {
+  std::vector<std::uint16_t> count;
+  std::vector<std::uint32_t> sum;  ///< of the indices of the runs that have seen it
+  std::vector<std::vector<bool>> by;
+};
+
+SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame) {
+  SeenCells seen{std::vector<std::uint16_t>(frame.cellCount()),
+                 std::vector<std::uint32_t>(frame.cellCount()),
+                 {}};
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    std::vector<bool> by(frame.cellCount());
+    const Transform2D back = site.poses[i].inverse();
+    const double c = std::cos(back.phi), s = std::sin(back.phi);
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        const Point p = frame.center({x, y});
+        if (!isFreeIn(site.runs[i]->map, {c * p.x - s * p.y + back.x, s * p.x + c * p.y + back.y}))
+          continue;
+        const std::size_t cell = frame.index({x, y});
+        by[cell] = true;
+        ++seen.count[cell];
+        seen.sum[cell] += std::uint32_t(i);
+      }
+    seen.by.push_back(std::move(by));
+  }
+  return seen;
+}
+
+void widen(Measure& measure, double value) {
+  measure.low = measure.low ? std::min(*measure.low, value) : value;
+  measure.high = measure.high ? std::max(*measure.high, value) : value;
+}
+
+Measure wallMeasure(const PlacedRuns& site, std::size_t run, const char* name, double share) {
+  Measure measure;
+  measure.name = name, measure.unit = "m";
+  std::size_t others = 0;
+  const auto pooled = [&](std::size_t but) {
+    WallDistances all;
+    for (std::size_t j = 0; j < site.runs.size(); ++j)
+      if (j != run && j != but) all.add(site.distances[run][j], site.trust[j]);
+    return all;
+  };
+  for (std::size_t j = 0; j < site.runs.size(); ++j) {
+    if (j == run || site.trust[j] * site.distances[run][j].count <= 0) continue;
+    measure.support += site.distances[run][j].count;
+    ++others;
+  }
+  if (others == 0) return measure;
+  measure.value = pooled(run).quantile(share);
+  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinPoints;
+  if (others < 2) return measure;
+  for (std::size_t j = 0; j < site.runs.size(); ++j)
+    if (j != run && site.trust[j] * site.distances[run][j].count > 0)
+      widen(measure, pooled(j).quantile(share));
+  return measure;
+}
+
+/** The rooms of a run, in the frame of the site. */
+std::vector<GraphRoom> roomsInSite(const PreparedRun& run, const Transform2D& pose) {
+  std::vector<GraphRoom> rooms = run.rooms;
+  for (GraphRoom& room : rooms) {
+    room.center = pose(room.center);
+    for (Point& p : room.shape.polygon.outer) p = pose(p);
+    for (Ring& hole : room.shape.polygon.holes)
+      for (Point& p : hole) p = pose(p);
+  }
+  return rooms;
+}
+
+/** How many rooms of another run this one could have, and how many it has. */
+struct RoomCount {
+  double visible = 0, matched = 0;
+};
+
+RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isMatched,
+                     const MapForAlignment& map, const Transform2D& back) {
+  RoomCount count;
+  for (std::size_t r = 0; r < others.size(); ++r) {
+    if (isMatched[r]) ++count.matched;
+    if (isMatched[r] || isFreeIn(map, back(others[r].center))) ++count.visible;
+  }
+  return count;
+}
+
+Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<RoomCount>& counts) {
+  Measure measure;
+  measure.name = "rooms_matched";
+  std::size_t others = 0;
+  const auto share = [&](std::size_t but) -> std::optional<double> {
+    RoomCount sum;
+    for (std::size_t j = 0; j < counts.size(); ++j) {
+      if (j == run || j == but) continue;
+      sum.visible += site.trust[j] * counts[j].visible;
+      sum.matched += site.trust[j] * counts[j].matched;
+    }
+    if (sum.visible <= 0) return std::nullopt;
+    return sum.matched / sum.visible;
+  };
+  for (std::size_t j = 0; j < counts.size(); ++j) {
+    if (j == run || site.trust[j] * counts[j].visible <= 0) continue;
+    measure.support += counts[j].visible;
+    ++others;
+  }
+  measure.value = share(run);
+  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinRooms;
+  if (others < 2) return measure;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    if (const auto without = share(j); j != run && without) widen(measure, *without);
+  return measure;
+}
+
+}  // namespace
+
+std::vector<Measure> coverageOf(const PlacedRuns& site) {
+  const GridFrame frame = siteFrame(site);
+  const SeenCells seen = seenCells(site, frame);
+  const std::size_t n = site.runs.size();
+  double all = 0;
+  std::vector<double> mine(n), onlyTwo(n);  // cells; those that only one more run has seen
+  std::vector<std::vector<double>> onlyThese(n, std::vector<double>(n));
+  for (std::size_t cell = 0; cell < seen.count.size(); ++cell) {
+    if (seen.count[cell] < 2) continue;
+    ++all;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!seen.by[i][cell]) continue;
+      ++mine[i];
+      if (seen.count[cell] != 2) continue;
+      ++onlyTwo[i];
+      ++onlyThese[i][seen.sum[cell] - i];
+    }
+  }
+  std::vector<Measure> measures(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    measures[i].name = "coverage";
+    measures[i].support = all;
+    if (all == 0) continue;
+    measures[i].value = mine[i] / all;
+    measures[i].isMeaningful =
+        n >= kMinRuns && all * frame.resolution * frame.resolution >= kMinArea;
+    for (std::size_t j = 0; n > 2 && j < n; ++j)
+      if (j != i && all > onlyTwo[j])
+        widen(measures[i], (mine[i] - onlyThese[i][j]) / (all - onlyTwo[j]));
+  }
+  return measures;
+}
+
+std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
+  return {wallMeasure(site, run, "wall_distance", 0.5),
+          wallMeasure(site, run, "wall_distance_p90", 0.9)};
+}
+
+std::vector<Measure> roomsMatchedOf(const PlacedRuns& site) {
+  const GridFrame frame = siteFrame(site);
+  const std::size_t n = site.runs.size();
+  std::vector<std::vector<GraphRoom>> rooms;
+  for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
+  std::vector<std::vector<RoomCount>> counts(n, std::vector<RoomCount>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
+      for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
+        ofI[match.base.index()] = true;
+        ofJ[match.other.index()] = true;
+      }
+      counts[i][j] = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
+      counts[j][i] = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
+    }
+  std::vector<Measure> measures;
+  for (std::size_t i = 0; i < n; ++i) measures.push_back(roomMeasure(site, i, counts[i]));
+  return measures;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,56 @@
+# `roomgraph compare` ranks maps of one site, leaves bad ones out, and can be a gate.
+. "$(dirname "$0")/common.sh"
+map=$source_dir/share/roomgraph/maps/office.gridmap.gz
+cp "$map" a.gridmap.gz
+cp "$map" b.gridmap.gz
+cp "$map" c.gridmap.gz
+
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz c.gridmap.gz -o o
+grep -qE '^ +1 +c +100\.0' out || { cat out; fail "no ranking"; }
+grep -q 'is the best map' out || fail "no verdict"
+[ ! -s err ] || fail "something went to stderr"
+python3 - o/comparison.json <<'P'
+import json, sys
+result = json.load(open(sys.argv[1]))
+assert result["format"] == "roomgraph/comparison" and result["version"] == 1, result
+assert [r["score"] for r in result["runs"]] == [100, 100, 100], result["runs"]
+assert all(r["measures"]["wall_distance"]["value"] == 0 for r in result["runs"])
+assert all(r["measures"]["rooms_matched"]["value"] == 1 for r in result["runs"])
+assert all(p["same_site"] for p in result["pairs"]) and len(result["pairs"]) == 3
+P
+[ "$(wc -l < o/comparison.runs.csv)" -eq 4 ] || fail "not a line for each run"
+
+# Neither the order nor the number of threads changes a byte.
+expect 0 "$roomgraph" compare c.gridmap.gz a.gridmap.gz b.gridmap.gz -o o2 --threads 1 -q
+[ ! -s out ] || fail "not quiet"
+diff -r o o2
+
+# The frames are trusted where the user says so.
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --aligned -o aligned
+grep -q '"pose":\[0.0,0.0,0.0\]' aligned/comparison.json || fail "moved"
+
+# A reference gets no rank.
+expect 0 "$roomgraph" compare a.gridmap.gz --reference b.gridmap.gz -o reference
+grep -q '"reference": "b"' reference/comparison.json || fail "no reference"
+
+# What cannot be read, or is another building, is left out.
+echo junk > junk.gridmap
+expect 1 "$roomgraph" compare a.gridmap.gz junk.gridmap b.gridmap.gz -o bad
+one_line err junk.gridmap
+grep -q '"left_out": \[$' bad/comparison.json || fail "junk is not reported"
+[ "$(wc -l < bad/comparison.runs.csv)" -eq 3 ] || fail "the rest is not compared"
+rooms other.pgm
+expect 0 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o other
+one_line err other.pgm site
+
+# The gate.
+expect 3 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o other --fail-on not-same-site
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 90 \
+  --fail-on coverage,not-same-site
+expect 3 "$roomgraph" compare a.gridmap.gz other.pgm -o gate --fail-below 90
+
+expect 2 "$roomgraph" compare a.gridmap.gz
+expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-on broken
+expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-below 200
+expect 1 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --reference missing.pgm -o o3
+[ ! -e o3/comparison.json ] || fail "a comparison without its reference"

@@ -1,0 +1,192 @@
+#include "roomgraph/compare/compare_runs.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "drawn_building.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/comparison_json.h"
+
+namespace roomgraph {
+namespace {
+
+using test::drawnBuilding;
+
+PreparedRun run(const std::string& name, const Grid& grid) {
+  return {name, name + ".gridmap", "hash of " + name, mapForAlignment(grid, {}), {}};
+}
+
+/** The map with its right half turned by `angle` about the middle, as a jump of the heading does.
+ */
+Grid bent(const Grid& grid, double angle) {
+  Grid result = grid;
+  const GridFrame& f = grid.frame;
+  const Point middle = f.center({f.width / 2, f.height / 2});
+  for (int y = 0; y < f.height; ++y)
+    for (int x = f.width / 2; x < f.width; ++x) {
+      const Point from = turned(f.center({x, y}) - middle, -angle) + middle;
+      result.cells[f.index({x, y})] = grid.atOrUnknown(f.cellAt(from));
+    }
+  return result;
+}
+
+Comparison compared(std::vector<PreparedRun> runs, CompareRunsOptions options = {}) {
+  sortRuns(runs);
+  std::vector<Alignment> alignments;
+  for (const auto& [a, b] : pairsOf(runs.size()))
+    alignments.push_back(alignMaps(runs[a].map, runs[b].map, {}));
+  return compareRuns(runs, alignments, options);
+}
+
+std::vector<PreparedRun> threeGoodAndABentRun() {
+  const Grid turnedMap = drawnBuilding(1, {3, -4, 0.4});
+  return {run("c", drawnBuilding(1, {})), run("bent", bent(turnedMap, 0.08)),
+          run("a", drawnBuilding(1, {-7, 2, 2.5})), run("b", drawnBuilding(1, {0, 1, -1.2}))};
+}
+
+const Measure& measureOf(const ComparedRun& run, const std::string& name) {
+  return *std::find_if(run.measures.begin(), run.measures.end(),
+                       [&](const Measure& m) { return m.name == name; });
+}
+
+TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
+  const Grid map = drawnBuilding(2, {5, 6, 0.3});
+  const Comparison result = compared({run("a", map), run("b", map)});
+  ASSERT_EQ(result.runs.size(), 2u);
+  for (const ComparedRun& one : result.runs) {
+    ASSERT_TRUE(one.score);
+    EXPECT_EQ(one.score->score, 100);
+    EXPECT_EQ(one.score->distance, 0);
+    EXPECT_EQ(one.score->mapError, 0);
+    EXPECT_EQ(one.rank, 1u);
+    EXPECT_FALSE(one.score->isMeaningful) << "two runs only";
+    EXPECT_EQ(measureOf(one, "wall_distance_p90").value, 0);
+    EXPECT_EQ(measureOf(one, "coverage").value, 1);
+  }
+  EXPECT_EQ(result.pairs[0].measures[0].value, 0);
+}
+
+TEST(CompareRuns, aBentRunRanksLast) {
+  const Comparison result = compared(threeGoodAndABentRun());
+  ASSERT_EQ(result.runs.size(), 4u);
+  EXPECT_EQ(result.runs[3].name, "bent");
+  EXPECT_EQ(result.runs[3].rank, 4u);
+  EXPECT_TRUE(result.runs[3].score->isMeaningful);
+  EXPECT_GT(result.runs[2].score->low, result.runs[3].score->score);
+  EXPECT_LT(result.runs[3].score->trust, 0.5 * result.runs[2].score->trust);
+  EXPECT_EQ(result.verdict.rfind(result.runs[0].name + " is the best map", 0), 0u);
+}
+
+TEST(CompareRuns, theOrderOfTheRunsChangesNothing) {
+  std::vector<PreparedRun> runs = threeGoodAndABentRun();
+  const Comparison one = compared(runs);
+  std::reverse(runs.begin(), runs.end());
+  EXPECT_EQ(comparisonJson(one), comparisonJson(compared(runs)));
+}
+
+TEST(CompareRuns, aRunOfAnotherBuildingIsLeftOut) {
+  const Comparison result =
+      compared({run("a", drawnBuilding(1, {})), run("b", drawnBuilding(1, {2, 3, 1})),
+                run("other", drawnBuilding(11, {}))});
+  ASSERT_EQ(result.runs.size(), 2u);
+  ASSERT_EQ(result.leftOut.size(), 1u);
+  EXPECT_EQ(result.leftOut[0].name, "other");
+  EXPECT_TRUE(result.leftOut[0].isOtherSite);
+  EXPECT_EQ(result.pairs.size(), 3u);
+}
+
+TEST(CompareRuns, aReferenceIsWhatAllAreMeasuredAgainst) {
+  CompareRunsOptions options;
+  options.reference = 1;  // "hash of b"
+  const Comparison result = compared(
+      {run("a", bent(drawnBuilding(1, {}), 0.08)), run("b", drawnBuilding(1, {2, 3, 1}))}, options);
+  EXPECT_EQ(result.reference, "b");
+  ASSERT_EQ(result.runs.size(), 2u);
+  EXPECT_EQ(result.runs[0].name, "a");
+  EXPECT_TRUE(result.runs[0].score->isMeaningful);
+  EXPECT_LT(result.runs[0].score->score, 99);
+  EXPECT_FALSE(result.runs[1].score);
+  EXPECT_EQ(result.runs[1].pose.phi, 0);
+}
+
+TEST(CompareRuns, nothingToCompareIsSaid) {
+  EXPECT_TRUE(compared({}).runs.empty());
+  const Comparison one = compared({run("a", drawnBuilding(1, {}))});
+  ASSERT_EQ(one.runs.size(), 1u);
+  EXPECT_FALSE(one.runs[0].score);
+  EXPECT_NE(one.verdict.find("nothing can be compared"), std::string::npos);
+}
+
+TEST(CompareRuns, refusesAWrongNumberOfAlignments) {
+  EXPECT_THROW(compareRuns(threeGoodAndABentRun(), {}, {}), UsageError);
+  CompareRunsOptions options;
+  options.reference = 3;
+  EXPECT_THROW(compareRuns({}, {}, options), UsageError);
+}
+
+TEST(ScoreRuns, oneOutlierDoesNotMoveTheOthers) {
+  const auto withFour = [](double far) {
+    std::vector<std::vector<PairDistance>> d(5, std::vector<PairDistance>(5, {0.05, 1000}));
+    for (std::size_t i = 0; i < 4; ++i) d[i][4].mean = d[4][i].mean = far;
+    return scoreRuns(d, {}, {})[0]->distance;
+  };
+  EXPECT_NEAR(withFour(0.05), 0.05, 1e-9);
+  EXPECT_NEAR(withFour(0.9), 0.05, 0.01);
+}
+
+TEST(ScoreRuns, aLargerDistanceIsALowerScore) {
+  double last = 101;
+  for (const double far : {0.1, 0.15, 0.2, 0.3, 0.9}) {
+    std::vector<std::vector<PairDistance>> d(3, std::vector<PairDistance>(3, {far, 1000}));
+    const auto scores = scoreRuns(d, {}, {});
+    EXPECT_LT(scores[0]->score, last);
+    EXPECT_LE(scores[0]->low, scores[0]->score);
+    EXPECT_GE(scores[0]->high, scores[0]->score);
+    last = scores[0]->score;
+  }
+}
+
+std::string schemaComplaint(const std::string& text) {
+  std::ostringstream schemaFile;
+  schemaFile << std::ifstream(ROOMGRAPH_COMPARISON_SCHEMA).rdbuf();
+  rapidjson::Document schemaText, document;
+  schemaText.Parse(schemaFile.str().c_str());
+  if (schemaText.HasParseError()) return "the schema is no JSON";
+  document.Parse(text.c_str());
+  if (document.HasParseError()) return "the document is no JSON";
+  const rapidjson::SchemaDocument schema(schemaText);
+  rapidjson::SchemaValidator validator(schema);
+  return document.Accept(validator) ? "" : validator.GetInvalidSchemaKeyword();
+}
+
+TEST(ComparisonJson, followsTheSchema) {
+  Comparison result =
+      compared({run("a", drawnBuilding(1, {})), run("b", drawnBuilding(1, {2, 3, 1})),
+                run("other", drawnBuilding(11, {}))});
+  const std::string good = comparisonJson(result);
+  EXPECT_EQ(schemaComplaint(good), "");
+  EXPECT_EQ(schemaComplaint(comparisonJson({})), "");
+  for (const std::string name : {"runs", "pairs", "rooms", "breaks", "verdict", "map_error_low",
+                                 "same_site", "runner_up", "meaningful"}) {
+    std::string broken = good;
+    broken.replace(broken.find("\"" + name + "\""), name.size() + 2, "\"x\"");
+    EXPECT_NE(schemaComplaint(broken), "") << name;
+  }
+}
+
+TEST(ComparisonJson, theTableHasALineForEachRun) {
+  const std::string csv = comparisonRunsCsv(compared(threeGoodAndABentRun()));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  const std::size_t columns =
+      std::size_t(std::count(csv.begin(), csv.begin() + long(csv.find('\n')), ','));
+  EXPECT_EQ(std::size_t(std::count(csv.begin(), csv.end(), ',')), 5 * columns);
+}
+
+}  // namespace
+}  // namespace roomgraph
