@@ -37,6 +37,12 @@ bool hasAny(const Grid& grid, State state) {
   return std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end();
 }
 
+/** Of the disc that rooms are found with, no narrower than a path; 0 to split at doors [m]. */
+double discRadius(const FindRoomsOptions& options, double resolution, double clearance) {
+  const double radius = roomRadius(options, resolution);
+  return radius > 0 ? std::max(radius, clearance) : 0;
+}
+
 /** III-B with one alpha, or ours. */
 Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, const Stages& s) {
   KeepClearOptions anyPassage;
@@ -45,6 +51,16 @@ Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, co
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
   return splitAtDoors(voronoi, isInside, minClearance, resolution, s.options.splitAtDoors);
+}
+
+/** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
+RegionOutlines outlineRegions(const Stages& s, Stopwatch& watch) {
+  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
+  const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, s.options.keepInside);
+  watch.lap("voronoi_without");
+  const Regions regions = findRegions(voronoi, isInside, s);
+  watch.lap("find_rooms");
+  return regionOutlines(s.cleared.grid, voronoi, isInside, regions);
 }
 
 Note clutterNote(const std::vector<Clutter>& clutter) {
@@ -59,8 +75,9 @@ Note clutterNote(const std::vector<Clutter>& clutter) {
   return {"clutter", text, std::array<double, 2>{largest->center.x, largest->center.y}};
 }
 
-/** Why the result is empty, or lacks rooms. */
-void addEmptinessNotes(Stages& s) {
+/** What was left out of the map, and why the result is empty or lacks rooms. */
+void addNotes(Stages& s) {
+  if (!s.cleared.clutter.empty()) s.notes.push_back(clutterNote(s.cleared.clutter));
   const auto note = [&](const char* code, const char* text) {
     s.notes.push_back({code, text, std::nullopt});
   };
@@ -83,8 +100,7 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.notes = map.notes;
   const double resolution = map.frame.resolution;
   s.clearance = effectiveClearance(options.keepClear, resolution);
-  const double roomDisc = roomRadius(options.findRooms, resolution);
-  s.roomRadius = roomDisc > 0 ? std::max(roomDisc, s.clearance) : 0;
+  s.roomRadius = discRadius(options.findRooms, resolution, s.clearance);
   const double minLength = shortLength(options.shortDeadEnds, resolution);
   Stopwatch watch(s.timings);
 
@@ -116,16 +132,9 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   // III-B to III-G: the rooms
   s.cleared = clearClutter(s.grid, s.sites, options.clearClutter);
   watch.lap("clear_clutter");
-  {  // The diagram without clutter is as large as the other, and not needed for long.
-    const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
-    const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, options.keepInside);
-    watch.lap("voronoi_without");
-    const Regions regions = findRegions(voronoi, isInside, s);
-    watch.lap("find_rooms");
-    s.outlines = regionOutlines(s.cleared.grid, voronoi, isInside, regions);
-    s.rooms = s.outlines.rooms();
-    watch.lap("region_outlines");
-  }
+  s.outlines = outlineRegions(s, watch);
+  s.rooms = s.outlines.rooms();
+  watch.lap("region_outlines");
   s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
   watch.lap("border_vertices");
   s.cut = roomIds(cutPaths(s.largest, s.stretches), s.rooms, minLength);
@@ -139,8 +148,7 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   watch.lap("room_graph");
   s.areas = areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   watch.lap("area_graph");
-  if (!s.cleared.clutter.empty()) s.notes.push_back(clutterNote(s.cleared.clutter));
-  addEmptinessNotes(s);
+  addNotes(s);
   return s;
 }
 
