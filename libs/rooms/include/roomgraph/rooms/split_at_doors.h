@@ -16,7 +16,7 @@ struct SplitAtDoorsOptions {
   double maxWidth = 3.0;  ///< of a door [m]
   /** A region narrower than this share of its neighbour is not part of that, door or not. */
   double narrowRatio = 0.45;
-  double maxLeftoverArea = 1.25;  ///< a region with less joins a neighbour [m2]
+  double maxLeftoverArea = 1.1;   ///< a region with less joins a neighbour [m2]
   double minElongation = 0.75;    ///< a region that is shorter joins a neighbour
   double minRoomWidth = 1.95;     ///< of the largest disc in a room [m]
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
