@@ -88,11 +88,9 @@ void checkNotReplaced(const CompareTask& task, const std::vector<std::string>& r
   std::vector<std::string> inputs = task.files;
   inputs.push_back(task.reference);
   for (const std::string& result : results)
-    for (const std::string& input : inputs) {
-      std::error_code error;  // where one of them does not exist they are not the same
-      if (std::filesystem::equivalent(result, input, error) && !error)
+    for (const std::string& input : inputs)
+      if (areSameFile(result, input))
         throw UsageError(result + ": would replace a map: choose another folder with --output");
-    }
 }
 
 int run(const CompareArguments& arguments) {

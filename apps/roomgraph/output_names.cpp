@@ -39,13 +39,17 @@ std::string pictureOf(const std::string& mapFile) {
 }
 
 void checkNotReplaced(const std::string& result, const std::string& input) {
-  std::error_code error;  // where one of them does not exist they are not the same
-  if (fs::equivalent(result, input, error) && !error)
+  if (areSameFile(result, input))
     throw UsageError(result + ": would replace the map it is made from: choose another folder " +
                      "with --output, or other formats with --format");
 }
 
 }  // namespace
+
+bool areSameFile(const std::string& one, const std::string& other) {
+  std::error_code error;  // where one of them does not exist they are not the same
+  return fs::equivalent(one, other, error) && !error;
+}
 
 std::string outputStem(const std::string& mapFile) {
   std::string name = fs::path(mapFile).filename().string();

@@ -29,11 +29,6 @@ AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment
   return c;
 }
 
-Point middleOf(const MapForAlignment& map) {
-  const GridFrame& f = map.frame;
-  return f.origin + 0.5 * f.resolution * Point{double(f.width), double(f.height)};
-}
-
 bool areNear(const Transform2D& l, const Transform2D& r, Point middle, double turn, double place) {
   return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(middle), r(middle)) < place;
 }
@@ -73,7 +68,7 @@ Alignment alignOrdered(const MapForAlignment& a, const MapForAlignment& b,
   const std::vector<AlignmentCandidate> found = alignmentCandidates(a, b, options);
   if (found.empty()) return result;
   result.best = found.front();
-  const Point middle = middleOf(b);
+  const Point middle = b.middle();
   for (const AlignmentCandidate& c : found) {
     if (areNear(c.pose, result.best->pose, middle, kOtherTurn, kOtherPlace)) continue;
     result.runnerUp = c;
@@ -95,7 +90,7 @@ std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
   for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
     quick.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
   sortByScore(quick);
-  const Point middle = middleOf(b);
+  const Point middle = b.middle();
   std::vector<Transform2D> seen;
   for (const AlignmentCandidate& c : quick) {
     if (int(seen.size()) == options.count) break;

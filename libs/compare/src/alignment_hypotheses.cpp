@@ -179,10 +179,6 @@ MapForAlignment centred(const MapForAlignment& map, Point middle) {
   return out;
 }
 
-Point middleOf(const GridFrame& frame) {
-  return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
-}
-
 }  // namespace
 
 std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
@@ -190,7 +186,7 @@ std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
                                                      const AlignmentHypothesesOptions& options) {
   if (a.walls.empty() || b.walls.empty()) return {};
   const double cell = searchCell(a, b, options);
-  const Point middleA = middleOf(a.frame), middleB = middleOf(b.frame);
+  const Point middleA = a.middle(), middleB = b.middle();
   const MapForAlignment fixed = centred(a, middleA), moved = centred(b, middleB);
   const std::size_t maxPoints = std::size_t(options.maxPoints);
   const auto fixedPoints = searchPoints(fixed, 0, cell, maxPoints, 1);

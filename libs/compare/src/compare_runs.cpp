@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <tuple>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/UnionFind.h"
 #include "roomgraph/compare/run_measures.h"
 
 namespace roomgraph {
@@ -43,14 +43,12 @@ bool isJoined(const Alignment& alignment, const SitePosesOptions& options) {
 std::vector<std::size_t> membersOf(std::size_t runs, const Pairs& pairs,
                                    const std::vector<Alignment>& alignments,
                                    const CompareRunsOptions& options) {
-  std::vector<std::size_t> set(runs);  // of each run the first run it is joined to
-  std::iota(set.begin(), set.end(), std::size_t(0));
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (!isJoined(alignments[k], options.poses)) continue;
-    const std::size_t l = set[pairs[k].first], r = set[pairs[k].second];
-    for (std::size_t& s : set)
-      if (s == l || s == r) s = std::min(l, r);
-  }
+  UnionFind sets(runs);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    if (isJoined(alignments[k], options.poses))
+      sets.join(std::uint32_t(pairs[k].first), std::uint32_t(pairs[k].second));
+  std::vector<std::size_t> set;  // of each run the first run it is joined to
+  for (std::uint32_t i = 0; i < runs; ++i) set.push_back(sets.find(i));
   std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
   for (const std::size_t s : set) ++size[s].first;
   for (std::size_t k = 0; k < pairs.size(); ++k)

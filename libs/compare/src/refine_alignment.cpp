@@ -38,25 +38,22 @@ Transform2D moved(const Transform2D& pose, Point pivot, const Eigen::Vector3d& b
 
 Step stepAt(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
             double width, const RefineAlignmentOptions& options) {
-  const GridFrame& f = b.frame;
   Step step;
-  step.pivot = pose(f.origin + 0.5 * f.resolution * Point{double(f.width), double(f.height)});
-  const Transform2D back = pose.inverse();
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  const auto forth = [&](Point v) { return Point{c * v.x - s * v.y, s * v.x + c * v.y}; };
-  const auto rear = [&](Point v) { return Point{c * v.x + s * v.y, -s * v.x + c * v.y}; };
+  step.pivot = pose(b.middle());
+  const Motion2D forth(pose), back(pose.inverse());
   const std::size_t strideB = strideOf(b, options.maxPoints);
   for (std::size_t i = 0; i < b.walls.size(); i += strideB) {
-    const Point at = forth(b.walls[i].place) + pose.shift();
-    const WallPoint* wall = nearestWall(a, cellIndexAt(a.frame, at), forth(b.walls[i].normal));
+    const Point at = forth(b.walls[i].place);
+    const WallPoint* wall =
+        nearestWall(a, cellIndexAt(a.frame, at), forth.turned(b.walls[i].normal));
     if (wall) step.add(at, wall->place, wall->normal, width);
   }
   const std::size_t strideA = strideOf(a, options.maxPoints);
   for (std::size_t i = 0; i < a.walls.size(); i += strideA) {
-    const Point at = rear(a.walls[i].place) + back.shift();
-    const WallPoint* wall = nearestWall(b, cellIndexAt(b.frame, at), rear(a.walls[i].normal));
-    if (wall)
-      step.add(forth(wall->place) + pose.shift(), a.walls[i].place, forth(wall->normal), width);
+    const Point at = back(a.walls[i].place);
+    const WallPoint* wall =
+        nearestWall(b, cellIndexAt(b.frame, at), back.turned(a.walls[i].normal));
+    if (wall) step.add(forth(wall->place), a.walls[i].place, forth.turned(wall->normal), width);
   }
   return step;
 }

@@ -46,13 +46,10 @@ SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame) {
                  {}};
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     std::vector<bool> by(frame.cellCount());
-    const Transform2D back = site.poses[i].inverse();
-    const double c = std::cos(back.phi), s = std::sin(back.phi);
+    const Motion2D back(site.poses[i].inverse());
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x) {
-        const Point p = frame.center({x, y});
-        if (!isFreeIn(site.runs[i]->map, {c * p.x - s * p.y + back.x, s * p.x + c * p.y + back.y}))
-          continue;
+        if (!isFreeIn(site.runs[i]->map, back(frame.center({x, y})))) continue;
         const std::size_t cell = frame.index({x, y});
         by[cell] = true;
         ++seen.count[cell];

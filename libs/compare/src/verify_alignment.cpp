@@ -47,12 +47,10 @@ void lookUpAll(const MapForAlignment& of, const MapForAlignment& in, const Trans
       (of.walls.size() + std::size_t(options.maxPoints) - 1) / std::size_t(options.maxPoints);
   if (stride == 0) return;
   const double length = double(stride) * of.wallSpacing();
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
-  const auto turnedBy = [&](Point v) { return Point{c * v.x - s * v.y, s * v.x + c * v.y}; };
+  const Motion2D motion(pose);
   Sums part;
   for (std::size_t i = 0; i < of.walls.size(); i += stride)
-    part.lookUp(in, turnedBy(of.walls[i].place) + pose.shift(), turnedBy(of.walls[i].normal),
-                length, options);
+    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, options);
   // n nT in the frame of a, whichever map was looked up
   const double ct = std::cos(turn), st = std::sin(turn);
   const double xx = part.xx, xy = part.xy, yy = part.yy;
@@ -72,13 +70,11 @@ struct FreeCount {
 FreeCount countFree(const MapForAlignment& of, const MapForAlignment& in, const Transform2D& pose,
                     std::size_t maxCount) {
   const std::size_t stride = (of.freePlaces.size() + maxCount - 1) / maxCount;
-  const double c = std::cos(pose.phi), s = std::sin(pose.phi);
+  const Motion2D motion(pose);
   FreeCount count;
   for (std::size_t i = 0; i < of.freePlaces.size(); i += std::max<std::size_t>(1, stride)) {
     ++count.all;
-    const Point p = of.freePlaces[i];
-    const std::size_t at =
-        cellIndexAt(in.frame, {c * p.x - s * p.y + pose.x, s * p.x + c * p.y + pose.y});
+    const std::size_t at = cellIndexAt(in.frame, motion(of.freePlaces[i]));
     if (at == in.states.size()) continue;
     const State state = in.states[at];
     if (state == State::free) ++count.free;

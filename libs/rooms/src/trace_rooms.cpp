@@ -15,16 +15,10 @@ struct BoundaryEdge {
   bool isUsed = false;
 };
 
-/** Of the regions below `count`. */
-std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regions& regions,
-                                        std::uint32_t count) {
-  const auto traced = [&](std::uint32_t vertex) {
-    const std::uint32_t region = regions.of(vertex);
-    return region < count ? region : kNone;
-  };
+std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regions& regions) {
   std::vector<BoundaryEdge> boundary;
   for (const VoronoiEdge& edge : voronoi.edges) {
-    const auto source = traced(edge.source), target = traced(edge.target);
+    const auto source = regions.of(edge.source), target = regions.of(edge.target);
     // The disc of the alpha shape parts rooms, not corridors.
     if (source == target && (source >= regions.roomCount || edge.minClearance > regions.radius))
       continue;
@@ -117,18 +111,20 @@ class RingTracer {
   std::vector<std::uint32_t> place_;      // of a site in the open ring
 };
 
-Rooms traceBelow(const VoronoiGraph& voronoi, const Regions& regions, std::uint32_t count) {
-  Rooms rooms(count);
-  for (std::uint32_t r = 0; r < count; ++r) rooms[r].region = r;
+}  // namespace
+
+Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
+  Rooms rooms(regions.count);
+  for (std::uint32_t r = 0; r < regions.count; ++r) rooms[r].region = r;
   for (std::uint32_t v = 0; v < regions.regionOf.size(); ++v) {
-    if (regions.regionOf[v] >= count) continue;
+    if (regions.regionOf[v] == kNone) continue;
     Room& room = rooms[regions.regionOf[v]];
     const VoronoiVertex& vertex = voronoi.vertices[v];
     if (vertex.clearance <= room.inscribedRadius) continue;
     room.inscribedRadius = vertex.clearance;
     room.widestPlace = vertex.at;
   }
-  RingTracer(voronoi, boundaryEdges(voronoi, regions, count))
+  RingTracer(voronoi, boundaryEdges(voronoi, regions))
       .run([&](std::uint32_t room, const Ring& ring) {
         Polygon& polygon = rooms[room].polygon;
         if (signedArea(ring) > signedArea(polygon.outer))
@@ -139,14 +135,10 @@ Rooms traceBelow(const VoronoiGraph& voronoi, const Regions& regions, std::uint3
   return rooms;
 }
 
-}  // namespace
-
 Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions) {
-  return traceBelow(voronoi, regions, regions.roomCount);
-}
-
-Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
-  return traceBelow(voronoi, regions, regions.count);
+  Rooms rooms = traceRegions(voronoi, regions);
+  rooms.resize(regions.roomCount);
+  return rooms;
 }
 
 }  // namespace roomgraph

@@ -41,6 +41,9 @@ struct MapForAlignment {
   double freeArea = 0;            ///< [m2]
   std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle
 
+  Point middle() const {  ///< of `frame` [m]
+    return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
+  }
   double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
 };
 

@@ -38,6 +38,22 @@ struct Transform2D {
   }
 };
 
+/** A transform made ready for many places: sine and cosine are taken once. */
+class Motion2D {
+ public:
+  explicit Motion2D(const Transform2D& transform)
+      : cos_(std::cos(transform.phi)), sin_(std::sin(transform.phi)), shift_(transform.shift()) {}
+
+  /** The direction in a of a direction in b. */
+  Point turned(Point v) const { return {cos_ * v.x - sin_ * v.y, sin_ * v.x + cos_ * v.y}; }
+  /** The place in a of a place in b. */
+  Point operator()(Point p) const { return turned(p) + shift_; }
+
+ private:
+  double cos_, sin_;
+  Point shift_;
+};
+
 /** The transform that turns by `phi` and carries `from` to `to`. */
 inline Transform2D carrying(Point from, Point to, double phi) {
   const Point shift = to - turned(from, phi);
