@@ -75,6 +75,14 @@ Json pairJson(const ComparedPair& pair) {
           {"measures", measuresJson(pair.measures)}};
 }
 
+Json breakJson(const MapBreak& bend) {
+  return {{"run", bend.run},
+          {"x", rounded(bend.place.x)},
+          {"y", rounded(bend.place.y)},
+          {"rotation_deg", rounded(bend.rotation * 180 / M_PI)},
+          {"shift_m", rounded(bend.shift)}};
+}
+
 /** A list with one entry per line. */
 template <class Things, class ToJson>
 std::string lines(const char* name, const Things& things, const ToJson& toJson) {
@@ -113,7 +121,8 @@ std::string comparisonJson(const Comparison& comparison) {
   text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
   });
-  text += "\"rooms\": [],\n\"breaks\": [],\n";
+  text += "\"rooms\": [],\n";
+  text += lines("breaks", comparison.breaks, breakJson);
   return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
 }
 

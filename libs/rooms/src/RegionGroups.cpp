@@ -1,6 +1,8 @@
 #include "RegionGroups.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "roomgraph/voronoi/face_areas.h"
 
@@ -9,16 +11,18 @@ namespace {
 
 std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                         double minClearance) {
-  std::vector<std::uint32_t> edges;
+  // The widths go along with the numbers: looking them up while sorting costs more than the sort.
+  std::vector<std::pair<double, std::uint32_t>> widths;
   for (std::uint32_t e = 0; e < voronoi.edges.size(); ++e) {
     const VoronoiEdge& edge = voronoi.edges[e];
     if (!edge.isInfinite() && isInside[edge.source] && isInside[edge.target] &&
         edge.minClearance >= minClearance)
-      edges.push_back(e);
+      widths.push_back({-edge.minClearance, e});
   }
-  std::stable_sort(edges.begin(), edges.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return voronoi.edges[a].minClearance > voronoi.edges[b].minClearance;
-  });
+  std::sort(widths.begin(), widths.end());
+  std::vector<std::uint32_t> edges;
+  edges.reserve(widths.size());
+  for (const auto& [width, e] : widths) edges.push_back(e);
   return edges;
 }
 
@@ -63,14 +67,22 @@ void RegionGroups::keepPassages() {
 
 std::map<std::uint32_t, RegionGroups::Neighbours> RegionGroups::neighbours() {
   keepPassages();
-  std::map<std::uint32_t, Neighbours> all;
+  std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> sides;
+  sides.reserve(2 * edges_.size());
   for (const std::uint32_t e : edges_) {
     const VoronoiEdge& edge = voronoi_.edges[e];
     const std::uint32_t a = find(edge.source), b = find(edge.target);
-    for (Passage* passage : {&all[a][b], &all[b][a]}) {
-      ++passage->count;
-      passage->clearance = std::max(passage->clearance, clearance(edge));
-    }
+    sides.push_back({a, b, clearance(edge)});
+    sides.push_back({b, a, clearance(edge)});
+  }
+  std::sort(sides.begin(), sides.end());
+  std::map<std::uint32_t, Neighbours> all;
+  for (const auto& [a, b, width] : sides) {
+    if (all.empty() || all.rbegin()->first != a) all.emplace_hint(all.end(), a, Neighbours());
+    Neighbours& around = all.rbegin()->second;
+    const auto passage = around.emplace_hint(around.end(), b, Passage());
+    ++passage->second.count;
+    passage->second.clearance = width;  // the widest comes last
   }
   return all;
 }

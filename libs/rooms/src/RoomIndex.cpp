@@ -6,11 +6,15 @@
 namespace roomgraph {
 
 template <class Visit>
-void RoomIndex::forBuckets(Point p, Point q, const Visit& visit) const {
-  const auto bucket = [&](double x) { return std::int32_t(std::floor(x / bucketSize_)); };
+void RoomIndex::Buckets::forEach(Point p, Point q, const Visit& visit) const {
+  const auto bucket = [&](double x) { return std::int32_t(std::floor(x / size)); };
   const auto lastX = bucket(std::max(p.x, q.x)), lastY = bucket(std::max(p.y, q.y));
   for (auto x = bucket(std::min(p.x, q.x)); x <= lastX; ++x)
     for (auto y = bucket(std::min(p.y, q.y)); y <= lastY; ++y) visit(Bucket{x, y});
+}
+
+void RoomIndex::Buckets::add(std::uint32_t thing, Point p, Point q) {
+  forEach(p, q, [&](Bucket bucket) { lists[bucket].push_back(thing); });
 }
 
 std::size_t RoomIndex::Rows::rowOf(double y) const {
@@ -50,10 +54,26 @@ bool RoomIndex::isInside(const Rows& rows, Point p) {
 }
 
 RoomIndex::RoomIndex(const Rooms& rooms, double clearance) {
+  addRooms(rooms);
   // A little less than twice, against rounding; far more than any edge along a wall.
-  const double shortest = 2 * clearance * (1 - 1e-9);
+  addOpenings(rooms, 2 * clearance * (1 - 1e-9));
+}
+
+void RoomIndex::addRooms(const Rooms& rooms) {
   double sum = 0;
-  const auto addOpenings = [&](const Ring& ring) {
+  for (const Room& room : rooms) {
+    rooms_.push_back(makeRows(room.polygon));
+    const Point diagonal = rooms_.back().box.high - rooms_.back().box.low;
+    sum += std::max(diagonal.x, diagonal.y);
+  }
+  if (sum > 0) roomBuckets_.size = sum / double(rooms_.size());
+  for (std::uint32_t i = 0; i < rooms_.size(); ++i)
+    roomBuckets_.add(i, rooms_[i].box.low, rooms_[i].box.high);
+}
+
+void RoomIndex::addOpenings(const Rooms& rooms, double shortest) {
+  double sum = 0;
+  const auto addRing = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point a = ring[i], b = ring[(i + 1) % ring.size()];
       if (distance(a, b) < shortest) continue;
@@ -62,22 +82,21 @@ RoomIndex::RoomIndex(const Rooms& rooms, double clearance) {
     }
   };
   for (const Room& room : rooms) {
-    rooms_.push_back(makeRows(room.polygon));
-    addOpenings(room.polygon.outer);
-    for (const Ring& hole : room.polygon.holes) addOpenings(hole);
+    addRing(room.polygon.outer);
+    for (const Ring& hole : room.polygon.holes) addRing(hole);
   }
-  bucketSize_ = openings_.empty() ? 1.0 : sum / double(openings_.size());
+  if (sum > 0) openingBuckets_.size = sum / double(openings_.size());
   for (std::uint32_t i = 0; i < openings_.size(); ++i)
-    forBuckets(openings_[i].first, openings_[i].second,
-               [&](Bucket bucket) { buckets_[bucket].push_back(i); });
+    openingBuckets_.add(i, openings_[i].first, openings_[i].second);
 }
 
 std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const {
   std::vector<std::uint32_t> found;
-  if (buckets_.empty()) return {};
-  forBuckets(p, q, [&](Bucket bucket) {
-    const auto it = buckets_.find(bucket);
-    if (it != buckets_.end()) found.insert(found.end(), it->second.begin(), it->second.end());
+  if (openings_.empty()) return {};
+  openingBuckets_.forEach(p, q, [&](Bucket bucket) {
+    const auto it = openingBuckets_.lists.find(bucket);
+    if (it == openingBuckets_.lists.end()) return;
+    found.insert(found.end(), it->second.begin(), it->second.end());
   });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -87,9 +106,14 @@ std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const 
 }
 
 RoomId RoomIndex::roomAt(Point p) const {
-  for (std::size_t i = 0; i < rooms_.size(); ++i)
-    if (isInside(rooms_[i], p)) return RoomId(i);
-  return RoomId::none();
+  RoomId room = RoomId::none();
+  roomBuckets_.forEach(p, p, [&](Bucket bucket) {
+    const auto it = roomBuckets_.lists.find(bucket);
+    if (it == roomBuckets_.lists.end()) return;
+    for (const std::uint32_t i : it->second)
+      if (!room && isInside(rooms_[i], p)) room = RoomId(i);
+  });
+  return room;
 }
 
 }  // namespace roomgraph

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -59,11 +60,53 @@ struct LeftOutRun {
   bool isOtherSite = false;  ///< it could be read, but does not lie in the site of the others
 };
 
+/** A place where a map bends: what lies on one side of it is turned and shifted as a whole. */
+struct MapBreak {
+  std::string run;      ///< name
+  Point place;          ///< [m, site frame]
+  double rotation = 0;  ///< of the far side against the near one [rad]
+  double shift = 0;     ///< of the far side at `place` [m]
+};
+
+/** Whether a run knows a room of the site. */
+enum class RoomSighting {
+  seen,       ///< one of its areas is this room
+  gone,       ///< it has looked there, and no area of it is this room
+  unvisited,  ///< it has not looked there
+};
+
+/** What one run says of a room of the site. All figures are against the consensus of the runs that
+ *  have seen it. */
+struct RoomInRun {
+  std::string run;  ///< name
+  RoomSighting sighting = RoomSighting::unvisited;
+  int pieces = 0;                           ///< areas of the run that make it up; 2 or more: split
+  bool isMerged = false;                    ///< its area holds another room of the site, too
+  std::optional<double> shift;              ///< of its middle [m]
+  std::optional<double> areaChange;         ///< share, 0.1 for 10 % larger
+  std::optional<double> boundaryAgreement;  ///< share of its outline that lies near the consensus
+  std::optional<double> lengthError;        ///< of a corridor, end to end [m]
+  int doorsGained = 0, doorsLost = 0;
+};
+
+/** A room or corridor of the site, over all runs. */
+struct SiteRoom {
+  std::string id;    ///< stays the same from call to call where names are kept
+  std::string name;  ///< given by the user; else the id
+  bool isCorridor = false;
+  Point center;     ///< [m, site frame]
+  Polygon polygon;  ///< as the most trusted run that has seen it draws it [m, site frame]
+  double area = 0;  ///< median over the runs that have seen it [m2]
+  std::vector<RoomInRun> runs;  ///< in the order of Comparison::runs
+};
+
 /** What is known of several runs of one site. */
 struct Comparison {
   std::vector<ComparedRun> runs;         ///< best first, then by name; those without a rank last
   std::vector<ComparedPair> pairs;       ///< of all runs that have walls, by name
   std::vector<LeftOutRun> leftOut;       ///< by name
+  std::vector<SiteRoom> rooms;           ///< by id
+  std::vector<MapBreak> breaks;          ///< by run, then along it
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
   std::string verdict;                   ///< one line
 };

@@ -21,7 +21,7 @@ class RoomIndex {
   std::vector<Opening> openingsNear(Point p, Point q) const;
 
   /** The room whose polygon holds `p` in its inside; none elsewhere. Rooms do not overlap. About
-   *  O(rooms + polygon points in the row of p). */
+   *  O(polygon points in the row of p). */
   RoomId roomAt(Point p) const;
 
  private:
@@ -31,9 +31,16 @@ class RoomIndex {
       return std::size_t(b.first) * 0x9E3779B97F4A7C15u ^ std::size_t(std::uint32_t(b.second));
     }
   };
-  /** Calls `visit` for every bucket that the box round p and q touches. */
-  template <class Visit>
-  void forBuckets(Point p, Point q, const Visit& visit) const;
+  /** Which things lie near a place: a lattice of squares, each with the things that touch it. */
+  struct Buckets {
+    double size = 1;  ///< of a square [m]
+    std::unordered_map<Bucket, std::vector<std::uint32_t>, BucketHash> lists;
+
+    /** Calls `visit` for every square that the box round p and q touches. */
+    template <class Visit>
+    void forEach(Point p, Point q, const Visit& visit) const;
+    void add(std::uint32_t thing, Point p, Point q);
+  };
 
   /** The polygon edges of one room by the rows of height rowHeight that they touch. */
   struct Rows {
@@ -46,10 +53,12 @@ class RoomIndex {
   static Rows makeRows(const Polygon& polygon);
   static bool isInside(const Rows& rows, Point p);
 
+  void addRooms(const Rooms& rooms);
+  void addOpenings(const Rooms& rooms, double shortest);
+
   std::vector<Rows> rooms_;
   std::vector<Opening> openings_;
-  double bucketSize_;
-  std::unordered_map<Bucket, std::vector<std::uint32_t>, BucketHash> buckets_;
+  Buckets roomBuckets_, openingBuckets_;
 };
 
 }  // namespace roomgraph
