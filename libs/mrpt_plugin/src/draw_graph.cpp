@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "draw_map.h"
+#include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "triangulate.h"
 
@@ -76,9 +77,21 @@ Point sideways(const Polyline& line, std::size_t i, bool isClosed) {
   return scale * sum;
 }
 
+/** The points that an eye can tell apart in a ribbon of this width; of a closed line, the first is
+ *  not repeated. */
+Polyline drawnPoints(Polyline line, bool isClosed, double width) {
+  constexpr double share = 0.05;
+  if (isClosed) line.push_back(line.front());
+  line = thinnedLine(line, share * width);
+  if (isClosed) line.pop_back();
+  return line;
+}
+
 /** A line as a flat ribbon: OpenGL's own lines are one pixel wide on most machines. */
-void addRibbon(viz::CSetOfTriangles& triangles, const Sheet& sheet, const Polyline& line,
+void addRibbon(viz::CSetOfTriangles& triangles, const Sheet& sheet, const Polyline& all,
                bool isClosed, double width, Layer layer, Color color) {
+  if (all.empty()) return;
+  const Polyline line = drawnPoints(all, isClosed, width);
   const std::size_t n = line.size();
   for (std::size_t i = 0; i + (isClosed ? 0 : 1) < n; ++i) {
     const std::size_t next = (i + 1) % n;

@@ -1,6 +1,6 @@
 #include "Pen.h"
 
-#include "thinned_line.h"
+#include "roomgraph/geometry/thinned_line.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "thinned_line.h"
+#include "roomgraph/geometry/thinned_line.h"
 
 #include <algorithm>
 
