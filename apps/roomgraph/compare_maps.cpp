@@ -46,8 +46,8 @@ class Comparing {
       if (!task_.reference.empty() && runs_[i].name == names_.back()) options.reference = i;
     if (!task_.reference.empty() && !options.reference)
       throw DataError(task_.reference + ": cannot be used as the reference: choose another one");
-    align();
-    result_.comparison = compareRuns(runs_, alignments_, options);
+    relate();
+    result_.comparison = compareRuns(runs_, related_, options);
     addUnread();
     return std::move(result_);
   }
@@ -76,16 +76,16 @@ class Comparing {
       if (one) runs_.push_back(std::move(*one));
   }
 
-  void align() {
+  void relate() {
     const auto pairs = pairsOf(runs_.size());
-    alignments_.resize(pairs.size());
+    related_.resize(pairs.size());
     JobList jobs;
     jobs.count = pairs.size();
     jobs.run = [&](std::size_t k, const std::function<void()>& stepDone) {
       const MapForAlignment &a = runs_[pairs[k].first].map, &b = runs_[pairs[k].second].map;
       JobReport report;
       try {
-        alignments_[k] = task_.isAligned ? trustedAlignment(a, b) : alignMaps(a, b, {});
+        related_[k] = task_.isAligned ? relateAlignedMaps(a, b) : relateMaps(a, b);
       } catch (...) {
         const Failure failure = currentFailure(runs_[pairs[k].second].file);
         report.err = failure.line;
@@ -110,7 +110,7 @@ class Comparing {
   const CompareTask& task_;
   std::vector<std::string> files_, names_, failures_;
   std::vector<PreparedRun> runs_;
-  std::vector<Alignment> alignments_;
+  std::vector<MapPair> related_;
   ComparedMaps result_;
 };
 

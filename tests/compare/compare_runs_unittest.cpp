@@ -16,32 +16,19 @@
 namespace roomgraph {
 namespace {
 
+using test::bent;
 using test::drawnBuilding;
 
 PreparedRun run(const std::string& name, const Grid& grid) {
   return {name, name + ".gridmap", "hash of " + name, mapForAlignment(grid, {}), {}};
 }
 
-/** The map with its right half turned by `angle` about the middle, as a jump of the heading does.
- */
-Grid bent(const Grid& grid, double angle) {
-  Grid result = grid;
-  const GridFrame& f = grid.frame;
-  const Point middle = f.center({f.width / 2, f.height / 2});
-  for (int y = 0; y < f.height; ++y)
-    for (int x = f.width / 2; x < f.width; ++x) {
-      const Point from = turned(f.center({x, y}) - middle, -angle) + middle;
-      result.cells[f.index({x, y})] = grid.atOrUnknown(f.cellAt(from));
-    }
-  return result;
-}
-
 Comparison compared(std::vector<PreparedRun> runs, CompareRunsOptions options = {}) {
   sortRuns(runs);
-  std::vector<Alignment> alignments;
+  std::vector<MapPair> related;
   for (const auto& [a, b] : pairsOf(runs.size()))
-    alignments.push_back(alignMaps(runs[a].map, runs[b].map, {}));
-  return compareRuns(runs, alignments, options);
+    related.push_back(relateMaps(runs[a].map, runs[b].map));
+  return compareRuns(runs, related, options);
 }
 
 std::vector<PreparedRun> threeGoodAndABentRun() {
@@ -62,7 +49,7 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
   for (const ComparedRun& one : result.runs) {
     ASSERT_TRUE(one.score);
     EXPECT_EQ(one.score->score, 100);
-    EXPECT_EQ(one.score->distance, 0);
+    EXPECT_EQ(one.score->bend, 0);
     EXPECT_EQ(one.score->mapError, 0);
     EXPECT_EQ(one.rank, 1u);
     EXPECT_FALSE(one.score->isMeaningful) << "two runs only";
@@ -123,33 +110,11 @@ TEST(CompareRuns, nothingToCompareIsSaid) {
   EXPECT_NE(one.verdict.find("nothing can be compared"), std::string::npos);
 }
 
-TEST(CompareRuns, refusesAWrongNumberOfAlignments) {
+TEST(CompareRuns, refusesAWrongNumberOfPairs) {
   EXPECT_THROW(compareRuns(threeGoodAndABentRun(), {}, {}), UsageError);
   CompareRunsOptions options;
   options.reference = 3;
   EXPECT_THROW(compareRuns({}, {}, options), UsageError);
-}
-
-TEST(ScoreRuns, oneOutlierDoesNotMoveTheOthers) {
-  const auto withFour = [](double far) {
-    std::vector<std::vector<PairDistance>> d(5, std::vector<PairDistance>(5, {0.05, 1000}));
-    for (std::size_t i = 0; i < 4; ++i) d[i][4].mean = d[4][i].mean = far;
-    return scoreRuns(d, {}, {})[0]->distance;
-  };
-  EXPECT_NEAR(withFour(0.05), 0.05, 1e-9);
-  EXPECT_NEAR(withFour(0.9), 0.05, 0.01);
-}
-
-TEST(ScoreRuns, aLargerDistanceIsALowerScore) {
-  double last = 101;
-  for (const double far : {0.1, 0.15, 0.2, 0.3, 0.9}) {
-    std::vector<std::vector<PairDistance>> d(3, std::vector<PairDistance>(3, {far, 1000}));
-    const auto scores = scoreRuns(d, {}, {});
-    EXPECT_LT(scores[0]->score, last);
-    EXPECT_LE(scores[0]->low, scores[0]->score);
-    EXPECT_GE(scores[0]->high, scores[0]->score);
-    last = scores[0]->score;
-  }
 }
 
 std::string schemaComplaint(const std::string& text) {

@@ -93,4 +93,16 @@ Grid squareHall(const Transform2D& pose) {
       pose, {-7, -7}, {7, 7});
 }
 
+Grid bent(const Grid& grid, double angle) {
+  Grid result = grid;
+  const GridFrame& f = grid.frame;
+  const Point middle = f.center({f.width / 2, f.height / 2});
+  for (int y = 0; y < f.height; ++y)
+    for (int x = f.width / 2; x < f.width; ++x) {
+      const Point from = turned(f.center({x, y}) - middle, -angle) + middle;
+      result.cells[f.index({x, y})] = grid.atOrUnknown(f.cellAt(from));
+    }
+  return result;
+}
+
 }  // namespace roomgraph::test

@@ -18,4 +18,8 @@ Grid drawnBuilding(std::uint32_t seed, const Transform2D& pose, const Seen& seen
 /** A square hall of 12 m with a pillar in its middle: the same after each quarter turn. */
 Grid squareHall(const Transform2D& pose);
 
+/** The map with its right half turned by `angle` about the middle, as a jump of the heading does.
+ */
+Grid bent(const Grid& grid, double angle);
+
 }  // namespace roomgraph::test

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/compare/axis_deviation.h"
+
 namespace roomgraph {
 namespace {
 
@@ -211,6 +213,8 @@ MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& opt
   map.depths = depthsOf(map.frame, map.states);
   for (int k = 0; k < kOctants; ++k)
     map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);
+  map.patches = wallPatches(map.walls, {});
+  map.axisDeviation = axisDeviation(map.walls);
   map.freePlaces = placesIn(coarse, map.frame);
   const auto free = std::count(map.states.begin(), map.states.end(), State::free);
   map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;

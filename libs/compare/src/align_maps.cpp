@@ -78,6 +78,8 @@ Alignment alignOrdered(const MapForAlignment& a, const MapForAlignment& b,
     result.best->pose = {};
   judge(result, options);
   result.pose = result.best->pose;
+  for (const AlignmentCandidate& c : found) result.poses.push_back(c.pose);
+  result.poses.front() = result.pose;
   return result;
 }
 
@@ -110,6 +112,7 @@ Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
   if (!isBefore(b, a)) return alignOrdered(a, b, options);
   Alignment result = alignOrdered(b, a, options);
   result.pose = result.pose.inverse();
+  for (Transform2D& pose : result.poses) pose = pose.inverse();
   if (result.best) result.best->pose = result.best->pose.inverse();
   if (result.runnerUp) result.runnerUp->pose = result.runnerUp->pose.inverse();
   return result;

@@ -14,6 +14,11 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
+/** The place of the pair a < b in pairsOf(runs). */
+std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs) {
+  return a * runs - a * (a + 1) / 2 + b - a - 1;
+}
+
 constexpr double kSameError = 1e-6;  // runs whose errors differ by less share a rank [m]
 
 template <class... Values>
@@ -35,25 +40,25 @@ struct Site {
   std::vector<Transform2D> poses;  ///< site <- run
 };
 
-bool isJoined(const Alignment& alignment, const SitePosesOptions& options) {
-  return alignment.isSameSite && alignment.confidence >= options.minConfidence;
+bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
+  return pair.alignment.isSameSite && pair.alignment.confidence >= options.minConfidence;
 }
 
 /** The runs of the site, see compareRuns. */
 std::vector<std::size_t> membersOf(std::size_t runs, const Pairs& pairs,
-                                   const std::vector<Alignment>& alignments,
+                                   const std::vector<MapPair>& related,
                                    const CompareRunsOptions& options) {
   UnionFind sets(runs);
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(alignments[k], options.poses))
+    if (isJoined(related[k], options.poses))
       sets.join(std::uint32_t(pairs[k].first), std::uint32_t(pairs[k].second));
   std::vector<std::size_t> set;  // of each run the first run it is joined to
   for (std::uint32_t i = 0; i < runs; ++i) set.push_back(sets.find(i));
   std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
   for (const std::size_t s : set) ++size[s].first;
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(alignments[k], options.poses))
-      size[set[pairs[k].first]].second += alignments[k].confidence;
+    if (isJoined(related[k], options.poses))
+      size[set[pairs[k].first]].second += related[k].alignment.confidence;
   const std::size_t chosen =
       options.reference ? set[*options.reference]
                         : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
@@ -71,9 +76,9 @@ std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
 }
 
 Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
-            const std::vector<Alignment>& alignments, const CompareRunsOptions& options) {
+            const std::vector<MapPair>& related, const CompareRunsOptions& options) {
   Site site;
-  site.runs = membersOf(runs.size(), pairs, alignments, options);
+  site.runs = membersOf(runs.size(), pairs, related, options);
   const auto placeOf = [&](std::size_t run) {
     return std::lower_bound(site.runs.begin(), site.runs.end(), run) - site.runs.begin();
   };
@@ -83,9 +88,9 @@ Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
   std::vector<PairPose> used;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [a, b] = pairs[k];
-    if (!isJoined(alignments[k], options.poses) || !isIn(a) || !isIn(b)) continue;
-    used.push_back({std::size_t(placeOf(a)), std::size_t(placeOf(b)), alignments[k].pose,
-                    alignments[k].confidence, middleOf(runs[b].map)});
+    if (!isJoined(related[k], options.poses) || !isIn(a) || !isIn(b)) continue;
+    used.push_back({std::size_t(placeOf(a)), std::size_t(placeOf(b)), related[k].alignment.pose,
+                    related[k].alignment.confidence, middleOf(runs[b].map)});
   }
   const std::size_t reference = options.reference ? std::size_t(placeOf(*options.reference))
                                                   : centreOf(site.runs.size(), used);
@@ -108,29 +113,54 @@ PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site) {
   return result;
 }
 
-std::vector<std::vector<PairDistance>> meansOf(const PlacedRuns& site) {
-  const std::size_t n = site.runs.size();
-  std::vector<std::vector<PairDistance>> means(n, std::vector<PairDistance>(n));
+/** What is known of all pairs of a site, [i][j] with i < j. */
+std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
+                                          std::size_t runs, const std::vector<MapPair>& related) {
+  const std::size_t n = members.runs.size();
+  std::vector<std::vector<MapPair>> pairs(n, std::vector<MapPair>(n));
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      WallDistances both = site.distances[std::min(i, j)][std::max(i, j)];
-      both.add(site.distances[std::max(i, j)][std::min(i, j)]);
-      means[i][j] = {both.mean(), both.count};
+    for (std::size_t j = i + 1; j < n; ++j) {
+      pairs[i][j] = related[pairIndex(members.runs[i], members.runs[j], runs)];
+      // Bent maps may not have found each other by themselves.
+      if (pairs[i][j].bInA.patches.empty())
+        follow(pairs[i][j], site.runs[i]->map, site.runs[j]->map,
+               {site.poses[i].inverse() * site.poses[j]});
     }
-  return means;
+  return pairs;
+}
+
+/** The better map of two follows the worse one over a part of it only: so the larger bend counts.
+ */
+std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs) {
+  const std::size_t n = pairs.size();
+  std::vector<std::vector<PairBend>> bends(n, std::vector<PairBend>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const MapPair& pair = pairs[i][j];
+      double walls = 0;
+      for (const FollowedWalls* way : {&pair.bInA, &pair.aInB})
+        for (const FollowedPatch& patch : way->patches) walls += patch.walls;
+      bends[i][j] = {std::max(pair.bInA.bend, pair.aInB.bend),
+                     std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical};
+      bends[j][i] = bends[i][j];
+    }
+  return bends;
 }
 
 std::string reasonOf(const RunScore& score) {
-  std::string text = formatted("its walls lie %.3f m from those of the %zu other %s",
-                               score.distance, score.others, score.others == 1 ? "run" : "runs");
+  std::string text =
+      formatted("bends %.2f m away from the %zu other %s, which its map error of %.2f m explains",
+                score.bend, score.others, score.others == 1 ? "run" : "runs", score.mapError);
   if (!score.isMeaningful) text += ", too little to judge by";
   return text;
 }
 
-void addRuns(Comparison& result, PlacedRuns& site, std::optional<std::size_t> reference,
-             const CompareRunsOptions& options) {
+void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector<PairBend>>& bends,
+             std::optional<std::size_t> reference, const CompareRunsOptions& options) {
   const std::size_t n = site.runs.size();
-  const auto scores = scoreRuns(meansOf(site), reference, options.score);
+  std::vector<std::optional<double>> deviations;
+  for (const PreparedRun* run : site.runs) deviations.push_back(run->map.axisDeviation);
+  const auto scores = scoreRuns(bends, deviations, reference, options.score);
   for (std::size_t i = 0; i < n; ++i) {
     const double trust = scores[i] ? scores[i]->trust : 0;
     site.trust.push_back(reference ? double(i == *reference) : trust);
@@ -141,8 +171,8 @@ void addRuns(Comparison& result, PlacedRuns& site, std::optional<std::size_t> re
     run.name = site.runs[i]->name, run.file = site.runs[i]->file;
     run.pose = site.poses[i];
     run.score = scores[i];
-    run.measures = wallMeasuresOf(site, i);
-    run.measures.insert(run.measures.begin(), coverage[i]);
+    run.measures = {coverage[i], bendOf(bends, site.trust, i), axisDeviationOf(*site.runs[i])};
+    for (const Measure& measure : wallMeasuresOf(site, i)) run.measures.push_back(measure);
     run.measures.push_back(rooms[i]);
     run.reason = scores[i]        ? reasonOf(*scores[i])
                  : reference == i ? "the others are measured against it"
@@ -153,13 +183,13 @@ void addRuns(Comparison& result, PlacedRuns& site, std::optional<std::size_t> re
 
 void rank(std::vector<ComparedRun>& runs) {
   const auto key = [](const ComparedRun& run) {
-    return std::make_tuple(!run.score, run.score ? run.score->distance : 0, run.name);
+    return std::make_tuple(!run.score, run.score ? run.score->mapError : 0, run.name);
   };
   std::sort(runs.begin(), runs.end(),
             [&](const ComparedRun& l, const ComparedRun& r) { return key(l) < key(r); });
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].score) continue;
-    const bool isSame = i > 0 && runs[i].score->distance - runs[i - 1].score->distance < kSameError;
+    const bool isSame = i > 0 && runs[i].score->mapError - runs[i - 1].score->mapError < kSameError;
     runs[i].rank = isSame ? runs[i - 1].rank : i + 1;
   }
 }
@@ -176,35 +206,45 @@ ComparedPair pairOf(const PreparedRun& a, const PreparedRun& b, const Alignment&
   return pair;
 }
 
-void measurePair(ComparedPair& pair, const PlacedRuns& site, std::size_t i, std::size_t j) {
+void measurePair(ComparedPair& pair, const PlacedRuns& site, const PairBend& bend, std::size_t i,
+                 std::size_t j) {
+  Measure apart, followed;
+  apart.name = "bend", apart.unit = "m";
+  followed.name = "followed";
+  apart.support = followed.support = bend.walls;
+  if (bend.share > 0) apart.value = bend.bend;
+  followed.value = bend.share;
+  apart.isMeaningful = followed.isMeaningful = bend.walls >= RunScoreOptions{}.minWalls;
+  pair.measures = {apart, followed};
   WallDistances both = site.distances[i][j];
   both.add(site.distances[j][i]);
   Measure mean;
   mean.name = "wall_distance_mean", mean.unit = "m", mean.support = both.count;
   if (both.count > 0) mean.value = both.mean();
-  mean.isMeaningful = both.count >= RunScoreOptions{}.minCount;
+  mean.isMeaningful = both.count >= RunScoreOptions{}.minWalls;
   pair.measures.push_back(mean);
   for (const auto& [name, share] :
        {std::make_pair("wall_distance", 0.5), std::make_pair("wall_distance_p90", 0.9)}) {
     Measure measure;
     measure.name = name, measure.unit = "m", measure.support = both.count;
     if (both.count > 0) measure.value = both.quantile(share);
-    measure.isMeaningful = both.count >= RunScoreOptions{}.minCount;
+    measure.isMeaningful = both.count >= RunScoreOptions{}.minWalls;
     pair.measures.push_back(measure);
   }
 }
 
 void addPairs(Comparison& result, const std::vector<PreparedRun>& runs, const Pairs& pairs,
-              const std::vector<Alignment>& alignments, const Site& site,
-              const PlacedRuns& inSite) {
+              const std::vector<MapPair>& related, const Site& site, const PlacedRuns& inSite,
+              const std::vector<std::vector<PairBend>>& bends) {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [a, b] = pairs[k];
-    ComparedPair pair = pairOf(runs[a], runs[b], alignments[k]);
+    ComparedPair pair = pairOf(runs[a], runs[b], related[k].alignment);
     const auto i = std::lower_bound(site.runs.begin(), site.runs.end(), a);
     const auto j = std::lower_bound(site.runs.begin(), site.runs.end(), b);
-    if (i != site.runs.end() && *i == a && j != site.runs.end() && *j == b)
-      measurePair(pair, inSite, std::size_t(i - site.runs.begin()),
-                  std::size_t(j - site.runs.begin()));
+    if (i != site.runs.end() && *i == a && j != site.runs.end() && *j == b) {
+      const auto inA = std::size_t(i - site.runs.begin()), inB = std::size_t(j - site.runs.begin());
+      measurePair(pair, inSite, bends[inA][inB], inA, inB);
+    }
     result.pairs.push_back(std::move(pair));
   }
 }
@@ -214,8 +254,8 @@ std::string verdictOf(const Comparison& result) {
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
   if (!best.score) return "The runs share no walls: nothing can be compared.";
   if (!result.reference && result.runs.size() == 2)
-    return formatted("Two runs cannot tell which is better: their walls lie %.3f m apart.",
-                     best.score->distance);
+    return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
+                     best.score->bend);
   std::string text =
       best.name + formatted(
                       " is the best map, with score %.1f (%.1f to %.1f) and a map error of "
@@ -242,23 +282,12 @@ Pairs pairsOf(std::size_t runs) {
   return pairs;
 }
 
-Alignment trustedAlignment(const MapForAlignment& a, const MapForAlignment& b) {
-  Alignment alignment;
-  alignment.best = AlignmentCandidate{};
-  alignment.best->evidence = verifyAlignment(a, b, {}, {});
-  alignment.overlap = alignment.best->evidence.overlap;
-  alignment.confidence = alignment.siteConfidence = 1;
-  alignment.isSameSite = true;
-  return alignment;
-}
-
-Comparison compareRuns(const std::vector<PreparedRun>& runs,
-                       const std::vector<Alignment>& alignments,
+Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<MapPair>& related,
                        const CompareRunsOptions& options) {
   const Pairs pairs = pairsOf(runs.size());
-  if (alignments.size() != pairs.size())
+  if (related.size() != pairs.size())
     throw UsageError("compare_runs: there are " + std::to_string(pairs.size()) + " pairs, but " +
-                     std::to_string(alignments.size()) + " alignments");
+                     std::to_string(related.size()) + " were related");
   if (options.reference && *options.reference >= runs.size())
     throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
   Comparison result;
@@ -266,15 +295,16 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs,
     result.verdict = verdictOf(result);
     return result;
   }
-  const Site site = siteOf(runs, pairs, alignments, options);
+  const Site site = siteOf(runs, pairs, related, options);
   PlacedRuns inSite = placed(runs, site);
   std::optional<std::size_t> reference;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
     if (options.reference == site.runs[i]) reference = i;
   if (reference) result.reference = runs[*options.reference].name;
-  addRuns(result, inSite, reference, options);
+  const auto bends = bendsOf(pairsIn(inSite, site, runs.size(), related));
+  addRuns(result, inSite, bends, reference, options);
   rank(result.runs);
-  addPairs(result, runs, pairs, alignments, site, inSite);
+  addPairs(result, runs, pairs, related, site, inSite, bends);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!std::binary_search(site.runs.begin(), site.runs.end(), i))
       result.leftOut.push_back(

@@ -54,7 +54,7 @@ Json runJson(const ComparedRun& run) {
           {"meaningful", run.score && run.score->isMeaningful},
           {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
           {"reason", run.reason},
-          {"consensus_distance_m", of(&RunScore::distance)},
+          {"bend_m", of(&RunScore::bend)},
           {"trust", of(&RunScore::trust)},
           {"pose", poseJson(run.pose)},
           {"measures", measuresJson(run.measures)}};
@@ -129,7 +129,8 @@ std::string comparisonJson(const Comparison& comparison) {
 std::string comparisonRunsCsv(const Comparison& comparison) {
   std::string text =
       "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
-      "meaningful,x,y,phi,coverage,wall_distance,wall_distance_p90,rooms_matched\n";
+      "meaningful,x,y,phi,coverage,bend,axis_deviation,wall_distance,wall_distance_p90,rooms_"
+      "matched\n";
   for (const ComparedRun& run : comparison.runs) {
     text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
             csvField(fileName(run.file));

@@ -179,6 +179,45 @@ std::vector<Measure> coverageOf(const PlacedRuns& site) {
   return measures;
 }
 
+Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vector<double>& trust,
+               std::size_t run) {
+  Measure measure;
+  measure.name = "bend", measure.unit = "m";
+  std::size_t others = 0;
+  const auto weightOf = [&](std::size_t j) {
+    return j == run ? 0 : trust[j] * bends[run][j].share;
+  };
+  const auto meanWithout = [&](std::size_t but) -> std::optional<double> {
+    double sum = 0, weights = 0;
+    for (std::size_t j = 0; j < bends.size(); ++j) {
+      if (j == but) continue;
+      sum += weightOf(j) * bends[run][j].bend, weights += weightOf(j);
+    }
+    if (weights <= 0) return std::nullopt;
+    return sum / weights;
+  };
+  for (std::size_t j = 0; j < bends.size(); ++j) {
+    if (weightOf(j) <= 0) continue;
+    measure.support += bends[run][j].walls;
+    ++others;
+  }
+  measure.value = meanWithout(run);
+  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinPoints;
+  if (others < 2) return measure;
+  for (std::size_t j = 0; j < bends.size(); ++j)
+    if (const auto without = meanWithout(j); weightOf(j) > 0 && without) widen(measure, *without);
+  return measure;
+}
+
+Measure axisDeviationOf(const PreparedRun& run) {
+  Measure measure;
+  measure.name = "axis_deviation", measure.unit = "deg";
+  measure.support = double(run.map.walls.size());
+  if (run.map.axisDeviation) measure.value = *run.map.axisDeviation * 180 / M_PI;
+  measure.isMeaningful = bool(measure.value);
+  return measure;
+}
+
 std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
   return {wallMeasure(site, run, "wall_distance", 0.5),
           wallMeasure(site, run, "wall_distance_p90", 0.9)};

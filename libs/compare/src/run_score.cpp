@@ -9,124 +9,104 @@
 namespace roomgraph {
 namespace {
 
-using Distances = std::vector<std::vector<PairDistance>>;
+using Bends = std::vector<std::vector<PairBend>>;
+using Errors = std::vector<std::optional<MapError>>;
 
-constexpr double kConverged = 1e-9;
-constexpr double kNothingShared = 1;  // distance of a run that shares no walls, so none trusts it
-constexpr double kEightyPercent = 1.2816;  // standard deviations either way that hold 80 %
-
-double weightOf(const PairDistance& pair, double trust, const RunScoreOptions& options) {
-  return trust * std::min(1.0, pair.count / options.fullCount);
-}
-
-/** The trusted mean of a run's distances, without run `but`. */
-double consensus(const Distances& d, const std::vector<double>& trust, std::size_t run,
-                 std::size_t but, const RunScoreOptions& options) {
-  double sum = 0, weights = 0;
-  for (std::size_t j = 0; j < d.size(); ++j) {
-    if (j == run || j == but) continue;
-    const double w = weightOf(d[run][j], trust[j], options);
-    sum += w * d[run][j].mean;
-    weights += w;
+/** For each run the first one that has the same map. */
+std::vector<std::size_t> firstAlike(const Bends& bends) {
+  std::vector<std::size_t> first;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    std::size_t j = 0;
+    while (j < i && !bends[i][j].areIdentical) ++j;
+    first.push_back(j);
   }
-  return weights > 0 ? sum / weights : kNothingShared;
+  return first;
 }
 
-double medianDistance(const Distances& d, std::size_t run) {
-  std::vector<double> all;
-  for (std::size_t j = 0; j < d.size(); ++j)
-    if (j != run && d[run][j].count > 0) all.push_back(d[run][j].mean);
-  if (all.empty()) return kNothingShared;
-  std::sort(all.begin(), all.end());
-  return 0.5 * (all[(all.size() - 1) / 2] + all[all.size() / 2]);
-}
-
-std::vector<double> trustAt(const std::vector<double>& distance, const RunScoreOptions& options) {
-  std::vector<double> trust;
-  for (const double c : distance) trust.push_back(std::pow(options.trustFloor + c, -4));
-  const double most = trust.empty() ? 1 : *std::max_element(trust.begin(), trust.end());
-  for (double& t : trust) t /= most;
-  return trust;
-}
-
-std::vector<double> trustOfAll(const Distances& d, const RunScoreOptions& options) {
-  std::vector<double> at(d.size());
-  for (std::size_t i = 0; i < d.size(); ++i) at[i] = medianDistance(d, i);
-  for (int k = 0; k < options.iterations; ++k) {
-    const std::vector<double> trust = trustAt(at, options);
-    double moved = 0;
-    for (std::size_t i = 0; i < d.size(); ++i) {
-      // Half a step at a time, as full ones can swing to and fro.
-      const double next = 0.5 * (at[i] + consensus(d, trust, i, i, options));
-      moved = std::max(moved, std::abs(next - at[i]));
-      at[i] = next;
-    }
-    if (moved < kConverged) break;
+/** Estimates the errors with one run for all that have the same map. */
+Errors errorsOfAll(const Bends& bends, const std::vector<std::optional<double>>& deviations,
+                   const MapErrorOptions& options) {
+  const std::vector<std::size_t> first = firstAlike(bends);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (first[i] == i) kept.push_back(i);
+  Bends some(kept.size(), std::vector<PairBend>(kept.size()));
+  std::vector<std::optional<double>> told;
+  for (std::size_t i = 0; i < kept.size(); ++i) {
+    told.push_back(deviations[kept[i]]);
+    for (std::size_t j = 0; j < kept.size(); ++j) some[i][j] = bends[kept[i]][kept[j]];
   }
-  return trustAt(at, options);
+  const Errors found = estimateMapErrors(some, told, options);
+  Errors errors(bends.size());
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const std::size_t place =
+        std::size_t(std::lower_bound(kept.begin(), kept.end(), first[i]) - kept.begin());
+    errors[i] = found[place];
+    if (kept.size() == 1 && bends.size() > 1) errors[i] = mapErrorOf({}, options);
+  }
+  return errors;
 }
 
-/** Jackknife standard error of a run's consensus distance over the other runs. */
-double standardError(const Distances& d, const std::vector<double>& trust, std::size_t run,
-                     const RunScoreOptions& options) {
-  std::vector<double> without;
-  for (std::size_t j = 0; j < d.size(); ++j)
-    if (j != run && weightOf(d[run][j], trust[j], options) > 0)
-      without.push_back(consensus(d, trust, run, j, options));
-  const double n = double(without.size());
-  if (n < 2) return 0;
-  double mean = 0, squares = 0;
-  for (const double c : without) mean += c / n;
-  for (const double c : without) squares += (c - mean) * (c - mean);
-  return std::sqrt((n - 1) / n * squares);
+Errors errorsAgainst(const Bends& bends, std::size_t reference, const MapErrorOptions& options) {
+  Errors errors(bends.size());
+  for (std::size_t i = 0; i < bends.size(); ++i)
+    if (i != reference && bends[i][reference].share > 0)
+      errors[i] = mapErrorOf(bends[i][reference], options);
+  return errors;
 }
 
-void grade(RunScore& score, double error, const RunScoreOptions& options) {
+void grade(RunScore& score, const MapError& error, const RunScoreOptions& options) {
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
-  score.mapError = mapErrorAt(score.distance, options);
-  const double by = kEightyPercent * error;
-  const double small = options.smallError;
-  const double low = mapErrorAt(score.distance - by, options) + small;
-  const double high = mapErrorAt(score.distance + by, options) + small;
-  score.errorLow = std::max(0.0, low / options.spread - small);
-  score.errorHigh = high * options.spread - small;
-  score.score = at(score.mapError);
-  score.low = at(score.errorHigh), score.high = at(score.errorLow);
+  score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
+  score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
+}
+
+/** Sets trust, then each run's bend away from the others as their trust weighs it. */
+void weigh(std::vector<std::optional<RunScore>>& scores, const Bends& bends,
+           std::optional<std::size_t> reference, const RunScoreOptions& options) {
+  double most = 0;
+  for (auto& score : scores)
+    if (score) {
+      score->trust = std::pow(options.trustFloor + score->mapError, -4);
+      most = std::max(most, score->trust);
+    }
+  for (auto& score : scores)
+    if (score) score->trust /= most;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!scores[i]) continue;
+    double sum = 0, weights = 0;
+    for (std::size_t j = 0; j < bends.size(); ++j) {
+      if (j == i || bends[i][j].share <= 0 || (reference && j != reference)) continue;
+      const double weight = (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
+      sum += weight * bends[i][j].bend, weights += weight;
+      scores[i]->support += bends[i][j].walls;
+      ++scores[i]->others;
+    }
+    if (weights > 0) scores[i]->bend = sum / weights;
+  }
 }
 
 }  // namespace
 
-double mapErrorAt(double distance, const RunScoreOptions& options) {
-  return options.scale * std::pow(std::max(0.0, distance - options.noise), options.power);
-}
-
-std::vector<std::optional<RunScore>> scoreRuns(const Distances& distances,
+std::vector<std::optional<RunScore>> scoreRuns(const Bends& bends,
+                                               const std::vector<std::optional<double>>& deviations,
                                                std::optional<std::size_t> reference,
                                                const RunScoreOptions& options) {
-  if (reference && *reference >= distances.size())
+  if (reference && *reference >= bends.size())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
-  std::vector<double> trust(distances.size(), 0);
-  if (reference)
-    trust[*reference] = 1;
-  else
-    trust = trustOfAll(distances, options);
-  std::vector<std::optional<RunScore>> scores(distances.size());
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    if (i == reference) continue;
-    RunScore score;
-    score.trust = trust[i];
-    for (std::size_t j = 0; j < distances.size(); ++j) {
-      if (j == i || weightOf(distances[i][j], trust[j], options) <= 0) continue;
-      score.support += distances[i][j].count;
-      ++score.others;
-    }
-    if (score.others == 0) continue;
-    score.distance = consensus(distances, trust, i, i, options);
-    grade(score, standardError(distances, trust, i, options), options);
-    score.isMeaningful =
-        score.support >= options.minCount && score.others >= (reference ? 1 : options.minOthers);
-    scores[i] = score;
+  const Errors errors = reference ? errorsAgainst(bends, *reference, options.error)
+                                  : errorsOfAll(bends, deviations, options.error);
+  std::vector<std::optional<RunScore>> scores(bends.size());
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    if (!errors[i]) continue;
+    scores[i].emplace();
+    grade(*scores[i], *errors[i], options);
   }
+  weigh(scores, bends, reference, options);
+  const std::size_t minOthers = reference ? 1 : options.minOthers;
+  for (auto& score : scores)
+    if (score)
+      score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers;
   return scores;
 }
 

@@ -13,7 +13,7 @@ namespace roomgraph {
 struct Measure {
   std::string name;             ///< as in the file
   std::optional<double> value;  ///< none where nothing supports it
-  const char* unit = "1";       ///< "m" or "1", a share of 1
+  const char* unit = "1";       ///< "m", "deg" or "1", a share of 1
   double support = 0;           ///< how many things were counted: wall points, cells or rooms
   /** The range of the value when any one of the other runs is left out; none without a value, or
    *  with a single other run. */
@@ -23,7 +23,7 @@ struct Measure {
 
 /** What the walls of one run say against those of the others. */
 struct RunScore {
-  double distance = 0;                               ///< consensus distance of the walls [m]
+  double bend = 0;  ///< against the others, each weighted by its trust [m]
   double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
   double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
   double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1

@@ -41,6 +41,7 @@ struct Alignment {
   std::optional<AlignmentCandidate> best;      ///< none where a map has no walls
   std::optional<AlignmentCandidate> runnerUp;  ///< the best that is not near `best`
   double runnerUpConfidence = 0;               ///< the probability that it is right instead
+  std::vector<Transform2D> poses;  ///< all that were looked at closely, a <- b, best first
 };
 
 /** All poses that were looked at closely, best first; equal ones by the order of the search.

@@ -6,7 +6,7 @@
 
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/MapForAlignment.h"
-#include "roomgraph/compare/align_maps.h"
+#include "roomgraph/compare/relate_maps.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/compare/site_poses.h"
 #include "roomgraph/rooms/RoomGraph.h"
@@ -14,7 +14,7 @@
 namespace roomgraph {
 
 // Ours
-// In:   the runs, and the alignment of each pair
+// In:   the runs, and how each pair of them lies in each other
 // Out:  Comparison
 // Next: comparisonJson
 
@@ -38,17 +38,14 @@ void sortRuns(std::vector<PreparedRun>& runs);
 /** Both indices of each pair of `runs` runs, a < b, by a and then b. */
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t runs);
 
-/** The alignment of two maps whose frames are the same already: their pose is nothing, and sure. */
-Alignment trustedAlignment(const MapForAlignment& a, const MapForAlignment& b);
-
-/** Places the runs in one frame, scores and measures each, and says which is best. `alignments` are
- *  those of pairsOf(runs.size()), in that order. The site is the largest set of runs that are
- * joined by pairs of the same site (that of the reference, if any; of equal ones the surest); runs
- * outside of it are left out. The site's frame is that of its run that the others fit best, or of
- * the reference. A single run gets no score. O(runs^2 * walls).
- *  @throws UsageError where the alignments are not as many as the pairs, or there is no reference.
+/** Places the runs in one frame, scores and measures each, and says which is best. `related` are
+ *  those of pairsOf(runs.size()), in that order, see relateMaps. The site is the largest set of
+ * runs that are joined by pairs of the same site (that of the reference, if any; of equal ones the
+ * surest); runs outside of it are left out. The site's frame is that of its run that the others fit
+ * best, or of the reference. A single run gets no score. O(runs^2 * walls).
+ *  @throws UsageError where `related` are not as many as the pairs, or there is no reference.
  */
-Comparison compareRuns(const std::vector<PreparedRun>& runs,
-                       const std::vector<Alignment>& alignments, const CompareRunsOptions& options);
+Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<MapPair>& related,
+                       const CompareRunsOptions& options);
 
 }  // namespace roomgraph

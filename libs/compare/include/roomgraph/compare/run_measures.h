@@ -3,6 +3,7 @@
 
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/compare/estimate_map_errors.h"
 #include "roomgraph/compare/wall_distances.h"
 
 namespace roomgraph {
@@ -24,6 +25,15 @@ struct PlacedRuns {
 /** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
  *  free. Meaningful with three runs and 10 m2. Support in cells. O(runs * cells of the site). */
 std::vector<Measure> coverageOf(const PlacedRuns& site);
+
+/** Of one run: `bend`, its mean bend against the others, weighted by trust [m]. Support in wall
+ *  points. */
+Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vector<double>& trust,
+               std::size_t run);
+
+/** Of one run: `axis_deviation`, see axisDeviation [deg]. Support in wall points; no interval, as
+ *  the others have no part in it. */
+Measure axisDeviationOf(const PreparedRun& run);
 
 /** Of one run: median ("wall_distance") and 90th percentile ("wall_distance_p90") of the distances
  *  of its walls to those of the others, weighted by trust. Support in wall points. */

@@ -1,0 +1,196 @@
+// How well the scores of simulated runs agree with the true errors of these runs.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "CsvTable.h"
+#include "Random.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/pipeline/extract.h"
+
+namespace roomgraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+/** All runs of a site, related once; any subset of them can then be compared. */
+struct SimulatedSite {
+  std::string name;
+  std::vector<PreparedRun> runs;
+  std::vector<double> truth;     ///< map_rms_m of each run
+  std::vector<MapPair> related;  ///< of pairsOf(runs.size())
+};
+
+PreparedRun readRun(const std::string& name, const std::string& file) {
+  const ExtractOptions options;
+  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
+  PreparedRun run;
+  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
+  run.map = mapForAlignment(stages.grid, {});
+  run.rooms = stages.result.rooms;
+  return run;
+}
+
+SimulatedSite readSite(const fs::path& folder, const std::string& extension) {
+  SimulatedSite site;
+  site.name = folder.filename().string();
+  const CsvTable table((folder / "truth.csv").string());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::string& name = table.text(i, "run");
+    site.runs.push_back(readRun(name, (folder / (name + extension)).string()));
+  }
+  sortRuns(site.runs);
+  for (const PreparedRun& run : site.runs)
+    for (std::size_t i = 0; i < table.size(); ++i)
+      if (table.text(i, "run") == run.name) site.truth.push_back(table.number(i, "map_rms_m"));
+  for (const auto& [a, b] : pairsOf(site.runs.size()))
+    site.related.push_back(relateMaps(site.runs[a].map, site.runs[b].map));
+  return site;
+}
+
+/** What one comparison is worth, each from 0 to 1 but the first. */
+struct Accuracy {
+  double spearman = 0;  ///< of the estimated with the true errors
+  double named = 0;     ///< the first is the best, or within 10 % + 2 cm of it
+  double near = 0;      ///< share of the estimates within a factor of 1.5, or 3 cm
+  double held = 0;      ///< share of the true errors that the interval holds
+
+  void add(const Accuracy& other, double weight) {
+    spearman += weight * other.spearman, named += weight * other.named;
+    near += weight * other.near, held += weight * other.held;
+  }
+};
+
+std::vector<double> ranksOf(const std::vector<double>& values) {
+  std::vector<double> ranks;
+  for (const double v : values) {
+    double below = 0, equal = 0;
+    for (const double w : values) below += w < v, equal += w == v;
+    ranks.push_back(below + (equal - 1) / 2);
+  }
+  return ranks;
+}
+
+double spearman(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::vector<double> rx = ranksOf(x), ry = ranksOf(y);
+  const double middle = double(x.size() - 1) / 2;
+  double xy = 0, xx = 0, yy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (rx[i] - middle) * (ry[i] - middle);
+    xx += (rx[i] - middle) * (rx[i] - middle);
+    yy += (ry[i] - middle) * (ry[i] - middle);
+  }
+  return xx > 0 && yy > 0 ? xy / std::sqrt(xx * yy) : 0;
+}
+
+bool isNear(double estimate, double truth) {
+  return std::abs(estimate - truth) <= 0.03 || (estimate <= 1.5 * truth && truth <= 1.5 * estimate);
+}
+
+/** Runs that are left out count as wrong in `near` and `held`. */
+Accuracy accuracyOf(const Comparison& found, const SimulatedSite& site,
+                    const std::vector<std::size_t>& drawn) {
+  std::vector<double> estimates, truths;
+  double least = HUGE_VAL;
+  Accuracy accuracy;
+  for (const std::size_t i : drawn) {
+    least = std::min(least, site.truth[i]);
+    for (const ComparedRun& run : found.runs) {
+      if (run.name != site.runs[i].name || !run.score) continue;
+      const double truth = site.truth[i];
+      estimates.push_back(run.score->mapError), truths.push_back(truth);
+      accuracy.near += isNear(run.score->mapError, truth) / double(drawn.size());
+      accuracy.held +=
+          (run.score->errorLow <= truth && truth <= run.score->errorHigh) / double(drawn.size());
+    }
+  }
+  if (estimates.empty()) return accuracy;
+  const auto first = std::min_element(estimates.begin(), estimates.end()) - estimates.begin();
+  accuracy.named = truths[std::size_t(first)] <= 1.1 * least + 0.02;
+  accuracy.spearman = spearman(estimates, truths);
+  return accuracy;
+}
+
+Accuracy compareDrawn(const SimulatedSite& site, const std::vector<std::size_t>& drawn) {
+  std::vector<PreparedRun> runs;
+  for (const std::size_t i : drawn) runs.push_back(site.runs[i]);
+  std::vector<MapPair> related;
+  const auto all = pairsOf(site.runs.size());
+  for (const auto& [a, b] : pairsOf(drawn.size())) {
+    const auto at = std::find(all.begin(), all.end(), std::make_pair(drawn[a], drawn[b]));
+    related.push_back(site.related[std::size_t(at - all.begin())]);
+  }
+  return accuracyOf(compareRuns(runs, related, {}), site, drawn);
+}
+
+/** `size` of `all` numbers, ascending. */
+std::vector<std::size_t> draw(std::size_t all, std::size_t size, Random& random) {
+  std::vector<std::size_t> numbers(all);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  for (std::size_t i = 0; i < size; ++i)
+    std::swap(numbers[i], numbers[i + std::size_t(random.below(int(all - i)))]);
+  numbers.resize(size);
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+void measureSite(const SimulatedSite& site, int draws) {
+  for (const std::size_t size : {site.runs.size(), std::size_t(5), std::size_t(3)}) {
+    const int count = size == site.runs.size() ? 1 : draws;
+    Random random(1);
+    Accuracy mean;
+    for (int k = 0; k < count; ++k)
+      mean.add(compareDrawn(site, draw(site.runs.size(), size, random)), 1.0 / count);
+    if (count == 0) continue;
+    std::printf("| %s | %zu | %d | %.3f | %.0f %% | %.0f %% | %.0f %% |\n", site.name.c_str(), size,
+                count, mean.spearman, 100 * mean.named, 100 * mean.near, 100 * mean.held);
+    std::fflush(stdout);
+  }
+}
+
+void measure(const std::string& data, const std::string& only, const std::string& extension,
+             int draws) {
+  std::vector<fs::path> folders;
+  if (fs::is_directory(data))
+    for (const auto& entry : fs::directory_iterator(data))
+      if (fs::exists(entry.path() / "truth.csv") &&
+          entry.path().filename().string().find(only) != std::string::npos)
+        folders.push_back(entry.path());
+  if (folders.empty())
+    throw DataError(data + ": holds no folder with a truth.csv; name that of the simulated runs");
+  std::sort(folders.begin(), folders.end());
+  std::printf(
+      "| site | runs | draws | Spearman | best named | within 1.5 or 3 cm | in interval |\n"
+      "|---|---|---|---|---|---|---|\n");
+  for (const fs::path& folder : folders) measureSite(readSite(folder, extension), draws);
+}
+
+}  // namespace
+}  // namespace roomgraph
+
+int main(int argc, char** argv) {
+  CLI::App app("How well the scores of simulated runs agree with the true errors.");
+  std::string data, only, extension = ".gridmap.gz";
+  int draws = 200;
+  app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
+      ->required();
+  app.add_option("--only", only, "only sites with this in their name");
+  app.add_option("--extension", extension, "of the runs")->capture_default_str();
+  app.add_option("--draws", draws, "of five and of three runs a site")->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try {
+    roomgraph::measure(data, only, extension, draws);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "score_accuracy: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

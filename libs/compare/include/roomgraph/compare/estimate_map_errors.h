@@ -1,0 +1,55 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+namespace roomgraph {
+
+// Ours
+// In:   how far each pair of maps bends apart, and what each map tells of itself
+// Out:  MapError of each map
+// Next: scoreRuns
+
+/** How far one map bends away from another, see FollowedWalls. */
+struct PairBend {
+  double bend = 0;   ///< root mean square [m]
+  double share = 0;  ///< of the walls it was seen on, 0 to 1; 0 where nothing could be compared
+  double walls = 0;  ///< wall points it was seen on
+  bool areIdentical = false;  ///< the maps are the same
+};
+
+/** The map error: root mean square displacement of the walls against the truth, after the best turn
+ *  and shift [m]. */
+struct MapError {
+  double error = 0;
+  double low = 0, high = 0;  ///< holds the truth in 80 % of the cases of the fit
+};
+
+/** The constants, fitted to simulated runs whose true error is known: see docs/scoring.md. */
+struct MapErrorOptions {
+  double bendNoise = 0.02;        ///< of a bend that is 0 [m]
+  double above = 1.0;             ///< log of bend over errors beyond which a pair counts less
+  double below = 0.5;             ///< the same for bends that are too small: maps err alike, too
+  double deviationWeight = 0.3;   ///< of one map's axisDeviation beside one pair
+  double deviationPower = 1.7;    ///< of the deviation in the error
+  double deviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
+  double errorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
+  double leastError = 0.0025;     ///< errors below this are none [m]
+  double mostError = 5;           ///< [m]
+  double spread = 0.25;           ///< standard deviation of a residual's log, for the interval
+  double leastSpread = 0.15;      ///< of an error's log, however many pairs there are
+  double smallError = 0.01;       ///< by which an interval is wider on both sides [m]
+};
+
+/** The error of a map where the other one is the truth: its bend, within the least spread. */
+MapError mapErrorOf(const PairBend& pair, const MapErrorOptions& options);
+
+/** The errors that explain the bends and the deviations best. Two maps with errors e and f should
+ *  bend sqrt(e^2 + f^2) apart, if each errs in its own way; log residuals count as in a Cauchy
+ *  distribution, so that one outlier moves little. The deviations tell errors up to a factor that
+ *  is free, as it depends on the building. `bends` is square and symmetric; its diagonal is not
+ *  read. None for a map with no pair. O(n^3) a step, at most 200 steps for each of two starts. */
+std::vector<std::optional<MapError>> estimateMapErrors(
+    const std::vector<std::vector<PairBend>>& bends,
+    const std::vector<std::optional<double>>& deviations, const MapErrorOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,30 @@
+#pragma once
+#include "roomgraph/compare/align_maps.h"
+#include "roomgraph/compare/follow_walls.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   two MapForAlignment
+// Out:  MapPair: all that is to be known of two maps, beside the others
+// Next: compareRuns
+
+/** How two maps lie in each other, as a whole and place by place. */
+struct MapPair {
+  Alignment alignment;        ///< of b in a
+  FollowedWalls bInA, aInB;   ///< nothing where they are not of the same site
+  bool areIdentical = false;  ///< cell by cell
+};
+
+/** Aligns two maps, and follows the walls of each in the other. Swapping them swaps the answers.
+ *  O(alignMaps + followWalls). */
+MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
+
+/** The same for two maps whose frames are the same already: their pose is nothing, and sure. */
+MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b);
+
+/** Follows the walls of each in the other again, from the first of `poses` (a <- b) on. */
+void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
+            const std::vector<Transform2D>& poses);
+
+}  // namespace roomgraph
