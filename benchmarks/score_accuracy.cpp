@@ -51,8 +51,9 @@ SimulatedSite readSite(const fs::path& folder, const std::string& extension) {
   for (const PreparedRun& run : site.runs)
     for (std::size_t i = 0; i < table.size(); ++i)
       if (table.text(i, "run") == run.name) site.truth.push_back(table.number(i, "map_rms_m"));
-  for (const auto& [a, b] : pairsOf(site.runs.size()))
-    site.related.push_back(relateMaps(site.runs[a].map, site.runs[b].map));
+  site.related = relateRuns(site.runs, false, [](std::size_t count, const auto& job) {
+    for (std::size_t i = 0; i < count; ++i) job(i);
+  });
   return site;
 }
 
@@ -123,11 +124,8 @@ Accuracy compareDrawn(const SimulatedSite& site, const std::vector<std::size_t>&
   std::vector<PreparedRun> runs;
   for (const std::size_t i : drawn) runs.push_back(site.runs[i]);
   std::vector<MapPair> related;
-  const auto all = pairsOf(site.runs.size());
-  for (const auto& [a, b] : pairsOf(drawn.size())) {
-    const auto at = std::find(all.begin(), all.end(), std::make_pair(drawn[a], drawn[b]));
-    related.push_back(site.related[std::size_t(at - all.begin())]);
-  }
+  for (const auto& [a, b] : pairsOf(drawn.size()))
+    related.push_back(site.related[pairIndex(drawn[a], drawn[b], site.runs.size())]);
   return accuracyOf(compareRuns(runs, related, {}), site, drawn);
 }
 

@@ -16,8 +16,9 @@ namespace {
 PreparedRun preparedRun(const std::string& name, const std::string& file,
                         const ExtractOptions& options) {
   const Stages stages = extract(loadGrid(file, options.loadGrid), options);
-  PreparedRun run{name, file, stages.source.sha256, mapForAlignment(stages.grid, {}),
-                  stages.result.rooms};
+  PreparedRun run{
+      name, file, stages.source.sha256, mapForAlignment(stages.grid, {}), stages.result.rooms, {}};
+  run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
   if (run.map.walls.empty())
     throw DataError(file + ": has no wall beside free space: a run must have some");
   return run;
@@ -77,25 +78,16 @@ class Comparing {
   }
 
   void relate() {
-    const auto pairs = pairsOf(runs_.size());
-    related_.resize(pairs.size());
-    JobList jobs;
-    jobs.count = pairs.size();
-    jobs.run = [&](std::size_t k, const std::function<void()>& stepDone) {
-      const MapForAlignment &a = runs_[pairs[k].first].map, &b = runs_[pairs[k].second].map;
-      JobReport report;
-      try {
-        related_[k] = task_.isAligned ? relateAlignedMaps(a, b) : relateMaps(a, b);
-      } catch (...) {
-        const Failure failure = currentFailure(runs_[pairs[k].second].file);
-        report.err = failure.line;
-        report.exitCode = failure.exitCode;
-      }
-      stepDone();
-      return report;
-    };
-    const int exitCode = runInOrder(jobs, task_.threads, !task_.isQuiet);
-    result_.exitCode = std::max(result_.exitCode, exitCode);
+    related_ = relateRuns(runs_, task_.isAligned, [&](std::size_t count, const auto& job) {
+      JobList jobs;
+      jobs.count = count;
+      jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
+        job(i);
+        stepDone();
+        return JobReport();
+      };
+      runInOrder(jobs, task_.threads, !task_.isQuiet);
+    });
   }
 
   void addUnread() {

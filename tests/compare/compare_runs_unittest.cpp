@@ -20,15 +20,12 @@ using test::bent;
 using test::drawnBuilding;
 
 PreparedRun run(const std::string& name, const Grid& grid) {
-  return {name, name + ".gridmap", "hash of " + name, mapForAlignment(grid, {}), {}};
+  return {name, name + ".gridmap", "hash of " + name, mapForAlignment(grid, {}), {}, {}};
 }
 
 Comparison compared(std::vector<PreparedRun> runs, CompareRunsOptions options = {}) {
   sortRuns(runs);
-  std::vector<MapPair> related;
-  for (const auto& [a, b] : pairsOf(runs.size()))
-    related.push_back(relateMaps(runs[a].map, runs[b].map));
-  return compareRuns(runs, related, options);
+  return compareRuns(runs, test::related(runs), options);
 }
 
 std::vector<PreparedRun> threeGoodAndABentRun() {

@@ -105,4 +105,10 @@ Grid bent(const Grid& grid, double angle) {
   return result;
 }
 
+std::vector<MapPair> related(const std::vector<PreparedRun>& runs) {
+  return relateRuns(runs, false, [](std::size_t count, const auto& job) {
+    for (std::size_t i = 0; i < count; ++i) job(i);
+  });
+}
+
 }  // namespace roomgraph::test

@@ -1,6 +1,8 @@
 #pragma once
 #include <cstdint>
+#include <vector>
 
+#include "roomgraph/compare/relate_runs.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/Grid.h"
 
@@ -21,5 +23,8 @@ Grid squareHall(const Transform2D& pose);
 /** The map with its right half turned by `angle` about the middle, as a jump of the heading does.
  */
 Grid bent(const Grid& grid, double angle);
+
+/** relateRuns, one pair after the other. */
+std::vector<MapPair> related(const std::vector<PreparedRun>& runs);
 
 }  // namespace roomgraph::test

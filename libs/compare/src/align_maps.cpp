@@ -62,10 +62,11 @@ void judge(Alignment& result, const AlignMapsOptions& options) {
   result.overlap = result.best->evidence.overlap;
 }
 
-Alignment alignOrdered(const MapForAlignment& a, const MapForAlignment& b,
-                       const AlignMapsOptions& options) {
+/** What follows from the poses that were looked at closely, best first. */
+Alignment alignmentOf(const MapForAlignment& a, const MapForAlignment& b,
+                      const std::vector<AlignmentCandidate>& found,
+                      const AlignMapsOptions& options) {
   Alignment result;
-  const std::vector<AlignmentCandidate> found = alignmentCandidates(a, b, options);
   if (found.empty()) return result;
   result.best = found.front();
   const Point middle = b.middle();
@@ -84,6 +85,14 @@ Alignment alignOrdered(const MapForAlignment& a, const MapForAlignment& b,
 }
 
 }  // namespace
+
+Alignment inverse(Alignment alignment) {
+  alignment.pose = alignment.pose.inverse();
+  for (Transform2D& pose : alignment.poses) pose = pose.inverse();
+  if (alignment.best) alignment.best->pose = alignment.best->pose.inverse();
+  if (alignment.runnerUp) alignment.runnerUp->pose = alignment.runnerUp->pose.inverse();
+  return alignment;
+}
 
 std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
                                                     const MapForAlignment& b,
@@ -109,13 +118,18 @@ std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
 
 Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
                     const AlignMapsOptions& options) {
-  if (!isBefore(b, a)) return alignOrdered(a, b, options);
-  Alignment result = alignOrdered(b, a, options);
-  result.pose = result.pose.inverse();
-  for (Transform2D& pose : result.poses) pose = pose.inverse();
-  if (result.best) result.best->pose = result.best->pose.inverse();
-  if (result.runnerUp) result.runnerUp->pose = result.runnerUp->pose.inverse();
-  return result;
+  if (!isBefore(b, a)) return alignmentOf(a, b, alignmentCandidates(a, b, options), options);
+  return inverse(alignmentOf(b, a, alignmentCandidates(b, a, options), options));
+}
+
+Alignment alignMapsNear(const MapForAlignment& a, const MapForAlignment& b,
+                        const std::vector<Transform2D>& poses, const AlignMapsOptions& options) {
+  std::vector<AlignmentCandidate> found;
+  if (!a.walls.empty() && !b.walls.empty())
+    for (const Transform2D& pose : poses)
+      found.push_back(candidateNear(a, b, pose, options.refine, options.verify));
+  sortByScore(found);
+  return alignmentOf(a, b, found, options);
 }
 
 }  // namespace roomgraph

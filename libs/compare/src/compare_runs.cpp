@@ -14,12 +14,9 @@ namespace {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/** The place of the pair a < b in pairsOf(runs). */
-std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs) {
-  return a * runs - a * (a + 1) / 2 + b - a - 1;
-}
-
-constexpr double kSameError = 1e-6;  // runs whose errors differ by less share a rank [m]
+constexpr std::size_t kWitnesses = 3;  // runs in which the scans of another are tracked
+constexpr double kMinShare = 0.3;      // of a run's walls that a witness must have
+constexpr double kSameError = 1e-6;    // runs whose errors differ by less share a rank [m]
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -181,6 +178,46 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
   }
 }
 
+/** What is known of run `of` in run `in`. */
+const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
+                                std::size_t in) {
+  return of < in ? pairs[of][in].aInB : pairs[in][of].bInA;
+}
+
+/** The runs that tell best where `run` breaks: those that are trusted most. */
+std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
+                                     const std::vector<std::vector<MapPair>>& pairs) {
+  std::vector<std::size_t> others;
+  for (std::size_t j = 0; j < site.runs.size(); ++j)
+    if (j != run && followedIn(pairs, run, j).share >= kMinShare) others.push_back(j);
+  std::stable_sort(others.begin(), others.end(),
+                   [&](std::size_t l, std::size_t r) { return site.trust[l] > site.trust[r]; });
+  if (others.size() > kWitnesses) others.resize(kWitnesses);
+  // One map alone cannot tell its own breaks from those of a better one.
+  if (others.size() == 1 && site.trust[others[0]] < site.trust[run]) return {};
+  return others;
+}
+
+void addBreaks(Comparison& result, const PlacedRuns& site,
+               const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    const std::vector<ScanWalls>& scans = site.runs[i]->scans;
+    if (scans.empty()) continue;
+    const std::vector<std::size_t> others = witnessesOf(i, site, pairs);
+    std::vector<ScanTrack> tracks;
+    for (const std::size_t j : others)
+      tracks.push_back(trackScans(scans, site.runs[i]->map.patches, followedIn(pairs, i, j),
+                                  site.runs[j]->map, options.trackScans));
+    for (const ScanBreak& found : findBreaks(scans, tracks, options.findBreaks)) {
+      const std::size_t track = found.seenIn.front();
+      const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
+      result.breaks.push_back({site.runs[i]->name,
+                               site.poses[others[track]](inOther(scans[found.scan].at)),
+                               found.rotation, found.shift});
+    }
+  }
+}
+
 void rank(std::vector<ComparedRun>& runs) {
   const auto key = [](const ComparedRun& run) {
     return std::make_tuple(!run.score, run.score ? run.score->mapError : 0, run.name);
@@ -269,19 +306,6 @@ std::string verdictOf(const Comparison& result) {
 
 }  // namespace
 
-void sortRuns(std::vector<PreparedRun>& runs) {
-  std::sort(runs.begin(), runs.end(), [](const PreparedRun& l, const PreparedRun& r) {
-    return std::tie(l.sha256, l.name, l.file) < std::tie(r.sha256, r.name, r.file);
-  });
-}
-
-Pairs pairsOf(std::size_t runs) {
-  Pairs pairs;
-  for (std::size_t a = 0; a < runs; ++a)
-    for (std::size_t b = a + 1; b < runs; ++b) pairs.emplace_back(a, b);
-  return pairs;
-}
-
 Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<MapPair>& related,
                        const CompareRunsOptions& options) {
   const Pairs pairs = pairsOf(runs.size());
@@ -301,8 +325,10 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   for (std::size_t i = 0; i < site.runs.size(); ++i)
     if (options.reference == site.runs[i]) reference = i;
   if (reference) result.reference = runs[*options.reference].name;
-  const auto bends = bendsOf(pairsIn(inSite, site, runs.size(), related));
+  const auto inPairs = pairsIn(inSite, site, runs.size(), related);
+  const auto bends = bendsOf(inPairs);
   addRuns(result, inSite, bends, reference, options);
+  addBreaks(result, inSite, inPairs, options);
   rank(result.runs);
   addPairs(result, runs, pairs, related, site, inSite, bends);
   for (std::size_t i = 0; i < runs.size(); ++i)

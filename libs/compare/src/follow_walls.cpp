@@ -1,12 +1,12 @@
 #include "roomgraph/compare/follow_walls.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <queue>
 #include <utility>
 
+#include "fit_walls.h"
 #include "roomgraph/compare/nearest_wall.h"
 
 namespace roomgraph {
@@ -17,7 +17,6 @@ constexpr double kMinKnown = 0.4;       // share of them that lies where the oth
 constexpr double kDoubt = 5;            // points that speak against each patch beforehand
 constexpr double kSure = 0.7;           // a patch found this well is not looked for again
 constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
-const Eigen::Vector3d kHold(0.02, 0.02, 0.08);  // what holds a pose that no wall holds
 constexpr int kTwinRounds = 2;
 
 /** A patch as it may be found. */
@@ -62,26 +61,10 @@ class Follower {
       const double share = double(i) / std::max(1, options_.iterations - 1);
       const double width =
           options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share);
-      const Motion2D forth(pose);
-      const Point pivot = forth(patches_[patch].middle);
-      Eigen::Matrix3d h = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d g = Eigen::Vector3d::Zero();
-      double weight = 0;
-      for (const std::uint32_t k : left_[patch]) {
-        const Point at = forth(of_.walls[k].place);
-        const WallPoint* wall = wallAt(at, forth.turned(of_.walls[k].normal));
-        if (!wall) continue;
-        const Point off = at - wall->place;
-        const double s = 1 + squaredNorm(off) / (width * width), w = 1 / (s * s);
-        const Eigen::Vector3d j(wall->normal.x, wall->normal.y, cross(at - pivot, wall->normal));
-        h += w * j * j.transpose();
-        g -= w * dot(wall->normal, off) * j;
-        weight += w;
-      }
-      if (weight < 3) break;
-      h.diagonal() += weight * kHold;
-      const Eigen::Vector3d by = h.ldlt().solve(g);
-      pose = carrying(pivot, pivot + Point{by[0], by[1]}, by[2]) * pose;
+      WallFit fit(pose, patches_[patch].middle, width);
+      for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
+      if (!fit.isEnough()) break;
+      pose = fit.improved();
     }
     return pose;
   }

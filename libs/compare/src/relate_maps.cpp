@@ -1,6 +1,8 @@
 #include "roomgraph/compare/relate_maps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace roomgraph {
 namespace {
@@ -21,6 +23,35 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
   return all;
 }
 
+constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
+constexpr std::size_t kMostPieces = 4;
+
+/** The pose of the whole map (hub <- map), and of its pieces that lie elsewhere, largest first. */
+std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+  struct Piece {
+    Transform2D pose;
+    double walls;
+  };
+  std::vector<Piece> pieces;
+  for (const FollowedPatch& f : hubAndMap.bInA.patches) {
+    const Point middle = map.patches[f.patch].middle;
+    const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      return std::abs(wrappedAngle(piece.pose.phi - f.pose.phi)) < kSameTurn &&
+             distance(piece.pose(middle), f.pose(middle)) < kSamePlace;
+    });
+    if (same == pieces.end())
+      pieces.push_back({f.pose, f.walls});
+    else
+      same->walls += f.walls;
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
+  std::vector<Transform2D> poses{hubAndMap.alignment.pose};
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i)
+    poses.push_back(pieces[i].pose);
+  return poses;
+}
+
 }  // namespace
 
 void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
@@ -35,11 +66,35 @@ void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
   pair.aInB = followWalls(a, b, back, {});
 }
 
+MapPair swapped(MapPair pair) {
+  pair.alignment = inverse(std::move(pair.alignment));
+  std::swap(pair.bInA, pair.aInB);
+  return pair;
+}
+
 MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
   MapPair pair;
   pair.alignment = alignMaps(a, b, {});
   pair.areIdentical = areTheSame(a, b);
   if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
+  return pair;
+}
+
+MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
+                       const MapForAlignment& b) {
+  if (!hubAndA.alignment.isSameSite || !hubAndB.alignment.isSameSite) return relateMaps(a, b);
+  std::vector<Transform2D> poses;
+  for (const Transform2D& ofB : posesInHub(hubAndB, b))
+    for (const Transform2D& ofA : posesInHub(hubAndA, a)) poses.push_back(ofA.inverse() * ofB);
+  MapPair pair;
+  pair.alignment = alignMapsNear(a, b, poses, {});
+  if (!pair.alignment.isSameSite) return relateMaps(a, b);
+  // One way or another, this pair is no surer than the two that it follows from.
+  pair.alignment.confidence = std::min(
+      {pair.alignment.confidence, hubAndA.alignment.confidence, hubAndB.alignment.confidence});
+  pair.alignment.isAmbiguous = hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
+  pair.areIdentical = areTheSame(a, b);
+  follow(pair, a, b, pair.alignment.poses);
   return pair;
 }
 

@@ -44,6 +44,9 @@ struct Alignment {
   std::vector<Transform2D> poses;  ///< all that were looked at closely, a <- b, best first
 };
 
+/** The same alignment with the maps named the other way round. */
+Alignment inverse(Alignment alignment);
+
 /** All poses that were looked at closely, best first; equal ones by the order of the search.
  *  Deterministic. About 0.1 s for two maps of 1000 m2. */
 std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
@@ -56,5 +59,10 @@ std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
  *  alignmentCandidates. */
 Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
                     const AlignMapsOptions& options);
+
+/** The same, but looks only near `poses` (a <- b), so that what lies elsewhere is not known: the
+ *  confidence is for the case that it must be one of these. A few ms for each. */
+Alignment alignMapsNear(const MapForAlignment& a, const MapForAlignment& b,
+                        const std::vector<Transform2D>& poses, const AlignMapsOptions& options);
 
 }  // namespace roomgraph

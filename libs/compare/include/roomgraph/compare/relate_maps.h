@@ -20,8 +20,17 @@ struct MapPair {
  *  O(alignMaps + followWalls). */
 MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
 
+/** The same where the pose of both in a third map, the hub, is known already, so that no search is
+ *  needed: their poses follow from what was found of the two, as a whole and piece by piece. Where
+ *  the maps do not agree there, it is relateMaps after all. */
+MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
+                       const MapForAlignment& b);
+
 /** The same for two maps whose frames are the same already: their pose is nothing, and sure. */
 MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b);
+
+/** The same pair with b named first. */
+MapPair swapped(MapPair pair);
 
 /** Follows the walls of each in the other again, from the first of `poses` (a <- b) on. */
 void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/MapForAlignment.h"
+#include "roomgraph/compare/track_scans.h"
+#include "roomgraph/rooms/RoomGraph.h"
+
+namespace roomgraph {
+
+/** What the comparison needs to know of a run. */
+struct PreparedRun {
+  std::string name, file, sha256;
+  MapForAlignment map;           ///< must have walls
+  std::vector<GraphRoom> rooms;  ///< in the frame of the run
+  std::vector<ScanWalls> scans;  ///< of a simplemap; else empty
+};
+
+/** Brings runs into the order that all results are computed in, by content and then by name, so
+ * that the order in which they are given changes no number. */
+void sortRuns(std::vector<PreparedRun>& runs);
+
+}  // namespace roomgraph

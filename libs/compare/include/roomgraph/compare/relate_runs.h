@@ -1,0 +1,35 @@
+#pragma once
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "roomgraph/compare/PreparedRun.h"
+#include "roomgraph/compare/relate_maps.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the runs
+// Out:  MapPair of each pair of runs
+// Next: compareRuns
+
+/** Calls job(0) to job(count - 1), in any order, on any threads. Jobs do not throw. */
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
+
+/** Both indices of each pair of `runs` runs, a < b, by a and then b. */
+std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t runs);
+
+/** The place of the pair a < b in pairsOf(runs). */
+std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs);
+
+/** The run through which all others are related: of those that have seen at least half as much as
+ *  the largest, the one with the straightest walls; of equal ones the first. 0 for no runs. */
+std::size_t hubOf(const std::vector<PreparedRun>& runs);
+
+/** What relateMaps gives for each pair of pairsOf(runs.size()), in that order: first those with the
+ *  hub, then the others by relateMapsOver, which saves nearly all of the search. With `areAligned`
+ *  by relateAlignedMaps. The same for any order of the jobs. */
+std::vector<MapPair> relateRuns(const std::vector<PreparedRun>& runs, bool areAligned,
+                                const ForEach& forEach);
+
+}  // namespace roomgraph

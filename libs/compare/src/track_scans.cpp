@@ -1,0 +1,128 @@
+#include "roomgraph/compare/track_scans.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit_walls.h"
+#include "roomgraph/compare/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameSurface = 0.3;  // between the ends of neighbouring beams, at 4 m [m]
+constexpr double kNear = 4;
+constexpr std::size_t kMinWalls = 20;
+constexpr double kDoubt = 5;  // walls that speak against each pose beforehand
+constexpr double kSameTurn = 0.01, kSamePlace = 0.1;  // poses worth one fit [rad, m]
+
+std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
+  if (i == 0 || i + 1 >= frame.ends.size()) return std::nullopt;
+  const Point end = frame.ends[i];
+  const Point along = frame.ends[i + 1] - frame.ends[i - 1];
+  const double gap = kSameSurface * std::max(1.0, norm(end) / kNear);
+  if (norm(along) < 1e-6 || norm(along) > 2 * gap) return std::nullopt;
+  Point normal = (1 / norm(along)) * Point{-along.y, along.x};
+  if (dot(normal, end) > 0) normal = -1.0 * normal;  // towards the robot
+  const Point out = turned(normal, frame.pose.phi);
+  return WallPoint{frame.pose(end), out, octantOf(out)};
+}
+
+double qualityAt(const ScanWalls& scan, const MapForAlignment& in, const Transform2D& pose,
+                 const TrackScansOptions& options) {
+  const Motion2D forth(pose);
+  double sum = 0, known = 0;
+  for (const WallPoint& point : scan.walls) {
+    const Point at = forth(point.place);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (cell >= in.states.size() || in.states[cell] == State::unknown) continue;
+    ++known;
+    if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
+      sum += 1 / (1 + squaredNorm(wall->place - at) / (options.near * options.near));
+  }
+  return known >= double(kMinWalls) && known > 0.5 * double(scan.walls.size())
+             ? sum / (known + kDoubt)
+             : 0;
+}
+
+class Tracker {
+ public:
+  Tracker(const WallPatches& patches, const FollowedWalls& followed, const MapForAlignment& in,
+          const TrackScansOptions& options)
+      : patches_(patches), followed_(followed), in_(in), options_(options) {}
+
+  std::optional<Transform2D> track(const ScanWalls& scan) {
+    if (scan.walls.size() < kMinWalls) return std::nullopt;
+    double best = options_.minQuality;
+    std::optional<Transform2D> found;
+    const auto tryFrom = [&](const Transform2D& start, double margin) {
+      const Transform2D pose = fitted(scan, start);
+      const double quality = qualityAt(scan, in_, pose, options_);
+      if (quality > best + margin) best = quality, found = pose;
+    };
+    if (last_) tryFrom(*last_, 0);
+    if (best < options_.sureQuality)
+      for (const Transform2D& pose : posesNear(scan.at)) tryFrom(pose, last_ ? options_.margin : 0);
+    if (found) last_ = found;
+    return found;
+  }
+
+ private:
+  Transform2D fitted(const ScanWalls& scan, Transform2D pose) const {
+    for (int i = 0; i < options_.iterations; ++i) {
+      const double share = double(i) / std::max(1, options_.iterations - 1);
+      WallFit fit(pose, scan.at,
+                  options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share));
+      for (const WallPoint& point : scan.walls) fit.add(point, in_);
+      if (!fit.isEnough()) break;
+      pose = fit.improved();
+    }
+    return pose;
+  }
+
+  /** What was followed near a place, alike poses once. */
+  std::vector<Transform2D> posesNear(Point at) const {
+    std::vector<Transform2D> poses;
+    for (const FollowedPatch& f : followed_.patches) {
+      if (distance(patches_[f.patch].middle, at) > options_.reach) continue;
+      const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
+        return std::abs(wrappedAngle(pose.phi - f.pose.phi)) < kSameTurn &&
+               distance(pose(at), f.pose(at)) < kSamePlace;
+      });
+      if (!isKnown) poses.push_back(f.pose);
+    }
+    return poses;
+  }
+
+  const WallPatches& patches_;
+  const FollowedWalls& followed_;
+  const MapForAlignment& in_;
+  const TrackScansOptions& options_;
+  std::optional<Transform2D> last_;
+};
+
+}  // namespace
+
+std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls) {
+  std::vector<ScanWalls> scans;
+  for (const Keyframe& frame : frames) {
+    ScanWalls scan{frame.pose.shift(), {}};
+    const std::size_t step = std::max<std::size_t>(1, frame.ends.size() / std::size_t(maxWalls));
+    for (std::size_t i = step / 2; i < frame.ends.size(); i += step)
+      if (const auto wall = wallOf(frame, i)) scan.walls.push_back(*wall);
+    scans.push_back(std::move(scan));
+  }
+  return scans;
+}
+
+std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
+                                                   const WallPatches& patches,
+                                                   const FollowedWalls& followed,
+                                                   const MapForAlignment& in,
+                                                   const TrackScansOptions& options) {
+  Tracker tracker(patches, followed, in, options);
+  std::vector<std::optional<Transform2D>> poses;
+  for (const ScanWalls& scan : scans) poses.push_back(tracker.track(scan));
+  return poses;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,52 @@
+#include "roomgraph/grid/load_keyframes.h"
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <cmath>
+#include <exception>
+
+#include "read_scans.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/mrpt_object.h"
+
+namespace roomgraph {
+namespace {
+
+Keyframe keyframeOf(const mrpt::poses::CPose3D& robot,
+                    const mrpt::obs::CObservation2DRangeScan& scan, double maxRange) {
+  Keyframe frame;
+  frame.pose = {robot.x(), robot.y(), robot.yaw()};
+  const auto& sensor = scan.sensorPose;
+  const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
+  const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;
+  const double aperture = double(scan.aperture), start = sensor.yaw() - turn * aperture / 2;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    const double range = double(scan.getScanRange(i));
+    if (!scan.getScanRangeValidity(i) || range > maxRange) continue;
+    // As MRPT inserts the beams into a grid.
+    const double angle = start + turn * aperture * double(i) / double(scan.getScanSize());
+    frame.ends.push_back(
+        {sensor.x() + range * std::cos(angle), sensor.y() + range * std::sin(angle)});
+  }
+  return frame;
+}
+
+}  // namespace
+
+std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {
+  CheckedFile file(name);
+  const auto object = peekObjectHeader(file.head());
+  if (!object || !isSimplemapClass(object->className)) return {};
+  checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
+  const auto tolerance =
+      double(mrpt::maps::COccupancyGridMap2D::TInsertionOptions().horizontalTolerance);
+  std::vector<Keyframe> frames;
+  readScans(ByteReader(file.content(), file.name()),
+            [&](const mrpt::poses::CPose3D& robot, const mrpt::obs::CObservation2DRangeScan& scan) {
+              if (scan.isPlanarScan(tolerance)) frames.push_back(keyframeOf(robot, scan, maxRange));
+            });
+  return frames;
+}
+
+}  // namespace roomgraph

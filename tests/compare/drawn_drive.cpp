@@ -1,0 +1,58 @@
+#include "drawn_drive.h"
+
+#include <cmath>
+
+namespace roomgraph::test {
+namespace {
+
+struct Row {
+  int y = 0, from = 0, to = 0;
+};
+
+Row longestRow(const Grid& grid) {
+  Row best;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0, from = 0; x < grid.frame.width; ++x) {
+      if (grid.at({x, y}) != State::free) from = x + 1;
+      if (x + 1 - from > best.to - best.from) best = {y, from, x + 1};
+    }
+  return best;
+}
+
+Keyframe seenFrom(const Grid& grid, const Transform2D& pose) {
+  Keyframe frame{pose, {}};
+  constexpr int beams = 540;
+  for (int i = 0; i < beams; ++i) {
+    const double angle = M_PI / 360 * (i - beams / 2);
+    const Point way = {std::cos(angle), std::sin(angle)};
+    double range = 0.1;
+    while (range < 15 && grid.atOrUnknown(grid.frame.cellAt(pose(range * way))) == State::free)
+      range += 0.01;
+    if (grid.atOrUnknown(grid.frame.cellAt(pose(range * way))) == State::occupied)
+      frame.ends.push_back(range * way);
+  }
+  return frame;
+}
+
+}  // namespace
+
+std::vector<Keyframe> drawnDrive(const Grid& grid) {
+  const Row row = longestRow(grid);
+  std::vector<Keyframe> frames;
+  const int step = int(0.5 / grid.frame.resolution);
+  for (int x = row.from + step; x + step < row.to; x += step) {
+    const Point at = grid.frame.center({x, row.y});
+    frames.push_back(seenFrom(grid, {at.x, at.y, 0}));
+  }
+  return frames;
+}
+
+std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, double turn,
+                             Point shift) {
+  const Point at = frames[from].pose.shift();
+  const Transform2D motion = carrying(at, at + shift, turn);
+  for (std::size_t i = from; i < frames.size(); ++i) frames[i].pose = motion * frames[i].pose;
+  return frames;
+}
+
+}  // namespace roomgraph::test

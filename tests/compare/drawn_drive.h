@@ -1,0 +1,17 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/grid/Grid.h"
+#include "roomgraph/grid/load_keyframes.h"
+
+namespace roomgraph::test {
+
+/** A drive along the longest free row of a map, a scan of 270 degrees each half metre, with true
+ *  poses. */
+std::vector<Keyframe> drawnDrive(const Grid& grid);
+
+/** The same drive with everything from scan `from` on turned about the robot and shifted. */
+std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, double turn,
+                             Point shift);
+
+}  // namespace roomgraph::test
