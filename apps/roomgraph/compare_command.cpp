@@ -1,6 +1,7 @@
 #include "compare_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,8 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/comparison_json.h"
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/report/comparison_report.h"
 #include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
@@ -35,18 +38,18 @@ void declareGate(CompareArguments& arguments, CLI::App& app) {
   app.add_option(
          "--fail-on", arguments.failOn,
          "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen less "
-         "than 70 % of what two runs have seen), 'not-same-site' (a run is of another "
-         "site).")
+         "than 70 % of what two runs have seen), 'broken' (a run has a break), "
+         "'not-same-site' (a run is of another site).")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"coverage", "not-same-site"}));
+      ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
 }
 
 void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("-o,--output", arguments.folder,
-                 "Folder for the results, comparison.json and comparison.runs.csv; made if it is "
-                 "not there.")
+                 "Folder for the results, report.html, comparison.json, comparison.runs.csv and "
+                 "comparison.3Dscene; made if it is not there.")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_flag("--aligned", arguments.task.isAligned,
@@ -59,6 +62,13 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("-q,--quiet", arguments.task.isQuiet, "Print nothing but errors.");
+}
+
+std::string whereBroken(const MapBreak& found) {
+  char text[100];
+  std::snprintf(text, sizeof text, "at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
+                found.place.y, found.rotation * 180 / M_PI, found.shift);
+  return text;
 }
 
 /** What --fail-below and --fail-on have to say, a line each; empty where nothing strikes. */
@@ -76,6 +86,8 @@ std::string complaints(const Comparison& comparison, const CompareArguments& arg
           measure.value.value_or(0) < kMinCoverage)
         lines += errorLine(run.name + ": has seen less than 70 % of what two runs have seen");
   }
+  for (const MapBreak& found : comparison.breaks)
+    if (isAsked("broken")) lines += errorLine(found.run + ": is broken " + whereBroken(found));
   for (const LeftOutRun& run : comparison.leftOut) {
     if (arguments.failBelow > 0) lines += errorLine(run.name + ": has no score");
     if (run.isOtherSite && isAsked("not-same-site"))
@@ -93,6 +105,18 @@ void checkNotReplaced(const CompareTask& task, const std::vector<std::string>& r
         throw UsageError(result + ": would replace a map: choose another folder with --output");
 }
 
+/** What report.html says of the options, in the order of the work. */
+std::vector<UsedOption> optionsOf(const CompareTask& task) {
+  ExtractOptions extract = task.extract;
+  std::vector<UsedOption> options = usedOptions(describe(extract));
+  options.push_back({"compare", "aligned", task.isAligned ? "true" : "false", "",
+                     "All maps are in one frame already."});
+  options.push_back({"compare", "reference",
+                     std::filesystem::path(task.reference).filename().string(), "",
+                     "The map that all runs are measured against; empty for none."});
+  return options;
+}
+
 int run(const CompareArguments& arguments) {
   CompareTask task = arguments.task;
   task.extract = toOptions(arguments.options);
@@ -101,17 +125,22 @@ int run(const CompareArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
   const std::string json = (folder / "comparison.json").string();
   const std::string csv = (folder / "comparison.runs.csv").string();
-  checkNotReplaced(task, {json, csv});
+  const std::string report = (folder / "report.html").string();
+  const std::string scene = (folder / "comparison.3Dscene").string();
+  checkNotReplaced(task, {json, csv, report, scene});
   makeWritableFolder(arguments.folder);
   const ComparedMaps result = compareMaps(task);
   const Comparison& comparison = result.comparison;
   writeFileAtomically(json, comparisonJson(comparison));
   writeFileAtomically(csv, comparisonRunsCsv(comparison));
+  writeFileAtomically(scene, comparisonSceneBytes(comparison, result.runs));
+  writeFileAtomically(report, comparisonReport(comparison, result.runs, optionsOf(task)));
   for (const LeftOutRun& run : comparison.leftOut)
     if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
   if (!task.isQuiet)
-    std::printf("%s%s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
-                comparison.verdict.c_str(), json.c_str(), csv.c_str());
+    std::printf("%s%s\n  %s\n  %s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
+                comparison.verdict.c_str(), report.c_str(), json.c_str(), csv.c_str(),
+                scene.c_str());
   const std::string struck = complaints(comparison, arguments);
   std::fputs(struck.c_str(), stderr);
   return struck.empty() ? result.exitCode : int(kStruck);

@@ -15,12 +15,14 @@ namespace {
 
 PreparedRun preparedRun(const std::string& name, const std::string& file,
                         const ExtractOptions& options) {
-  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
-  PreparedRun run{
-      name, file, stages.source.sha256, mapForAlignment(stages.grid, {}), stages.result.rooms, {}};
-  run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
+  Stages stages = extract(loadGrid(file, options.loadGrid), options);
+  PreparedRun run;
+  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
+  run.map = mapForAlignment(stages.grid, {});
   if (run.map.walls.empty())
     throw DataError(file + ": has no wall beside free space: a run must have some");
+  run.rooms = std::move(stages.result.rooms);
+  run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
   return run;
 }
 
@@ -50,6 +52,7 @@ class Comparing {
     relate();
     result_.comparison = compareRuns(runs_, related_, options);
     addUnread();
+    result_.runs = std::move(runs_);
     return std::move(result_);
   }
 

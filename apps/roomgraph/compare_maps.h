@@ -20,7 +20,8 @@ struct CompareTask {
 
 struct ComparedMaps {
   Comparison comparison;
-  int exitCode = 0;  ///< not kDone where a file could not be used
+  std::vector<PreparedRun> runs;  ///< all that could be read, for pictures
+  int exitCode = 0;               ///< not kDone where a file could not be used
 };
 
 /** Reads all maps, aligns all pairs and compares the runs. A map that cannot be read, or has no

@@ -19,6 +19,11 @@ assert all(r["measures"]["rooms_matched"]["value"] == 1 for r in result["runs"])
 assert all(p["same_site"] for p in result["pairs"]) and len(result["pairs"]) == 3
 P
 [ "$(wc -l < o/comparison.runs.csv)" -eq 4 ] || fail "not a line for each run"
+for file in o/*; do grep -qF "$file" out || fail "$file is not told of"; done
+grep -q '^<!DOCTYPE html>' o/report.html || fail "no report"
+grep -q 'is the best map' o/report.html || fail "a report without the verdict"
+grep -q 'split_at_doors.max_ratio' o/report.html || fail "a report without the options"
+[ "$(gzip -dc o/comparison.3Dscene | wc -c)" -gt 10000 ] || fail "no scene"
 
 # Neither the order nor the number of threads changes a byte.
 expect 0 "$roomgraph" compare c.gridmap.gz a.gridmap.gz b.gridmap.gz -o o2 --threads 1 -q
@@ -50,7 +55,7 @@ expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 90 
 expect 3 "$roomgraph" compare a.gridmap.gz other.pgm -o gate --fail-below 90
 
 expect 2 "$roomgraph" compare a.gridmap.gz
-expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-on broken
+expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-on nonsense
 expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-below 200
 expect 1 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --reference missing.pgm -o o3
 [ ! -e o3/comparison.json ] || fail "a comparison without its reference"

@@ -20,7 +20,10 @@ using test::bent;
 using test::drawnBuilding;
 
 PreparedRun run(const std::string& name, const Grid& grid) {
-  return {name, name + ".gridmap", "hash of " + name, mapForAlignment(grid, {}), {}, {}};
+  PreparedRun run;
+  run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
+  run.map = mapForAlignment(grid, {});
+  return run;
 }
 
 Comparison compared(std::vector<PreparedRun> runs, CompareRunsOptions options = {}) {

@@ -144,14 +144,6 @@ std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair
   return bends;
 }
 
-std::string reasonOf(const RunScore& score) {
-  std::string text =
-      formatted("bends %.2f m away from the %zu other %s, which its map error of %.2f m explains",
-                score.bend, score.others, score.others == 1 ? "run" : "runs", score.mapError);
-  if (!score.isMeaningful) text += ", too little to judge by";
-  return text;
-}
-
 void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector<PairBend>>& bends,
              std::optional<std::size_t> reference, const CompareRunsOptions& options) {
   const std::size_t n = site.runs.size();
@@ -171,9 +163,6 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     run.measures = {coverage[i], bendOf(bends, site.trust, i), axisDeviationOf(*site.runs[i])};
     for (const Measure& measure : wallMeasuresOf(site, i)) run.measures.push_back(measure);
     run.measures.push_back(rooms[i]);
-    run.reason = scores[i]        ? reasonOf(*scores[i])
-                 : reference == i ? "the others are measured against it"
-                                  : "no other run to compare it with";
     result.runs.push_back(std::move(run));
   }
 }
@@ -216,6 +205,28 @@ void addBreaks(Comparison& result, const PlacedRuns& site,
                                found.rotation, found.shift});
     }
   }
+}
+
+/** What speaks against a run, in the order of its weight in the score. */
+std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks) {
+  const RunScore& score = *run.score;
+  std::string text = formatted("bends %.2f m away from the %zu other %s", score.bend, score.others,
+                               score.others == 1 ? "run" : "runs");
+  const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
+  if (const auto count = std::count_if(breaks.begin(), breaks.end(), isOfRun))
+    text += formatted(", breaks in %ld place%s", long(count), count == 1 ? "" : "s");
+  for (const Measure& measure : run.measures)
+    if (measure.name == "axis_deviation" && measure.value)
+      text += formatted(", walls %.1f degrees off right angles", *measure.value);
+  if (!score.isMeaningful) text += "; too little to judge by";
+  return text;
+}
+
+void addReasons(Comparison& result) {
+  for (ComparedRun& run : result.runs)
+    run.reason = run.score                      ? reasonOf(run, result.breaks)
+                 : result.reference == run.name ? "the others are measured against it"
+                                                : "no other run to compare it with";
 }
 
 void rank(std::vector<ComparedRun>& runs) {
@@ -329,6 +340,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   const auto bends = bendsOf(inPairs);
   addRuns(result, inSite, bends, reference, options);
   addBreaks(result, inSite, inPairs, options);
+  addReasons(result);
   rank(result.runs);
   addPairs(result, runs, pairs, related, site, inSite, bends);
   for (std::size_t i = 0; i < runs.size(); ++i)

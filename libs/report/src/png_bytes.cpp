@@ -57,17 +57,23 @@ class Encoder {
 }  // namespace
 
 std::string pngBytes(const PaletteImage& image) {
-  Encoder encoder(image.width, image.height, 2, PNG_COLOR_TYPE_PALETTE);
+  const int depth = image.palette.size() > 4 ? 4 : 2, perByte = 8 / depth;
+  Encoder encoder(image.width, image.height, depth, PNG_COLOR_TYPE_PALETTE);
   std::vector<png_color> palette;
   for (const Colour c : image.palette) palette.push_back({c.red, c.green, c.blue});
   png_set_PLTE(encoder.png(), encoder.info(), palette.data(), int(palette.size()));
+  if (!image.alphas.empty()) {
+    png_set_tRNS(encoder.png(), encoder.info(), image.alphas.data(), int(image.alphas.size()),
+                 nullptr);
+    png_set_compression_level(encoder.png(), 6);
+  }
   png_write_info(encoder.png(), encoder.info());
-  std::vector<png_byte> row((std::size_t(image.width) + 3) / 4);
+  std::vector<png_byte> row(std::size_t((image.width + perByte - 1) / perByte));
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* source = &image.indices[std::size_t(y) * std::size_t(image.width)];
     std::fill(row.begin(), row.end(), png_byte(0));
     for (int x = 0; x < image.width; ++x)
-      row[std::size_t(x) / 4] |= png_byte(source[x] << (6 - 2 * (x % 4)));
+      row[std::size_t(x / perByte)] |= png_byte(source[x] << (8 - depth * (1 + x % perByte)));
     png_write_row(encoder.png(), row.data());
   }
   return encoder.finish();

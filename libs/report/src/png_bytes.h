@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-namespace roomgraph {
+#include "roomgraph/report/run_marks.h"
 
-struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
-};
+namespace roomgraph {
 
 /** A picture of few colours, one palette index for each pixel. */
 struct PaletteImage {
   int width = 0, height = 0;
-  std::vector<Colour> palette;        ///< at most 4
+  std::vector<Colour> palette;        ///< at most 16
   std::vector<std::uint8_t> indices;  ///< row-major, row 0 on top
+  std::vector<std::uint8_t> alphas;   ///< of the first colours; the others are opaque
 };
 
-/** PNG file with two bits for each pixel. */
+/** PNG file with two bits for each pixel, or four where there are more than four colours. Where
+ *  there are alphas the file is packed well rather than fast. */
 std::string pngBytes(const PaletteImage& image);
 
 /** PNG file of opaque pixels, as cairo holds them: one 32 bit word 0xXXRRGGBB each, `stride` bytes

@@ -1,0 +1,137 @@
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "look_from_above.h"
+#include "object_bytes.h"
+#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/report/run_marks.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kLayerHeight = 0.1;   // between runs [m]
+constexpr double kBreakRadius = 0.6;   // [m]
+constexpr double kLetterHeight = 0.5;  // [m]
+
+mrpt::img::TColor colourOf(std::size_t run) {
+  const Colour c = runColour(run);
+  return {c.red, c.green, c.blue};
+}
+
+viz::CPointCloud::Ptr wallsOf(const MapForAlignment& map, std::size_t run) {
+  auto cloud = viz::CPointCloud::Create();
+  cloud->setName("walls");
+  cloud->setColor_u8(colourOf(run));
+  cloud->setPointSize(3);
+  const Point middle = map.middle();  // MRPT draws in single precision
+  cloud->setLocation(middle.x, middle.y, 0);
+  for (int y = 0; y < map.frame.height; ++y)
+    for (int x = 0; x < map.frame.width; ++x)
+      if (map.states[map.frame.index({x, y})] == State::occupied) {
+        const Point p = map.frame.center({x, y}) - middle;
+        cloud->insertPoint(float(p.x), float(p.y), 0);
+      }
+  return cloud;
+}
+
+viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double height) {
+  auto lines = viz::CSetOfLines::Create();
+  lines->setName("rooms");
+  lines->setColor_u8({kRoomOutlineColor.r, kRoomOutlineColor.g, kRoomOutlineColor.b});
+  lines->setLineWidth(2);
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      lines->appendLine(a.x, a.y, height, b.x, b.y, height);
+    }
+  };
+  for (const SiteRoom& room : rooms) {
+    add(room.polygon.outer);
+    for (const Ring& hole : room.polygon.holes) add(hole);
+  }
+  return lines;
+}
+
+viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, double height) {
+  auto names = viz::CSetOfObjects::Create();
+  names->setName("room names");
+  for (const SiteRoom& room : rooms) {
+    auto text = viz::CText3D::Create(room.name.empty() ? room.id : room.name, "sans", kLetterHeight,
+                                     viz::FILL);
+    text->setColor_u8({kRoomOutlineColor.r, kRoomOutlineColor.g, kRoomOutlineColor.b});
+    const auto box = text->getBoundingBox();
+    text->setLocation(room.center.x - double(box.min.x + box.max.x) / 2,
+                      room.center.y - double(box.min.y + box.max.y) / 2, height);
+    names->insert(text);
+  }
+  return names;
+}
+
+viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, double height) {
+  std::map<std::string, std::size_t> places;
+  for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
+  auto rings = viz::CSetOfObjects::Create();
+  rings->setName("breaks");
+  for (const MapBreak& bend : comparison.breaks) {
+    auto ring = viz::CDisk::Create();
+    ring->setName(bend.run);
+    ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
+    const auto found = places.find(bend.run);
+    ring->setColor_u8(colourOf(found == places.end() ? 0 : found->second));
+    ring->setLocation(bend.place.x, bend.place.y, height);
+    rings->insert(ring);
+  }
+  return rings;
+}
+
+/** Round the walls of all maps; a square metre for none. */
+Box boxOf(const std::vector<std::pair<const MapForAlignment*, Transform2D>>& placed) {
+  std::vector<Point> places;
+  for (const auto& [map, pose] : placed) {
+    if (!map) continue;
+    const Motion2D move(pose);
+    for (const WallPoint& wall : map->walls) places.push_back(move(wall.place));
+  }
+  return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
+}
+
+}  // namespace
+
+MrptScene comparisonScene(const Comparison& comparison, const std::vector<PreparedRun>& runs) {
+  std::map<std::string, const MapForAlignment*> maps;
+  for (const PreparedRun& run : runs) maps.emplace(run.name, &run.map);
+  std::vector<std::pair<const MapForAlignment*, Transform2D>> placed;
+  for (const ComparedRun& run : comparison.runs) {
+    const auto found = maps.find(run.name);
+    placed.emplace_back(found == maps.end() ? nullptr : found->second, run.pose);
+  }
+  MrptScene scene;
+  for (std::size_t i = placed.size(); i-- > 0;) {
+    const auto& [map, pose] = placed[i];
+    if (!map) continue;
+    auto layer = viz::CSetOfObjects::Create();
+    layer->setName(comparison.runs[i].name);
+    layer->setPose(mrpt::poses::CPose3D(
+        pose.x, pose.y, double(placed.size() - 1 - i) * kLayerHeight, pose.phi, 0, 0));
+    layer->insert(wallsOf(*map, i));
+    scene.insert(layer);
+  }
+  const double top = double(placed.size()) * kLayerHeight;
+  if (!comparison.rooms.empty()) {
+    scene.insert(outlinesOf(comparison.rooms, top));
+    scene.insert(namesOf(comparison.rooms, top + kLayerHeight));
+  }
+  if (!comparison.breaks.empty()) scene.insert(breaksOf(comparison, top + 2 * kLayerHeight));
+  lookFromAbove(scene, boxOf(placed));
+  return scene;
+}
+
+std::string comparisonSceneBytes(const Comparison& comparison,
+                                 const std::vector<PreparedRun>& runs) {
+  return gzippedObject(comparisonScene(comparison, runs));
+}
+
+}  // namespace roomgraph

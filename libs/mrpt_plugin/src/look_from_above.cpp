@@ -1,0 +1,30 @@
+#include "look_from_above.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/mrpt_plugin/colors.h"
+
+namespace roomgraph {
+
+void lookFromAbove(MrptScene& scene, const Box& box) {
+  const auto view = scene.getViewport();
+  view->setCustomBackgroundColor(
+      {kBackgroundColor.r / 255.F, kBackgroundColor.g / 255.F, kBackgroundColor.b / 255.F});
+  scene.enableFollowCamera(true);  // else SceneViewer3D looks from where it likes
+  // Even light, so that the colours are those of the legend: the files know no unlit triangles.
+  auto& lights = view->lightParameters();
+  lights.ambient = {1, 1, 1, 1};
+  lights.diffuse = lights.specular = {0, 0, 0, 1};
+  const Point middle = midpoint(box.low, box.high), size = box.high - box.low;
+  auto& camera = view->getCamera();
+  camera.setPointingAt(float(middle.x), float(middle.y), 0);
+  camera.setAzimuthDegrees(-90);  // y up, as on the map
+  camera.setElevationDegrees(70);
+  camera.setProjectiveFOVdeg(30);
+  // The whole box in a window that is wider than high.
+  const double half = std::max(size.y, 0.75 * size.x) / 2;
+  camera.setZoomDistance(float(1.1 * half / std::tan(M_PI / 12)));
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace roomgraph {
+
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+};
+
+/** How a run is told from the others, by its place in the ranking: colour and shape repeat after 7
+ *  and 6 runs, so 42 runs in a row have different marks. The colours are those of Okabe and Ito
+ *  that show on white. */
+Colour runColour(std::size_t run);
+
+/** An SVG path within -6 to 6, y down. */
+const char* runShape(std::size_t run);
+
+/** The name of that shape. */
+const char* runShapeName(std::size_t run);
+
+}  // namespace roomgraph

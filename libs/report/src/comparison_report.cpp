@@ -1,0 +1,29 @@
+#include "roomgraph/report/comparison_report.h"
+
+#include "page_data.h"
+#include "page_files.h"
+#include "page_tables.h"
+
+namespace roomgraph {
+
+std::vector<UsedOption> usedOptions(const FieldTable& table) {
+  std::vector<UsedOption> options;
+  for (const Field& field : table.fields())
+    options.push_back({field.section, field.name, valueText(field), field.unit, field.sentence});
+  return options;
+}
+
+std::string comparisonReport(const Comparison& comparison, const std::vector<PreparedRun>& runs,
+                             const std::vector<UsedOption>& options) {
+  kainjow::mustache::data page = pageTables(comparison, runs, options);
+  page.set("leafletStyle", page_files::kLeafletCss);
+  page.set("leaflet", page_files::kLeafletJs);
+  page.set("d3", page_files::kD3Js);
+  page.set("style", page_files::kReportCss);
+  page.set("script", page_files::kReportJs);
+  page.set("licences", page_files::kLicencesTxt);
+  page.set("data", pageData(comparison, runs));
+  return kainjow::mustache::mustache(page_files::kReportHtml).render(page);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,454 @@
+"use strict";
+// What the tables of the page cannot do alone: the plot, the map, and the links between map and
+// tables. Names are only ever set as text, never as HTML.
+(function () {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const all = (selector, root) => Array.from((root || document).querySelectorAll(selector));
+  const one = (selector) => document.querySelector(selector);
+
+  function element(tag, attributes, text) {
+    const made = document.createElement(tag);
+    Object.entries(attributes || {}).forEach(([key, value]) => made.setAttribute(key, value));
+    if (text !== undefined) made.textContent = text;
+    return made;
+  }
+
+  function fixed(value, digits) {
+    return value === null || value === undefined ? "–" : value.toFixed(digits);
+  }
+
+  function metres(value) { return value === null ? "–" : fixed(value, 2) + " m"; }
+
+  function shortened(name, most) {
+    return name.length <= most ? name : name.slice(0, most - 1) + "…";
+  }
+
+  // ---- The ranking: a dot and its interval for each run, score and map error side by side.
+
+  function drawPanel(svg, panel, runs, rowHeight) {
+    const x = d3.scale.linear().domain(panel.domain).range([panel.left, panel.left + panel.width]);
+    const bottom = panel.top + runs.length * rowHeight;
+    svg.append("text").attr("class", "head").attr("x", panel.left).attr("y", panel.top - 26)
+      .text(panel.title);
+    svg.append("text").attr("class", "note").attr("x", panel.left).attr("y", panel.top - 10)
+      .text(panel.note);
+    x.ticks(Math.max(2, Math.min(6, Math.floor(panel.width / 60)))).forEach((tick) => {
+      svg.append("line").attr("class", "grid").attr("x1", x(tick)).attr("x2", x(tick))
+        .attr("y1", panel.top).attr("y2", bottom);
+      svg.append("text").attr("class", "tick").attr("x", x(tick)).attr("y", bottom + 16)
+        .attr("text-anchor", "middle").text(tick);
+    });
+    runs.forEach((run, i) => {
+      const [low, value, high] = run[panel.key];
+      if (value === null) return;
+      const y = panel.top + (i + 0.5) * rowHeight;
+      const row = svg.append("g").attr("class", "figure");
+      row.append("title").text(run.name + ": " + fixed(value, panel.digits) + " (" +
+        fixed(low, panel.digits) + " to " + fixed(high, panel.digits) + ")");
+      row.append("line").attr("x1", x(low)).attr("x2", x(high)).attr("y1", y).attr("y2", y)
+        .attr("stroke", run.colour).attr("stroke-width", 3).attr("stroke-opacity", 0.55)
+        .attr("stroke-dasharray", run.meaningful ? null : "3,3");
+      [low, high].forEach((end) => row.append("line").attr("x1", x(end)).attr("x2", x(end))
+        .attr("y1", y - 5).attr("y2", y + 5).attr("stroke", run.colour).attr("stroke-width", 1.5));
+      row.append("path").attr("d", run.shape).attr("transform", "translate(" + x(value) + "," + y + ")")
+        .attr("fill", run.meaningful ? run.colour : "#fff")
+        .attr("stroke", run.meaningful ? "#fff" : run.colour)
+        .attr("stroke-width", run.meaningful ? 1 : 1.8);
+    });
+  }
+
+  function drawNames(svg, runs, left, top, rowHeight, width) {
+    runs.forEach((run, i) => {
+      const y = top + (i + 0.5) * rowHeight;
+      const row = svg.append("g").attr("class", "row");
+      row.append("rect").attr("class", "band").attr("x", 0).attr("y", y - rowHeight / 2)
+        .attr("width", width).attr("height", rowHeight);
+      row.append("path").attr("d", run.shape).attr("fill", run.colour)
+        .attr("transform", "translate(8," + y + ")");
+      row.append("text").attr("x", 22).attr("y", y + 4)
+        .text(shortened(run.name, Math.max(6, Math.floor((left - 34) / 7.4))))
+        .append("title").text(run.name);
+    });
+  }
+
+  /** As wide as the page, or as asked. */
+  function drawRanking(asked) {
+    const runs = data.runs.filter((run) => run.score[1] !== null);
+    const host = one("#plot");
+    host.textContent = "";
+    if (!runs.length) return;
+    const width = asked || Math.max(300, host.clientWidth), isNarrow = width < 640;
+    const rowHeight = runs.length > 40 ? 18 : 26, top = 46, gap = 44;
+    const longest = Math.max(...runs.map((run) => run.name.length));
+    const left = Math.min(isNarrow ? 110 : 230, 36 + 7.4 * longest);
+    const panelWidth = isNarrow ? width - left - 16 : (width - left - gap - 20) / 2;
+    const block = top + runs.length * rowHeight + 26;
+    const most = Math.max(0.1, ...runs.map((run) => run.error[2] || 0));
+    const svg = d3.select(host).append("svg")
+      .attr("viewBox", "0 0 " + width + " " + (isNarrow ? 2 * block + 10 : block))
+      .attr("width", width).attr("role", "img")
+      .attr("aria-label", "Score and map error of each run with intervals; the table below has the numbers.");
+    drawNames(svg, runs, left, top, rowHeight, width);
+    if (isNarrow) drawNames(svg, runs, left, block + 10 + top, rowHeight, width);
+    drawPanel(svg, {key: "score", title: "Score", note: "100 is best", digits: 1, domain: [0, 100],
+      left: left, top: top, width: panelWidth}, runs, rowHeight);
+    drawPanel(svg, {key: "error", title: "Map error [m]", note: "0 is best", digits: 2,
+      domain: [0, 1.02 * most], left: isNarrow ? left : left + panelWidth + gap,
+      top: isNarrow ? block + 10 + top : top, width: panelWidth}, runs, rowHeight);
+  }
+
+  // ---- The map. Leaflet's lat and lng are y and x [m].
+
+  const latLng = (point) => [point[1], point[0]];
+  const bounds = (box) => L.latLngBounds(latLng(box[0]), latLng(box[1]));
+  const map = L.map("map", {
+    crs: L.CRS.Simple, attributionControl: false, zoomSnap: 0.25, zoomDelta: 0.5, minZoom: -6,
+    maxZoom: 9, wheelPxPerZoomLevel: 90, zoomAnimation: false, fadeAnimation: false,
+    markerZoomAnimation: false,
+  });
+  let isWhole = true;  // the whole site is shown, and nobody has moved the picture
+  map.on("dragstart zoomstart", () => { isWhole = false; });
+
+  function home() {
+    map.fitBounds(bounds(data.box), {animate: false, padding: [8, 8]});
+    isWhole = true;
+  }
+
+  map.createPane("heat").style.zIndex = 320;
+  map.createPane("runs").style.zIndex = 300;
+  map.createPane("rooms").style.zIndex = 410;
+  map.createPane("labels").style.zIndex = 420;  // below the markers
+  map.getPane("labels").style.pointerEvents = "none";
+
+  const layers = {};  // by name, as in data-layer
+
+  function pictureLayer(picture, pane, description, options) {
+    return L.imageOverlay(picture.url, bounds(picture.box),
+      Object.assign({pane: pane, alt: description}, options));
+  }
+
+  data.runs.forEach((run, i) => {
+    layers["run-" + i] = run.picture
+      ? pictureLayer(run.picture, "runs", "Walls of " + run.name, {zIndex: data.runs.length - i}) : L.layerGroup();
+  });
+  layers.heat = data.heat
+    ? pictureLayer(data.heat, "heat", "Where the runs disagree", {className: "crisp"}) : L.layerGroup();
+
+  const plainRoom = {color: "#33415c", weight: 1.2, opacity: 0.75, fillColor: "#33415c",
+    fillOpacity: 0.02, dashArray: null};
+  const plainCorridor = Object.assign({}, plainRoom, {dashArray: "2,4"});
+  const chosenRoom = {color: "#17202e", weight: 4, opacity: 1, fillColor: "#ffd84d",
+    fillOpacity: 0.45, dashArray: null};
+
+  const styleOf = (room) => (room.corridor ? plainCorridor : plainRoom);
+  const roomName = (room) => (room.name && room.name !== room.id ? room.id + " " + room.name : room.id);
+
+  /** Where a horizontal line enters and leaves a room, in pairs. */
+  function crossings(rings, y) {
+    const found = [];
+    rings.forEach((ring) => ring.forEach((a, i) => {
+      const b = ring[(i + 1) % ring.length];
+      if ((a[1] > y) !== (b[1] > y)) found.push(a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]));
+    }));
+    return found.sort((a, b) => a - b);
+  }
+
+  /** The middle of a room where that lies in it; else, as in a corridor round a yard, the middle of
+   *  the widest of some lines through it. */
+  function labelPlace(room) {
+    const before = crossings(room.rings, room.center[1]).filter((x) => x < room.center[0]).length;
+    if (!room.rings.length || before % 2 === 1) return room.center;
+    const ys = room.rings[0].map((point) => point[1]), low = Math.min(...ys), high = Math.max(...ys);
+    let best = room.center, width = 0;
+    for (let k = 0.5; k < 20; ++k) {
+      const y = low + (high - low) * k / 20, found = crossings(room.rings, y);
+      for (let i = 0; i + 1 < found.length; i += 2) {
+        if (found[i + 1] - found[i] <= width) continue;
+        width = found[i + 1] - found[i];
+        best = [(found[i] + found[i + 1]) / 2, y];
+      }
+    }
+    return best;
+  }
+
+  function makeRoom(room, i) {
+    const options = Object.assign({pane: "rooms", className: "room-shape"}, styleOf(room));
+    const shape = room.rings.length
+      ? L.polygon(room.rings.map((ring) => ring.map(latLng)), options)
+      : L.circleMarker(latLng(room.center), Object.assign({radius: 8}, options));
+    shape.on("add", () => {
+      const path = shape.getElement();
+      path.setAttribute("data-room", i);
+      path.setAttribute("role", "img");
+      path.setAttribute("aria-label", roomName(room));
+      path.classList.toggle("chosen", chosen === i);
+    });
+    shape.on("click", () => choose(i, "map"));
+    const label = L.tooltip({permanent: true, direction: "center", className: "room-label",
+      interactive: false, opacity: 1,
+      pane: "labels"}).setLatLng(latLng(labelPlace(room)));
+    label.setContent(element("span", {}, shortened(room.name || room.id, 16)));
+    label.on("add", () => label.getElement().classList.toggle("chosen", chosen === i));
+    return {shape: shape, label: label};
+  }
+
+  let chosen = null;
+  const rooms = data.rooms.map(makeRoom);
+  layers.rooms = L.layerGroup(rooms.map((room) => room.shape).concat(rooms.map((room) => room.label)));
+
+  function makeBreak(bend) {
+    const run = data.runs[bend.run] || {name: "", colour: "#000"};
+    const icon = element("span");
+    icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="26" height="26" aria-hidden="true">' +
+      '<path d="M0,-10.5L11,9H-11Z" stroke="#fff" stroke-width="2" stroke-linejoin="round"/>' +
+      '<path d="M-3.5,7L1.5,1L-2,-0.5L2,-6" fill="none" stroke="#fff" stroke-width="1.8"/></svg>';
+    icon.querySelector("path").setAttribute("fill", run.colour);
+    const marker = L.marker(latLng(bend.place), {keyboard: false, alt: "Break of " + run.name,
+      icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26], popupAnchor: [0, -8]})});
+    const said = element("div");
+    said.append(element("b", {}, run.name), element("br"),
+      "turns by " + fixed(bend.turn, 1) + "° and shifts by " + fixed(bend.shift, 2) + " m here");
+    return marker.bindPopup(said);
+  }
+
+  const breaks = data.breaks.map(makeBreak);
+  layers.breaks = L.layerGroup(breaks);
+
+  // ---- Layer switches.
+
+  const boxOf = (name) => one('input[data-layer="' + name + '"]');
+
+  function show(name, isOn) {
+    const box = boxOf(name);
+    if (box) {
+      box.checked = isOn;
+      box.closest("label").classList.toggle("off", !isOn);
+    }
+    if (isOn) layers[name].addTo(map); else layers[name].remove();
+  }
+
+  function showRuns(isOn) { data.runs.forEach((run, i) => show("run-" + i, isOn(i))); }
+
+  const shows = {
+    all: () => { showRuns(() => true); show("heat", false); },
+    best: () => { showRuns((i) => i === 0); show("heat", false); },
+    heat: () => { showRuns((i) => i === 0); show("heat", true); },
+    fit: home,
+  };
+
+  /** Only this run, as long as it is pointed at; null ends that. */
+  function spotlight(run) {
+    data.runs.forEach((other, i) => {
+      const layer = layers["run-" + i];
+      if (layer.setOpacity) layer.setOpacity(run === null || i === run ? 1 : 0.08);
+    });
+  }
+
+  function wireLayers() {
+    all("input[data-layer]").forEach((box) => {
+      const name = box.dataset.layer;
+      box.addEventListener("change", () => show(name, box.checked));
+      show(name, box.checked);
+    });
+    all("button[data-show]").forEach((button) =>
+      button.addEventListener("click", () => shows[button.dataset.show]()));
+    all("label[data-run]").forEach((label) => {
+      const run = Number(label.dataset.run);
+      const isOn = () => boxOf("run-" + run).checked;
+      label.addEventListener("mouseenter", () => spotlight(isOn() ? run : null));
+      label.addEventListener("mouseleave", () => spotlight(null));
+      label.addEventListener("change", () => spotlight(null));
+    });
+  }
+
+  // ---- Rooms: map and ledger.
+
+  const sightings = {seen: "seen", gone: "not found", unvisited: "has not looked"};
+
+  function doorsText(room) {
+    const parts = [];
+    if (room.gained) parts.push("+" + room.gained);
+    if (room.lost) parts.push("−" + room.lost);
+    return parts.join(" ") || (room.sighting === "seen" ? "same" : "–");
+  }
+
+  function signedPercent(value) {
+    if (value === null) return "–";
+    const percent = Math.round(100 * value);
+    return (percent > 0 ? "+" : percent < 0 ? "−" : "") + Math.abs(percent) + " %";
+  }
+
+  function stateText(room) {
+    const parts = [sightings[room.sighting]];
+    if (room.pieces > 1) parts.push("in " + room.pieces + " pieces");
+    if (room.sighting === "seen" && room.pieces === 0) parts.push("but no way leads to it");
+    if (room.merged) parts.push("merged with another");
+    return parts.join(", ");
+  }
+
+  function detailsRow(room) {
+    const row = element("tr", {class: "details"}), cell = element("td", {colspan: "4"});
+    const table = element("table"), head = element("tr"), body = element("tbody");
+    const titles = ["Run", "", "Shift", "Area", "Outline", "Doors"];
+    if (room.corridor) titles.push("Length");
+    titles.forEach((title, i) => head.append(element("th", {scope: "col", class: i > 1 ? "n" : ""}, title)));
+    room.runs.forEach((said) => {
+      const line = element("tr"), run = data.runs[said.run];
+      line.append(element("th", {scope: "row"}, run ? run.name : "?"), element("td", {}, stateText(said)));
+      const outline = said.outline === null ? "–" : Math.round(100 * said.outline) + " %";
+      const figures = [metres(said.shift), signedPercent(said.area), outline, doorsText(said)];
+      if (room.corridor) figures.push(metres(said.length));
+      figures.forEach((figure) => line.append(element("td", {class: "n"}, figure)));
+      body.append(line);
+    });
+    const thead = element("thead");
+    thead.append(head);
+    table.append(thead, body);
+    cell.append(table);
+    row.append(cell);
+    return row;
+  }
+
+  function mark(i, isChosen) {
+    const row = one("#room-" + i), room = data.rooms[i];
+    row.classList.toggle("chosen", isChosen);
+    if (isChosen) row.setAttribute("aria-current", "true"); else row.removeAttribute("aria-current");
+    rooms[i].shape.setStyle(isChosen ? chosenRoom : styleOf(room));
+    [rooms[i].shape, rooms[i].label].forEach((layer) => {
+      const made = layer.getElement && layer.getElement();
+      if (made) made.classList.toggle("chosen", isChosen);
+    });
+  }
+
+  /** Highlights a room in both places; `from` is where the user is already looking. */
+  function choose(i, from) {
+    all("tr.details").forEach((row) => row.remove());
+    if (chosen !== null) mark(chosen, false);
+    const again = chosen === i && from === "row";
+    chosen = again ? null : i;
+    if (again) return;
+    show("rooms", true);
+    mark(i, true);
+    const room = data.rooms[i], row = one("#room-" + i);
+    if (room.runs.length) row.after(detailsRow(room));
+    if (from === "row") {
+      isWhole = false;
+      const shape = rooms[i].shape;
+      const box = shape.getBounds ? shape.getBounds() : L.latLngBounds([shape.getLatLng()]);
+      map.fitBounds(box.pad(1.2), {animate: false, maxZoom: Math.max(map.getZoom(), 4.5)});
+    } else {
+      row.scrollIntoView({block: "center"});
+      row.focus({preventScroll: true});
+    }
+    const seen = room.runs.filter((said) => said.sighting === "seen").length;
+    one("#said").textContent = roomName(room) + " is chosen, seen in " + seen + " of " +
+      room.runs.length + " runs.";
+  }
+
+  function chooseBreak(i) {
+    show("breaks", true);
+    isWhole = false;
+    const place = latLng(data.breaks[i].place);
+    map.setView(place, Math.max(map.getZoom(), 4.5), {animate: false});
+    breaks[i].openPopup();
+    one(".picture").scrollIntoView({block: "nearest"});
+  }
+
+  /** A click, Enter or the space bar on a row. */
+  function wireRows(selector, use) {
+    all(selector).forEach((row) => {
+      row.addEventListener("click", () => use(row));
+      row.addEventListener("keydown", (event) => {
+        if (event.target !== row || (event.key !== "Enter" && event.key !== " ")) return;
+        event.preventDefault();
+        use(row);
+      });
+    });
+  }
+
+  // ---- Tables that sort.
+
+  function sortBy(table, column, header) {
+    const isDown = header.getAttribute("aria-sort") === "ascending";
+    all("th[aria-sort]", table).forEach((other) => other.removeAttribute("aria-sort"));
+    header.setAttribute("aria-sort", isDown ? "descending" : "ascending");
+    const isNumber = header.matches(".n, .by-number");
+    const value = (row) => {
+      const text = row.cells[column].textContent.trim(), number = parseFloat(text);
+      return !isNumber ? text : isNaN(number) ? Infinity : number;
+    };
+    const compare = (a, b) => (!isNumber ? a.localeCompare(b, "en", {numeric: true})
+      : a < b ? -1 : a > b ? 1 : 0);
+    all("tr.details", table).forEach((row) => row.remove());
+    const body = table.tBodies[0];
+    const rows = all("tr", body).map((row) => ({row: row, value: value(row)}));
+    rows.sort((a, b) => (isDown ? -1 : 1) * compare(a.value, b.value));
+    body.append(...rows.map((entry) => entry.row));
+  }
+
+  function wireSorting() {
+    all("table.sortable").forEach((table) => all("thead th", table).forEach((header, column) => {
+      const button = element("button", {type: "button", title: "Sort"}, header.textContent);
+      header.textContent = "";
+      header.append(button);
+      button.addEventListener("click", () => sortBy(table, column, header));
+    }));
+  }
+
+  // ---- Print: the map gets the size of the paper, and what is folded is opened.
+
+  function wirePrint() {
+    let closed = [], view = null;
+    window.addEventListener("beforeprint", () => {
+      view = {center: map.getCenter(), zoom: map.getZoom(), isWhole: isWhole};
+      closed = all("main details:not([open])");
+      closed.forEach((details) => { if (details.closest("#ranking, #options")) details.open = true; });
+      const size = map.getSize(), around = map.getBounds();
+      Object.assign(one("#map").style, {width: "690px", height: Math.round(690 * Math.min(1, size.y / size.x)) + "px"});
+      map.closePopup();
+      map.invalidateSize({animate: false});
+      map.options.zoomSnap = 0;  // as large as fits
+      if (view.isWhole) home(); else map.fitBounds(around, {animate: false});
+      drawRanking(690);
+    });
+    window.addEventListener("afterprint", () => {
+      closed.forEach((details) => { details.open = false; });
+      Object.assign(one("#map").style, {width: "", height: ""});
+      map.invalidateSize({animate: false});
+      map.options.zoomSnap = 0.25;
+      if (view && view.isWhole) home(); else if (view) map.setView(view.center, view.zoom, {animate: false});
+      drawRanking();
+    });
+  }
+
+  function addControls() {
+    L.control.scale({imperial: false, maxWidth: 140}).addTo(map);
+    const place = L.control({position: "bottomright"});
+    const text = element("span", {class: "place", "aria-hidden": "true"});
+    place.onAdd = () => text;
+    place.addTo(map);
+    map.on("mousemove", (event) => {
+      text.textContent = "x " + event.latlng.lng.toFixed(1) + "  y " + event.latlng.lat.toFixed(1) + " m";
+    });
+    map.on("mouseout", () => { text.textContent = ""; });
+    map.on("zoomend", () => map.getContainer().classList.toggle("far-out", map.getZoom() < 2.5));
+  }
+
+  addControls();
+  home();
+  wireLayers();
+  wireRows("tr.room", (row) => choose(Number(row.dataset.room), "row"));
+  wireRows("tr.break", (row) => chooseBreak(Number(row.dataset.break)));
+  wireSorting();
+  wirePrint();
+  drawRanking();
+  let pending = 0;
+  window.addEventListener("resize", () => {
+    clearTimeout(pending);
+    pending = setTimeout(() => {
+      drawRanking();
+      map.invalidateSize({animate: false});
+      if (isWhole) home();
+    }, 100);
+  });
+}());

@@ -1,0 +1,27 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/compare_runs.h"
+
+namespace roomgraph {
+
+/** What the scripts of the report draw: runs with their pictures, heat map, rooms and breaks. JSON
+ *  that may stand in a script element: it holds no '<', '>' or '&'. */
+std::string pageData(const Comparison& comparison, const std::vector<PreparedRun>& runs);
+
+/** The text as UTF-8: what is not gets a replacement sign. */
+std::string utf8Text(const std::string& text);
+
+/** "#rrggbb". */
+std::string colourText(std::size_t run);
+
+/** Shares of 0.1, for instance, as "10 %". */
+std::string percentText(double share);
+
+/** With so many digits behind the point; "–" for nothing. */
+std::string fixedText(std::optional<double> value, int digits);
+
+}  // namespace roomgraph

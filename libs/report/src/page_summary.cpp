@@ -1,0 +1,74 @@
+#include "page_summary.h"
+
+#include <algorithm>
+#include <map>
+
+#include "page_data.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMostNames = 4;
+
+std::string counted(std::size_t count, const std::string& thing, const std::string& things) {
+  return std::to_string(count) + " " + (count == 1 ? thing : things);
+}
+
+/** "a, b, c and 3 more". */
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  const std::size_t shown = names.size() > kMostNames + 1 ? kMostNames : names.size();
+  for (std::size_t i = 0; i < shown; ++i) {
+    const bool isLast = i + 1 == shown && shown == names.size();
+    text += (i == 0 ? "" : isLast ? " and " : ", ") + names[i];
+  }
+  if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+  return text;
+}
+
+std::string breaksSentence(const Comparison& comparison) {
+  std::map<std::string, std::size_t> breaks;
+  for (const MapBreak& bend : comparison.breaks) ++breaks[bend.run];
+  std::vector<std::string> names;
+  for (const ComparedRun& run : comparison.runs)
+    if (breaks.count(run.name))
+      names.push_back(run.name + (breaks[run.name] > 1
+                                      ? " (" + std::to_string(breaks[run.name]) + " places)"
+                                      : ""));
+  return counted(names.size(), "map bends", "maps bend") + ": " + listed(names) + ".";
+}
+
+std::string goneSentence(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const SiteRoom& room : comparison.rooms) {
+    std::vector<std::string> runs;
+    for (const RoomInRun& one : room.runs)
+      if (one.sighting == RoomSighting::gone) runs.push_back(one.run);
+    if (!runs.empty()) names.push_back(room.name + " in " + listed(runs));
+  }
+  if (names.empty()) return "";
+  return counted(names.size(), "room is", "rooms are") +
+         " missing where a run has looked: " + listed(names) + ".";
+}
+
+}  // namespace
+
+std::vector<std::string> pageSummary(const Comparison& comparison) {
+  std::vector<std::string> sentences;
+  if (!comparison.runs.empty() && comparison.runs[0].score && comparison.runs.size() > 2)
+    sentences.push_back("Why " + comparison.runs[0].name + ": " + comparison.runs[0].reason + ".");
+  if (comparison.reference)
+    sentences.push_back("All runs are measured against " + *comparison.reference + ".");
+  if (!comparison.breaks.empty()) sentences.push_back(breaksSentence(comparison));
+  const std::string gone = goneSentence(comparison);
+  if (!gone.empty()) sentences.push_back(gone);
+  if (!comparison.leftOut.empty()) {
+    std::vector<std::string> names;
+    for (const LeftOutRun& run : comparison.leftOut) names.push_back(run.name);
+    sentences.push_back(counted(names.size(), "file is", "files are") +
+                        " left out: " + listed(names) + ".");
+  }
+  return sentences;
+}
+
+}  // namespace roomgraph

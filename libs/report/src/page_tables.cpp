@@ -1,0 +1,274 @@
+#include "page_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "page_data.h"
+#include "page_summary.h"
+#include "page_values.h"
+#include "room_rows.h"
+#include "roomgraph/base/version.h"
+#include "roomgraph/report/run_marks.h"
+#include "site_pictures.h"
+
+namespace roomgraph {
+namespace {
+
+using kainjow::mustache::data;
+using page_values::flag;
+using page_values::list;
+using page_values::text;
+
+constexpr std::size_t kMostOpenRuns = 30;   // more scroll in a box of their own
+constexpr std::size_t kMostOpenPairs = 60;  // a longer table starts closed
+
+std::string fileName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+/** "0.12" for metres, "93 %" for shares. */
+std::string valueText(std::optional<double> value, const std::string& unit) {
+  if (!value) return "–";
+  return unit == "1" ? percentText(*value) : fixedText(value, 2);
+}
+
+std::string rangeText(std::optional<double> low, std::optional<double> high, int digits) {
+  return low && high ? fixedText(low, digits) + " – " + fixedText(high, digits) : "";
+}
+
+/** "wall_distance_p90" for people. */
+std::string measureName(const std::string& name) {
+  static const std::map<std::string, std::string> names = {
+      {"coverage", "Coverage"},
+      {"bend", "Bend away from the others"},
+      {"followed", "Walls found again"},
+      {"axis_deviation", "Walls off right angles, median"},
+      {"wall_distance", "Wall distance, median"},
+      {"wall_distance_mean", "Wall distance, mean"},
+      {"wall_distance_p90", "Wall distance, 9 of 10 below"},
+      {"rooms_matched", "Rooms found again"}};
+  const auto known = names.find(name);
+  if (known != names.end()) return known->second;
+  std::string words = name;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
+  return words;
+}
+
+const Measure* measureOf(const std::vector<Measure>& measures, const std::string& name) {
+  for (const Measure& measure : measures)
+    if (measure.name == name) return &measure;
+  return nullptr;
+}
+
+data measureCell(const Measure* measure) {
+  data cell;
+  cell.set("value", measure ? valueText(measure->value, measure->unit) : "–");
+  const bool isShare = measure && std::string(measure->unit) == "1";
+  const auto scaled = [&](std::optional<double> value) -> std::optional<double> {
+    if (!value) return std::nullopt;
+    return isShare ? 100 * *value : *value;
+  };
+  if (measure)
+    cell.set("range", rangeText(scaled(measure->low), scaled(measure->high), isShare ? 0 : 2));
+  cell.set("weak", flag(!measure || !measure->isMeaningful));
+  return cell;
+}
+
+class Tables {
+ public:
+  Tables(const Comparison& comparison, const std::vector<PreparedRun>& prepared)
+      : comparison_(comparison) {
+    for (const ComparedRun& run : comparison.runs) places_.emplace(run.name, places_.size());
+    for (const PreparedRun& run : prepared) hashes_.emplace(run.name, run.sha256);
+  }
+
+  data runs() const {
+    data rows = list();
+    for (std::size_t i = 0; i < comparison_.runs.size(); ++i) rows << runRow(i);
+    return rows;
+  }
+
+  data measureNames() const {
+    data names = list();
+    for (const Measure& measure : allMeasures()) {
+      data one;
+      one.set("name", text(measureName(measure.name)));
+      one.set("unit",
+              std::string(measure.unit) == "1" ? "" : "[" + std::string(measure.unit) + "]");
+      names << one;
+    }
+    return names;
+  }
+
+  data breaks() const {
+    data rows = list();
+    for (std::size_t i = 0; i < comparison_.breaks.size(); ++i) {
+      const MapBreak& bend = comparison_.breaks[i];
+      data row = runCell(bend.run);
+      row.set("index", std::to_string(i));
+      row.set("x", fixedText(bend.place.x, 1));
+      row.set("y", fixedText(bend.place.y, 1));
+      row.set("turn", fixedText(bend.rotation * 180 / M_PI, 1));
+      row.set("shift", fixedText(bend.shift, 2));
+      rows << row;
+    }
+    return rows;
+  }
+
+  data pairs() const {
+    data rows = list();
+    for (const ComparedPair& pair : comparison_.pairs) {
+      data row;
+      row.set("a", text(pair.a));
+      row.set("b", text(pair.b));
+      row.set("same", flag(pair.isSameSite));
+      row.set("confidence", fixedText(pair.confidence, 2));
+      row.set("overlap", pair.transform ? percentText(pair.overlap) : "–");
+      const Measure* distance = measureOf(pair.measures, "wall_distance");
+      row.set("distance", distance ? valueText(distance->value, "m") : "–");
+      row.set("runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–");
+      rows << row;
+    }
+    return rows;
+  }
+
+  data leftOut() const {
+    data rows = list();
+    for (const LeftOutRun& run : comparison_.leftOut) {
+      data row;
+      row.set("name", text(run.name));
+      row.set("file", text(fileName(run.file)));
+      row.set("reason", text(run.reason));
+      rows << row;
+    }
+    return rows;
+  }
+
+ private:
+  /** Mark and name of a run. */
+  data runCell(const std::string& name) const {
+    const auto found = places_.find(name);
+    const std::size_t place = found == places_.end() ? 0 : found->second;
+    data cell;
+    cell.set("run", text(name));
+    cell.set("colour", colourText(place));
+    cell.set("shape", runShape(place));
+    return cell;
+  }
+
+  data runRow(std::size_t i) const {
+    const ComparedRun& run = comparison_.runs[i];
+    data row = runCell(run.name);
+    row.set("index", std::to_string(i));
+    row.set("rank", run.rank ? std::to_string(run.rank) : "–");
+    row.set("isReference", flag(comparison_.reference == run.name));
+    row.set("file", text(fileName(run.file)));
+    const auto hash = hashes_.find(run.name);
+    row.set("hash", text(hash == hashes_.end() ? "" : hash->second));
+    row.set("reason", text(run.reason));
+    row.set("weak", flag(run.score && !run.score->isMeaningful));
+    row.set("score", run.score ? fixedText(run.score->score, 1) : "–");
+    row.set("error", run.score ? fixedText(run.score->mapError, 2) : "–");
+    if (run.score) {
+      row.set("scoreRange", rangeText(run.score->low, run.score->high, 1));
+      row.set("errorRange", rangeText(run.score->errorLow, run.score->errorHigh, 2));
+    }
+    row.set("breaks", std::to_string(breaksOf(run.name)));
+    const Measure* coverage = measureOf(run.measures, "coverage");
+    row.set("coverage", coverage ? valueText(coverage->value, coverage->unit) : "–");
+    data measures = list();
+    for (const Measure& measure : allMeasures())
+      measures << measureCell(measureOf(run.measures, measure.name));
+    row.set("measures", measures);
+    row.set("isShown", flag(i < kMostShown));
+    return row;
+  }
+
+  std::size_t breaksOf(const std::string& run) const {
+    return std::size_t(std::count_if(comparison_.breaks.begin(), comparison_.breaks.end(),
+                                     [&](const MapBreak& bend) { return bend.run == run; }));
+  }
+
+  /** Those of the first run that has any: all runs have the same. */
+  const std::vector<Measure>& allMeasures() const {
+    static const std::vector<Measure> none;
+    for (const ComparedRun& run : comparison_.runs)
+      if (!run.measures.empty()) return run.measures;
+    return none;
+  }
+
+  static constexpr std::size_t kMostShown = 12;  // layers that are switched on at first
+
+  const Comparison& comparison_;
+  std::map<std::string, std::size_t> places_;
+  std::map<std::string, std::string> hashes_;
+};
+
+data optionRows(const std::vector<UsedOption>& options) {
+  data rows = list();
+  for (const UsedOption& option : options) {
+    data row;
+    row.set("key", text(option.section + (option.section.empty() ? "" : ".") + option.name));
+    row.set("value", text(option.value));
+    row.set("unit", text(option.unit));
+    row.set("sentence", text(option.sentence));
+    rows << row;
+  }
+  return rows;
+}
+
+data heatRows() {
+  data rows = list();
+  for (std::size_t i = 0; i < heatColours().size(); ++i) {
+    const Colour c = heatColours()[i];
+    data row;
+    row.set("colour", "rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," +
+                          std::to_string(c.blue) + ")");
+    row.set("upTo", std::to_string(10 * (i + 1)));
+    rows << row;
+  }
+  return rows;
+}
+
+std::string countsText(const Comparison& comparison) {
+  const std::size_t runs = comparison.runs.size(), pairs = comparison.pairs.size();
+  std::string result = std::to_string(runs) + (runs == 1 ? " run" : " runs") + " of one site, " +
+                       std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs");
+  if (!comparison.rooms.empty())
+    result += ", " + std::to_string(comparison.rooms.size()) +
+              (comparison.rooms.size() == 1 ? " room" : " rooms and corridors");
+  return result;
+}
+
+}  // namespace
+
+data pageTables(const Comparison& comparison, const std::vector<PreparedRun>& runs,
+                const std::vector<UsedOption>& options) {
+  const Tables tables(comparison, runs);
+  data page;
+  page.set("version", version());
+  page.set("verdict", text(comparison.verdict));
+  page.set("counts", countsText(comparison));
+  data summary = list();
+  for (const std::string& sentence : pageSummary(comparison)) summary << text(sentence);
+  page.set("summary", summary);
+  page.set("runs", tables.runs());
+  page.set("runsAreMany", flag(comparison.runs.size() > kMostOpenRuns));
+  page.set("measureNames", tables.measureNames());
+  page.set("hasRooms", flag(!comparison.rooms.empty()));
+  page.set("rooms", roomRows(comparison.rooms));
+  page.set("hasBreaks", flag(!comparison.breaks.empty()));
+  page.set("breaks", tables.breaks());
+  page.set("pairs", tables.pairs());
+  page.set("pairsAreFew", flag(comparison.pairs.size() <= kMostOpenPairs));
+  page.set("hasLeftOut", flag(!comparison.leftOut.empty()));
+  page.set("leftOut", tables.leftOut());
+  page.set("options", optionRows(options));
+  page.set("heat", heatRows());
+  return page;
+}
+
+}  // namespace roomgraph

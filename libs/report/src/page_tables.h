@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kainjow/mustache.hpp"
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/report/comparison_report.h"
+
+namespace roomgraph {
+
+/** The values that the page's template asks for, all but its styles, scripts and pictures. The
+ *  template escapes them. */
+kainjow::mustache::data pageTables(const Comparison& comparison,
+                                   const std::vector<PreparedRun>& runs,
+                                   const std::vector<UsedOption>& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,32 @@
+#include "roomgraph/report/run_marks.h"
+
+#include <iterator>
+
+namespace roomgraph {
+namespace {
+
+constexpr Colour kColours[] = {{0, 114, 178}, {213, 94, 0},   {0, 158, 115}, {204, 121, 167},
+                               {230, 159, 0}, {86, 180, 233}, {0, 0, 0}};
+
+struct Shape {
+  const char *name, *path;
+};
+
+constexpr Shape kShapes[] = {
+    {"circle", "M-5,0A5,5,0,1,1,5,0A5,5,0,1,1,-5,0Z"},
+    {"square", "M-4.5,-4.5H4.5V4.5H-4.5Z"},
+    {"triangle", "M0,-5.5L5.5,4.5H-5.5Z"},
+    {"diamond", "M0,-6L6,0L0,6L-6,0Z"},
+    {"cross", "M-2,-5.5H2V-2H5.5V2H2V5.5H-2V2H-5.5V-2H-2Z"},
+    {"triangle pointing down", "M0,5.5L5.5,-4.5H-5.5Z"},
+};
+
+}  // namespace
+
+Colour runColour(std::size_t run) { return kColours[run % std::size(kColours)]; }
+
+const char* runShape(std::size_t run) { return kShapes[run % std::size(kShapes)].path; }
+
+const char* runShapeName(std::size_t run) { return kShapes[run % std::size(kShapes)].name; }
+
+}  // namespace roomgraph

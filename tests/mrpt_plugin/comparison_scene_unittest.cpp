@@ -1,0 +1,98 @@
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/io/zip.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+/** A room of 4 m, its lower left corner in the origin. */
+PreparedRun makeRun(const std::string& name) {
+  Grid grid;
+  grid.frame = {80, 80, 0.05, {0, 0}};
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 80; ++x)
+      grid.cells.push_back(x < 4 || y < 4 || x >= 76 || y >= 76 ? State::occupied : State::free);
+  PreparedRun run;
+  run.name = name, run.file = name + ".gridmap", run.map = mapForAlignment(grid, {});
+  return run;
+}
+
+Comparison twoRuns() {
+  Comparison result;
+  result.runs.resize(2);
+  result.runs[0].name = "a", result.runs[1].name = "b";
+  result.runs[1].pose = {10, -3, 0.5};
+  return result;
+}
+
+const std::vector<PreparedRun>& runs() {
+  static const std::vector<PreparedRun> both = {makeRun("b"), makeRun("a")};
+  return both;
+}
+
+TEST(ComparisonScene, eachRunIsALayerWithItsNameAndPose) {
+  MrptScene scene = comparisonScene(twoRuns(), runs());
+  const auto a = scene.getByName("a"), b = scene.getByName("b");
+  ASSERT_TRUE(a && b);
+  EXPECT_NEAR(b->getPoseX(), 10, 1e-9);
+  EXPECT_NEAR(b->getPoseY(), -3, 1e-9);
+  EXPECT_NEAR(b->getPoseYawRad(), 0.5, 1e-9);
+  EXPECT_GT(a->getPoseZ(), b->getPoseZ()) << "the best is on top";
+}
+
+TEST(ComparisonScene, aLayerHoldsTheWallsWhereTheyAre) {
+  MrptScene scene = comparisonScene(twoRuns(), runs());
+  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName("a"));
+  const auto walls = std::dynamic_pointer_cast<viz::CPointCloud>(layer->getByName("walls"));
+  ASSERT_TRUE(walls);
+  EXPECT_GT(walls->size(), 100u);
+  double low = HUGE_VAL, high = -HUGE_VAL;  // of x [m]
+  for (std::size_t i = 0; i < walls->size(); ++i) {
+    const double x = walls->getPoseX() + double(walls->getPoint3Df(i).x);
+    low = std::min(low, x), high = std::max(high, x);
+  }
+  EXPECT_NEAR(low, 0, 0.11);
+  EXPECT_NEAR(high, 4, 0.11);
+}
+
+TEST(ComparisonScene, roomsAndBreaksAreThereWhereThereAreAny) {
+  Comparison comparison = twoRuns();
+  MrptScene without = comparisonScene(comparison, runs());
+  for (const char* name : {"rooms", "room names", "breaks"}) EXPECT_FALSE(without.getByName(name));
+  SiteRoom room;
+  room.id = "R1", room.polygon.outer = {{0, 0}, {4, 0}, {4, 4}};
+  comparison.rooms = {room};
+  comparison.breaks = {{"b", {1, 2}, 0.1, 0.5}};
+  MrptScene with = comparisonScene(comparison, runs());
+  for (const char* name : {"rooms", "room names", "breaks"}) EXPECT_TRUE(with.getByName(name));
+}
+
+TEST(ComparisonScene, isReadByMrpt) {
+  const std::string bytes = comparisonSceneBytes(twoRuns(), runs());
+  std::vector<std::uint8_t> plain;
+  ASSERT_TRUE(mrpt::io::zip::decompress_gz_data_block({bytes.begin(), bytes.end()}, plain));
+  mrpt::io::CMemoryStream stream(plain.data(), plain.size());
+  MrptScene scene;
+  mrpt::serialization::archiveFrom(stream) >> scene;
+  EXPECT_TRUE(scene.getByName("a"));
+  EXPECT_TRUE(scene.getByName("b"));
+}
+
+TEST(ComparisonScene, theSameRunsGiveTheSameBytes) {
+  EXPECT_EQ(comparisonSceneBytes(twoRuns(), runs()), comparisonSceneBytes(twoRuns(), runs()));
+}
+
+TEST(ComparisonScene, aRunWithoutAMapIsNotDrawn) {
+  MrptScene scene = comparisonScene(twoRuns(), {makeRun("a")});
+  EXPECT_TRUE(scene.getByName("a"));
+  EXPECT_FALSE(scene.getByName("b"));
+  EXPECT_FALSE(comparisonSceneBytes({}, {}).empty());
+}
+
+}  // namespace
+}  // namespace roomgraph

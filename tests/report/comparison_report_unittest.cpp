@@ -1,0 +1,144 @@
+#include "roomgraph/report/comparison_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base64.h"
+#include "page_data.h"
+#include "page_summary.h"
+#include "roomgraph/report/run_marks.h"
+#include "sample_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+using test::kHostileName;
+using test::SampleComparison;
+using test::sampleComparison;
+
+const SampleComparison& sample() {
+  static const SampleComparison one = sampleComparison();
+  return one;
+}
+
+std::string report() {
+  return comparisonReport(sample().comparison, sample().runs, sample().options);
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++found;
+  return found;
+}
+
+TEST(ComparisonReport, holdsVerdictRunsRoomsBreaksPairsAndWhatWasLeftOut) {
+  const std::string html = report();
+  for (const char* text :
+       {"morning is the best map", "Kitchen", "garage.gridmap", "split_at_doors",
+        "does not lie in the same site as the others", "Leaflet", "Michael Bostock"})
+    EXPECT_NE(html.find(text), std::string::npos) << text;
+  EXPECT_EQ(count(html, "class=\"room\""), 5u);
+  EXPECT_EQ(count(html, "class=\"break\""), 2u);
+  EXPECT_EQ(count(html, "data-layer=\"run-"), 4u);
+}
+
+TEST(ComparisonReport, namesAreTextAndNeverCode) {
+  const std::string html = report();
+  EXPECT_EQ(html.find("<script>window.struck"), std::string::npos);
+  EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+  EXPECT_NE(html.find("&lt;script&gt;window.struck"), std::string::npos);
+  EXPECT_EQ(count(html, "</script>"), 4u) << "the data and three scripts";
+  EXPECT_NE(html.find("&amp;{{x}}"), std::string::npos) << "not taken for a part of the template";
+}
+
+TEST(ComparisonReport, asksForNoOtherFile) {
+  const std::string html = report();
+  EXPECT_EQ(html.find("<link"), std::string::npos);
+  EXPECT_EQ(html.find("sourceMappingURL"), std::string::npos);
+  EXPECT_EQ(html.find("url(images"), std::string::npos);
+  EXPECT_EQ(html.find("@import"), std::string::npos);
+  EXPECT_EQ(html.find("<script src"), std::string::npos);
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+}
+
+TEST(ComparisonReport, theSameInputGivesTheSameBytes) { EXPECT_EQ(report(), report()); }
+
+TEST(ComparisonReport, anEmptyComparisonIsAPage) {
+  Comparison nothing;
+  nothing.verdict = "No two runs are of the same site: nothing can be compared.";
+  const std::string html = comparisonReport(nothing, {}, {});
+  EXPECT_NE(html.find("nothing can be compared"), std::string::npos);
+  EXPECT_NE(html.find("No rooms are listed"), std::string::npos);
+  EXPECT_NE(html.find("No break was found"), std::string::npos);
+}
+
+TEST(ComparisonReport, namesNeedNotBeUtf8) {
+  SampleComparison broken = sample();
+  broken.comparison.runs[0].name = broken.runs[0].name = "caf\xe9";
+  const std::string html = comparisonReport(broken.comparison, broken.runs, {});
+  EXPECT_NE(html.find("caf\xef\xbf\xbd"), std::string::npos);
+  EXPECT_EQ(html.find("caf\xe9"), std::string::npos);
+}
+
+TEST(ComparisonReport, aRunWithoutAMapIsListedButNotDrawn) {
+  SampleComparison less = sample();
+  less.runs.pop_back();
+  const auto data = nlohmann::json::parse(pageData(less.comparison, less.runs));
+  ASSERT_EQ(data["runs"].size(), 4u);
+  EXPECT_TRUE(data["runs"][3]["picture"].is_null());
+  EXPECT_FALSE(data["runs"][2]["picture"].is_null());
+}
+
+TEST(PageData, isJsonThatCannotEndAScript) {
+  const std::string text = pageData(sample().comparison, sample().runs);
+  EXPECT_EQ(text.find_first_of("<>&"), std::string::npos);
+  const auto data = nlohmann::json::parse(text);
+  EXPECT_EQ(data["runs"][2]["name"], kHostileName);
+  EXPECT_EQ(data["rooms"].size(), 5u);
+  EXPECT_EQ(data["rooms"][2]["runs"][2]["sighting"], "gone");
+  EXPECT_EQ(data["breaks"][0]["run"], 2);
+  EXPECT_FALSE(data["heat"].is_null()) << "the third run has another wall";
+}
+
+TEST(PageData, allRunsOfOneBuildingLieInOnePlace) {
+  const auto data = nlohmann::json::parse(pageData(sample().comparison, sample().runs));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto box = data["runs"][i]["picture"]["box"];
+    EXPECT_NEAR(box[0][0].get<double>(), 0, 0.4) << i;
+    EXPECT_NEAR(box[0][1].get<double>(), 0, 0.7) << i;
+    EXPECT_NEAR(box[1][1].get<double>(), 12, 0.9) << i;
+  }
+}
+
+TEST(PageSummary, saysWhatStandsOut) {
+  const std::vector<std::string> said = pageSummary(sample().comparison);
+  const std::string name = kHostileName;
+  EXPECT_EQ(said, (std::vector<std::string>{
+                      "Why morning: its walls lie near those of the 3 other runs.",
+                      "1 map bends: " + name + " (2 places).",
+                      "1 room is missing where a run has looked: R3 in " + name + ".",
+                      "1 file is left out: garage."}));
+  EXPECT_TRUE(pageSummary({}).empty());
+}
+
+TEST(Base64, isThatOfTheStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(RunMarks, fortyTwoRunsInARowDiffer) {
+  std::vector<std::string> marks;
+  for (std::size_t i = 0; i < 42; ++i) marks.push_back(colourText(i) + runShape(i));
+  std::sort(marks.begin(), marks.end());
+  EXPECT_EQ(std::unique(marks.begin(), marks.end()), marks.end());
+  EXPECT_EQ(colourText(42) + runShape(42), colourText(0) + runShape(0));
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,302 @@
+"""report_in_browser_test.py WRITE_SAMPLE_REPORT FOLDER: opens a report in a headless Chromium from
+the disk, as a user does, and works with it by mouse and keyboard. Exits with 77 without Chromium.
+Talks to the browser through two pipes (--remote-debugging-pipe): JSON, ended by a zero byte."""
+import base64
+import json
+import os
+import pathlib
+import select
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+TIMEOUT = 60
+
+
+class Browser:
+    def __init__(self, program, profile):
+        to_read, self._write = os.pipe()
+        self._read, to_write = os.pipe()
+
+        def wire():  # the browser reads commands from 3 and writes answers to 4
+            low = os.dup(to_read), os.dup(to_write)
+            os.dup2(low[0], 3)
+            os.dup2(low[1], 4)
+
+        # High numbers, so that 3 and 4 are free.
+        self._process = subprocess.Popen(
+            [program, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+             "--no-first-run", "--disable-background-networking", "--remote-debugging-pipe",
+             "--user-data-dir=" + profile, "about:blank"],
+            preexec_fn=wire, close_fds=False,
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(to_read)
+        os.close(to_write)
+        self._buffer, self._last, self._session = b"", 0, None
+        self.events = []
+
+    def attach(self):
+        targets = self.ask("Target.getTargets")["targetInfos"]
+        page = next(t for t in targets if t["type"] == "page")
+        self._session = self.ask("Target.attachToTarget",
+                                 {"targetId": page["targetId"], "flatten": True})["sessionId"]
+        for domain in ("Page", "Runtime", "Network", "Log"):
+            self.ask(domain + ".enable")
+
+    def ask(self, method, parameters=None):
+        self._last += 1
+        message = {"id": self._last, "method": method, "params": parameters or {}}
+        if self._session:
+            message["sessionId"] = self._session
+        os.write(self._write, json.dumps(message).encode() + b"\0")
+        while True:
+            answer = self._receive()
+            if answer.get("id") == self._last:
+                if "error" in answer:
+                    raise RuntimeError(f"{method}: {answer['error']}")
+                return answer["result"]
+
+    def _receive(self, timeout=TIMEOUT):
+        """The next message; events are kept, too."""
+        end = time.monotonic() + timeout
+        while b"\0" not in self._buffer:
+            if not select.select([self._read], [], [], max(0, end - time.monotonic()))[0]:
+                raise TimeoutError("the browser does not answer")
+            data = os.read(self._read, 1 << 20)
+            if not data:
+                raise RuntimeError("the browser has ended")
+            self._buffer += data
+        line, self._buffer = self._buffer.split(b"\0", 1)
+        message = json.loads(line)
+        if "method" in message:
+            self.events.append(message)
+        return message
+
+    def open(self, url):
+        self.ask("Page.navigate", {"url": url})
+        self.wait("document.readyState === 'complete' && !!document.querySelector('.leaflet-pane')")
+
+    def value(self, expression):
+        result = self.ask("Runtime.evaluate", {"expression": expression, "returnByValue": True})
+        if "exceptionDetails" in result:
+            raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
+        return result["result"].get("value")
+
+    def wait(self, expression):
+        end = time.monotonic() + TIMEOUT
+        while not self.value(expression):
+            if time.monotonic() > end:
+                raise TimeoutError(expression)
+            time.sleep(0.05)
+
+    def click(self, x, y):
+        for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+            self.ask("Input.dispatchMouseEvent",
+                     {"type": kind, "x": x, "y": y, "button": "left", "clickCount": 1})
+
+    def click_on(self, selector):
+        self.value(f"document.querySelector('{selector}').scrollIntoView({{block: 'center', behavior: 'instant'}})")
+        box = self.value(f"(b => [b.x + b.width / 2, b.y + b.height / 2])"
+                         f"(document.querySelector('{selector}').getBoundingClientRect())")
+        self.click(*box)
+
+    def press(self, key, code, text=""):
+        for kind in ("keyDown", "keyUp"):
+            self.ask("Input.dispatchKeyEvent",
+                     {"type": kind, "key": key, "code": key if key != " " else "Space",
+                      "windowsVirtualKeyCode": code, "text": text if kind == "keyDown" else ""})
+
+    def resize(self, width, height):
+        self.ask("Emulation.setDeviceMetricsOverride",
+                 {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def save_picture(self, path):
+        self._save(path, self.ask("Page.captureScreenshot", {"format": "png"}))
+
+    def save_print(self, path):
+        return self._save(path, self.ask("Page.printToPDF",
+                                         {"printBackground": True, "preferCSSPageSize": True,
+                                          "paperWidth": 8.27, "paperHeight": 11.69}))
+
+    def _save(self, path, answer):
+        content = base64.b64decode(answer["data"])
+        pathlib.Path(path).write_bytes(content)
+        return content
+
+    def close(self):
+        try:
+            self._session = None
+            self.ask("Browser.close")
+        except (RuntimeError, TimeoutError, OSError):
+            pass
+        try:
+            self._process.wait(10)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+def check(is_so, what):
+    if not is_so:
+        raise AssertionError(what)
+
+
+def chosen(browser):
+    """The rooms that are marked in the ledger and on the map."""
+    return (browser.value("Array.from(document.querySelectorAll('tr.chosen'), r => r.dataset.room)"),
+            browser.value("Array.from(document.querySelectorAll('path.chosen'),"
+                          " p => p.getAttribute('data-room'))"))
+
+
+def middle_on_map(browser, selector):
+    """How far the middle of an element is from that of the map, as a share of the map's width."""
+    return browser.value(
+        f"((a, b) => Math.hypot(a.x + a.width / 2 - b.x - b.width / 2,"
+        f" a.y + a.height / 2 - b.y - b.height / 2) / b.width)"
+        f"(document.querySelector('{selector}').getBoundingClientRect(),"
+        f" document.querySelector('#map').getBoundingClientRect())")
+
+
+def rows_lead_to_the_map(browser):
+    browser.click_on("#room-1 td")
+    check(chosen(browser) == (["1"], ["1"]), f"a click on a row chooses {chosen(browser)}")
+    check(middle_on_map(browser, "path[data-room=\"1\"]") < 0.1, "the chosen room is not centred")
+    check(browser.value("document.querySelector('tr.details tbody').rows.length") == 4,
+          "the chosen room does not show its runs")
+    browser.value("document.querySelector('#room-2').focus()")
+    browser.press("Enter", 13, "\r")
+    check(chosen(browser) == (["2"], ["2"]), f"Enter on a row chooses {chosen(browser)}")
+    check(browser.value("document.querySelector('#said').textContent").startswith("R3 is chosen"),
+          "nothing is said to those who cannot see")
+
+
+def the_map_leads_to_rows(browser):
+    browser.click_on('button[data-show="fit"]')
+    browser.value("document.querySelector('#map').scrollIntoView({block: 'center', behavior: 'instant'})")
+    x, y = browser.value("(b => [b.x + b.width / 2 + 30, b.y + b.height / 2 + 20])"
+                         "(document.querySelector('path[data-room=\"3\"]').getBoundingClientRect())")
+    browser.click(x, y)
+    check(chosen(browser) == (["3"], ["3"]), f"a click on a room chooses {chosen(browser)}")
+    browser.wait("(b => b.top >= 0 && b.bottom <= innerHeight)"
+                 "(document.querySelector('#room-3').getBoundingClientRect())")
+    check(browser.value("document.activeElement.id") == "room-3", "the row has no focus")
+
+
+def layers_are_switched_by_keyboard(browser):
+    images = "document.querySelectorAll('.leaflet-runs-pane img').length"
+    check(browser.value(images) == 4, "not every run is shown at first")
+    browser.value("document.querySelector('input[data-layer=\"run-1\"]').focus()")
+    browser.press(" ", 32, " ")
+    check(browser.value(images) == 3, "the space bar does not hide a run")
+    browser.press("Tab", 9)
+    check(browser.value("document.activeElement.dataset.layer") == "run-2", "Tab goes elsewhere")
+    browser.press(" ", 32, " ")
+    check(browser.value(images) == 2, "the space bar does not hide the next run")
+    browser.value("document.querySelector('button[data-show=heat]').focus()")
+    browser.press("Enter", 13, "\r")
+    check(browser.value(images) == 1, "more than the best run is shown with the heat map")
+    check(browser.value("document.querySelectorAll('.leaflet-heat-pane img').length") == 1,
+          "no heat map")
+    browser.click_on('button[data-show="all"]')
+    check(browser.value(images) == 4, "not all runs come back")
+
+
+def all_pictures_are_whole(browser):
+    browser.wait("Array.from(document.images).every(i => i.complete)")
+    check(browser.value("Array.from(document.images).every(i => i.naturalWidth > 10)"),
+          "a picture is broken")
+
+
+def breaks_and_sorting_work(browser):
+    browser.click_on('tr[data-break="1"] td')
+    check("17.2" not in browser.value("document.querySelector('.leaflet-popup-content').textContent")
+          and "-2.9°" in browser.value("document.querySelector('.leaflet-popup-content').textContent"),
+          "the break does not tell its turn")
+    browser.click_on("#pairs-table thead th:nth-child(4) button")
+    column = browser.value("Array.from(document.querySelectorAll('#pairs-table tbody tr'),"
+                           " r => r.cells[3].textContent)")
+    check(column == sorted(column) and len(column) == 6, f"not sorted: {column}")
+    for _ in range(2):  # up, then down
+        browser.click_on("#rooms thead th:nth-child(4) button")
+    check(browser.value("document.querySelector('#rooms tbody tr').id") == "room-4",
+          "the room with the largest shift is not on top")
+
+
+def names_strike_nothing(browser):
+    check(browser.value("window.struck") is None, "a name was run as code")
+    check(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "a name made an image")
+    check(browser.value("document.querySelector('#ranking-table').textContent"
+                        ".includes('<img src=x onerror')"), "a name is not shown as it is")
+
+
+def nothing_is_wider_than_the_window(browser, width):
+    browser.resize(width, 800)
+    time.sleep(0.4)  # the plot follows the window a moment later
+    check(browser.value("document.documentElement.scrollWidth") <= width,
+          f"the page is wider than {width} px: "
+          + str(browser.value("document.documentElement.scrollWidth")))
+    check(browser.value("document.querySelector('#plot svg').getBoundingClientRect().width") <= width,
+          "the plot is too wide")
+
+
+def it_asks_for_nothing_and_complains_of_nothing(browser, url):
+    for event in browser.events:
+        parameters = event["params"]
+        if event["method"] == "Network.requestWillBeSent":
+            asked = parameters["request"]["url"]
+            check(asked == url or asked.startswith("data:"), f"the page asks for {asked}")
+        check(event["method"] != "Runtime.exceptionThrown", f"an error: {parameters}")
+        if event["method"] == "Log.entryAdded":
+            check(parameters["entry"]["level"] not in ("error", "warning"), f"a complaint: {parameters}")
+        if event["method"] == "Runtime.consoleAPICalled":
+            check(parameters["type"] not in ("error", "warning"), f"a complaint: {parameters}")
+
+
+def it_can_be_printed(browser, folder):
+    content = browser.save_print(folder / "report.pdf")
+    check(content.startswith(b"%PDF") and len(content) > 20000, "the print is empty")
+    check(browser.value("document.querySelector('#map').style.width") == "",
+          "the map keeps the size of the paper")
+
+
+def main():
+    write_sample, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
+                   None)
+    if not program:
+        print("skipped: no Chromium here (Debian's package: chromium)")
+        return 77
+    folder.mkdir(parents=True, exist_ok=True)
+    report = folder / "report.html"
+    subprocess.run([write_sample, str(report)], check=True)
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+        browser = Browser(program, profile)
+        try:
+            browser.attach()
+            browser.resize(1400, 900)
+            browser.open(report.as_uri())
+            browser.save_picture(folder / "wide.png")
+            all_pictures_are_whole(browser)
+            names_strike_nothing(browser)
+            layers_are_switched_by_keyboard(browser)
+            rows_lead_to_the_map(browser)
+            the_map_leads_to_rows(browser)
+            browser.save_picture(folder / "chosen.png")
+            breaks_and_sorting_work(browser)
+            names_strike_nothing(browser)
+            it_can_be_printed(browser, folder)
+            for width in (1000, 400):
+                nothing_is_wider_than_the_window(browser, width)
+            rows_lead_to_the_map(browser)
+            browser.save_picture(folder / "narrow.png")
+            it_asks_for_nothing_and_complains_of_nothing(browser, report.as_uri())
+        finally:
+            browser.close()
+    print("the report works in", program)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

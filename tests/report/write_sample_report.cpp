@@ -1,0 +1,10 @@
+// write_sample_report FILE: a report for the tests in a browser.
+#include "roomgraph/report/write_file.h"
+#include "sample_comparison.h"
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const auto sample = roomgraph::test::sampleComparison();
+  roomgraph::writeFileAtomically(
+      argv[1], roomgraph::comparisonReport(sample.comparison, sample.runs, sample.options));
+}
