@@ -48,8 +48,8 @@ void declareGate(CompareArguments& arguments, CLI::App& app) {
 
 void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("-o,--output", arguments.folder,
-                 "Folder for the results, report.html, comparison.json, comparison.runs.csv and "
-                 "comparison.3Dscene; made if it is not there.")
+                 "Folder for the results: report.html, comparison.json, comparison.runs.csv, "
+                 "comparison.rooms.csv and comparison.3Dscene; made if it is not there.")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_flag("--aligned", arguments.task.isAligned,
@@ -57,6 +57,11 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("--reference", arguments.task.reference,
                  "A map to measure all runs against, instead of against each other.")
       ->type_name("MAP");
+  app.add_option(
+         "--names", arguments.task.names,
+         "JSON file that keeps the ids and names of the site's rooms from call to call; made "
+         "if it is not there, else brought up to date. Names in it may be edited.")
+      ->type_name("FILE");
   app.add_option("--threads", arguments.task.threads,
                  "How many maps or pairs are worked on at the same time; 0 for one per core.")
       ->type_name("N")
@@ -125,22 +130,25 @@ int run(const CompareArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
   const std::string json = (folder / "comparison.json").string();
   const std::string csv = (folder / "comparison.runs.csv").string();
+  const std::string rooms = (folder / "comparison.rooms.csv").string();
   const std::string report = (folder / "report.html").string();
   const std::string scene = (folder / "comparison.3Dscene").string();
-  checkNotReplaced(task, {json, csv, report, scene});
+  checkNotReplaced(task, {json, csv, rooms, report, scene, task.names});
   makeWritableFolder(arguments.folder);
   const ComparedMaps result = compareMaps(task);
   const Comparison& comparison = result.comparison;
+  if (result.site) writeFileAtomically(task.names, siteJson(*result.site));
   writeFileAtomically(json, comparisonJson(comparison));
   writeFileAtomically(csv, comparisonRunsCsv(comparison));
+  writeFileAtomically(rooms, comparisonRoomsCsv(comparison));
   writeFileAtomically(scene, comparisonSceneBytes(comparison, result.runs));
   writeFileAtomically(report, comparisonReport(comparison, result.runs, optionsOf(task)));
   for (const LeftOutRun& run : comparison.leftOut)
     if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
   if (!task.isQuiet)
-    std::printf("%s%s\n  %s\n  %s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
+    std::printf("%s%s\n  %s\n  %s\n  %s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
                 comparison.verdict.c_str(), report.c_str(), json.c_str(), csv.c_str(),
-                scene.c_str());
+                rooms.c_str(), scene.c_str());
   const std::string struck = complaints(comparison, arguments);
   std::fputs(struck.c_str(), stderr);
   return struck.empty() ? result.exitCode : int(kStruck);

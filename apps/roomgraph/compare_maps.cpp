@@ -1,11 +1,15 @@
 #include "compare_maps.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <sstream>
 
 #include "Command.h"
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/compare/name_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 #include "run_in_order.h"
 #include "run_names.h"
@@ -22,8 +26,22 @@ PreparedRun preparedRun(const std::string& name, const std::string& file,
   if (run.map.walls.empty())
     throw DataError(file + ": has no wall beside free space: a run must have some");
   run.rooms = std::move(stages.result.rooms);
+  run.areas = std::move(stages.areas);
+  run.areas.labels = {};  // not needed any more
   run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
   return run;
+}
+
+/** Nothing is known where there is no such file. */
+SiteFile readSite(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  // A folder opens, too, and fails only when read.
+  if (!stream.is_open() || !(text << stream.rdbuf()))
+    throw DataError(file + ": cannot be read, or is empty: name another file with --names");
+  return parseSiteJson(text.str(), file);
 }
 
 /** The part of an error line behind "roomgraph: FILE: ". */
@@ -42,6 +60,7 @@ class Comparing {
   }
 
   ComparedMaps run() {
+    if (!task_.names.empty()) result_.site = readSite(task_.names);
     read();
     sortRuns(runs_);
     CompareRunsOptions options = task_.options;
@@ -51,6 +70,7 @@ class Comparing {
       throw DataError(task_.reference + ": cannot be used as the reference: choose another one");
     relate();
     result_.comparison = compareRuns(runs_, related_, options);
+    if (result_.site) nameRooms(result_.comparison.rooms, *result_.site, task_.names);
     addUnread();
     result_.runs = std::move(runs_);
     return std::move(result_);

@@ -1,7 +1,9 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "roomgraph/compare/SiteFile.h"
 #include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 
@@ -13,21 +15,23 @@ struct CompareTask {
   CompareRunsOptions options;
   std::vector<std::string> files;  ///< of the runs
   std::string reference;           ///< file; empty for none
-  bool isAligned = false;          ///< all maps are in one frame already
-  unsigned threads = 0;            ///< 0 for one per core
+  std::string names;       ///< file of the site's rooms, made if it is not there; empty: none
+  bool isAligned = false;  ///< all maps are in one frame already
+  unsigned threads = 0;    ///< 0 for one per core
   bool isQuiet = false;
 };
 
 struct ComparedMaps {
   Comparison comparison;
   std::vector<PreparedRun> runs;  ///< all that could be read, for pictures
+  std::optional<SiteFile> site;   ///< what CompareTask::names is to hold now
   int exitCode = 0;               ///< not kDone where a file could not be used
 };
 
 /** Reads all maps, aligns all pairs and compares the runs. A map that cannot be read, or has no
  *  walls, is one line on stderr and left out. The same numbers for any order of the files and any
  *  number of threads.
- *  @throws DataError where the reference cannot be used. */
+ *  @throws DataError where the reference or the file of names cannot be used. */
 ComparedMaps compareMaps(const CompareTask& task);
 
 }  // namespace roomgraph

@@ -8,6 +8,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/compare/run_measures.h"
+#include "roomgraph/compare/site_rooms.h"
 
 namespace roomgraph {
 namespace {
@@ -342,6 +343,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   addBreaks(result, inSite, inPairs, options);
   addReasons(result);
   rank(result.runs);
+  result.rooms = siteRooms(inSite, result.runs);
   addPairs(result, runs, pairs, related, site, inSite, bends);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!std::binary_search(site.runs.begin(), site.runs.end(), i))

@@ -5,13 +5,14 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "json_places.h"
 #include "roomgraph/base/version.h"
-#include "stability_json.h"
+#include "roomgraph/compare/site_rooms.h"
 
 namespace roomgraph {
 namespace {
 
-double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }  // no -0
+double rounded(double value) { return toTenthMillimetre(value); }
 
 Json number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return nullptr;
@@ -83,6 +84,39 @@ Json breakJson(const MapBreak& bend) {
           {"shift_m", rounded(bend.shift)}};
 }
 
+const char* nameOf(RoomSighting sighting) {
+  if (sighting == RoomSighting::seen) return "seen";
+  return sighting == RoomSighting::gone ? "gone" : "unvisited";
+}
+
+Json roomInRunJson(const RoomInRun& in) {
+  return {{"run", in.run},
+          {"sighting", nameOf(in.sighting)},
+          {"pieces", in.pieces},
+          {"merged", in.isMerged},
+          {"shift_m", number(in.shift)},
+          {"area_change", number(in.areaChange)},
+          {"boundary_agreement", number(in.boundaryAgreement)},
+          {"length_error_m", number(in.lengthError)},
+          {"doors_gained", in.doorsGained},
+          {"doors_lost", in.doorsLost}};
+}
+
+Json roomJson(const SiteRoom& room) {
+  Json runs = Json::array();
+  for (const RoomInRun& in : room.runs) runs.push_back(roomInRunJson(in));
+  return {{"id", room.id},
+          {"name", room.name},
+          {"kind", room.isCorridor ? "corridor" : "room"},
+          {"x", rounded(room.center.x)},
+          {"y", rounded(room.center.y)},
+          {"area_m2", rounded(room.area)},
+          {"polygon", ringJson(room.polygon.outer)},
+          {"holes", ringsJson(room.polygon.holes)},
+          {"doors", doorsJson(room.doors)},
+          {"runs", runs}};
+}
+
 /** A list with one entry per line. */
 template <class Things, class ToJson>
 std::string lines(const char* name, const Things& things, const ToJson& toJson) {
@@ -121,7 +155,7 @@ std::string comparisonJson(const Comparison& comparison) {
   text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
   });
-  text += "\"rooms\": [],\n";
+  text += lines("rooms", comparison.rooms, roomJson);
   text += lines("breaks", comparison.breaks, breakJson);
   return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
 }
@@ -148,6 +182,26 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
   return text;
 }
 
+std::string comparisonRoomsCsv(const Comparison& comparison) {
+  std::string text =
+      "id,name,kind,x,y,area_m2,run,sighting,pieces,merged,shift_m,area_change,"
+      "boundary_agreement,length_error_m,doors_gained,doors_lost\n";
+  for (const SiteRoom& room : comparison.rooms) {
+    std::string start = csvField(room.id) + "," + csvField(room.name) + "," +
+                        (room.isCorridor ? "corridor" : "room");
+    for (const double value : {room.center.x, room.center.y, room.area})
+      start += "," + csvNumber(value);
+    for (const RoomInRun& in : room.runs) {
+      text += start + "," + csvField(in.run) + "," + nameOf(in.sighting) + "," +
+              std::to_string(in.pieces) + (in.isMerged ? ",1" : ",0");
+      for (const auto& value : {in.shift, in.areaChange, in.boundaryAgreement, in.lengthError})
+        text += "," + csvNumber(value);
+      text += "," + std::to_string(in.doorsGained) + "," + std::to_string(in.doorsLost) + "\n";
+    }
+  }
+  return text;
+}
+
 std::string comparisonText(const Comparison& comparison) {
   std::size_t width = 3;
   for (const ComparedRun& run : comparison.runs) width = std::max(width, run.name.size());
@@ -170,6 +224,8 @@ std::string comparisonText(const Comparison& comparison) {
     text +=
         std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
   }
+  const std::string rooms = roomsText(comparison.rooms);
+  if (!rooms.empty()) text += rooms + ".\n";
   return text;
 }
 

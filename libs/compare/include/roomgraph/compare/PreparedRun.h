@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/areas/AreaGraph.h"
 #include "roomgraph/compare/MapForAlignment.h"
 #include "roomgraph/compare/track_scans.h"
 #include "roomgraph/rooms/RoomGraph.h"
@@ -14,6 +15,7 @@ struct PreparedRun {
   MapForAlignment map;           ///< must have walls
   std::vector<GraphRoom> rooms;  ///< in the frame of the run
   std::vector<ScanWalls> scans;  ///< of a simplemap; else empty
+  AreaGraph areas{};             ///< in the frame of the run; without labels
 };
 
 /** Brings runs into the order that all results are computed in, by content and then by name, so

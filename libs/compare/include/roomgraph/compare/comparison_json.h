@@ -18,7 +18,11 @@ std::string comparisonJson(const Comparison& comparison);
  *  told. Of each measure the value alone. */
 std::string comparisonRunsCsv(const Comparison& comparison);
 
-/** The ranking, a line per run, for people. */
+/** One line per room and run, by room, then as the runs, below a line of column names; empty fields
+ *  for what cannot be told. */
+std::string comparisonRoomsCsv(const Comparison& comparison);
+
+/** The ranking, a line per run, and a line on the rooms, for people. */
 std::string comparisonText(const Comparison& comparison);
 
 }  // namespace roomgraph

@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/run_measures.h"
+
+namespace roomgraph {
+
+// Ours: the ledger of a site
+// In:   the runs of a site, placed, with their areas
+// Out:  SiteRoom
+// Next: nameRooms, comparisonJson
+
+/** The rooms and corridors that the runs have, and what each run says of each. Areas of several
+ *  runs are one room where they overlap after a small move of the room and their neighbours behind
+ *  the doors match, too. Which areas are rooms at all is put to the vote of the runs, by trust;
+ * what one run alone has and the others contradict is none. Rooms get the ids R1, R2, ...,
+ * corridors C1, C2, ..., largest first. SiteRoom::runs follow `order`, the compared runs. Does not
+ * depend on the order of the placed runs but in exact ties. Empty where no run has an area. O(runs
+ * * rooms * (rooms + cells of a room)). */
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<ComparedRun>& order);
+
+/** Brings rooms into the order of their ids: R1, R2, R10, then C1. */
+void sortRooms(std::vector<SiteRoom>& rooms);
+
+/** One line for people: how many rooms, and what is odd of which run; empty without rooms. */
+std::string roomsText(const std::vector<SiteRoom>& rooms);
+
+}  // namespace roomgraph

@@ -1,0 +1,62 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "SiteAreas.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   a room, and the areas of a run
+// Out:  ShapeFit for each area that may be the room
+// Next: matchAreas, consensusRooms
+
+/** How a room lies in a run, against where it lies in the site: turned about its middle, then
+ *  shifted. The default: in its place. */
+struct RoomMove {
+  Point shift;      ///< [m]
+  double turn = 0;  ///< [rad]
+
+  /** run's drawing <- site, both in the site's frame; `middle` of the room. */
+  Transform2D about(Point middle) const { return carrying(middle, middle + shift, turn); }
+};
+
+/** The move of a room about `middle` that is a part of `whole`. */
+inline RoomMove moveOf(const Transform2D& whole, Point middle) {
+  return {whole(middle) - middle, whole.phi};
+}
+
+/** What a run has where a room is laid. */
+struct Footprint {
+  double samples = 0;                ///< of the room
+  double bare = 0;                   ///< of those, what is free there, and in no area
+  double known = 0;                  ///< of those, what the run has looked at
+  std::map<std::size_t, double> in;  ///< of those, how many lie in each area
+};
+
+Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
+                    const RunAreas& run);
+
+struct ShapeFit {
+  RoomMove move;
+  double overlap = 0;  ///< intersection over union; what the run has not looked at is left out
+};
+
+struct FitShapeOptions {
+  double reach = 1.5;    ///< how far a room is looked for round each start [m]
+  double good = 0.8;     ///< an overlap at a start from which on it is not looked for [1]
+  double least = 0.1;    ///< overlap below which a fit is none [1]
+  std::size_t most = 3;  ///< areas that are refined, the best ones
+  bool isQuick = false;  ///< leave out the last refinement
+};
+
+/** For each area the move of the room that makes both overlap most: at each of `starts`, then on a
+ *  raster round them, then by steps down to 0.05 m and 0.5 degrees. A smaller move is preferred to
+ *  a slightly better overlap (0.03 per metre from the start). None where the run has not looked at
+ *  half of the room. Deterministic. O(starts * samples). */
+std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame& frame,
+                                         const RunAreas& run, const std::vector<RoomMove>& starts,
+                                         const FitShapeOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,13 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/grid/GridFrame.h"
+
+namespace roomgraph {
+
+/** The cells of `frame` whose centre lies in the polygon, by row, then column. O(rows * corners).
+ */
+std::vector<Cell> cellsIn(const Polygon& polygon, const GridFrame& frame);
+
+}  // namespace roomgraph

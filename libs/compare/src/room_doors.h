@@ -1,0 +1,33 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "consensus_rooms.h"
+
+namespace roomgraph {
+
+/** Of one room: the doors that the runs agree on, and what each run has of them. */
+struct RoomDoors {
+  struct Door {
+    Point place;                    ///< [m, site frame], as the room's shape lies
+    double width = 0;               ///< [m]
+    std::optional<std::size_t> to;  ///< the room behind it
+  };
+  std::vector<Door> doors;        ///< of the consensus
+  std::vector<int> gained, lost;  ///< by run; 0 where the room is not an area of its own
+};
+
+/** How each room lies in one run. */
+struct RoomsInRun {
+  std::vector<bool> isClean;    ///< the room is an area of its own, and can be measured
+  std::vector<RoomMove> moves;  ///< run's drawing <- site
+};
+
+/** Doors of two runs are one where they lead to the same room and are within 1.5 m, or else within
+ *  0.8 m, after the move of the room, or of that behind it if that is smaller. A door is of the
+ *  consensus where runs of more than half of the weight of those that know the place have it.
+ *  `inRuns`: by run. */
+RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
+                    const std::vector<RoomsInRun>& inRuns);
+
+}  // namespace roomgraph

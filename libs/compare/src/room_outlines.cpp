@@ -1,0 +1,165 @@
+#include "room_outlines.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/geometry/Polyline.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSpacing = 0.1;  // of the places along an outline [m]
+constexpr double kFar = 0.1;      // a place that is farther away counts less than half [m]
+constexpr int kIterations = 15;
+constexpr double kStill = 1e-4;    // a step below which nothing moves any more [m]
+constexpr double kDamping = 0.02;  // holds a room that no wall holds, as a share of its places
+
+/** The corners between `from` and `to` that a line cannot leave out, by halves. */
+void keepFar(const Ring& ring, std::size_t from, std::size_t to, double tolerance,
+             std::vector<bool>& isKept) {
+  std::vector<std::pair<std::size_t, std::size_t>> spans{{from, to}};
+  while (!spans.empty()) {
+    const auto [low, high] = spans.back();
+    spans.pop_back();
+    double most = tolerance;
+    std::size_t at = low;
+    for (std::size_t i = low + 1; i < high; ++i) {
+      const double far = distanceToSegment(ring[i], ring[low], ring[high % ring.size()]);
+      if (far > most) most = far, at = i;
+    }
+    if (at == low) continue;
+    isKept[at] = true;
+    spans.push_back({low, at}), spans.push_back({at, high});
+  }
+}
+
+/** A step of the room towards the outline in the run: shift, then turn about its middle. */
+Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const RoomMove& move,
+                       Point middle) {
+  const Motion2D motion(move.about(middle));
+  const Point centre = middle + move.shift;
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  double reach = 0;
+  for (const Point& place : room.places()) {
+    const Point p = motion(place), arm = p - centre;
+    reach += squaredNorm(arm);
+    const Point* nearest = inRun.nearest(p);
+    if (!nearest) continue;
+    const Point normal = inRun.normal(nearest);
+    const double off = dot(*nearest - p, normal);
+    const double far = squaredNorm(*nearest - p) / (kFar * kFar);
+    const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
+    const double weight = 1 / ((1 + far) * (1 + far));
+    a += weight * row * row.transpose();
+    b += weight * off * row;
+  }
+  const double count = double(room.places().size());
+  if (count == 0) return b;
+  a.diagonal() += kDamping * Eigen::Vector3d(count, count, reach + 1e-9);
+  return a.ldlt().solve(b);
+}
+
+}  // namespace
+
+RoomOutline::RoomOutline(const Polygon& polygon) {
+  addRing(polygon.outer);
+  for (const Ring& hole : polygon.holes) addRing(hole);
+  if (places_.empty()) return;
+  const Box box = boundingBox(places_);
+  const Point size = box.high - box.low;
+  frame_ = {int(size.x / kReach) + 1, int(size.y / kReach) + 1, kReach, box.low};
+  buckets_.resize(frame_.cellCount());
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    buckets_[frame_.index(frame_.cellAt(places_[i]))].push_back(std::uint32_t(i));
+}
+
+void RoomOutline::addRing(const Ring& ring) {
+  const Ring corners = simplified(ring, kSpacing / 2);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point a = corners[i], b = corners[(i + 1) % corners.size()];
+    const double length = distance(a, b);
+    if (length <= 0) continue;
+    const Point along = (1 / length) * (b - a);
+    const int count = std::max(1, int(std::lround(length / kSpacing)));
+    for (int k = 0; k < count; ++k) {
+      places_.push_back(a + ((k + 0.5) / count * length) * along);
+      normals_.push_back({-along.y, along.x});
+    }
+  }
+}
+
+const Point* RoomOutline::nearest(Point p) const {
+  const Point* best = nullptr;
+  double least = kReach * kReach;
+  const Cell at = frame_.cellAt(p);
+  for (int y = at.y - 1; y <= at.y + 1; ++y)
+    for (int x = at.x - 1; x <= at.x + 1; ++x) {
+      if (!frame_.contains({x, y})) continue;
+      for (const std::uint32_t i : buckets_[frame_.index({x, y})])
+        if (const double d = squaredNorm(places_[i] - p); d < least) least = d, best = &places_[i];
+    }
+  return best;
+}
+
+RoomMove refinedMove(const RoomOutline& room, const RoomOutline& inRun, RoomMove move,
+                     Point middle) {
+  for (int i = 0; i < kIterations; ++i) {
+    const Eigen::Vector3d step = stepOf(room, inRun, move, middle);
+    if (!(step.head<2>().norm() + std::abs(step.z()) > kStill)) break;
+    move.shift = move.shift + Point{step.x(), step.y()};
+    move.turn += step.z();
+  }
+  return move;
+}
+
+double outlineAgreement(const RoomOutline& a, const RoomOutline& b, const Transform2D& toB,
+                        double near) {
+  const auto count = [&](const RoomOutline& of, const RoomOutline& in, const Motion2D& motion) {
+    double close = 0;
+    for (const Point& place : of.places()) {
+      const Point p = motion(place);
+      const Point* nearest = in.nearest(p);
+      if (nearest && squaredNorm(*nearest - p) <= near * near) ++close;
+    }
+    return close;
+  };
+  const double all = double(a.places().size() + b.places().size());
+  if (all == 0) return 1;
+  return (count(a, b, Motion2D(toB)) + count(b, a, Motion2D(toB.inverse()))) / all;
+}
+
+Ring simplified(const Ring& ring, double tolerance) {
+  if (ring.size() < 4) return ring;
+  std::size_t far = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    if (squaredNorm(ring[i] - ring[0]) > squaredNorm(ring[far] - ring[0])) far = i;
+  std::vector<bool> isKept(ring.size() + 1);
+  isKept[0] = isKept[far] = true;
+  keepFar(ring, 0, far, tolerance, isKept);
+  keepFar(ring, far, ring.size(), tolerance, isKept);
+  Ring result;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (isKept[i]) result.push_back(ring[i]);
+  return result;
+}
+
+Polygon simplified(const Polygon& polygon, double tolerance) {
+  Polygon result{simplified(polygon.outer, tolerance), {}};
+  for (const Ring& hole : polygon.holes)
+    if (Ring ring = simplified(hole, tolerance); ring.size() > 2)
+      result.holes.push_back(std::move(ring));
+  return result;
+}
+
+double lengthOf(const Polygon& polygon) {
+  const Ring ring = simplified(polygon.outer, 0.02);
+  double most = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    for (std::size_t k = i + 1; k < ring.size(); ++k)
+      most = std::max(most, squaredNorm(ring[i] - ring[k]));
+  return std::sqrt(most);
+}
+
+}  // namespace roomgraph
