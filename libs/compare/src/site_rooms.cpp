@@ -218,19 +218,27 @@ void number(std::vector<SiteRoom>& rooms) {
   }
 }
 
-/** "3 gone in run07, 1 in run02": how many rooms each run shows so. */
+/** "; 3 gone in run07, 1 in run02", or "; 12 gone in 5 runs" where that would be long. */
 template <class Counts>
 std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const Counts& counts) {
-  std::string text;
+  constexpr std::size_t mostNamed = 2;
+  std::vector<std::pair<long, std::string>> found;
+  long sum = 0;
   for (std::size_t i = 0; i < rooms[0].runs.size(); ++i) {
-    const auto count = std::count_if(rooms.begin(), rooms.end(),
+    const long count = std::count_if(rooms.begin(), rooms.end(),
                                      [&](const SiteRoom& room) { return counts(room.runs[i]); });
-    if (count == 0) continue;
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " ";
-    text += (text.find(what) == std::string::npos ? std::string(what) + " " : "") + "in " +
-            rooms[0].runs[i].run;
+    if (count > 0) found.push_back({count, rooms[0].runs[i].run});
+    sum += count;
   }
-  return text.empty() ? "" : "; " + text;
+  if (found.empty()) return "";
+  if (found.size() > mostNamed)
+    return "; " + std::to_string(sum) + " " + what + " in " + std::to_string(found.size()) +
+           " runs";
+  std::string text;
+  for (const auto& [count, run] : found)
+    text += (text.empty() ? "; " : ", ") + std::to_string(count) + " " +
+            (text.empty() ? std::string(what) + " " : "") + "in " + run;
+  return text;
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#include "add_breaks.h"
+
+#include <algorithm>
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kWitnesses = 3;  // runs in which the scans of another are tracked
+constexpr double kMinShare = 0.3;      // of a run's walls that a witness must have
+
+/** What is known of run `of` in run `in`. */
+const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
+                                std::size_t in) {
+  return of < in ? pairs[of][in].aInB : pairs[in][of].bInA;
+}
+
+/** The runs that tell best where `run` breaks: those that are trusted most. */
+std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
+                                     const std::vector<std::vector<MapPair>>& pairs) {
+  std::vector<std::size_t> others;
+  for (std::size_t j = 0; j < site.runs.size(); ++j)
+    if (j != run && followedIn(pairs, run, j).share >= kMinShare) others.push_back(j);
+  std::stable_sort(others.begin(), others.end(),
+                   [&](std::size_t l, std::size_t r) { return site.trust[l] > site.trust[r]; });
+  if (others.size() > kWitnesses) others.resize(kWitnesses);
+  // One map alone cannot tell its own breaks from those of a better one.
+  if (others.size() == 1 && site.trust[others[0]] < site.trust[run]) return {};
+  return others;
+}
+
+}  // namespace
+
+void addBreaks(Comparison& result, const PlacedRuns& site,
+               const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    const std::vector<ScanWalls>& scans = site.runs[i]->scans;
+    if (scans.empty()) continue;
+    const std::vector<std::size_t> others = witnessesOf(i, site, pairs);
+    std::vector<ScanTrack> tracks;
+    for (const std::size_t j : others)
+      tracks.push_back(trackScans(scans, site.runs[i]->map.patches, followedIn(pairs, i, j),
+                                  site.runs[j]->map, options.trackScans));
+    for (const ScanBreak& found : findBreaks(scans, tracks, options.findBreaks)) {
+      const std::size_t track = found.seenIn.front();
+      const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
+      result.breaks.push_back({site.runs[i]->name,
+                               site.poses[others[track]](inOther(scans[found.scan].at)),
+                               found.rotation, found.shift});
+    }
+  }
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,58 @@
+#include "explain_comparison.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace roomgraph {
+namespace {
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+/** What speaks against a run, in the order of its weight in the score. */
+std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks) {
+  const RunScore& score = *run.score;
+  std::string text = formatted("bends %.2f m away from the %zu other %s", score.bend, score.others,
+                               score.others == 1 ? "run" : "runs");
+  const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
+  if (const auto count = std::count_if(breaks.begin(), breaks.end(), isOfRun))
+    text += formatted(", breaks in %ld place%s", long(count), count == 1 ? "" : "s");
+  for (const Measure& measure : run.measures)
+    if (measure.name == "axis_deviation" && measure.value)
+      text += formatted(", walls %.1f degrees off right angles", *measure.value);
+  if (!score.isMeaningful) text += "; too little to judge by";
+  return text;
+}
+
+}  // namespace
+
+void addReasons(Comparison& result) {
+  for (ComparedRun& run : result.runs)
+    run.reason = run.score                      ? reasonOf(run, result.breaks)
+                 : result.reference == run.name ? "the others are measured against it"
+                                                : "no other run to compare it with";
+}
+
+std::string verdictOf(const Comparison& result) {
+  if (result.runs.size() < 2) return "No two runs are of the same site: nothing can be compared.";
+  const ComparedRun &best = result.runs[0], &next = result.runs[1];
+  if (!best.score) return "The runs share no walls: nothing can be compared.";
+  if (!result.reference && result.runs.size() == 2)
+    return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
+                     best.score->bend);
+  std::string text =
+      best.name + formatted(
+                      " is the best map, with score %.1f (%.1f to %.1f) and a map error of "
+                      "about %.2f m",
+                      best.score->score, best.score->low, best.score->high, best.score->mapError);
+  if (next.score && next.score->high >= best.score->low)
+    text += "; " + next.name + " may be as good";
+  if (!best.score->isMeaningful) text += ", but there is too little to judge by";
+  return text + ".";
+}
+
+}  // namespace roomgraph

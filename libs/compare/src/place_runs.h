@@ -1,0 +1,34 @@
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/compare/run_measures.h"
+
+namespace roomgraph {
+
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/** A set of runs that lie in one frame. */
+struct Site {
+  std::vector<std::size_t> runs;   ///< ascending
+  std::vector<Transform2D> poses;  ///< site <- run
+};
+
+/** The runs of the site and their poses, see compareRuns. */
+Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
+            const std::vector<MapPair>& related, const CompareRunsOptions& options);
+
+/** The runs of the site; trust is left open. */
+PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site);
+
+/** What is known of all pairs of a site, [i][j] with i < j. Pairs that have not found each other
+ * are followed from the poses in the site. */
+std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
+                                          std::size_t runs, const std::vector<MapPair>& related);
+
+/** The bends of these. The better map of two follows the worse one over a part of it only: so the
+ *  larger bend of both ways counts. */
+std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs);
+
+}  // namespace roomgraph
