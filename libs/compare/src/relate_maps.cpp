@@ -23,6 +23,7 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
   return all;
 }
 
+constexpr double kSure = 0.5;  // confidence of a pose that others may follow from
 constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
 constexpr std::size_t kMostPieces = 4;
 
@@ -82,7 +83,10 @@ MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
 
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
                        const MapForAlignment& b) {
-  if (!hubAndA.alignment.isSameSite || !hubAndB.alignment.isSameSite) return relateMaps(a, b);
+  const auto isSure = [](const MapPair& pair) {
+    return pair.alignment.isSameSite && pair.alignment.confidence >= kSure;
+  };
+  if (!isSure(hubAndA) || !isSure(hubAndB)) return relateMaps(a, b);
   std::vector<Transform2D> poses;
   for (const Transform2D& ofB : posesInHub(hubAndB, b))
     for (const Transform2D& ofA : posesInHub(hubAndA, a)) poses.push_back(ofA.inverse() * ofB);

@@ -22,7 +22,7 @@ MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
 
 /** The same where the pose of both in a third map, the hub, is known already, so that no search is
  *  needed: their poses follow from what was found of the two, as a whole and piece by piece. Where
- *  the maps do not agree there, it is relateMaps after all. */
+ *  one of these is not sure, or the maps do not agree there, it is relateMaps after all. */
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
                        const MapForAlignment& b);
 
