@@ -30,7 +30,7 @@ struct MapErrorOptions {
   double above = 1.0;             ///< log of bend over errors beyond which a pair counts less
   double below = 0.5;             ///< the same for bends that are too small: maps err alike, too
   double deviationWeight = 0.3;   ///< of one map's axisDeviation beside one pair
-  double deviationPower = 1.7;    ///< of the deviation in the error
+  double deviationPower = 1.6;    ///< of the deviation in the error
   double deviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
   double errorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
   double leastError = 0.0025;     ///< errors below this are none [m]
