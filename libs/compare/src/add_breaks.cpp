@@ -28,25 +28,57 @@ std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
   return others;
 }
 
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+/** Of a run with scans: where their poses jump. */
+void addJumps(Comparison& result, const PlacedRuns& site, std::size_t run,
+              const std::vector<std::size_t>& others,
+              const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
+  const std::vector<ScanWalls>& scans = site.runs[run]->scans;
+  std::vector<ScanTrack> tracks;
+  for (const std::size_t j : others)
+    tracks.push_back(trackScans(scans, site.runs[run]->map.patches, followedIn(pairs, run, j),
+                                site.runs[j]->map, options.trackScans));
+  for (const ScanBreak& found : findBreaks(scans, tracks, options.findBreaks)) {
+    const std::size_t track = found.seenIn.front();
+    const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
+    result.breaks.push_back({site.runs[run]->name,
+                             site.poses[others[track]](inOther(scans[found.scan].at)),
+                             found.rotation, found.shift});
+  }
+}
+
+/** Of a run without scans: whether it lies in the others as two rigid pieces. */
+void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
+             const std::vector<std::size_t>& others, const std::vector<std::vector<MapPair>>& pairs,
+             const CompareRunsOptions& options) {
+  std::vector<double> xs, ys, rotations, shifts;
+  for (const std::size_t j : others) {
+    const auto found =
+        findPieces(site.runs[run]->map, followedIn(pairs, run, j), options.findPieces);
+    if (!found) continue;
+    const Point place = site.poses[j](found->pose(found->place));
+    xs.push_back(place.x), ys.push_back(place.y);
+    rotations.push_back(found->rotation), shifts.push_back(found->shift);
+  }
+  if (2 * xs.size() <= others.size()) return;
+  result.breaks.push_back(
+      {site.runs[run]->name, {median(xs), median(ys)}, median(rotations), median(shifts)});
+}
+
 }  // namespace
 
 void addBreaks(Comparison& result, const PlacedRuns& site,
                const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
-    const std::vector<ScanWalls>& scans = site.runs[i]->scans;
-    if (scans.empty()) continue;
     const std::vector<std::size_t> others = witnessesOf(i, site, pairs);
-    std::vector<ScanTrack> tracks;
-    for (const std::size_t j : others)
-      tracks.push_back(trackScans(scans, site.runs[i]->map.patches, followedIn(pairs, i, j),
-                                  site.runs[j]->map, options.trackScans));
-    for (const ScanBreak& found : findBreaks(scans, tracks, options.findBreaks)) {
-      const std::size_t track = found.seenIn.front();
-      const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
-      result.breaks.push_back({site.runs[i]->name,
-                               site.poses[others[track]](inOther(scans[found.scan].at)),
-                               found.rotation, found.shift});
-    }
+    if (site.runs[i]->scans.empty())
+      addSeam(result, site, i, others, pairs, options);
+    else
+      addJumps(result, site, i, others, pairs, options);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/PreparedRun.h"
 #include "roomgraph/compare/find_breaks.h"
+#include "roomgraph/compare/find_pieces.h"
 #include "roomgraph/compare/relate_runs.h"
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/compare/site_poses.h"
@@ -23,6 +24,7 @@ struct CompareRunsOptions {
   RunScoreOptions score;
   TrackScansOptions trackScans;
   FindBreaksOptions findBreaks;
+  FindPiecesOptions findPieces;
   std::optional<std::size_t> reference;  ///< the run to measure the others against
 };
 
