@@ -5,57 +5,15 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <numeric>
 #include <string>
 #include <vector>
 
-#include "CsvTable.h"
 #include "Random.h"
-#include "roomgraph/base/Error.h"
-#include "roomgraph/compare/compare_runs.h"
-#include "roomgraph/pipeline/extract.h"
+#include "simulated_site.h"
 
 namespace roomgraph {
 namespace {
-
-namespace fs = std::filesystem;
-
-/** All runs of a site, related once; any subset of them can then be compared. */
-struct SimulatedSite {
-  std::string name;
-  std::vector<PreparedRun> runs;
-  std::vector<double> truth;     ///< map_rms_m of each run
-  std::vector<MapPair> related;  ///< of pairsOf(runs.size())
-};
-
-PreparedRun readRun(const std::string& name, const std::string& file) {
-  const ExtractOptions options;
-  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
-  PreparedRun run;
-  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
-  run.map = mapForAlignment(stages.grid, {});
-  run.rooms = stages.result.rooms;
-  return run;
-}
-
-SimulatedSite readSite(const fs::path& folder, const std::string& extension) {
-  SimulatedSite site;
-  site.name = folder.filename().string();
-  const CsvTable table((folder / "truth.csv").string());
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const std::string& name = table.text(i, "run");
-    site.runs.push_back(readRun(name, (folder / (name + extension)).string()));
-  }
-  sortRuns(site.runs);
-  for (const PreparedRun& run : site.runs)
-    for (std::size_t i = 0; i < table.size(); ++i)
-      if (table.text(i, "run") == run.name) site.truth.push_back(table.number(i, "map_rms_m"));
-  site.related = relateRuns(site.runs, false, [](std::size_t count, const auto& job) {
-    for (std::size_t i = 0; i < count; ++i) job(i);
-  });
-  return site;
-}
 
 /** What one comparison is worth, each from 0 to 1 but the first. */
 struct Accuracy {
@@ -156,19 +114,11 @@ void measureSite(const SimulatedSite& site, int draws) {
 
 void measure(const std::string& data, const std::string& only, const std::string& extension,
              int draws) {
-  std::vector<fs::path> folders;
-  if (fs::is_directory(data))
-    for (const auto& entry : fs::directory_iterator(data))
-      if (fs::exists(entry.path() / "truth.csv") &&
-          entry.path().filename().string().find(only) != std::string::npos)
-        folders.push_back(entry.path());
-  if (folders.empty())
-    throw DataError(data + ": holds no folder with a truth.csv; name that of the simulated runs");
-  std::sort(folders.begin(), folders.end());
+  const std::vector<std::string> folders = simulatedSites(data, only);
   std::printf(
       "| site | runs | draws | Spearman | best named | within 1.5 or 3 cm | in interval |\n"
       "|---|---|---|---|---|---|---|\n");
-  for (const fs::path& folder : folders) measureSite(readSite(folder, extension), draws);
+  for (const std::string& folder : folders) measureSite(readSite(folder, extension), draws);
 }
 
 }  // namespace

@@ -1,0 +1,76 @@
+#include "simulated_site.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "CsvTable.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/pipeline/extract.h"
+
+namespace roomgraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+PreparedRun readRun(const std::string& name, const std::string& file) {
+  const ExtractOptions options;
+  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
+  PreparedRun run;
+  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
+  run.map = mapForAlignment(stages.grid, {});
+  run.rooms = stages.result.rooms;
+  run.areas = stages.areas;
+  run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
+  return run;
+}
+
+std::optional<MapBreak> breakIn(const CsvTable& table, std::size_t row) {
+  if (table.text(row, "cut_x").empty()) return std::nullopt;
+  return MapBreak{table.text(row, "run"),
+                  {table.number(row, "cut_x"), table.number(row, "cut_y")},
+                  table.number(row, "jump_deg") * M_PI / 180,
+                  std::hypot(table.number(row, "jump_x"), table.number(row, "jump_y"))};
+}
+
+}  // namespace
+
+std::vector<std::string> simulatedSites(const std::string& data, const std::string& only) {
+  std::vector<std::string> folders;
+  if (fs::is_directory(data))
+    for (const auto& entry : fs::directory_iterator(data))
+      if (fs::exists(entry.path() / "truth.csv") &&
+          entry.path().filename().string().find(only) != std::string::npos)
+        folders.push_back(entry.path().string());
+  if (folders.empty())
+    throw DataError(data + ": holds no folder with a truth.csv; name that of the simulated runs");
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+SimulatedSite readSite(const std::string& folder, const std::string& extension) {
+  SimulatedSite site;
+  site.name = fs::path(folder).filename().string();
+  const CsvTable table((fs::path(folder) / "truth.csv").string());
+  std::map<std::string, std::size_t> rowOf;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::string& name = table.text(i, "run");
+    rowOf[name] = i;
+    site.runs.push_back(readRun(name, (fs::path(folder) / (name + extension)).string()));
+  }
+  sortRuns(site.runs);
+  for (const PreparedRun& run : site.runs) {
+    const std::size_t row = rowOf.at(run.name);
+    site.truth.push_back(table.number(row, "map_rms_m"));
+    site.toTruth.push_back(
+        {table.number(row, "A_x"), table.number(row, "A_y"), table.number(row, "A_phi")});
+    site.breaks.push_back(breakIn(table, row));
+  }
+  site.related = relateRuns(site.runs, false, [](std::size_t count, const auto& job) {
+    for (std::size_t i = 0; i < count; ++i) job(i);
+  });
+  return site;
+}
+
+}  // namespace roomgraph
