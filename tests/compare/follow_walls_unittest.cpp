@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "drawn_building.h"
+#include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
@@ -38,21 +41,14 @@ TEST(FollowWalls, noWallIsFoundTwice) {
 /** Of a building whose walls right of its middle are moved, how far the walls lie from where they
  *  belong after the best fit, by its drawing. */
 double trueBend(const MapForAlignment& straight, Point middle, const Transform2D& motion) {
-  std::vector<Point> from, to;
-  Point a, b;
-  for (const WallPoint& wall : straight.walls) {
-    from.push_back(wall.place);
-    to.push_back(wall.place.x > middle.x ? motion(wall.place) : wall.place);
-    a = a + from.back(), b = b + to.back();
-  }
-  const double n = double(from.size());
-  a = (1 / n) * a, b = (1 / n) * b;
-  double cosine = 0, sine = 0, squares = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    cosine += dot(from[i] - a, to[i] - b), sine += cross(from[i] - a, to[i] - b);
-  const Transform2D fit = carrying(a, b, std::atan2(sine, cosine));
-  for (std::size_t i = 0; i < from.size(); ++i) squares += squaredNorm(fit(from[i]) - to[i]);
-  return std::sqrt(squares / n);
+  const auto drawn = [&](Point p) { return p.x > middle.x ? motion(p) : p; };
+  MotionFit fit;
+  for (const WallPoint& wall : straight.walls) fit.add(wall.place, drawn(wall.place));
+  const Transform2D best = fit.motion();
+  double squares = 0;
+  for (const WallPoint& wall : straight.walls)
+    squares += squaredNorm(best(wall.place) - drawn(wall.place));
+  return std::sqrt(squares / fit.weight());
 }
 
 Point middleOf(const Grid& grid) {

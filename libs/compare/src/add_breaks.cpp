@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/median.h"
+
 namespace roomgraph {
 namespace {
 
@@ -26,11 +28,6 @@ std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
   // One map alone cannot tell its own breaks from those of a better one.
   if (others.size() == 1 && site.trust[others[0]] < site.trust[run]) return {};
   return others;
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 /** Of a run with scans: where their poses jump. */

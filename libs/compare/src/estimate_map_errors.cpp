@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/median.h"
+
 namespace roomgraph {
 namespace {
 
@@ -71,9 +73,7 @@ class Problem {
     std::vector<double> all;
     for (Eigen::Index j = 0; j < n_; ++j)
       if (j != i && of(i, j).share > 0) all.push_back(of(i, j).bend);
-    if (all.empty()) return 0;
-    std::sort(all.begin(), all.end());
-    return (all[(all.size() - 1) / 2] + all[all.size() / 2]) / 2;
+    return all.empty() ? 0 : median(all);
   }
 
   /** Sets the free factor to what suits the errors. */

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/median.h"
+
 namespace roomgraph {
 namespace {
 
@@ -76,11 +78,6 @@ class JumpFinder {
   const std::vector<Jump>& steps_;
   const FindBreaksOptions& options_;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
 
 /** What one track shows at a scan. */
 struct Sighting {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "roomgraph/geometry/MotionFit.h"
+
 namespace roomgraph {
 namespace {
 
@@ -58,17 +60,10 @@ class PieceFinder {
   }
 
   Transform2D meanOf(const Piece& piece) const {
-    Point from, to;
-    for (const FollowedPatch* patch : piece.patches) {
-      from = from + (patch->walls / piece.walls) * middleOf(*patch);
-      to = to + (patch->walls / piece.walls) * patch->pose(middleOf(*patch));
-    }
-    double cosine = 0, sine = 0;
-    for (const FollowedPatch* patch : piece.patches) {
-      const Point a = middleOf(*patch) - from, b = patch->pose(middleOf(*patch)) - to;
-      cosine += patch->walls * dot(a, b), sine += patch->walls * cross(a, b);
-    }
-    return carrying(from, to, std::atan2(sine, cosine));
+    MotionFit fit;
+    for (const FollowedPatch* patch : piece.patches)
+      fit.add(middleOf(*patch), patch->pose(middleOf(*patch)), patch->walls);
+    return fit.motion();
   }
 
   const MapForAlignment& of_;

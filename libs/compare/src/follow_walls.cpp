@@ -8,6 +8,7 @@
 
 #include "fit_walls.h"
 #include "roomgraph/compare/nearest_wall.h"
+#include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
@@ -213,27 +214,20 @@ class Follower {
   /** The pose that carries all patches as near to their places as one pose can, and what is left.
    */
   void fit() {
-    Point from, to;
-    double all = 0;
+    MotionFit fit;
     for (const FollowedPatch& f : result_.patches) {
       const Point middle = patches_[f.patch].middle;
-      from = from + f.walls * middle, to = to + f.walls * f.pose(middle);
-      all += f.walls;
+      fit.add(middle, f.pose(middle), f.walls);
     }
-    if (all <= 0) return;
-    from = (1 / all) * from, to = (1 / all) * to;
-    double cosine = 0, sine = 0, squares = 0;
-    for (const FollowedPatch& f : result_.patches) {
-      const Point a = patches_[f.patch].middle - from, b = f.pose(patches_[f.patch].middle) - to;
-      cosine += f.walls * dot(a, b), sine += f.walls * cross(a, b);
-    }
-    result_.pose = carrying(from, to, std::atan2(sine, cosine));
+    if (fit.weight() <= 0) return;
+    result_.pose = fit.motion();
+    double squares = 0;
     for (const FollowedPatch& f : result_.patches) {
       const Point middle = patches_[f.patch].middle;
       squares += f.walls * squaredNorm(result_.pose(middle) - f.pose(middle));
     }
-    result_.bend = std::sqrt(squares / all);
-    result_.share = all / double(of_.walls.size());
+    result_.bend = std::sqrt(squares / fit.weight());
+    result_.share = fit.weight() / double(of_.walls.size());
   }
 
   const MapForAlignment &of_, &in_;
