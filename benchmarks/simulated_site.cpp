@@ -7,6 +7,7 @@
 
 #include "CsvTable.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/compare/noise_floor.h"
 #include "roomgraph/pipeline/extract.h"
 
 namespace roomgraph {
@@ -20,6 +21,7 @@ PreparedRun readRun(const std::string& name, const std::string& file) {
   PreparedRun run;
   run.name = name, run.file = file, run.sha256 = stages.source.sha256;
   run.map = mapForAlignment(stages.grid, {});
+  run.noiseFloor = noiseFloor(stages.grid, run.map, {});
   run.rooms = stages.result.rooms;
   run.areas = stages.areas;
   run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));

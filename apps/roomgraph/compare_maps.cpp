@@ -10,6 +10,7 @@
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/name_rooms.h"
+#include "roomgraph/compare/noise_floor.h"
 #include "roomgraph/pipeline/extract.h"
 #include "run_in_order.h"
 #include "run_names.h"
@@ -25,6 +26,7 @@ PreparedRun preparedRun(const std::string& name, const std::string& file,
   run.map = mapForAlignment(stages.grid, {});
   if (run.map.walls.empty())
     throw DataError(file + ": has no wall beside free space: a run must have some");
+  run.noiseFloor = noiseFloor(stages.grid, run.map, {});
   run.rooms = std::move(stages.result.rooms);
   run.areas = std::move(stages.areas);
   run.areas.labels = {};  // not needed any more

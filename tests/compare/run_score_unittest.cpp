@@ -34,8 +34,8 @@ TEST(ScoreRuns, copiesOfOneMapCountAsOne) {
 }
 
 TEST(ScoreRuns, onlyCopiesScore100) {
-  const auto scores =
-      scoreRuns(Bends(2, std::vector<PairBend>(2, {0, 1, 1000, true})), {0.01, 0.01}, {}, {});
+  const auto scores = scoreRuns(Bends(2, std::vector<PairBend>(2, {0, 1, 1000, true})),
+                                {{0.01, 0}, {0.01, 0}}, {}, {});
   for (const auto& score : scores) EXPECT_EQ(score->score, 100);
 }
 
@@ -63,6 +63,15 @@ TEST(ScoreRuns, theBestRunHasTheMostTrust) {
   EXPECT_NEAR(scores[0]->trust, 1, 1e-6);
   EXPECT_LT(scores[3]->trust, 0.05);
   EXPECT_NEAR(scores[0]->bend, 0.1, 0.02) << "the outlier weighs little";
+}
+
+TEST(ScoreRuns, theNoiseFloorWidensTheInterval) {
+  const auto plain = scoreRuns(allBends(3, 0.3), {{}, {}, {}}, {}, {});
+  const auto noisy = scoreRuns(allBends(3, 0.3), {{{}, 0.05}, {}, {}}, {}, {});
+  EXPECT_NEAR(noisy[0]->errorHigh, plain[0]->errorHigh + 0.05, 1e-9);
+  EXPECT_NEAR(noisy[0]->errorLow, plain[0]->errorLow - 0.05, 1e-9);
+  EXPECT_EQ(noisy[0]->score, plain[0]->score);
+  EXPECT_EQ(noisy[1]->errorHigh, plain[1]->errorHigh);
 }
 
 }  // namespace

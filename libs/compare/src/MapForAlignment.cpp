@@ -201,7 +201,7 @@ int octantOf(Point v) {
   return v.x >= 0 ? 7 : 5;
 }
 
-MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
+MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
   const Grid fine = coarser(grid, std::max(kFineCell, grid.frame.resolution), options.reach);
   const Grid coarse = coarser(grid, std::max(options.cell, grid.frame.resolution), options.reach);
   MapForAlignment map;
@@ -210,14 +210,19 @@ MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& opt
   const std::vector<WallPoint> sides = wallSides(fine);
   map.turns = turnsOf(sides);
   map.walls = thinned(sides, map.frame);
-  map.depths = depthsOf(map.frame, map.states);
-  for (int k = 0; k < kOctants; ++k)
-    map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);
   map.patches = wallPatches(map.walls, {});
-  map.axisDeviation = axisDeviation(map.walls);
   map.freePlaces = placesIn(coarse, map.frame);
   const auto free = std::count(map.states.begin(), map.states.end(), State::free);
   map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;
+  return map;
+}
+
+MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
+  MapForAlignment map = wallsForAlignment(grid, options);
+  map.axisDeviation = axisDeviation(map.walls);
+  map.depths = depthsOf(map.frame, map.states);
+  for (int k = 0; k < kOctants; ++k)
+    map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);
   return map;
 }
 

@@ -18,9 +18,9 @@ constexpr double kSameError = 1e-6;  // runs whose errors differ by less share a
 void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector<PairBend>>& bends,
              std::optional<std::size_t> reference, const CompareRunsOptions& options) {
   const std::size_t n = site.runs.size();
-  std::vector<std::optional<double>> deviations;
-  for (const PreparedRun* run : site.runs) deviations.push_back(run->map.axisDeviation);
-  const auto scores = scoreRuns(bends, deviations, reference, options.score);
+  std::vector<OwnEvidence> own;
+  for (const PreparedRun* run : site.runs) own.push_back({run->map.axisDeviation, run->noiseFloor});
+  const auto scores = scoreRuns(bends, own, reference, options.score);
   for (std::size_t i = 0; i < n; ++i) {
     const double trust = scores[i] ? scores[i]->trust : 0;
     site.trust.push_back(reference ? double(i == *reference) : trust);

@@ -155,15 +155,15 @@ bool hasPair(const Bends& bends, std::size_t i) {
 }
 
 /** `error` with an interval for a standard deviation of its log. */
-MapError withInterval(double error, double deviation, const MapErrorOptions& options) {
-  const double factor = std::exp(kEightyPercent * deviation), small = options.smallError;
-  return {error, std::max(0.0, error / factor - small), error * factor + small};
+MapError withInterval(double error, double deviation) {
+  const double factor = std::exp(kEightyPercent * deviation);
+  return {error, error / factor, error * factor};
 }
 
 }  // namespace
 
 MapError mapErrorOf(const PairBend& pair, const MapErrorOptions& options) {
-  return withInterval(pair.bend, options.leastSpread, options);
+  return withInterval(pair.bend, options.leastSpread);
 }
 
 std::vector<std::optional<MapError>> estimateMapErrors(
@@ -183,8 +183,7 @@ std::vector<std::optional<MapError>> estimateMapErrors(
     const auto k = Eigen::Index(i);
     const double variance = options.spread * options.spread * covariance(k, k) +
                             options.leastSpread * options.leastSpread;
-    errors[i] =
-        withInterval(std::exp(best.x[k]) - options.leastError, std::sqrt(variance), options);
+    errors[i] = withInterval(std::exp(best.x[k]) - options.leastError, std::sqrt(variance));
   }
   return errors;
 }

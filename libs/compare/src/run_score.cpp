@@ -24,7 +24,7 @@ std::vector<std::size_t> firstAlike(const Bends& bends) {
 }
 
 /** Estimates the errors with one run for all that have the same map. */
-Errors errorsOfAll(const Bends& bends, const std::vector<std::optional<double>>& deviations,
+Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
                    const MapErrorOptions& options) {
   const std::vector<std::size_t> first = firstAlike(bends);
   std::vector<std::size_t> kept;
@@ -33,7 +33,7 @@ Errors errorsOfAll(const Bends& bends, const std::vector<std::optional<double>>&
   Bends some(kept.size(), std::vector<PairBend>(kept.size()));
   std::vector<std::optional<double>> told;
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    told.push_back(deviations[kept[i]]);
+    told.push_back(own[kept[i]].axisDeviation);
     for (std::size_t j = 0; j < kept.size(); ++j) some[i][j] = bends[kept[i]][kept[j]];
   }
   const Errors found = estimateMapErrors(some, told, options);
@@ -89,18 +89,20 @@ void weigh(std::vector<std::optional<RunScore>>& scores, const Bends& bends,
 }  // namespace
 
 std::vector<std::optional<RunScore>> scoreRuns(const Bends& bends,
-                                               const std::vector<std::optional<double>>& deviations,
+                                               const std::vector<OwnEvidence>& own,
                                                std::optional<std::size_t> reference,
                                                const RunScoreOptions& options) {
   if (reference && *reference >= bends.size())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
   const Errors errors = reference ? errorsAgainst(bends, *reference, options.error)
-                                  : errorsOfAll(bends, deviations, options.error);
+                                  : errorsOfAll(bends, own, options.error);
   std::vector<std::optional<RunScore>> scores(bends.size());
   for (std::size_t i = 0; i < bends.size(); ++i) {
     if (!errors[i]) continue;
     scores[i].emplace();
-    grade(*scores[i], *errors[i], options);
+    MapError error = *errors[i];
+    error.low = std::max(0.0, error.low - own[i].noiseFloor), error.high += own[i].noiseFloor;
+    grade(*scores[i], error, options);
   }
   weigh(scores, bends, reference, options);
   const std::size_t minOthers = reference ? 1 : options.minOthers;

@@ -48,4 +48,8 @@ struct AlignmentMapOptions {
  *  aligns with nothing. O(cells + walls * walls within 4 m). */
 MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options);
 
+/** The same without what it takes to look walls up in it (`nearest`, `depths`, `axisDeviation`):
+ * enough to be looked for in another map. */
+MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options);
+
 }  // namespace roomgraph

@@ -13,6 +13,7 @@ namespace roomgraph {
 struct PreparedRun {
   std::string name, file, sha256;
   MapForAlignment map;           ///< must have walls
+  double noiseFloor = 0;         ///< see noiseFloor [m]
   std::vector<GraphRoom> rooms;  ///< in the frame of the run
   std::vector<ScanWalls> scans;  ///< of a simplemap; else empty
   AreaGraph areas{};             ///< in the frame of the run; without labels

@@ -37,7 +37,6 @@ struct MapErrorOptions {
   double mostError = 5;           ///< [m]
   double spread = 0.25;           ///< standard deviation of a residual's log, for the interval
   double leastSpread = 0.15;      ///< of an error's log, however many pairs there are
-  double smallError = 0.01;       ///< by which an interval is wider on both sides [m]
 };
 
 /** The error of a map where the other one is the truth: its bend, within the least spread. */

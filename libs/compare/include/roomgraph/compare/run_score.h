@@ -12,6 +12,12 @@ namespace roomgraph {
 // Out:  RunScore of each run
 // Next: compareRuns
 
+/** What a run tells of itself, without any other. */
+struct OwnEvidence {
+  std::optional<double> axisDeviation;  ///< [rad]
+  double noiseFloor = 0;                ///< [m]
+};
+
 /** How an error becomes a score. */
 struct RunScoreOptions {
   MapErrorOptions error;
@@ -25,12 +31,12 @@ struct RunScoreOptions {
  *  estimateMapErrors. Identical maps count as one. With `reference`, a run's map error is its bend
  *  against that run, which gets no score itself. Trust falls with the fourth power of trustFloor
  *  plus the map error; that of the most trusted run, or of the reference, is 1. Runs that share no
- *  walls with any other have no score. Meaningful with minOthers other runs (one reference) and
- *  minWalls wall points. `bends` is square and symmetric; its diagonal is not read.
- *  Cost: that of estimateMapErrors.
+ *  walls with any other have no score. Intervals are wider by the noise floor on both sides.
+ * Meaningful with minOthers other runs (one reference) and minWalls wall points. `bends` is square
+ * and symmetric; its diagonal is not read. Cost: that of estimateMapErrors.
  *  @throws UsageError where `reference` is none of the runs. */
 std::vector<std::optional<RunScore>> scoreRuns(const std::vector<std::vector<PairBend>>& bends,
-                                               const std::vector<std::optional<double>>& deviations,
+                                               const std::vector<OwnEvidence>& own,
                                                std::optional<std::size_t> reference,
                                                const RunScoreOptions& options);
 
