@@ -15,6 +15,13 @@ class Random {
   /** low to high, both included. */
   int between(int low, int high) { return low + below(high - low + 1); }
   bool oneIn(int count) { return below(count) == 0; }
+  /** About normal, mean 0 and standard deviation 1: the sum of twelve even ones. */
+  double normal() {
+    constexpr int steps = 1 << 20;
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += (below(steps) + 0.5) / steps;
+    return sum;
+  }
 
  private:
   std::mt19937 engine_;

@@ -4,14 +4,17 @@
 
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "FloorPlan.h"
 #include "keep_seen.h"
+#include "map_error.h"
 #include "roomgraph/base/Error.h"
 #include "roughen_walls.h"
 #include "sample_office.h"
+#include "sample_runs.h"
 #include "simulate_scans.h"
 #include "walk.h"
 #include "write_map.h"
@@ -21,7 +24,8 @@ namespace {
 
 constexpr int kKeyFrames = 80;
 constexpr int kPlaces = 600;  // that the map is seen from
-constexpr int kSight = 300;   // [cells]
+constexpr int kBeamsOfRuns = 271;
+constexpr int kSight = 300;  // [cells]
 
 std::vector<Point> placesOf(const std::vector<WalkPose>& poses) {
   std::vector<Point> places;
@@ -42,6 +46,42 @@ void writeSimplemap(const mrpt::maps::CSimpleMap& frames, const std::string& fil
   mrpt::serialization::archiveFrom(out) << frames;
 }
 
+std::string decimals(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+/** What is true of a run: its frame in the office's, its error, its break. */
+std::string truthLine(const SampleRun& run, double mapError) {
+  const WalkPose& first = run.truth.front();
+  const Transform2D frame =
+      Transform2D{first.at.x, first.at.y, first.heading} * run.believed.front().inverse();
+  std::string line = run.name + "," + decimals(frame.x, 3) + "," + decimals(frame.y, 3) + "," +
+                     decimals(frame.phi, 4) + "," + decimals(mapError, 2);
+  if (!run.breakAt) return line + ",,,\n";
+  const Point at = run.truth[*run.breakAt].at;
+  return line + "," + decimals(at.x, 2) + "," + decimals(at.y, 2) + "," +
+         decimals(run.breakTurn * 180 / M_PI, 1) + "\n";
+}
+
+void makeRuns(const SampleOffice& office, const std::string& directory) {
+  std::string truth = "run,x,y,phi,map_error_m,break_x,break_y,break_deg\n";
+  std::uint32_t seed = 11;
+  for (const SampleRun& run : sampleRuns(office)) {
+    checkTour(office.map, placesOf(run.truth));
+    SimulateScansOptions laser;
+    laser.beams = kBeamsOfRuns;
+    laser.seed = seed++;
+    const auto frames = simulateScans(office.map, run.truth, run.believed, laser);
+    writeSimplemap(frames, directory + "/" + run.name + ".simplemap.gz");
+    truth += truthLine(run, mapError(frames, run.truth));
+  }
+  std::ofstream out(directory + "/office_runs.csv");
+  out << truth;
+  if (!out.flush()) throw DataError(directory + "/office_runs.csv: cannot be written");
+}
+
 void makeAll(const std::string& directory) {
   const SampleOffice office = sampleOffice();
   const auto places = placesOf(walk(office.tour, kPlaces));
@@ -53,6 +93,7 @@ void makeAll(const std::string& directory) {
   writeRosMap(seen, directory + "/office");
   writeSimplemap(simulateScans(office.map, walk(office.tour, kKeyFrames), {}),
                  directory + "/office.simplemap.gz");
+  makeRuns(office, directory);
 }
 
 }  // namespace

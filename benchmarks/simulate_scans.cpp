@@ -19,18 +19,10 @@ using mrpt::obs::CObservation2DRangeScan;
 
 constexpr double kFirstSecond = 1.6e9;  // of the time stamps: a fixed one keeps the bytes equal
 
-/** About normal, mean 0 and standard deviation 1: the sum of twelve even ones. */
-double normal(Random& random) {
-  constexpr int steps = 1 << 20;
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += (random.below(steps) + 0.5) / steps;
-  return sum;
-}
-
 void blur(CObservation2DRangeScan& scan, double noiseStd, Random& random) {
   for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
     if (!scan.getScanRangeValidity(i)) continue;
-    const double range = scan.getScanRange(i) + noiseStd * normal(random);
+    const double range = scan.getScanRange(i) + noiseStd * random.normal();
     scan.setScanRange(i, float(std::round(range * 256) / 256));
   }
 }
@@ -38,6 +30,14 @@ void blur(CObservation2DRangeScan& scan, double noiseStd, Random& random) {
 }  // namespace
 
 mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkPose>& poses,
+                                     const SimulateScansOptions& options) {
+  std::vector<Transform2D> believed;
+  for (const WalkPose& pose : poses) believed.push_back({pose.at.x, pose.at.y, pose.heading});
+  return simulateScans(map, poses, believed, options);
+}
+
+mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkPose>& poses,
+                                     const std::vector<Transform2D>& believed,
                                      const SimulateScansOptions& options) {
   const auto grid = makeMrptGrid(map);
   Random random(options.seed);
@@ -53,7 +53,8 @@ mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkP
     blur(*scan, options.noiseStd, random);
     mrpt::obs::CSensoryFrame frame;
     frame.insert(scan);
-    const mrpt::poses::CPose3DPDFGaussian where{mrpt::poses::CPose3D(pose)};
+    const mrpt::poses::CPose2D at(believed[i].x, believed[i].y, believed[i].phi);
+    const mrpt::poses::CPose3DPDFGaussian where{mrpt::poses::CPose3D(at)};
     frames.insert(where, frame);
   }
   return frames;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "walk.h"
 
@@ -22,6 +23,12 @@ struct SimulateScansOptions {
 /** One key frame per pose, with its true pose and one scan; a second between two frames. Ranges
  *  are rounded to 1/256 m, as lasers round them, so that they compress. */
 mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkPose>& poses,
+                                     const SimulateScansOptions& options);
+
+/** The same for a robot that believes to be elsewhere: the scans are those of `poses`, the poses of
+ *  the key frames are `believed`, as many. */
+mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkPose>& poses,
+                                     const std::vector<Transform2D>& believed,
                                      const SimulateScansOptions& options);
 
 }  // namespace roomgraph
