@@ -28,7 +28,7 @@ ScanTrack trackOf(const std::vector<Keyframe>& frames) {
 }
 
 std::vector<ScanBreak> breaksIn(const std::vector<Keyframe>& frames) {
-  return findBreaks(scanWalls(frames), {trackOf(frames)}, {});
+  return findBreaks(scanWalls(frames), {trackOf(frames)}, {1}, {});
 }
 
 TEST(TrackScans, eachScanLiesWhereItWasTaken) {
@@ -91,25 +91,27 @@ std::vector<ScanTrack> tracksWithAJumpIn(const std::vector<std::size_t>& broken,
   return tracks;
 }
 
-TEST(FindBreaks, moreThanHalfOfTheTracksMustShowIt) {
+TEST(FindBreaks, tracksOfMoreThanHalfOfTheWeightMustShowIt) {
   const std::vector<ScanWalls> scans(40);
-  EXPECT_TRUE(findBreaks(scans, tracksWithAJumpIn({1}, 3), {}).empty());
-  EXPECT_TRUE(findBreaks(scans, tracksWithAJumpIn({0}, 2), {}).empty());
-  const auto found = findBreaks(scans, tracksWithAJumpIn({0, 2}, 3), {});
+  EXPECT_TRUE(findBreaks(scans, tracksWithAJumpIn({1}, 3), {1, 1, 1}, {}).empty());
+  EXPECT_TRUE(findBreaks(scans, tracksWithAJumpIn({0}, 2), {1, 1}, {}).empty());
+  const auto found = findBreaks(scans, tracksWithAJumpIn({0, 2}, 3), {1, 1, 1}, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].seenIn, (std::vector<std::size_t>{0, 2}));
   EXPECT_EQ(found[0].shift, 1.5);
+  EXPECT_EQ(findBreaks(scans, tracksWithAJumpIn({0}, 3), {1, 0.4, 0.4}, {}).size(), 1u)
+      << "the first is trusted most";
 }
 
 TEST(FindBreaks, aScanThatIsLostForAMomentIsNoBreak) {
   std::vector<ScanTrack> tracks = tracksWithAJumpIn({}, 1);
   tracks[0][20] = Transform2D{3, 0, 0};
-  EXPECT_TRUE(findBreaks(std::vector<ScanWalls>(40), tracks, {}).empty());
+  EXPECT_TRUE(findBreaks(std::vector<ScanWalls>(40), tracks, {1}, {}).empty());
 }
 
 TEST(FindBreaks, withoutTracksThereAreNone) {
-  EXPECT_TRUE(findBreaks({}, {}, {}).empty());
-  EXPECT_TRUE(findBreaks(std::vector<ScanWalls>(40), {ScanTrack(40)}, {}).empty());
+  EXPECT_TRUE(findBreaks({}, {}, {}, {}).empty());
+  EXPECT_TRUE(findBreaks(std::vector<ScanWalls>(40), {ScanTrack(40)}, {1}, {}).empty());
 }
 
 }  // namespace

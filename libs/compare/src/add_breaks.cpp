@@ -1,6 +1,7 @@
 #include "add_breaks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "roomgraph/base/median.h"
 
@@ -30,6 +31,13 @@ std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
   return others;
 }
 
+/** Trust is steep: its root lets two good maps outvote a better one. */
+std::vector<double> votesOf(const std::vector<std::size_t>& others, const PlacedRuns& site) {
+  std::vector<double> votes;
+  for (const std::size_t j : others) votes.push_back(std::sqrt(site.trust[j]));
+  return votes;
+}
+
 /** Of a run with scans: where their poses jump. */
 void addJumps(Comparison& result, const PlacedRuns& site, std::size_t run,
               const std::vector<std::size_t>& others,
@@ -39,7 +47,8 @@ void addJumps(Comparison& result, const PlacedRuns& site, std::size_t run,
   for (const std::size_t j : others)
     tracks.push_back(trackScans(scans, site.runs[run]->map.patches, followedIn(pairs, run, j),
                                 site.runs[j]->map, options.trackScans));
-  for (const ScanBreak& found : findBreaks(scans, tracks, options.findBreaks)) {
+  for (const ScanBreak& found :
+       findBreaks(scans, tracks, votesOf(others, site), options.findBreaks)) {
     const std::size_t track = found.seenIn.front();
     const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
     result.breaks.push_back({site.runs[run]->name,
@@ -53,15 +62,18 @@ void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
              const std::vector<std::size_t>& others, const std::vector<std::vector<MapPair>>& pairs,
              const CompareRunsOptions& options) {
   std::vector<double> xs, ys, rotations, shifts;
+  double weight = 0, all = 0;
   for (const std::size_t j : others) {
+    all += votesOf({j}, site)[0];
     const auto found =
         findPieces(site.runs[run]->map, followedIn(pairs, run, j), options.findPieces);
     if (!found) continue;
+    weight += votesOf({j}, site)[0];
     const Point place = site.poses[j](found->pose(found->place));
     xs.push_back(place.x), ys.push_back(place.y);
     rotations.push_back(found->rotation), shifts.push_back(found->shift);
   }
-  if (2 * xs.size() <= others.size()) return;
+  if (2 * weight <= all || xs.empty()) return;
   result.breaks.push_back(
       {site.runs[run]->name, {median(xs), median(ys)}, median(rotations), median(shifts)});
 }

@@ -22,12 +22,13 @@ using Bends = std::vector<std::vector<PairBend>>;
 class Problem {
  public:
   Problem(const Bends& bends, const std::vector<std::optional<double>>& deviations,
-          const MapErrorOptions& options)
-      : bends_(bends), options_(options), n_(Eigen::Index(bends.size())) {
+          std::optional<std::size_t> truth, const MapErrorOptions& options)
+      : bends_(bends), options_(options), n_(Eigen::Index(bends.size())), truth_(truth) {
     for (const auto& deviation : deviations)
       told_.push_back(deviation ? std::optional(options.deviationPower *
                                                 std::log(*deviation + options.deviationNoise))
                                 : std::nullopt);
+    if (truth) told_[*truth].reset();
   }
 
   /** Half the cost, with its gradient and the normal equations of a step. */
@@ -43,6 +44,7 @@ class Problem {
       addDeviation(out, x, i);
       for (Eigen::Index j = i + 1; j < n_; ++j) addPair(out, x, i, j);
     }
+    if (truth_) hold(out, Eigen::Index(*truth_));
     return out;
   }
 
@@ -50,7 +52,7 @@ class Problem {
   VectorXd startFromBends() const {
     VectorXd x = VectorXd::Zero(n_ + 1);
     for (Eigen::Index i = 0; i < n_; ++i) x[i] = std::log(std::max(0.7 * medianBend(i), 1e-3));
-    return withFactor(std::move(x));
+    return withFactor(clamped(std::move(x)));
   }
 
   /** From what the maps tell of themselves on, at the same mean. */
@@ -65,10 +67,18 @@ class Problem {
   VectorXd clamped(VectorXd x) const {
     const double low = std::log(options_.leastError), high = std::log(options_.mostError);
     for (Eigen::Index i = 0; i < n_; ++i) x[i] = std::clamp(x[i], low, high);
+    if (truth_) x[Eigen::Index(*truth_)] = low;
     return x;
   }
 
  private:
+  /** Keeps one of the unknowns where it is. */
+  void hold(Linearised& out, Eigen::Index i) const {
+    out.g[i] = 0;
+    out.h.row(i).setZero(), out.h.col(i).setZero();
+    out.h(i, i) = 1;
+  }
+
   double medianBend(Eigen::Index i) const {
     std::vector<double> all;
     for (Eigen::Index j = 0; j < n_; ++j)
@@ -119,6 +129,7 @@ class Problem {
   const Bends& bends_;
   const MapErrorOptions& options_;
   Eigen::Index n_;
+  std::optional<std::size_t> truth_;
   std::vector<std::optional<double>> told_;  // log of what the deviation tells
 };
 
@@ -162,16 +173,12 @@ MapError withInterval(double error, double deviation) {
 
 }  // namespace
 
-MapError mapErrorOf(const PairBend& pair, const MapErrorOptions& options) {
-  return withInterval(pair.bend, options.leastSpread);
-}
-
 std::vector<std::optional<MapError>> estimateMapErrors(
     const Bends& bends, const std::vector<std::optional<double>>& deviations,
-    const MapErrorOptions& options) {
+    std::optional<std::size_t> truth, const MapErrorOptions& options) {
   std::vector<std::optional<MapError>> errors(bends.size());
   if (bends.size() < 2) return errors;
-  const Problem problem(bends, deviations, options);
+  const Problem problem(bends, deviations, truth, options);
   Solution best = solve(problem, problem.startFromBends());
   const Solution other = solve(problem, problem.startFromDeviations());
   if (other.cost < best.cost) best = other;
@@ -179,7 +186,7 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   h.diagonal().array() += 1e-3;  // for what nothing tells
   const MatrixXd covariance = h.inverse();
   for (std::size_t i = 0; i < bends.size(); ++i) {
-    if (!hasPair(bends, i)) continue;
+    if (i == truth || !hasPair(bends, i)) continue;
     const auto k = Eigen::Index(i);
     const double variance = options.spread * options.spread * covariance(k, k) +
                             options.leastSpread * options.leastSpread;

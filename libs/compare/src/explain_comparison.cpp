@@ -6,6 +6,8 @@
 namespace roomgraph {
 namespace {
 
+constexpr double kLittle = 0.6;  // share of the walls below which a bend tells little
+
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
   char text[200];
@@ -18,6 +20,8 @@ std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks
   const RunScore& score = *run.score;
   std::string text = formatted("bends %.2f m away from the %zu other %s", score.bend, score.others,
                                score.others == 1 ? "run" : "runs");
+  if (score.share < kLittle)
+    text += formatted(" as far as they have its walls (%.0f %%)", 100 * score.share);
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
   if (const auto count = std::count_if(breaks.begin(), breaks.end(), isOfRun))
     text += formatted(", breaks in %ld place%s", long(count), count == 1 ? "" : "s");

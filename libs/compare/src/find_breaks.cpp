@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "roomgraph/base/median.h"
 
@@ -103,6 +104,7 @@ ScanBreak breakOf(const std::vector<Sighting>& seen) {
 
 std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans,
                                   const std::vector<ScanTrack>& tracks,
+                                  const std::vector<double>& weights,
                                   const FindBreaksOptions& options) {
   std::vector<Sighting> all;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
@@ -120,7 +122,9 @@ std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans,
       if (std::none_of(seen.begin(), seen.end(),
                        [&](const Sighting& other) { return other.track == all[i].track; }))
         seen.push_back(all[i]);
-    if (2 * seen.size() <= tracks.size()) continue;
+    double weight = 0;
+    for (const Sighting& sighting : seen) weight += weights[sighting.track];
+    if (2 * weight <= std::accumulate(weights.begin(), weights.end(), 0.0)) continue;
     breaks.push_back(breakOf(seen));
     std::sort(breaks.back().seenIn.begin(), breaks.back().seenIn.end());
   }

@@ -25,7 +25,7 @@ std::vector<std::size_t> firstAlike(const Bends& bends) {
 
 /** Estimates the errors with one run for all that have the same map. */
 Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
-                   const MapErrorOptions& options) {
+                   std::optional<std::size_t> reference, const MapErrorOptions& options) {
   const std::vector<std::size_t> first = firstAlike(bends);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < bends.size(); ++i)
@@ -36,22 +36,19 @@ Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
     told.push_back(own[kept[i]].axisDeviation);
     for (std::size_t j = 0; j < kept.size(); ++j) some[i][j] = bends[kept[i]][kept[j]];
   }
-  const Errors found = estimateMapErrors(some, told, options);
+  const auto placeOf = [&](std::size_t i) {
+    return std::size_t(std::lower_bound(kept.begin(), kept.end(), first[i]) - kept.begin());
+  };
+  std::optional<std::size_t> truth;
+  if (reference) truth = placeOf(*reference);
+  const Errors found = estimateMapErrors(some, told, truth, options);
   Errors errors(bends.size());
   for (std::size_t i = 0; i < bends.size(); ++i) {
-    const std::size_t place =
-        std::size_t(std::lower_bound(kept.begin(), kept.end(), first[i]) - kept.begin());
-    errors[i] = found[place];
-    if (kept.size() == 1 && bends.size() > 1) errors[i] = mapErrorOf({}, options);
+    errors[i] = found[placeOf(i)];
+    const bool isCopyOfAll = kept.size() == 1 && bends.size() > 1;
+    if (isCopyOfAll || truth == placeOf(i)) errors[i] = MapError{};
+    if (i == reference) errors[i].reset();
   }
-  return errors;
-}
-
-Errors errorsAgainst(const Bends& bends, std::size_t reference, const MapErrorOptions& options) {
-  Errors errors(bends.size());
-  for (std::size_t i = 0; i < bends.size(); ++i)
-    if (i != reference && bends[i][reference].share > 0)
-      errors[i] = mapErrorOf(bends[i][reference], options);
   return errors;
 }
 
@@ -74,15 +71,17 @@ void weigh(std::vector<std::optional<RunScore>>& scores, const Bends& bends,
     if (score) score->trust /= most;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) continue;
-    double sum = 0, weights = 0;
+    double sum = 0, weights = 0, found = 0, trust = 0;
     for (std::size_t j = 0; j < bends.size(); ++j) {
       if (j == i || bends[i][j].share <= 0 || (reference && j != reference)) continue;
       const double weight = (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
       sum += weight * bends[i][j].bend, weights += weight;
+      found += (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
+      trust += scores[j] ? scores[j]->trust : 1;
       scores[i]->support += bends[i][j].walls;
       ++scores[i]->others;
     }
-    if (weights > 0) scores[i]->bend = sum / weights;
+    if (weights > 0) scores[i]->bend = sum / weights, scores[i]->share = found / trust;
   }
 }
 
@@ -94,8 +93,7 @@ std::vector<std::optional<RunScore>> scoreRuns(const Bends& bends,
                                                const RunScoreOptions& options) {
   if (reference && *reference >= bends.size())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
-  const Errors errors = reference ? errorsAgainst(bends, *reference, options.error)
-                                  : errorsOfAll(bends, own, options.error);
+  const Errors errors = errorsOfAll(bends, own, reference, options.error);
   std::vector<std::optional<RunScore>> scores(bends.size());
   for (std::size_t i = 0; i < bends.size(); ++i) {
     if (!errors[i]) continue;

@@ -28,12 +28,12 @@ struct RunScoreOptions {
 };
 
 /** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of
- *  estimateMapErrors. Identical maps count as one. With `reference`, a run's map error is its bend
- *  against that run, which gets no score itself. Trust falls with the fourth power of trustFloor
- *  plus the map error; that of the most trusted run, or of the reference, is 1. Runs that share no
- *  walls with any other have no score. Intervals are wider by the noise floor on both sides.
- * Meaningful with minOthers other runs (one reference) and minWalls wall points. `bends` is square
- * and symmetric; its diagonal is not read. Cost: that of estimateMapErrors.
+ *  estimateMapErrors. Identical maps count as one. With `reference`, that
+ *  run is taken for the truth and gets no score itself. Trust falls with the fourth power of
+ * trustFloor plus the map error; that of the most trusted run, or of the reference, is 1. Runs that
+ * share no walls with any other have no score. Intervals are wider by the noise floor on both
+ * sides. Meaningful with minOthers other runs (one reference) and minWalls wall points. `bends` is
+ * square and symmetric; its diagonal is not read. Cost: that of estimateMapErrors.
  *  @throws UsageError where `reference` is none of the runs. */
 std::vector<std::optional<RunScore>> scoreRuns(const std::vector<std::vector<PairBend>>& bends,
                                                const std::vector<OwnEvidence>& own,
