@@ -24,6 +24,7 @@ PreparedRun readRun(const std::string& name, const std::string& file) {
   run.noiseFloor = noiseFloor(stages.grid, run.map, {});
   run.rooms = stages.result.rooms;
   run.areas = stages.areas;
+  run.graph = stages.result.graph;
   run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
   return run;
 }

@@ -28,6 +28,7 @@ PreparedRun preparedRun(const std::string& name, const std::string& file,
     throw DataError(file + ": has no wall beside free space: a run must have some");
   run.noiseFloor = noiseFloor(stages.grid, run.map, {});
   run.rooms = std::move(stages.result.rooms);
+  run.graph = std::move(stages.result.graph);
   run.areas = std::move(stages.areas);
   run.areas.labels = {};  // not needed any more
   run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));

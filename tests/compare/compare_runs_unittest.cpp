@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "drawn_building.h"
+#include "drawn_graph.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/comparison_json.h"
 
@@ -57,6 +58,19 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
     EXPECT_EQ(measureOf(one, "coverage").value, 1);
   }
   EXPECT_EQ(result.pairs[0].measures[0].value, 0);
+}
+
+TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
+  std::vector<PreparedRun> runs = threeGoodAndABentRun();
+  for (PreparedRun& one : runs) one.graph = test::drawnGraph();  // anywhere in the map
+  const Comparison result = compared(runs);
+  for (const ComparedRun& one : result.runs) {
+    EXPECT_TRUE(measureOf(one, "path_coverage").value);
+    EXPECT_TRUE(measureOf(one, "wall_doubling").value);
+    EXPECT_TRUE(measureOf(one, "brokenness").value);
+    EXPECT_TRUE(one.name == "bent" || measureOf(one, "brokenness").value == 0) << one.name;
+  }
+  for (const ComparedPair& pair : result.pairs) EXPECT_EQ(pair.measures.size(), 15u);
 }
 
 TEST(CompareRuns, aBentRunRanksLast) {
@@ -143,6 +157,14 @@ TEST(ComparisonJson, followsTheSchema) {
     broken.replace(broken.find("\"" + name + "\""), name.size() + 2, "\"x\"");
     EXPECT_NE(schemaComplaint(broken), "") << name;
   }
+}
+
+TEST(ComparisonJson, theTableNamesTheMeasuresInTheirOrder) {
+  const Comparison result = compared(threeGoodAndABentRun());
+  std::string names;
+  for (const Measure& measure : result.runs[0].measures) names += "," + measure.name;
+  const std::string csv = comparisonRunsCsv(result), header = csv.substr(0, csv.find('\n'));
+  EXPECT_EQ(header.substr(header.find(",phi,") + 4), names);
 }
 
 TEST(ComparisonJson, theTableHasALineForEachRun) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/compare/axis_deviation.h"
+#include "roomgraph/compare/wall_sharpness.h"
 
 namespace roomgraph {
 namespace {
@@ -220,6 +221,7 @@ MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& o
 MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
   MapForAlignment map = wallsForAlignment(grid, options);
   map.axisDeviation = axisDeviation(map.walls);
+  map.wallSharpness = wallSharpness(grid);
   map.depths = depthsOf(map.frame, map.states);
   for (int k = 0; k < kOctants; ++k)
     map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "add_breaks.h"
+#include "add_measures.h"
 #include "explain_comparison.h"
 #include "place_runs.h"
 #include "roomgraph/base/Error.h"
@@ -25,7 +26,8 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     const double trust = scores[i] ? scores[i]->trust : 0;
     site.trust.push_back(reference ? double(i == *reference) : trust);
   }
-  const std::vector<Measure> coverage = coverageOf(site), rooms = roomsMatchedOf(site);
+  const std::vector<Measure> coverage = coverageOf(site);
+  const std::vector<std::vector<Measure>> rooms = roomMeasuresOf(site);
   for (std::size_t i = 0; i < n; ++i) {
     ComparedRun run;
     run.name = site.runs[i]->name, run.file = site.runs[i]->file;
@@ -33,7 +35,7 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     run.score = scores[i];
     run.measures = {coverage[i], bendOf(bends, site.trust, i), axisDeviationOf(*site.runs[i])};
     for (const Measure& measure : wallMeasuresOf(site, i)) run.measures.push_back(measure);
-    run.measures.push_back(rooms[i]);
+    for (const Measure& measure : rooms[i]) run.measures.push_back(measure);
     result.runs.push_back(std::move(run));
   }
 }
@@ -135,6 +137,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   rank(result.runs);
   result.rooms = siteRooms(inSite, result.runs);
   addPairs(result, runs, pairs, related, site, inSite, bends);
+  addMeasures(result, inSite, inPairs);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!std::binary_search(site.runs.begin(), site.runs.end(), i))
       result.leftOut.push_back(

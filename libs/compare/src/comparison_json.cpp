@@ -164,7 +164,10 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
   std::string text =
       "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
       "meaningful,x,y,phi,coverage,bend,axis_deviation,wall_distance,wall_distance_p90,rooms_"
-      "matched\n";
+      "matched,room_coverage,path_coverage,global_accuracy,relative_accuracy,consistency_1,"
+      "consistency_2,"
+      "consistency_4,consistency_8,path_length_error,path_frechet,nearest_vertex,brokenness,"
+      "wall_doubling,wall_sharpness,scan_disagreement\n";
   for (const ComparedRun& run : comparison.runs) {
     text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
             csvField(fileName(run.file));

@@ -105,6 +105,7 @@ std::vector<GraphRoom> roomsInSite(const PreparedRun& run, const Transform2D& po
 /** How many rooms of another run this one could have, and how many it has. */
 struct RoomCount {
   double visible = 0, matched = 0;
+  double area = 0, matchedArea = 0;  ///< of all rooms of the other, and of those it has [m2]
 };
 
 RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isMatched,
@@ -113,31 +114,37 @@ RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isM
   for (std::size_t r = 0; r < others.size(); ++r) {
     if (isMatched[r]) ++count.matched;
     if (isMatched[r] || isFreeIn(map, back(others[r].center))) ++count.visible;
+    const double size = area(others[r].shape.polygon);
+    count.area += size;
+    if (isMatched[r]) count.matchedArea += size;
   }
   return count;
 }
 
-Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<RoomCount>& counts) {
+/** The share `part` of `all` in the rooms of the others. */
+Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<RoomCount>& counts,
+                    const char* name, double RoomCount::*part, double RoomCount::*all,
+                    double minSupport) {
   Measure measure;
-  measure.name = "rooms_matched";
+  measure.name = name;
   std::size_t others = 0;
   const auto share = [&](std::size_t but) -> std::optional<double> {
     RoomCount sum;
     for (std::size_t j = 0; j < counts.size(); ++j) {
       if (j == run || j == but) continue;
-      sum.visible += site.trust[j] * counts[j].visible;
-      sum.matched += site.trust[j] * counts[j].matched;
+      sum.*all += site.trust[j] * counts[j].*all;
+      sum.*part += site.trust[j] * counts[j].*part;
     }
-    if (sum.visible <= 0) return std::nullopt;
-    return sum.matched / sum.visible;
+    if (sum.*all <= 0) return std::nullopt;
+    return sum.*part / sum.*all;
   };
   for (std::size_t j = 0; j < counts.size(); ++j) {
-    if (j == run || site.trust[j] * counts[j].visible <= 0) continue;
-    measure.support += counts[j].visible;
+    if (j == run || site.trust[j] * counts[j].*all <= 0) continue;
+    measure.support += counts[j].*all;
     ++others;
   }
   measure.value = share(run);
-  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinRooms;
+  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= minSupport;
   if (others < 2) return measure;
   for (std::size_t j = 0; j < counts.size(); ++j)
     if (const auto without = share(j); j != run && without) widen(measure, *without);
@@ -223,7 +230,7 @@ std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
           wallMeasure(site, run, "wall_distance_p90", 0.9)};
 }
 
-std::vector<Measure> roomsMatchedOf(const PlacedRuns& site) {
+std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site) {
   const GridFrame frame = siteFrame(site);
   const std::size_t n = site.runs.size();
   std::vector<std::vector<GraphRoom>> rooms;
@@ -239,8 +246,12 @@ std::vector<Measure> roomsMatchedOf(const PlacedRuns& site) {
       counts[i][j] = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
       counts[j][i] = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
     }
-  std::vector<Measure> measures;
-  for (std::size_t i = 0; i < n; ++i) measures.push_back(roomMeasure(site, i, counts[i]));
+  std::vector<std::vector<Measure>> measures;
+  for (std::size_t i = 0; i < n; ++i)
+    measures.push_back({roomMeasure(site, i, counts[i], "rooms_matched", &RoomCount::matched,
+                                    &RoomCount::visible, kMinRooms),
+                        roomMeasure(site, i, counts[i], "room_coverage", &RoomCount::matchedArea,
+                                    &RoomCount::area, kMinArea)});
   return measures;
 }
 

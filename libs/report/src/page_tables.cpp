@@ -48,7 +48,22 @@ std::string measureName(const std::string& name) {
       {"wall_distance", "Wall distance, median"},
       {"wall_distance_mean", "Wall distance, mean"},
       {"wall_distance_p90", "Wall distance, 9 of 10 below"},
-      {"rooms_matched", "Rooms found again"}};
+      {"rooms_matched", "Rooms found again"},
+      {"room_coverage", "Room area of the others that it has"},
+      {"path_coverage", "Paths of the others that it has"},
+      {"global_accuracy", "Vertices off, RMS"},
+      {"relative_accuracy", "Vertices off after the best fit, RMS"},
+      {"consistency_1", "Distances off, 1 hop"},
+      {"consistency_2", "Distances off, 2 hops"},
+      {"consistency_4", "Distances off, 4 hops"},
+      {"consistency_8", "Distances off, 8 hops"},
+      {"path_length_error", "Path lengths off, median"},
+      {"path_frechet", "Paths apart (Fréchet), median"},
+      {"nearest_vertex", "Nearest vertex, mean"},
+      {"brokenness", "Breaks"},
+      {"wall_doubling", "Walls drawn twice"},
+      {"wall_sharpness", "Wall at the edge of free space"},
+      {"scan_disagreement", "Scans off another visit, 9 of 10 below"}};
   const auto known = names.find(name);
   if (known != names.end()) return known->second;
   std::string words = name;

@@ -32,6 +32,7 @@ struct MapForAlignment {
   std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle
   WallPatches patches;            ///< of `walls`
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
+  std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
 
   Point middle() const {  ///< of `frame` [m]
     return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};

@@ -17,6 +17,7 @@ struct PreparedRun {
   std::vector<GraphRoom> rooms;  ///< in the frame of the run
   std::vector<ScanWalls> scans;  ///< of a simplemap; else empty
   AreaGraph areas{};             ///< in the frame of the run; without labels
+  TopologyGraph graph{};         ///< that of the RoomGraph, in the frame of the run
 };
 
 /** Brings runs into the order that all results are computed in, by content and then by name, so

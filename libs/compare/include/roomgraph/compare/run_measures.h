@@ -39,9 +39,11 @@ Measure axisDeviationOf(const PreparedRun& run);
  *  of its walls to those of the others, weighted by trust. Support in wall points. */
 std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run);
 
-/** Per run: `rooms_matched`, of the rooms of the others (weighted by trust) whose middle it has
- * seen free or that match one of its own, the share that match: matchRooms. Support in rooms. No
- * value where there is none. O(runs^2 * cells of the site). */
-std::vector<Measure> roomsMatchedOf(const PlacedRuns& site);
+/** Per run two measures by matchRooms. `rooms_matched`: of the rooms of the others (weighted by
+ *  trust) whose middle it has seen free or that match one of its own, the share that match; support
+ *  in rooms. `room_coverage`: of the area of all rooms of the others, seen or not, the share in
+ *  rooms that match one of its own; support in m2. No value where there is none. O(runs^2 * cells
+ *  of the site). */
+std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site);
 
 }  // namespace roomgraph

@@ -1,0 +1,14 @@
+#pragma once
+#include <vector>
+
+#include "place_runs.h"
+
+namespace roomgraph {
+
+/** Appends to the measures of the runs and pairs of a site what their graphs, and each map by
+ *  itself, tell: graphMeasuresOf, brokennessOf, ownMeasuresOf. The runs and pairs of `result` must
+ *  be there, in any order; its breaks, too. */
+void addMeasures(Comparison& result, const PlacedRuns& site,
+                 const std::vector<std::vector<MapPair>>& pairs);
+
+}  // namespace roomgraph

@@ -1,0 +1,159 @@
+#include "shared_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <tuple>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr std::size_t kNoMatch = std::size_t(-1);
+
+struct Way {
+  std::vector<HalfEdgeId> steps;
+  double length = 0;
+};
+
+/** From one matched vertex to the others, each by the shortest way past no matched vertex. */
+class WaysOut {
+ public:
+  /** `matchOf`: of each vertex the match that it is part of. */
+  WaysOut(const TopologyGraph& graph, std::vector<std::size_t> matchOf, double maxLength)
+      : graph_(graph),
+        matchOf_(std::move(matchOf)),
+        maxLength_(maxLength),
+        length_(graph.vertices().size(), kFar),
+        before_(graph.vertices().size()) {}
+
+  /** By match; only those above the one of `start`. */
+  std::map<std::size_t, Way> from(VertexId start) {
+    search(start);
+    std::map<std::size_t, Way> ways;
+    for (const VertexId v : reached_) {
+      const std::size_t match = matchOf_[v.index()];
+      if (match != kNoMatch && match > matchOf_[start.index()]) ways[match] = wayTo(v, start);
+    }
+    for (const VertexId v : reached_) length_[v.index()] = kFar;
+    return ways;
+  }
+
+ private:
+  void search(VertexId start) {
+    using Entry = std::pair<double, VertexId>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    reached_ = {start};
+    length_[start.index()] = 0;
+    queue.push({0, start});
+    while (!queue.empty()) {
+      const auto [length, v] = queue.top();
+      queue.pop();
+      if (length > length_[v.index()]) continue;
+      if (v != start && matchOf_[v.index()] != kNoMatch) continue;
+      for (const HalfEdgeId h : graph_.outgoing(v)) {
+        const VertexId to = graph_.target(h);
+        const double next = length + graph_.edge(h).path.length;
+        if (next > maxLength_ || next >= length_[to.index()]) continue;
+        if (length_[to.index()] == kFar) reached_.push_back(to);
+        length_[to.index()] = next, before_[to.index()] = h;
+        queue.push({next, to});
+      }
+    }
+  }
+
+  Way wayTo(VertexId v, VertexId start) const {
+    Way way;
+    way.length = length_[v.index()];
+    for (; v != start; v = graph_.source(way.steps.back())) way.steps.push_back(before_[v.index()]);
+    std::reverse(way.steps.begin(), way.steps.end());
+    return way;
+  }
+
+  const TopologyGraph& graph_;
+  std::vector<std::size_t> matchOf_;
+  double maxLength_;
+  std::vector<double> length_;
+  std::vector<HalfEdgeId> before_;
+  std::vector<VertexId> reached_;
+};
+
+using Ends = std::pair<std::size_t, std::size_t>;
+
+/** The edges between matched vertices, by their matches, as half edges from the lower one. */
+std::map<Ends, std::vector<HalfEdgeId>> edgesBetween(const TopologyGraph& graph,
+                                                     const std::vector<std::size_t>& matchOf) {
+  std::map<Ends, std::vector<HalfEdgeId>> edges;
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) {
+    const Edge& edge = graph.edges()[e];
+    std::size_t from = matchOf[edge.source.index()], to = matchOf[edge.target.index()];
+    if (from == kNoMatch || to == kNoMatch) continue;
+    HalfEdgeId h(2 * e);
+    if (to < from) std::swap(from, to), h = TopologyGraph::twin(h);
+    edges[{from, to}].push_back(h);
+  }
+  return edges;
+}
+
+void matchEdges(const TopologyGraph& a, const TopologyGraph& b, Ends ends,
+                const std::vector<HalfEdgeId>& ofA, const std::vector<HalfEdgeId>& ofB,
+                const MatchGraphsOptions& options, std::vector<PathMatch>& paths) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < ofA.size(); ++i)
+    for (std::size_t j = 0; j < ofB.size(); ++j) {
+      const double l = a.edge(ofA[i]).path.length, m = b.edge(ofB[j]).path.length;
+      if (isSameLength(l, m, options)) pairs.push_back({std::abs(l - m), i, j});
+    }
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<bool> usedA(ofA.size()), usedB(ofB.size());
+  for (const auto& [apart, i, j] : pairs) {
+    if (usedA[i] || usedB[j]) continue;
+    usedA[i] = usedB[j] = true;
+    paths.push_back({ends.first,
+                     ends.second,
+                     {ofA[i]},
+                     {ofB[j]},
+                     a.edge(ofA[i]).path.length,
+                     b.edge(ofB[j]).path.length});
+  }
+}
+
+}  // namespace
+
+bool isSameLength(double a, double b, const MatchGraphsOptions& options) {
+  return std::abs(a - b) <= std::max(options.lengthSlack, options.lengthShare * std::max(a, b));
+}
+
+std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& b,
+                                   const std::vector<VertexMatch>& vertices,
+                                   const MatchGraphsOptions& options) {
+  std::vector<std::size_t> ofA(a.vertices().size(), kNoMatch), ofB(b.vertices().size(), kNoMatch);
+  for (std::size_t m = 0; m < vertices.size(); ++m)
+    ofA[vertices[m].a.index()] = ofB[vertices[m].b.index()] = m;
+  const auto edgesA = edgesBetween(a, ofA), edgesB = edgesBetween(b, ofB);
+  std::vector<PathMatch> paths;
+  for (const auto& [ends, edges] : edgesA)
+    if (const auto other = edgesB.find(ends); other != edgesB.end())
+      matchEdges(a, b, ends, edges, other->second, options, paths);
+  std::map<Ends, bool> isDone;
+  for (const PathMatch& path : paths) isDone[{path.from, path.to}] = true;
+  WaysOut outA(a, ofA, options.maxPathLength), outB(b, ofB, options.maxPathLength);
+  for (std::size_t m = 0; m < vertices.size(); ++m) {
+    auto waysA = outA.from(vertices[m].a), waysB = outB.from(vertices[m].b);
+    for (auto& [to, way] : waysA) {
+      const auto other = waysB.find(to);
+      if (other == waysB.end() || isDone.count({m, to})) continue;
+      if (!isSameLength(way.length, other->second.length, options)) continue;
+      paths.push_back({m, to, std::move(way.steps), std::move(other->second.steps), way.length,
+                       other->second.length});
+    }
+  }
+  std::stable_sort(paths.begin(), paths.end(), [](const PathMatch& l, const PathMatch& r) {
+    return std::tie(l.from, l.to) < std::tie(r.from, r.to);
+  });
+  return paths;
+}
+
+}  // namespace roomgraph
