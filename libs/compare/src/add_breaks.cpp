@@ -63,12 +63,14 @@ void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
              const CompareRunsOptions& options) {
   std::vector<double> xs, ys, rotations, shifts;
   double weight = 0, all = 0;
-  for (const std::size_t j : others) {
-    all += votesOf({j}, site)[0];
+  const std::vector<double> votes = votesOf(others, site);
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const std::size_t j = others[k];
+    all += votes[k];
     const auto found =
         findPieces(site.runs[run]->map, followedIn(pairs, run, j), options.findPieces);
     if (!found) continue;
-    weight += votesOf({j}, site)[0];
+    weight += votes[k];
     const Point place = site.poses[j](found->pose(found->place));
     xs.push_back(place.x), ys.push_back(place.y);
     rotations.push_back(found->rotation), shifts.push_back(found->shift);

@@ -103,8 +103,6 @@ std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& me
   return pairs;
 }
 
-/** The better map of two follows the worse one over a part of it only: so the larger bend counts.
- */
 std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs) {
   const std::size_t n = pairs.size();
   std::vector<std::vector<PairBend>> bends(n, std::vector<PairBend>(n));

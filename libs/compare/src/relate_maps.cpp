@@ -4,14 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "are_identical.h"
+
 namespace roomgraph {
 namespace {
-
-bool areTheSame(const MapForAlignment& l, const MapForAlignment& r) {
-  return l.states == r.states && l.walls.size() == r.walls.size() &&
-         std::equal(l.walls.begin(), l.walls.end(), r.walls.begin(),
-                    [](const WallPoint& p, const WallPoint& q) { return p.place == q.place; });
-}
 
 /** All patches at `pose`: where two maps are the same, following could only blur that. */
 FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
@@ -76,7 +72,7 @@ MapPair swapped(MapPair pair) {
 MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
   MapPair pair;
   pair.alignment = alignMaps(a, b, {});
-  pair.areIdentical = areTheSame(a, b);
+  pair.areIdentical = areIdentical(a, b);
   if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
   return pair;
 }
@@ -97,7 +93,7 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Map
   pair.alignment.confidence = std::min(
       {pair.alignment.confidence, hubAndA.alignment.confidence, hubAndB.alignment.confidence});
   pair.alignment.isAmbiguous = hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
-  pair.areIdentical = areTheSame(a, b);
+  pair.areIdentical = areIdentical(a, b);
   follow(pair, a, b, pair.alignment.poses);
   return pair;
 }
@@ -111,7 +107,7 @@ MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b) {
   alignment.confidence = alignment.siteConfidence = 1;
   alignment.isSameSite = true;
   alignment.poses = {{}};
-  pair.areIdentical = areTheSame(a, b);
+  pair.areIdentical = areIdentical(a, b);
   follow(pair, a, b, alignment.poses);
   return pair;
 }

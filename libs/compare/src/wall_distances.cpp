@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "are_identical.h"
 #include "roomgraph/compare/nearest_wall.h"
 
 namespace roomgraph {
@@ -11,12 +12,6 @@ namespace {
 bool isNothing(const Transform2D& pose) {
   constexpr double kTiny = 1e-6;
   return std::abs(pose.x) < kTiny && std::abs(pose.y) < kTiny && std::abs(pose.phi) < kTiny;
-}
-
-bool areIdentical(const MapForAlignment& l, const MapForAlignment& r) {
-  return l.states == r.states && l.walls.size() == r.walls.size() &&
-         std::equal(l.walls.begin(), l.walls.end(), r.walls.begin(),
-                    [](const WallPoint& p, const WallPoint& q) { return p.place == q.place; });
 }
 
 }  // namespace
