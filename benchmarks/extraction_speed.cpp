@@ -34,9 +34,11 @@ struct Case {
   int officeSize = 0;  ///< cells each way
 };
 
-struct Memory {
+/** What one extraction takes in a process of its own. */
+struct OwnProcess {
   double bytes = 0;  ///< peak, beyond that of a map of 8 x 8 cells
   double sites = 0, cells = 0;
+  double seconds = 0;  ///< of CPU, map in memory to areas
 
   double perSite() const { return (bytes - kBytesPerCell * cells) / sites; }
 };
@@ -154,24 +156,38 @@ void warmUp() {
   extract(map, {});
 }
 
-/** What a child process does: one extraction, then how much memory it took. */
-void printMemory(const Case& which) {
+/** What a child process does: one extraction, then how much memory and time it took. */
+void printOwnProcess(const Case& which) {
   warmUp();
-  const double start = peakBytes();
+  const double startBytes = peakBytes();
   const GreyMap map = load(which);
+  const double start = cpuSeconds();
   const Stages stages = extract(map, {});
-  std::printf("%.0f %zu %zu\n", peakBytes() - start, stages.sites.cells.size(), map.grey.size());
+  const double seconds = cpuSeconds() - start;
+  std::printf("%.0f %zu %zu %.6f\n", peakBytes() - startBytes, stages.sites.cells.size(),
+              map.grey.size(), seconds);
 }
 
-Memory measureMemory(const Case& which, int largest) {
+OwnProcess runOwnProcess(const Case& which, int largest) {
   const std::string command = "exec '" + std::string(program_invocation_name) + "' --largest " +
-                              std::to_string(largest) + " --memory '" + which.name + "'";
+                              std::to_string(largest) + " --one '" + which.name + "'";
   const std::unique_ptr<FILE, int (*)(FILE*)> child(popen(command.c_str(), "r"), pclose);
-  Memory memory;
-  if (!child ||
-      std::fscanf(child.get(), "%lf %lf %lf", &memory.bytes, &memory.sites, &memory.cells) != 3)
-    throw DataError(which.name + ": the run that measures memory failed");
-  return memory;
+  OwnProcess own;
+  if (!child || std::fscanf(child.get(), "%lf %lf %lf %lf", &own.bytes, &own.sites, &own.cells,
+                            &own.seconds) != 4)
+    throw DataError(which.name + ": the run in a process of its own failed");
+  return own;
+}
+
+/** The most memory and the least time of three processes. */
+OwnProcess measureOwnProcess(const Case& which, int largest) {
+  OwnProcess own = runOwnProcess(which, largest);
+  for (int i = 1; i < 3; ++i) {
+    const OwnProcess again = runOwnProcess(which, largest);
+    own.bytes = std::max(own.bytes, again.bytes);
+    own.seconds = std::min(own.seconds, again.seconds);
+  }
+  return own;
 }
 
 /** Slope of the line through (log x, log y). */
@@ -187,37 +203,54 @@ double exponent(const std::vector<double>& xs, const std::vector<double>& ys) {
 
 const char* verdict(bool isWithin) { return isWithin ? "PASS" : "**over**"; }
 
-bool measureAll(int largest) {
+void printHeader() {
   std::printf(
       "| map | cells | sites | time to the graph | <= %.1f | with areas | <= %.1f | "
       "bytes per site beyond %.0f per cell | <= %.0f |\n"
       "|---|---|---|---|---|---|---|---|---|\n",
       kMostRatio, kMostRatioWithAreas, kBytesPerCell, kBytesPerSite);
+}
+
+/** How the times grow over the offices. A process that extracts many maps gives small maps warm
+ *  memory and large ones new pages each time; one map in a process of its own is what users run. */
+struct Growth {
+  std::vector<double> sites, own, whole, bare;
+
+  bool isWithin() const { return sites.size() < 2 || exponent(sites, own) <= kMostExponent; }
+  void print() const {
+    if (sites.size() < 2) return;
+    std::printf(
+        "\nOver the offices, time grows with sites^%.2f, each map in a process of its own "
+        "(at most %.1f: %s); in turns within one process with sites^%.2f, and the bare diagram "
+        "there with sites^%.2f.\n",
+        exponent(sites, own), kMostExponent, verdict(isWithin()), exponent(sites, whole),
+        exponent(sites, bare));
+  }
+};
+
+bool measureAll(int largest) {
+  printHeader();
   bool isAllWithin = true;
-  std::vector<double> sites, bare, whole;
+  Growth growth;
   for (const Case& which : allCases(largest)) {
-    const Memory memory = measureMemory(which, largest);
+    const OwnProcess own = measureOwnProcess(which, largest);
     const Times times = measureTimes(which);
     const double toGraph = times.median(&Whole::toGraph), all = times.median(&Whole::withAreas);
     const bool isFast = toGraph <= kMostRatio, isFastWithAreas = all <= kMostRatioWithAreas;
-    const bool isSmall = memory.perSite() <= kBytesPerSite;
+    const bool isSmall = own.perSite() <= kBytesPerSite;
     std::printf("| %s | %.0f | %.0f | %.2f | %s | %.2f | %s | %.0f | %s |\n", which.name.c_str(),
-                memory.cells, memory.sites, toGraph, verdict(isFast), all, verdict(isFastWithAreas),
-                memory.perSite(), verdict(isSmall));
+                own.cells, own.sites, toGraph, verdict(isFast), all, verdict(isFastWithAreas),
+                own.perSite(), verdict(isSmall));
     std::fflush(stdout);
     isAllWithin = isAllWithin && isFast && isFastWithAreas && isSmall;
     if (!which.file.empty()) continue;
-    sites.push_back(memory.sites);
-    bare.push_back(*std::min_element(times.bare.begin(), times.bare.end()));
-    whole.push_back(times.fastest(&Whole::withAreas));
+    growth.sites.push_back(own.sites);
+    growth.own.push_back(own.seconds);
+    growth.bare.push_back(*std::min_element(times.bare.begin(), times.bare.end()));
+    growth.whole.push_back(times.fastest(&Whole::withAreas));
   }
-  if (sites.size() < 2) return isAllWithin;
-  const double growth = exponent(sites, whole);
-  std::printf(
-      "\nOver the offices, time grows with sites^%.2f (at most %.1f: %s); "
-      "the bare diagram with sites^%.2f.\n",
-      growth, kMostExponent, verdict(growth <= kMostExponent), exponent(sites, bare));
-  return isAllWithin && growth <= kMostExponent;
+  growth.print();
+  return isAllWithin && growth.isWithin();
 }
 
 }  // namespace
@@ -226,17 +259,18 @@ bool measureAll(int largest) {
 int main(int argc, char** argv) {
   CLI::App app("CPU time and memory of the extraction, as ratios to the bare Voronoi diagram.");
   int largest = 8000;
-  std::string memoryOf;
+  std::string one;
   app.add_option("--largest", largest, "largest office [cells each way]: 1000, 2000, 4000 or 8000")
       ->capture_default_str();
-  app.add_option("--memory", memoryOf,
-                 "only extract this one map; print the bytes it took, its sites and cells");
+  app.add_option(
+      "--one", one,
+      "only extract this one map; print the bytes it took, its sites, cells and seconds");
   CLI11_PARSE(app, argc, argv);
   try {
-    if (memoryOf.empty()) return roomgraph::measureAll(largest) ? 0 : 1;
+    if (one.empty()) return roomgraph::measureAll(largest) ? 0 : 1;
     for (const roomgraph::Case& which : roomgraph::allCases(largest))
-      if (which.name == memoryOf) return roomgraph::printMemory(which), 0;
-    throw roomgraph::UsageError("there is no map '" + memoryOf + "'");
+      if (which.name == one) return roomgraph::printOwnProcess(which), 0;
+    throw roomgraph::UsageError("there is no map '" + one + "'");
   } catch (const std::exception& error) {
     std::fprintf(stderr, "extraction_speed: %s\n", error.what());
     return 2;

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "floor_plans.h"
+#include "room_rules.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/match_rooms.h"
 #include "roomgraph/grid/load_grid.h"
@@ -52,6 +53,11 @@ struct CaseChanges {
   int worstDegrees = 0;
   Change worst;  ///< at that angle
 
+  CaseChanges& operator+=(const CaseChanges& other) {
+    rooms += other.rooms, quarters += other.quarters, turned += other.turned;
+    for (std::size_t i = 0; i < std::size(kFiner); ++i) finer[i] += other.finer[i];
+    return *this;
+  }
   Change byAngle() const { return Change(quarters) += turned; }
   Change byResolution() const {
     Change sum;
@@ -98,11 +104,12 @@ void printUnmatched(const char* what, const std::vector<GraphRoom>& rooms,
     if (!isMatched[i]) printRoom(what, rooms[i]);
 }
 
-Change changeAt(const Stages& base, const MapPose& pose, bool isVerbose) {
+Change changeAt(const Stages& base, const ExtractOptions& options, const MapPose& pose,
+                bool isVerbose) {
   const std::vector<GraphRoom>& rooms = base.result.rooms;
   const GridFrame& frame = base.grid.frame;
   const std::vector<GraphRoom> others =
-      laidBack(extract(turnMap(base.grid, pose), {}).result.rooms, pose, frame);
+      laidBack(extract(turnMap(base.grid, pose), options).result.rooms, pose, frame);
   const std::vector<MatchedRooms> matched = matchRooms(rooms, others, frame);
   if (isVerbose) {
     std::vector<bool> isFound(rooms.size()), hasPartner(others.size());
@@ -116,18 +123,18 @@ Change changeAt(const Stages& base, const MapPose& pose, bool isVerbose) {
   return {rooms.size(), rooms.size() - matched.size(), others.size() - matched.size()};
 }
 
-CaseChanges measure(const Case& which, int step, bool isVerbose) {
-  const Stages base = extract(which.load(), {});
+CaseChanges measure(const Case& which, const ExtractOptions& options, int step, bool isVerbose) {
+  const Stages base = extract(which.load(), options);
   CaseChanges changes;
   changes.rooms = base.result.rooms.size();
   for (int degrees = 0; degrees < 360; degrees += step) {
-    const Change change = changeAt(base, {degrees * M_PI / 180, 1}, isVerbose);
+    const Change change = changeAt(base, options, {degrees * M_PI / 180, 1}, isVerbose);
     (degrees % 90 == 0 ? changes.quarters : changes.turned) += change;
     if (change.changed() > changes.worst.changed())
       changes.worst = change, changes.worstDegrees = degrees;
   }
   for (std::size_t i = 0; i < std::size(kFiner); ++i)
-    changes.finer[i] = changeAt(base, {0, kFiner[i]}, isVerbose);
+    changes.finer[i] = changeAt(base, options, {0, kFiner[i]}, isVerbose);
   return changes;
 }
 
@@ -160,21 +167,34 @@ void printHeader() {
   std::printf("\n");
 }
 
-/** The targets are for the rooms of all maps together. */
-bool measureAll(const std::string& data, const std::string& only, int step, bool isVerbose) {
+struct Request {
+  std::string data, only;
+  int step = 10;
+  bool isVerbose = false;
+};
+
+/** Over all maps. Prints a row for each map as well where `isEach`. */
+CaseChanges measureMaps(const Request& request, const RoomRule& rule, bool isEach) {
   CaseChanges all;
-  std::size_t count = 0;
-  for (const Case& which : allCases(data)) {
-    if (!only.empty() && only != which.name) continue;
-    if (count++ == 0) printHeader();
-    const CaseChanges changes = measure(which, step, isVerbose);
-    printRow(which.name, changes);
-    all.rooms += changes.rooms;
-    all.quarters += changes.quarters, all.turned += changes.turned;
-    for (std::size_t i = 0; i < std::size(kFiner); ++i) all.finer[i] += changes.finer[i];
+  for (const Case& which : allCases(request.data)) {
+    if (!request.only.empty() && request.only != which.name) continue;
+    const CaseChanges changes =
+        measure(which, rule.options, request.step, request.isVerbose && isEach);
+    if (isEach) printRow(which.name, changes);
+    all += changes;
   }
-  if (count == 0) throw UsageError("there is no map '" + only + "'");
-  return printRow("**all rooms**", all);
+  if (all.rooms == 0) throw UsageError("there is no map '" + request.only + "' with rooms");
+  return all;
+}
+
+/** The targets are for the rooms of all maps together, with the default rule. */
+bool measureAll(const Request& request) {
+  printHeader();
+  const RoomRule rule = defaultRule();
+  const bool isWithin = printRow("**all rooms**", measureMaps(request, rule, true));
+  for (const RoomRule& ablated : ablatedRules())
+    printRow("ablation: " + ablated.name, measureMaps(request, ablated, false));
+  return isWithin;
 }
 
 }  // namespace
@@ -184,19 +204,19 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Turns maps and changes their resolution, and counts the rooms that change; exit code 1 "
       "where these are 5 % or more.");
-  std::string data, only;
-  int step = 10;
-  bool isVerbose = false;
-  app.add_option("--data", data, "folder of the map data; it holds room_seg/ipa and paper_maps")
+  roomgraph::Request request;
+  app.add_option("--data", request.data,
+                 "folder of the map data; it holds room_seg/ipa and paper_maps")
       ->required();
-  app.add_option("--only", only, "only this map, as lab_a_scan or longwood");
-  app.add_option("--step", step, "between two angles [degrees]")
+  app.add_option("--only", request.only, "only this map, as lab_a_scan or longwood");
+  app.add_option("--step", request.step, "between two angles [degrees]")
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
-  app.add_flag("--rooms", isVerbose, "also list the lost and the new rooms, on standard error");
+  app.add_flag("--rooms", request.isVerbose,
+               "also list the lost and the new rooms, on standard error");
   CLI11_PARSE(app, argc, argv);
   try {
-    return roomgraph::measureAll(data, only, step, isVerbose) ? 0 : 1;
+    return roomgraph::measureAll(request) ? 0 : 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "pose_stability: %s\n", error.what());
     return 2;

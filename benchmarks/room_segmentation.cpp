@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "floor_plans.h"
+#include "room_rules.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/score_rooms.h"
 #include "roomgraph/pipeline/extract.h"
@@ -46,22 +47,6 @@ struct PlanScore {
   Measures measures{};
   double milliseconds = 0;  ///< of CPU
 };
-
-/** A rule to find rooms with. */
-struct Rule {
-  std::string name;
-  ExtractOptions options;
-};
-
-Rule defaultRule() { return {"tree + clutter (default)", {}}; }
-
-std::vector<Rule> otherRules() {
-  Rule alpha{"one alpha, 1.6 m", {}}, tree{"tree", {}};
-  alpha.options.findRooms.minWidth = 1.6;
-  alpha.options.clearClutter.maxSize = 0;
-  tree.options.clearClutter.maxSize = 0;
-  return {alpha, tree};
-}
 
 /** The truth as a picture of the map's size. */
 LabelMap atCells(const LabelMap& truth, const GridFrame& frame) {
@@ -181,7 +166,7 @@ bool measureSet(const std::string& data, const std::vector<std::string>& names,
   const bool isReached = printVerdict(scores, set);
   std::printf("\n");
   printHeader("rule, mean of these maps", "");
-  for (const Rule& rule : otherRules()) {
+  for (const RoomRule& rule : ablatedRules()) {
     printMeasures(rule.name, meanOf(scoreSet(data, names, set, rule.options, 1)));
     std::printf("\n");
   }
