@@ -62,6 +62,11 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
          "JSON file that keeps the ids and names of the site's rooms from call to call; made "
          "if it is not there, else brought up to date. Names in it may be edited.")
       ->type_name("FILE");
+  app.add_option("--cache", arguments.task.cache,
+                 "Folder that keeps what is found of each pair of maps from call to call, made if "
+                 "it is not there: one more run then costs its own pairs only. Changes no result; "
+                 "its files may be deleted.")
+      ->type_name("DIR");
   app.add_option("--threads", arguments.task.threads,
                  "How many maps or pairs are worked on at the same time; 0 for one per core.")
       ->type_name("N")

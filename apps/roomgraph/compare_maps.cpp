@@ -1,12 +1,14 @@
 #include "compare_maps.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
 
 #include "Command.h"
+#include "PairFolder.h"
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/name_rooms.h"
@@ -104,7 +106,7 @@ class Comparing {
   }
 
   void relate() {
-    related_ = relateRuns(runs_, task_.isAligned, [&](std::size_t count, const auto& job) {
+    const auto forEach = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
       JobList jobs;
       jobs.count = count;
       jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
@@ -113,7 +115,14 @@ class Comparing {
         return JobReport();
       };
       runInOrder(jobs, task_.threads, !task_.isQuiet);
-    });
+    };
+    if (task_.cache.empty()) {
+      related_ = relateRuns(runs_, task_.isAligned, forEach);
+      return;
+    }
+    PairFolder folder(task_.cache);
+    related_ = relateRuns(runs_, task_.isAligned, forEach, folder.kept());
+    if (!folder.failure().empty()) std::fputs(errorLine(folder.failure()).c_str(), stderr);
   }
 
   void addUnread() {

@@ -16,6 +16,7 @@ struct CompareTask {
   std::vector<std::string> files;  ///< of the runs
   std::string reference;           ///< file; empty for none
   std::string names;       ///< file of the site's rooms, made if it is not there; empty: none
+  std::string cache;       ///< folder that keeps pairs from call to call; empty: none
   bool isAligned = false;  ///< all maps are in one frame already
   unsigned threads = 0;    ///< 0 for one per core
   bool isQuiet = false;

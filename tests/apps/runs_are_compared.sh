@@ -30,6 +30,18 @@ expect 0 "$roomgraph" compare c.gridmap.gz a.gridmap.gz b.gridmap.gz -o o2 --thr
 [ ! -s out ] || fail "not quiet"
 diff -r o o2
 
+# What is kept of pairs from call to call changes no byte, and may be damaged.
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o kept --cache pairs -q
+[ "$(ls pairs | wc -l)" -eq 1 ] || fail "a pair is not kept"
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz c.gridmap.gz -o kept --cache pairs -q
+for file in pairs/*; do echo junk > "$file"; done
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz c.gridmap.gz -o kept2 --cache pairs -q
+diff -r o kept
+diff -r o kept2
+grep -qx junk pairs/* && fail "a damaged pair was left"
+expect 1 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o kept --cache a.gridmap.gz
+one_line err a.gridmap.gz
+
 # The frames are trusted where the user says so.
 expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --aligned -o aligned
 grep -q '"pose":\[0.0,0.0,0.0\]' aligned/comparison.json || fail "moved"

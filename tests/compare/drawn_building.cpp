@@ -105,10 +105,11 @@ Grid bent(const Grid& grid, double angle) {
   return result;
 }
 
-std::vector<MapPair> related(const std::vector<PreparedRun>& runs) {
-  return relateRuns(runs, false, [](std::size_t count, const auto& job) {
+std::vector<MapPair> related(const std::vector<PreparedRun>& runs, const KeptPairs& kept) {
+  const ForEach oneByOne = [](std::size_t count, const auto& job) {
     for (std::size_t i = 0; i < count; ++i) job(i);
-  });
+  };
+  return relateRuns(runs, false, oneByOne, kept);
 }
 
 }  // namespace roomgraph::test

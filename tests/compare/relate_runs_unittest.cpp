@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "drawn_building.h"
+#include "roomgraph/compare/pair_bytes.h"
 
 namespace roomgraph {
 namespace {
@@ -65,6 +68,81 @@ TEST(RelateRuns, copiesHaveNoBend) {
   EXPECT_TRUE(pair.areIdentical);
   EXPECT_EQ(pair.bInA.bend, 0);
   EXPECT_EQ(pair.aInB.share, 1);
+}
+
+/** Keeps pairs in memory, and counts. */
+struct Shelf {
+  std::map<std::string, std::string> bytes;
+  std::size_t written = 0;
+
+  KeptPairs kept() {
+    return {[this](const std::string& name) -> std::optional<std::string> {
+              const auto found = bytes.find(name);
+              if (found == bytes.end()) return {};
+              return found->second;
+            },
+            [this](const std::string& name, const std::string& of) {
+              bytes[name] = of;
+              ++written;
+            }};
+  }
+};
+
+std::vector<std::string> bytesOf(const std::vector<MapPair>& pairs) {
+  std::vector<std::string> bytes;
+  for (const MapPair& pair : pairs) bytes.push_back(pairBytes(pair));
+  return bytes;
+}
+
+TEST(RelateRuns, keptPairsChangeNothingAndAreNotWorkedOutAgain) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const auto without = bytesOf(test::related(runs));
+  Shelf shelf;
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), without);
+  EXPECT_EQ(shelf.written, 6u);
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), without);
+  EXPECT_EQ(shelf.written, 6u);
+}
+
+TEST(RelateRuns, oneMoreRunCostsItsOwnPairsOnly) {
+  std::vector<PreparedRun> runs = fourRuns();
+  const auto all = bytesOf(test::related(runs));
+  const std::size_t hub = hubOf(runs), added = hub == 0 ? 1 : 0;
+  std::vector<PreparedRun> before = runs;
+  before.erase(before.begin() + std::ptrdiff_t(added));
+  Shelf shelf;
+  test::related(before, shelf.kept());
+  EXPECT_EQ(shelf.written, 3u);
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), all);
+  EXPECT_EQ(shelf.written, 6u);
+}
+
+TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
+  std::vector<PreparedRun> runs = fourRuns();
+  runs.resize(2);
+  Shelf shelf;
+  const auto whole = bytesOf(test::related(runs, shelf.kept()));
+  const std::string bytes = shelf.bytes.begin()->second;
+  for (std::size_t at = 0; at < bytes.size(); at += 1 + bytes.size() / 200) {
+    std::string damaged = bytes;
+    damaged[at] = char(damaged[at] ^ 4);
+    EXPECT_FALSE(pairOfBytes(damaged)) << at;
+    EXPECT_FALSE(pairOfBytes(bytes.substr(0, at))) << at;
+  }
+  EXPECT_FALSE(pairOfBytes(bytes + 'x'));
+  shelf.bytes.begin()->second.back() ^= 1;
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), whole);
+  EXPECT_EQ(shelf.bytes.begin()->second, bytes);
+}
+
+TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {
+  const MapForAlignment map = mapForAlignment(drawnBuilding(1, {}), {});
+  MapForAlignment moved = map, opened = map;
+  moved.frame.origin.x += 0.01;
+  opened.states[opened.states.size() / 2] = State::unknown;
+  EXPECT_EQ(fingerprint(map), fingerprint(mapForAlignment(drawnBuilding(1, {}), {})));
+  EXPECT_NE(fingerprint(map), fingerprint(moved));
+  EXPECT_NE(fingerprint(map), fingerprint(opened));
 }
 
 TEST(RelateRuns, thePairsAreNumberedInTheirOrder) {

@@ -7,8 +7,6 @@
 
 namespace roomgraph {
 
-using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
-
 /** A set of runs that lie in one frame. */
 struct Site {
   std::vector<std::size_t> runs;   ///< ascending

@@ -1,5 +1,7 @@
 #pragma once
 #include <functional>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,8 +18,11 @@ namespace roomgraph {
 /** Calls job(0) to job(count - 1), in any order, on any threads. Jobs do not throw. */
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
 
-/** Both indices of each pair of `runs` runs, a < b, by a and then b. */
-std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t runs);
+/** Both indices of each pair of runs, a < b. */
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/** All pairs of `runs` runs, by a and then b. */
+Pairs pairsOf(std::size_t runs);
 
 /** The place of the pair a < b in pairsOf(runs). */
 std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs);
@@ -26,10 +31,19 @@ std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs);
  *  the largest, the one with the straightest walls; of equal ones the first. 0 for no runs. */
 std::size_t hubOf(const std::vector<PreparedRun>& runs);
 
+/** Where pairs are kept from call to call, as pairBytes under a name that stands for both maps and
+ *  the hub. Called from any thread; must not throw. What cannot be read is worked out again. */
+struct KeptPairs {
+  std::function<std::optional<std::string>(const std::string& name)> read;
+  std::function<void(const std::string& name, const std::string& bytes)> write;
+};
+
 /** What relateMaps gives for each pair of pairsOf(runs.size()), in that order: first those with the
  *  hub, then the others by relateMapsOver, which saves nearly all of the search. With `areAligned`
- *  by relateAlignedMaps. The same for any order of the jobs. */
+ *  by relateAlignedMaps. Pairs that are kept are not worked out again, so that one more run costs
+ * its own pairs only, unless it becomes the hub. The same for any order of the jobs, and with or
+ * without kept pairs. */
 std::vector<MapPair> relateRuns(const std::vector<PreparedRun>& runs, bool areAligned,
-                                const ForEach& forEach);
+                                const ForEach& forEach, const KeptPairs& kept = {});
 
 }  // namespace roomgraph

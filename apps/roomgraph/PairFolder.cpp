@@ -1,0 +1,41 @@
+#include "PairFolder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/report/write_file.h"
+
+namespace roomgraph {
+
+PairFolder::PairFolder(std::string folder) : folder_(std::move(folder)) {
+  makeWritableFolder(folder_);
+}
+
+KeptPairs PairFolder::kept() {
+  return {[this](const std::string& name) -> std::optional<std::string> {
+            std::ifstream file(fileOf(name), std::ios::binary);
+            std::ostringstream bytes;
+            if (!file.is_open() || !(bytes << file.rdbuf())) return {};
+            return bytes.str();
+          },
+          [this](const std::string& name, const std::string& bytes) { write(name, bytes); }};
+}
+
+std::string PairFolder::fileOf(const std::string& name) const {
+  return (std::filesystem::path(folder_) / (name + ".pair")).string();
+}
+
+void PairFolder::write(const std::string& name, const std::string& bytes) {
+  try {
+    writeFileAtomically(fileOf(name), bytes);
+  } catch (const DataError& error) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    failure_ = error.what();
+  }
+}
+
+}  // namespace roomgraph
