@@ -38,8 +38,9 @@ std::vector<PreparedRun> threeGoodAndABentRun() {
           run("a", drawnBuilding(1, {-7, 2, 2.5})), run("b", drawnBuilding(1, {0, 1, -1.2}))};
 }
 
-const Measure& measureOf(const ComparedRun& run, const std::string& name) {
-  return *std::find_if(run.measures.begin(), run.measures.end(),
+template <typename RunOrPair>
+const Measure& measureOf(const RunOrPair& of, const std::string& name) {
+  return *std::find_if(of.measures.begin(), of.measures.end(),
                        [&](const Measure& m) { return m.name == name; });
 }
 
@@ -71,6 +72,23 @@ TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
     EXPECT_TRUE(one.name == "bent" || measureOf(one, "brokenness").value == 0) << one.name;
   }
   for (const ComparedPair& pair : result.pairs) EXPECT_EQ(pair.measures.size(), 15u);
+}
+
+TEST(CompareRuns, aPairThatContradictsTheSiteIsFollowedAgain) {
+  std::vector<PreparedRun> runs{run("a", drawnBuilding(1, {})),
+                                run("b", drawnBuilding(1, {0, 0, 0.01})),
+                                run("c", drawnBuilding(1, {0, 0, -0.01}))};
+  for (PreparedRun& one : runs) one.graph = test::drawnGraph();
+  std::vector<MapPair> related = test::related(runs);
+  const Transform2D halfTurn{20, 30, M_PI};
+  related[0].alignment.confidence = 0.1;
+  for (FollowedWalls* walls : {&related[0].bInA, &related[0].aInB}) {
+    walls->pose = halfTurn * walls->pose;
+    for (FollowedPatch& patch : walls->patches) patch.pose = halfTurn * patch.pose;
+  }
+  const Comparison result = compareRuns(runs, related, {});
+  for (const ComparedPair& pair : result.pairs)
+    EXPECT_LT(measureOf(pair, "global_accuracy").value.value_or(99), 0.5) << pair.a << pair.b;
 }
 
 TEST(CompareRuns, aBentRunRanksLast) {

@@ -1,6 +1,8 @@
 #include "place_runs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "roomgraph/base/UnionFind.h"
 
@@ -48,6 +50,20 @@ std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
   return std::size_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
 }
 
+constexpr double kOtherTurn = 0.45, kOtherPlace = 6;  // more than maps bend [rad, m]
+constexpr double kAsGood = 0.8;  // of the walls found, to believe the site and not the pair
+
+/** Whether a pair lies otherwise in itself than in the site: in a symmetric building it may have
+ *  found another turn than the rest, and bent maps may not have found each other at all. */
+bool contradicts(const MapPair& pair, const Transform2D& inSite, Point middleOfB) {
+  if (pair.bInA.patches.empty()) return true;
+  const Transform2D& own = pair.bInA.pose;
+  return std::abs(wrappedAngle(own.phi - inSite.phi)) > kOtherTurn ||
+         distance(own(middleOfB), inSite(middleOfB)) > kOtherPlace;
+}
+
+double sharedOf(const MapPair& pair) { return std::min(pair.bInA.share, pair.aInB.share); }
+
 }  // namespace
 
 Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
@@ -94,11 +110,14 @@ std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& me
   std::vector<std::vector<MapPair>> pairs(n, std::vector<MapPair>(n));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
-      pairs[i][j] = related[pairIndex(members.runs[i], members.runs[j], runs)];
-      // Bent maps may not have found each other by themselves.
-      if (pairs[i][j].bInA.patches.empty())
-        follow(pairs[i][j], site.runs[i]->map, site.runs[j]->map,
-               {site.poses[i].inverse() * site.poses[j]});
+      const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
+      const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
+      MapPair& pair = pairs[i][j];
+      pair = related[pairIndex(members.runs[i], members.runs[j], runs)];
+      if (!contradicts(pair, inSite, middleOf(b))) continue;
+      MapPair again = pair;
+      follow(again, a, b, {inSite});
+      if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
     }
   return pairs;
 }

@@ -20,8 +20,8 @@ Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
 /** The runs of the site; trust is left open. */
 PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site);
 
-/** What is known of all pairs of a site, [i][j] with i < j. Pairs that have not found each other
- * are followed from the poses in the site. */
+/** What is known of all pairs of a site, [i][j] with i < j. Pairs that have not found each other,
+ * or lie otherwise than in the site, are followed from the poses in the site, if they fit there. */
 std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
                                           std::size_t runs, const std::vector<MapPair>& related);
 
