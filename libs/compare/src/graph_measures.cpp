@@ -5,10 +5,11 @@
 #include <functional>
 #include <string>
 
+#include "measure_over_others.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMinRuns = 3;
 constexpr double kMinCount = 10, kMinLength = 20;  // vertices, paths or pairs; [m]
 
 /** A figure of a run against one other, and how it is told. */
@@ -75,26 +76,15 @@ Measure measureOf(const Kind& kind, const std::vector<Figure>& figures,
                   const std::vector<double>& trust) {
   Measure measure;
   measure.name = kind.name, measure.unit = kind.unit;
-  std::size_t others = 0;
-  const auto meanWithout = [&](std::size_t but) {
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < figures.size(); ++j)
+    supports.push_back(figures[j].value && trust[j] > 0 ? figures[j].support : 0);
+  measureOverOthers(measure, supports, kind.minSupport, [&](std::size_t but) {
     Mean mean(kind.isSquared);
     for (std::size_t j = 0; j < figures.size(); ++j)
       if (j != but) mean.add(figures[j], trust[j]);
     return mean.value();
-  };
-  for (std::size_t j = 0; j < figures.size(); ++j) {
-    if (!figures[j].value || trust[j] * figures[j].support <= 0) continue;
-    measure.support += figures[j].support;
-    ++others;
-  }
-  measure.value = meanWithout(figures.size());
-  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kind.minSupport;
-  if (others < 2) return measure;
-  for (std::size_t j = 0; j < figures.size(); ++j)
-    if (const auto value = meanWithout(j); value && figures[j].value && trust[j] > 0) {
-      measure.low = std::min(measure.low.value_or(*value), *value);
-      measure.high = std::max(measure.high.value_or(*value), *value);
-    }
+  });
   return measure;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "measure_over_others.h"
 #include "roomgraph/compare/rigid_pieces.h"
 #include "roomgraph/compare/scan_disagreement.h"
 #include "roomgraph/compare/wall_doubling.h"
@@ -10,7 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMinRuns = 3;
 constexpr double kMinPoints = 300, kMinScans = 10;
 constexpr double kMinShare = 0.3;  // of the walls found, for pieces that can be counted
 
@@ -22,36 +22,36 @@ Measure measure(const char* name, const char* unit, const Figure& figure, double
   return result;
 }
 
-/** What one other run says of the pieces of a run. */
+/** What one other run says of the pieces of a run; without trust where it says nothing. */
 struct Witness {
   double pieces = 0, trust = 0, walls = 0;
 };
 
+/** Of the witnesses with trust, leaving one out. */
 std::optional<double> weightedMedian(std::vector<Witness> witnesses, std::size_t but) {
-  double all = 0, below = 0;
   if (but < witnesses.size()) witnesses.erase(witnesses.begin() + std::ptrdiff_t(but));
+  double all = 0, below = 0;
   for (const Witness& w : witnesses) all += w.trust;
   std::sort(witnesses.begin(), witnesses.end(),
             [](const Witness& l, const Witness& r) { return l.pieces < r.pieces; });
   for (const Witness& w : witnesses) {
     below += w.trust;
-    if (2 * below >= all) return w.pieces;
+    if (w.trust > 0 && 2 * below >= all) return w.pieces;
   }
   return std::nullopt;
 }
 
+/** Of all runs, by their number. */
 std::vector<Witness> witnessesOf(const PlacedRuns& site,
                                  const std::vector<std::vector<MapPair>>& pairs, std::size_t run) {
-  std::vector<Witness> witnesses;
+  std::vector<Witness> witnesses(site.runs.size());
   for (std::size_t j = 0; j < site.runs.size(); ++j) {
     if (j == run || site.trust[j] <= 0) continue;
     const FollowedWalls& followed = run < j ? pairs[run][j].aInB : pairs[j][run].bInA;
     if (followed.share < kMinShare) continue;
-    Witness witness;
-    witness.pieces = double(rigidPieces(site.runs[run]->map.patches, followed, {}));
-    witness.trust = site.trust[j];
-    for (const FollowedPatch& f : followed.patches) witness.walls += f.walls;
-    witnesses.push_back(witness);
+    witnesses[j].pieces = double(rigidPieces(site.runs[run]->map.patches, followed, {}));
+    witnesses[j].trust = site.trust[j];
+    for (const FollowedPatch& f : followed.patches) witnesses[j].walls += f.walls;
   }
   return witnesses;
 }
@@ -70,21 +70,20 @@ Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPa
   const std::vector<Witness> witnesses = witnessesOf(site, pairs, run);
   Measure result;
   result.name = "brokenness", result.unit = "pieces";
-  if (witnesses.empty()) return result;
-  const bool isEnough = witnesses.size() + 1 >= kMinRuns;
-  if (!site.runs[run]->scans.empty()) {
-    result.value = double(breaks), result.support = double(site.runs[run]->scans.size());
-    result.isMeaningful = isEnough && result.support >= kMinScans;
-    return result;
-  }
-  for (const Witness& witness : witnesses) result.support += witness.walls;
-  result.value = *weightedMedian(witnesses, witnesses.size()) - 1;
-  result.isMeaningful = isEnough && result.support >= kMinPoints;
-  for (std::size_t j = 0; witnesses.size() > 1 && j < witnesses.size(); ++j) {
-    const double value = *weightedMedian(witnesses, j) - 1;
-    result.low = std::min(result.low.value_or(value), value);
-    result.high = std::max(result.high.value_or(value), value);
-  }
+  std::vector<double> supports;
+  for (const Witness& witness : witnesses) supports.push_back(witness.walls);
+  measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {
+    auto value = weightedMedian(witnesses, but);
+    if (value) --*value;
+    return value;
+  });
+  const auto& scans = site.runs[run]->scans;
+  if (!result.value || scans.empty()) return result;
+  // Scans tell where the run breaks, so that the pieces need not be guessed from its walls.
+  const bool hasOthers = bool(result.low);
+  result.value = double(breaks), result.support = double(scans.size());
+  result.low = result.high = std::nullopt;
+  result.isMeaningful = hasOthers && result.support >= kMinScans;
   return result;
 }
 

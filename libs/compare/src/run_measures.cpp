@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure_over_others.h"
 #include "roomgraph/compare/match_rooms.h"
 #include "roomgraph/compare/nearest_wall.h"
 
@@ -68,25 +69,16 @@ void widen(Measure& measure, double value) {
 Measure wallMeasure(const PlacedRuns& site, std::size_t run, const char* name, double share) {
   Measure measure;
   measure.name = name, measure.unit = "m";
-  std::size_t others = 0;
-  const auto pooled = [&](std::size_t but) {
+  const std::vector<WallDistances>& distances = site.distances[run];
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < distances.size(); ++j)
+    supports.push_back(j != run && site.trust[j] > 0 ? distances[j].count : 0);
+  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) {
     WallDistances all;
-    for (std::size_t j = 0; j < site.runs.size(); ++j)
-      if (j != run && j != but) all.add(site.distances[run][j], site.trust[j]);
-    return all;
-  };
-  for (std::size_t j = 0; j < site.runs.size(); ++j) {
-    if (j == run || site.trust[j] * site.distances[run][j].count <= 0) continue;
-    measure.support += site.distances[run][j].count;
-    ++others;
-  }
-  if (others == 0) return measure;
-  measure.value = pooled(run).quantile(share);
-  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinPoints;
-  if (others < 2) return measure;
-  for (std::size_t j = 0; j < site.runs.size(); ++j)
-    if (j != run && site.trust[j] * site.distances[run][j].count > 0)
-      widen(measure, pooled(j).quantile(share));
+    for (std::size_t j = 0; j < distances.size(); ++j)
+      if (j != run && j != but) all.add(distances[j], site.trust[j]);
+    return all.quantile(share);
+  });
   return measure;
 }
 
@@ -127,8 +119,10 @@ Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<R
                     double minSupport) {
   Measure measure;
   measure.name = name;
-  std::size_t others = 0;
-  const auto share = [&](std::size_t but) -> std::optional<double> {
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    supports.push_back(j != run && site.trust[j] > 0 ? counts[j].*all : 0);
+  measureOverOthers(measure, supports, minSupport, [&](std::size_t but) -> std::optional<double> {
     RoomCount sum;
     for (std::size_t j = 0; j < counts.size(); ++j) {
       if (j == run || j == but) continue;
@@ -137,17 +131,7 @@ Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<R
     }
     if (sum.*all <= 0) return std::nullopt;
     return sum.*part / sum.*all;
-  };
-  for (std::size_t j = 0; j < counts.size(); ++j) {
-    if (j == run || site.trust[j] * counts[j].*all <= 0) continue;
-    measure.support += counts[j].*all;
-    ++others;
-  }
-  measure.value = share(run);
-  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= minSupport;
-  if (others < 2) return measure;
-  for (std::size_t j = 0; j < counts.size(); ++j)
-    if (const auto without = share(j); j != run && without) widen(measure, *without);
+  });
   return measure;
 }
 
@@ -190,11 +174,13 @@ Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vecto
                std::size_t run) {
   Measure measure;
   measure.name = "bend", measure.unit = "m";
-  std::size_t others = 0;
   const auto weightOf = [&](std::size_t j) {
     return j == run ? 0 : trust[j] * bends[run][j].share;
   };
-  const auto meanWithout = [&](std::size_t but) -> std::optional<double> {
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < bends.size(); ++j)
+    supports.push_back(weightOf(j) > 0 ? bends[run][j].walls : 0);
+  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) -> std::optional<double> {
     double sum = 0, weights = 0;
     for (std::size_t j = 0; j < bends.size(); ++j) {
       if (j == but) continue;
@@ -202,17 +188,7 @@ Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vecto
     }
     if (weights <= 0) return std::nullopt;
     return sum / weights;
-  };
-  for (std::size_t j = 0; j < bends.size(); ++j) {
-    if (weightOf(j) <= 0) continue;
-    measure.support += bends[run][j].walls;
-    ++others;
-  }
-  measure.value = meanWithout(run);
-  measure.isMeaningful = others + 1 >= kMinRuns && measure.support >= kMinPoints;
-  if (others < 2) return measure;
-  for (std::size_t j = 0; j < bends.size(); ++j)
-    if (const auto without = meanWithout(j); weightOf(j) > 0 && without) widen(measure, *without);
+  });
   return measure;
 }
 
