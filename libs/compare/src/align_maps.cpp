@@ -44,7 +44,7 @@ bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
       [](const WallPoint& p, const WallPoint& q) { return p.place < q.place; });
 }
 
-bool areIdentical(const MapForAlignment& l, const MapForAlignment& r) {
+bool cannotBeToldApart(const MapForAlignment& l, const MapForAlignment& r) {
   return l.states == r.states && !isBefore(l, r) && !isBefore(r, l);
 }
 
@@ -75,7 +75,7 @@ Alignment alignmentOf(const MapForAlignment& a, const MapForAlignment& b,
     result.runnerUp = c;
     break;
   }
-  if (areIdentical(a, b) && areNear(result.best->pose, {}, middle, kSameTurn, kSamePlace))
+  if (cannotBeToldApart(a, b) && areNear(result.best->pose, {}, middle, kSameTurn, kSamePlace))
     result.best->pose = {};
   judge(result, options);
   result.pose = result.best->pose;
