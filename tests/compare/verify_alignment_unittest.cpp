@@ -57,14 +57,19 @@ TEST(RefineAlignment, pullsANearPoseIn) {
 TEST(AlignmentConfidence, neverFallsWithTheMargin) {
   for (const double other : {-4.0, 0.0, 2.0, 6.0})
     for (double margin = 0; margin < 6; margin += 0.1)
-      EXPECT_LE(poseConfidence(3, other, margin), poseConfidence(3, other, margin + 0.1));
+      EXPECT_LE(poseConfidence(3, other, margin, 30), poseConfidence(3, other, margin + 0.1, 30));
 }
 
 TEST(AlignmentConfidence, anAmbiguousPoseIsNotTrusted) {
   EXPECT_TRUE(isAmbiguousPose(5, 0.1));
-  EXPECT_LT(poseConfidence(6, 5, 0.1), 0.7);
+  EXPECT_LT(poseConfidence(6, 5, 0.1, 30), 0.7);
   EXPECT_FALSE(isAmbiguousPose(-3, 0.1));
   EXPECT_FALSE(isAmbiguousPose(5, 5));
+}
+
+TEST(AlignmentConfidence, aPoseThatSlidesAlongAHallIsNeverSure) {
+  EXPECT_GT(poseConfidence(6, -4, 6, 10), 0.95);
+  EXPECT_LT(poseConfidence(6, -4, 6, 2), 0.7);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ void judge(Alignment& result, const AlignMapsOptions& options) {
   result.siteConfidence = probability(odds);
   result.isSameSite = result.siteConfidence >= options.minSameSite;
   result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);
-  result.confidence = poseConfidence(odds, other, margin);
+  result.confidence = poseConfidence(odds, other, margin, result.best->evidence.weakest);
   if (!result.isSameSite) result.confidence = std::min(result.confidence, result.siteConfidence);
   result.runnerUpConfidence =
       result.runnerUp ? (1 - result.confidence) * probability(other - margin) : 0;

@@ -11,6 +11,9 @@ constexpr double kAmbiguousOdds = 2, kAmbiguousMargin = 2.5;
 constexpr double kAmbiguousConfidence = 0.6;
 // With a runner-up that could be the same site by itself, even if worse, no answer is sure.
 constexpr double kRivalMargin = 4, kRivalConfidence = 0.9;
+// One that slides is none: of the four sure answers held by less than 3 m of wall two were right;
+// all others were held by 8 m or more.
+constexpr double kHeld = 5;
 
 /** Shares of what was looked at, each with a few metres of prior so that little evidence says
  *  little. */
@@ -45,13 +48,14 @@ double sameSiteLogOdds(const AlignmentEvidence& e) {
   return std::clamp(odds, -6.0, 6.0);
 }
 
-double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMargin) {
+double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMargin,
+                      double weakest) {
   const double margin = std::clamp(scoreMargin, 0.0, 6.0);
   const double rival = std::clamp(runnerUpLogOdds, -4.0, 3.0);
   const double odds = -0.956 + 0.575 * bestLogOdds + 1.432 * margin + 0.242 * rival -
                       1.111 * margin * probability(rival - 1);
   const double confidence = probability(odds);
-  if (isAmbiguousPose(runnerUpLogOdds, scoreMargin))
+  if (isAmbiguousPose(runnerUpLogOdds, scoreMargin) || weakest < kHeld)
     return std::min(confidence, kAmbiguousConfidence);
   const bool hasRival = runnerUpLogOdds > kAmbiguousOdds && scoreMargin < kRivalMargin;
   return hasRival ? std::min(confidence, kRivalConfidence) : confidence;

@@ -20,9 +20,11 @@ double alignmentScore(const AlignmentEvidence& evidence);
 double sameSiteLogOdds(const AlignmentEvidence& evidence);
 
 /** The probability that the best pose is right, from the log odds of the best pose and of the
- *  runner-up, and from how much the scores differ (0 or more). Fitted on the same pairs. A pair
- *  without a runner-up is one with a very bad one. */
-double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMargin);
+ *  runner-up, from how much the scores differ (0 or more), and from how many metres of wall hold
+ * the best pose in its weakest direction: along a hall without ends it slides, however well its
+ * walls fit. Fitted on the same pairs. A pair without a runner-up is one with a very bad one. */
+double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMargin,
+                      double weakest);
 
 /** Whether the runner-up could as well be the right pose. */
 bool isAmbiguousPose(double runnerUpLogOdds, double scoreMargin);
