@@ -70,9 +70,7 @@ SimulatedSite readSite(const std::string& folder, const std::string& extension) 
         {table.number(row, "A_x"), table.number(row, "A_y"), table.number(row, "A_phi")});
     site.breaks.push_back(breakIn(table, row));
   }
-  site.related = relateRuns(site.runs, false, [](std::size_t count, const auto& job) {
-    for (std::size_t i = 0; i < count; ++i) job(i);
-  });
+  site.related = relateRuns(site.runs, false, oneByOne);
   return site;
 }
 

@@ -69,6 +69,7 @@ class Comparing {
     read();
     sortRuns(runs_);
     CompareRunsOptions options = task_.options;
+    options.forEach = forEach();
     for (std::size_t i = 0; i < runs_.size(); ++i)
       if (!task_.reference.empty() && runs_[i].name == names_.back()) options.reference = i;
     if (!task_.reference.empty() && !options.reference)
@@ -105,8 +106,8 @@ class Comparing {
       if (one) runs_.push_back(std::move(*one));
   }
 
-  void relate() {
-    const auto forEach = [&](std::size_t count, const std::function<void(std::size_t)>& job) {
+  ForEach forEach() const {
+    return [this](std::size_t count, const std::function<void(std::size_t)>& job) {
       JobList jobs;
       jobs.count = count;
       jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
@@ -116,12 +117,15 @@ class Comparing {
       };
       runInOrder(jobs, task_.threads, !task_.isQuiet);
     };
+  }
+
+  void relate() {
     if (task_.cache.empty()) {
-      related_ = relateRuns(runs_, task_.isAligned, forEach);
+      related_ = relateRuns(runs_, task_.isAligned, forEach());
       return;
     }
     PairFolder folder(task_.cache);
-    related_ = relateRuns(runs_, task_.isAligned, forEach, folder.kept());
+    related_ = relateRuns(runs_, task_.isAligned, forEach(), folder.kept());
     if (!folder.failure().empty()) std::fputs(errorLine(folder.failure()).c_str(), stderr);
   }
 

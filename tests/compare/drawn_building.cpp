@@ -106,9 +106,6 @@ Grid bent(const Grid& grid, double angle) {
 }
 
 std::vector<MapPair> related(const std::vector<PreparedRun>& runs, const KeptPairs& kept) {
-  const ForEach oneByOne = [](std::size_t count, const auto& job) {
-    for (std::size_t i = 0; i < count; ++i) job(i);
-  };
   return relateRuns(runs, false, oneByOne, kept);
 }
 

@@ -11,12 +11,6 @@ namespace {
 constexpr std::size_t kWitnesses = 3;  // runs in which the scans of another are tracked
 constexpr double kMinShare = 0.3;      // of a run's walls that a witness must have
 
-/** What is known of run `of` in run `in`. */
-const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
-                                std::size_t in) {
-  return of < in ? pairs[of][in].aInB : pairs[in][of].bInA;
-}
-
 /** The runs that tell best where `run` breaks: those that are trusted most. */
 std::vector<std::size_t> witnessesOf(std::size_t run, const PlacedRuns& site,
                                      const std::vector<std::vector<MapPair>>& pairs) {
@@ -39,7 +33,7 @@ std::vector<double> votesOf(const std::vector<std::size_t>& others, const Placed
 }
 
 /** Of a run with scans: where their poses jump. */
-void addJumps(Comparison& result, const PlacedRuns& site, std::size_t run,
+void addJumps(std::vector<MapBreak>& breaks, const PlacedRuns& site, std::size_t run,
               const std::vector<std::size_t>& others,
               const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
   const std::vector<ScanWalls>& scans = site.runs[run]->scans;
@@ -51,14 +45,14 @@ void addJumps(Comparison& result, const PlacedRuns& site, std::size_t run,
        findBreaks(scans, tracks, votesOf(others, site), options.findBreaks)) {
     const std::size_t track = found.seenIn.front();
     const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
-    result.breaks.push_back({site.runs[run]->name,
-                             site.poses[others[track]](inOther(scans[found.scan].at)),
-                             found.rotation, found.shift});
+    breaks.push_back({site.runs[run]->name,
+                      site.poses[others[track]](inOther(scans[found.scan].at)), found.rotation,
+                      found.shift});
   }
 }
 
 /** Of a run without scans: whether it lies in the others as two rigid pieces. */
-void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
+void addSeam(std::vector<MapBreak>& breaks, const PlacedRuns& site, std::size_t run,
              const std::vector<std::size_t>& others, const std::vector<std::vector<MapPair>>& pairs,
              const CompareRunsOptions& options) {
   std::vector<double> xs, ys, rotations, shifts;
@@ -76,7 +70,7 @@ void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
     rotations.push_back(found->rotation), shifts.push_back(found->shift);
   }
   if (2 * weight <= all || xs.empty()) return;
-  result.breaks.push_back(
+  breaks.push_back(
       {site.runs[run]->name, {median(xs), median(ys)}, median(rotations), median(shifts)});
 }
 
@@ -84,13 +78,16 @@ void addSeam(Comparison& result, const PlacedRuns& site, std::size_t run,
 
 void addBreaks(Comparison& result, const PlacedRuns& site,
                const std::vector<std::vector<MapPair>>& pairs, const CompareRunsOptions& options) {
-  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+  std::vector<std::vector<MapBreak>> breaks(site.runs.size());
+  options.forEach(site.runs.size(), [&](std::size_t i) {
     const std::vector<std::size_t> others = witnessesOf(i, site, pairs);
     if (site.runs[i]->scans.empty())
-      addSeam(result, site, i, others, pairs, options);
+      addSeam(breaks[i], site, i, others, pairs, options);
     else
-      addJumps(result, site, i, others, pairs, options);
-  }
+      addJumps(breaks[i], site, i, others, pairs, options);
+  });
+  for (const std::vector<MapBreak>& ofRun : breaks)
+    result.breaks.insert(result.breaks.end(), ofRun.begin(), ofRun.end());
 }
 
 }  // namespace roomgraph

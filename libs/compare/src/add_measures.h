@@ -9,6 +9,6 @@ namespace roomgraph {
  *  itself, tell: graphMeasuresOf, brokennessOf, ownMeasuresOf. The runs and pairs of `result` must
  *  be there, in any order; its breaks, too. */
 void addMeasures(Comparison& result, const PlacedRuns& site,
-                 const std::vector<std::vector<MapPair>>& pairs);
+                 const std::vector<std::vector<MapPair>>& pairs, const ForEach& forEach);
 
 }  // namespace roomgraph

@@ -27,7 +27,7 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     site.trust.push_back(reference ? double(i == *reference) : trust);
   }
   const std::vector<Measure> coverage = coverageOf(site);
-  const std::vector<std::vector<Measure>> rooms = roomMeasuresOf(site);
+  const std::vector<std::vector<Measure>> rooms = roomMeasuresOf(site, options.forEach);
   for (std::size_t i = 0; i < n; ++i) {
     ComparedRun run;
     run.name = site.runs[i]->name, run.file = site.runs[i]->file;
@@ -124,12 +124,12 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
     return result;
   }
   const Site site = siteOf(runs, pairs, related, options);
-  PlacedRuns inSite = placed(runs, site);
+  PlacedRuns inSite = placed(runs, site, options.forEach);
   std::optional<std::size_t> reference;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
     if (options.reference == site.runs[i]) reference = i;
   if (reference) result.reference = runs[*options.reference].name;
-  const auto inPairs = pairsIn(inSite, site, runs.size(), related);
+  const auto inPairs = pairsIn(inSite, site, runs.size(), related, options.forEach);
   const auto bends = bendsOf(inPairs);
   addRuns(result, inSite, bends, reference, options);
   addBreaks(result, inSite, inPairs, options);
@@ -137,7 +137,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   rank(result.runs);
   result.rooms = siteRooms(inSite, result.runs);
   addPairs(result, runs, pairs, related, site, inSite, bends);
-  addMeasures(result, inSite, inPairs);
+  addMeasures(result, inSite, inPairs, options.forEach);
   for (std::size_t i = 0; i < runs.size(); ++i)
     if (!std::binary_search(site.runs.begin(), site.runs.end(), i))
       result.leftOut.push_back(

@@ -91,16 +91,18 @@ Measure measureOf(const Kind& kind, const std::vector<Figure>& figures,
 }  // namespace
 
 ComparedGraphs comparedGraphs(const PlacedRuns& site,
-                              const std::vector<std::vector<MapPair>>& pairs) {
+                              const std::vector<std::vector<MapPair>>& pairs,
+                              const ForEach& forEach) {
   const std::size_t n = site.runs.size();
   ComparedGraphs graphs(n, std::vector<GraphComparison>(n));
-  for (std::size_t i = 0; i < n; ++i)
+  forEach(n, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const PreparedRun &a = *site.runs[i], &b = *site.runs[j];
       const GraphMatch match = matchGraphs({a.graph, a.map.patches, pairs[i][j].aInB},
                                            {b.graph, b.map.patches, pairs[i][j].bInA}, {});
       graphs[i][j] = compareGraphs(a.graph, b.graph, match, {site.poses[i], site.poses[j]});
     }
+  });
   return graphs;
 }
 

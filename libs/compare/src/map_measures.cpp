@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "measure_over_others.h"
+#include "place_runs.h"
 #include "roomgraph/compare/rigid_pieces.h"
 #include "roomgraph/compare/scan_disagreement.h"
 #include "roomgraph/compare/wall_doubling.h"
@@ -41,19 +42,35 @@ std::optional<double> weightedMedian(std::vector<Witness> witnesses, std::size_t
   return std::nullopt;
 }
 
+/** Whether run `in` has enough of the walls of `run` to tell of its pieces. */
+bool canTell(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
+             std::size_t run, std::size_t in) {
+  return in != run && site.trust[in] > 0 && followedIn(pairs, run, in).share >= kMinShare;
+}
+
 /** Of all runs, by their number. */
 std::vector<Witness> witnessesOf(const PlacedRuns& site,
                                  const std::vector<std::vector<MapPair>>& pairs, std::size_t run) {
   std::vector<Witness> witnesses(site.runs.size());
   for (std::size_t j = 0; j < site.runs.size(); ++j) {
-    if (j == run || site.trust[j] <= 0) continue;
-    const FollowedWalls& followed = run < j ? pairs[run][j].aInB : pairs[j][run].bInA;
-    if (followed.share < kMinShare) continue;
+    if (!canTell(site, pairs, run, j)) continue;
+    const FollowedWalls& followed = followedIn(pairs, run, j);
     witnesses[j].pieces = double(rigidPieces(site.runs[run]->map.patches, followed, {}));
     witnesses[j].trust = site.trust[j];
     for (const FollowedPatch& f : followed.patches) witnesses[j].walls += f.walls;
   }
   return witnesses;
+}
+
+/** Scans tell where a run breaks, so that its pieces need not be guessed from its walls. */
+void countBreaks(Measure& measure, const PlacedRuns& site,
+                 const std::vector<std::vector<MapPair>>& pairs, std::size_t run,
+                 std::size_t breaks) {
+  std::size_t others = 0;
+  for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(site, pairs, run, j);
+  if (others == 0) return;
+  measure.value = double(breaks), measure.support = double(site.runs[run]->scans.size());
+  measure.isMeaningful = others >= 2 && measure.support >= kMinScans;
 }
 
 }  // namespace
@@ -67,9 +84,13 @@ std::vector<Measure> ownMeasuresOf(const PreparedRun& run) {
 
 Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
                      std::size_t run, std::size_t breaks) {
-  const std::vector<Witness> witnesses = witnessesOf(site, pairs, run);
   Measure result;
   result.name = "brokenness", result.unit = "pieces";
+  if (!site.runs[run]->scans.empty()) {
+    countBreaks(result, site, pairs, run, breaks);
+    return result;
+  }
+  const std::vector<Witness> witnesses = witnessesOf(site, pairs, run);
   std::vector<double> supports;
   for (const Witness& witness : witnesses) supports.push_back(witness.walls);
   measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {
@@ -77,13 +98,6 @@ Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPa
     if (value) --*value;
     return value;
   });
-  const auto& scans = site.runs[run]->scans;
-  if (!result.value || scans.empty()) return result;
-  // Scans tell where the run breaks, so that the pieces need not be guessed from its walls.
-  const bool hasOthers = bool(result.low);
-  result.value = double(breaks), result.support = double(scans.size());
-  result.low = result.high = std::nullopt;
-  result.isMeaningful = hasOthers && result.support >= kMinScans;
   return result;
 }
 

@@ -90,25 +90,27 @@ Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
   return site;
 }
 
-PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site) {
+PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site, const ForEach& forEach) {
   PlacedRuns result;
   result.poses = site.poses;
   for (const std::size_t run : site.runs) result.runs.push_back(&runs[run]);
   const std::size_t n = site.runs.size();
   result.distances.assign(n, std::vector<WallDistances>(n));
-  for (std::size_t i = 0; i < n; ++i)
+  forEach(n, [&](std::size_t i) {
     for (std::size_t j = 0; j < n; ++j)
       if (i != j)
         result.distances[i][j] = wallDistances(result.runs[i]->map, result.runs[j]->map,
                                                site.poses[j].inverse() * site.poses[i]);
+  });
   return result;
 }
 
 std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
-                                          std::size_t runs, const std::vector<MapPair>& related) {
+                                          std::size_t runs, const std::vector<MapPair>& related,
+                                          const ForEach& forEach) {
   const std::size_t n = members.runs.size();
   std::vector<std::vector<MapPair>> pairs(n, std::vector<MapPair>(n));
-  for (std::size_t i = 0; i < n; ++i)
+  forEach(n, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
       const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
@@ -119,7 +121,13 @@ std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& me
       follow(again, a, b, {inSite});
       if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
     }
+  });
   return pairs;
+}
+
+const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
+                                std::size_t in) {
+  return of < in ? pairs[of][in].aInB : pairs[in][of].bInA;
 }
 
 std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs) {

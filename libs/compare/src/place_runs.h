@@ -18,12 +18,17 @@ Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
             const std::vector<MapPair>& related, const CompareRunsOptions& options);
 
 /** The runs of the site; trust is left open. */
-PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site);
+PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site, const ForEach& forEach);
 
 /** What is known of all pairs of a site, [i][j] with i < j. Pairs that have not found each other,
  * or lie otherwise than in the site, are followed from the poses in the site, if they fit there. */
 std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
-                                          std::size_t runs, const std::vector<MapPair>& related);
+                                          std::size_t runs, const std::vector<MapPair>& related,
+                                          const ForEach& forEach);
+
+/** What of these is known of run `of` in another run. */
+const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
+                                std::size_t in);
 
 /** The bends of these. The better map of two follows the worse one over a part of it only: so the
  *  larger bend of both ways counts. */

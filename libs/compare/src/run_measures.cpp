@@ -206,13 +206,13 @@ std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
           wallMeasure(site, run, "wall_distance_p90", 0.9)};
 }
 
-std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site) {
+std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site, const ForEach& forEach) {
   const GridFrame frame = siteFrame(site);
   const std::size_t n = site.runs.size();
   std::vector<std::vector<GraphRoom>> rooms;
   for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
   std::vector<std::vector<RoomCount>> counts(n, std::vector<RoomCount>(n));
-  for (std::size_t i = 0; i < n; ++i)
+  forEach(n, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
       for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
@@ -222,6 +222,7 @@ std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site) {
       counts[i][j] = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
       counts[j][i] = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
     }
+  });
   std::vector<std::vector<Measure>> measures;
   for (std::size_t i = 0; i < n; ++i)
     measures.push_back({roomMeasure(site, i, counts[i], "rooms_matched", &RoomCount::matched,

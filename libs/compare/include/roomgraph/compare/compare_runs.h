@@ -26,6 +26,7 @@ struct CompareRunsOptions {
   FindBreaksOptions findBreaks;
   FindPiecesOptions findPieces;
   std::optional<std::size_t> reference;  ///< the run to measure the others against
+  ForEach forEach = oneByOne;            ///< changes no number
 };
 
 /** Places the runs in one frame, scores and measures each, and says which is best. `related` are

@@ -17,7 +17,8 @@ using ComparedGraphs = std::vector<std::vector<GraphComparison>>;
 /** `pairs` [i][j] with i < j: how the walls of the runs lie in each other. O(runs^2 *
  *  compareGraphs). */
 ComparedGraphs comparedGraphs(const PlacedRuns& site,
-                              const std::vector<std::vector<MapPair>>& pairs);
+                              const std::vector<std::vector<MapPair>>& pairs,
+                              const ForEach& forEach = oneByOne);
 
 /** Of one run against the others: `path_coverage`, `global_accuracy`, `relative_accuracy`,
  *  `consistency_1`, `_2`, `_4`, `_8`, `path_length_error`, `path_frechet` and `nearest_vertex`, see

@@ -44,6 +44,6 @@ std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run);
  *  in rooms. `room_coverage`: of the area of all rooms of the others, seen or not, the share in
  *  rooms that match one of its own; support in m2. No value where there is none. O(runs^2 * cells
  *  of the site). */
-std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site);
+std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site, const ForEach& forEach);
 
 }  // namespace roomgraph
