@@ -52,8 +52,13 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
                  "comparison.rooms.csv and comparison.3Dscene; made if it is not there.")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_flag("--aligned", arguments.task.isAligned,
-               "All maps are in one frame already [m]: do not look for their poses.");
+  CLI::Option* aligned =
+      app.add_flag("--aligned", arguments.task.isAligned,
+                   "All maps are in one frame already [m]: do not look for their poses.");
+  app.add_flag("--estimate-scale", arguments.task.estimatesScale,
+               "Read bare pictures, such as floor plans, at the scale at which they fit the other "
+               "maps, which must have one; --resolution is only the first guess.")
+      ->excludes(aligned);
   app.add_option("--reference", arguments.task.reference,
                  "A map to measure all runs against, instead of against each other.")
       ->type_name("MAP");
@@ -121,6 +126,8 @@ std::vector<UsedOption> optionsOf(const CompareTask& task) {
   std::vector<UsedOption> options = usedOptions(describe(extract));
   options.push_back({"compare", "aligned", task.isAligned ? "true" : "false", "",
                      "All maps are in one frame already."});
+  options.push_back({"compare", "estimate_scale", task.estimatesScale ? "true" : "false", "",
+                     "Bare pictures are read at the scale at which they fit the other maps."});
   options.push_back({"compare", "reference",
                      std::filesystem::path(task.reference).filename().string(), "",
                      "The map that all runs are measured against; empty for none."});

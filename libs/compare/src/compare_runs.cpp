@@ -32,6 +32,8 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     ComparedRun run;
     run.name = site.runs[i]->name, run.file = site.runs[i]->file;
     run.pose = site.poses[i];
+    run.resolution = site.runs[i]->resolution;
+    run.isScaleEstimated = site.runs[i]->isScaleEstimated;
     run.score = scores[i];
     run.measures = {coverage[i], bendOf(bends, site.trust, i), axisDeviationOf(*site.runs[i])};
     for (const Measure& measure : wallMeasuresOf(site, i)) run.measures.push_back(measure);

@@ -58,6 +58,8 @@ Json runJson(const ComparedRun& run) {
           {"bend_m", of(&RunScore::bend)},
           {"trust", of(&RunScore::trust)},
           {"pose", poseJson(run.pose)},
+          {"resolution", std::round(run.resolution * 1e6) / 1e6},
+          {"scale_estimated", run.isScaleEstimated},
           {"measures", measuresJson(run.measures)}};
 }
 
@@ -226,6 +228,12 @@ std::string comparisonText(const Comparison& comparison) {
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=
         std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
+  }
+  for (const ComparedRun& run : comparison.runs) {
+    if (!run.isScaleEstimated) continue;
+    char scale[60];
+    std::snprintf(scale, sizeof scale, ": %.5f m per cell, estimated.\n", run.resolution);
+    text += run.name + scale;
   }
   const std::string rooms = roomsText(comparison.rooms);
   if (!rooms.empty()) text += rooms + ".\n";

@@ -39,6 +39,9 @@ void addReasons(Comparison& result) {
     run.reason = run.score                      ? reasonOf(run, result.breaks)
                  : result.reference == run.name ? "the others are measured against it"
                                                 : "no other run to compare it with";
+  for (ComparedRun& run : result.runs)
+    if (run.isScaleEstimated)
+      run.reason += formatted("; %.4f m per cell, estimated", run.resolution);
 }
 
 std::string verdictOf(const Comparison& result) {

@@ -40,7 +40,9 @@ struct ComparedRun {
   std::optional<RunScore> score;  ///< none for the reference, and where no wall could be compared
   std::size_t rank = 0;           ///< 1 is best, equal errors share a rank; 0 without a score
   std::vector<Measure> measures;
-  std::string reason;  ///< of the score, one line
+  std::string reason;             ///< of the score, one line
+  double resolution = 0;          ///< side of a cell of its map [m]
+  bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
 };
 
 /** Two runs, placed or not. */

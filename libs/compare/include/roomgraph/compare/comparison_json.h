@@ -11,7 +11,8 @@ namespace roomgraph {
 // Next: a file
 
 /** JSON of format "roomgraph/comparison", version 1; see the schema in share/roomgraph/schema. What
- *  cannot be told is null. Numbers are rounded to 0.0001. File names without their folder. */
+ *  cannot be told is null. Numbers are rounded to 0.0001, resolutions to 0.000001. File names
+ *  without their folder. */
 std::string comparisonJson(const Comparison& comparison);
 
 /** One line per run, best first, below a line of column names: empty fields for what cannot be
@@ -22,7 +23,8 @@ std::string comparisonRunsCsv(const Comparison& comparison);
  *  for what cannot be told. */
 std::string comparisonRoomsCsv(const Comparison& comparison);
 
-/** The ranking, a line per run, and a line on the rooms, for people. */
+/** The ranking, a line per run, then each scale that was estimated, and a line on the rooms, for
+ *  people. */
 std::string comparisonText(const Comparison& comparison);
 
 }  // namespace roomgraph
