@@ -74,9 +74,10 @@ void checkOutputNames(const std::vector<std::string>& mapFiles, const std::strin
     for (const std::string& extension : extensions) {
       const std::string result = outputFile(folder, file, extension);
       const auto [known, isNew] = mapOfResult.emplace(result, file);
-      if (!isNew)
-        throw UsageError(known->second + " and " + file + " would both be written as " + result +
-                         ": rename one, or extract them into different folders");
+      if (isNew) continue;
+      std::string text = known->second;
+      text.append(" and ").append(file).append(" would both be written as ").append(result);
+      throw UsageError(text + ": rename one, or extract them into different folders");
     }
     const std::string picture = pictureOf(file);
     if (!picture.empty()) inputs.push_back(picture);
