@@ -33,6 +33,27 @@ bool areNear(const Transform2D& l, const Transform2D& r, Point middle, double tu
   return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(middle), r(middle)) < place;
 }
 
+/** The best `count` of those that are not near a better one, improved; the best first. */
+std::vector<AlignmentCandidate> lookedAt(const MapForAlignment& a, const MapForAlignment& b,
+                                         const std::vector<AlignmentCandidate>& candidates,
+                                         int count, const RefineAlignmentOptions& refine,
+                                         const VerifyAlignmentOptions& verify) {
+  const Point middle = b.middle();
+  std::vector<Transform2D> seen;
+  std::vector<AlignmentCandidate> found;
+  for (const AlignmentCandidate& c : candidates) {
+    if (int(seen.size()) == count) break;
+    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
+      return areNear(pose, c.pose, middle, kSameTurn, kSamePlace);
+    });
+    if (isSeen) continue;
+    seen.push_back(c.pose);
+    found.push_back(candidateNear(a, b, c.pose, refine, verify));
+  }
+  sortByScore(found);
+  return found;
+}
+
 /** Any order that does not depend on which map was named first. */
 bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
   const auto key = [](const MapForAlignment& m) {
@@ -97,23 +118,12 @@ Alignment inverse(Alignment alignment) {
 std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
                                                     const MapForAlignment& b,
                                                     const AlignMapsOptions& options) {
-  std::vector<AlignmentCandidate> quick, found;
+  std::vector<AlignmentCandidate> found;
   for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
-    quick.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
-  sortByScore(quick);
-  const Point middle = b.middle();
-  std::vector<Transform2D> seen;
-  for (const AlignmentCandidate& c : quick) {
-    if (int(seen.size()) == options.count) break;
-    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
-      return areNear(pose, c.pose, middle, kSameTurn, kSamePlace);
-    });
-    if (isSeen) continue;
-    seen.push_back(c.pose);
-    found.push_back(candidateNear(a, b, c.pose, options.refine, options.verify));
-  }
+    found.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
   sortByScore(found);
-  return found;
+  found = lookedAt(a, b, found, options.closer, options.closerRefine, options.closerVerify);
+  return lookedAt(a, b, found, options.count, options.refine, options.verify);
 }
 
 Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,

@@ -237,6 +237,7 @@ AlignMapsOptions quickAlignment() {
   options.hypotheses.maxPoints = 300;
   options.hypotheses.perAngle = 6;
   options.hypotheses.count = 200;
+  options.closer = 40;
   options.count = 12;
   return options;
 }

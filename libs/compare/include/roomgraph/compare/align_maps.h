@@ -15,11 +15,14 @@ namespace roomgraph {
 
 struct AlignMapsOptions {
   AlignmentHypothesesOptions hypotheses;
-  RefineAlignmentOptions quickRefine{0.6, 0.4, 4, 100};  ///< of each hypothesis
-  VerifyAlignmentOptions quickVerify{0.2, 0.4, 150};     ///< of each hypothesis
-  int count = 60;                                        ///< poses that are looked at closely
-  RefineAlignmentOptions refine;                         ///< of those
-  VerifyAlignmentOptions verify;                         ///< of those
+  RefineAlignmentOptions quickRefine{0.6, 0.4, 4, 100};   ///< of each hypothesis
+  VerifyAlignmentOptions quickVerify{0.2, 0.4, 150};      ///< of each hypothesis
+  int closer = 120;                                       ///< poses that are looked at once more
+  RefineAlignmentOptions closerRefine{0.4, 0.3, 3, 250};  ///< of those
+  VerifyAlignmentOptions closerVerify{0.2, 0.4, 400};     ///< of those
+  int count = 60;                                         ///< poses that are looked at closely
+  RefineAlignmentOptions refine;                          ///< of those
+  VerifyAlignmentOptions verify;                          ///< of those
   double minSameSite = 0.61;  ///< probability from which on two maps are of the same site
 };
 

@@ -17,8 +17,8 @@ struct AlignmentHypothesesOptions {
   double angleStep = 2;    ///< [deg]
   double turnShare = 0.4;  ///< turns that line up fewer of the walls than this are not tried
   int maxPoints = 500;  ///< wall points of a map that are looked up, at most 800 (sums of 16 bits)
-  int perAngle = 12;    ///< places kept for one angle
-  int count = 1000;     ///< poses kept in all
+  int perAngle = 30;    ///< places kept for one angle
+  int count = 2500;     ///< poses kept in all
 };
 
 struct AlignmentHypothesis {
