@@ -19,15 +19,12 @@ PreparedRun run(const Grid& grid) {
   return run;
 }
 
-void oneByOne(std::size_t count, const std::function<void(std::size_t)>& job) {
-  for (std::size_t i = 0; i < count; ++i) job(i);
-}
-
-/** Tries fewer scales, where it is not them that matters. */
+/** Tries fewer scales and poses, where it is not them that matters. */
 EstimateScaleOptions fewScales() {
   EstimateScaleOptions options;
   options.below = options.above = 1.15;
   options.closer = 1;
+  options.align = options.quick;
   return options;
 }
 
