@@ -96,8 +96,14 @@ class Browser:
             self.ask("Input.dispatchMouseEvent",
                      {"type": kind, "x": x, "y": y, "button": "left", "clickCount": 1})
 
+    def settle(self):
+        """Waits until the page has been drawn as it is now."""
+        self.ask("Runtime.evaluate", {"awaitPromise": True, "expression":
+                 "new Promise(r => requestAnimationFrame(() => requestAnimationFrame(r)))"})
+
     def click_on(self, selector):
         self.value(f"document.querySelector('{selector}').scrollIntoView({{block: 'center', behavior: 'instant'}})")
+        self.settle()
         box = self.value(f"(b => [b.x + b.width / 2, b.y + b.height / 2])"
                          f"(document.querySelector('{selector}').getBoundingClientRect())")
         self.click(*box)
