@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "by_straightness.h"
 #include "fit_scale.h"
 #include "roomgraph/compare/alignment_confidence.h"
 
@@ -176,21 +176,6 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& ru
       if (ratioOf(other, best) > kSameScale && other.score() > best.score() - options.minMargin)
         return std::nullopt;
   return best;
-}
-
-/** The runs that a picture is looked for in first come first. */
-std::vector<std::size_t> byStraightness(const std::vector<PreparedRun>& runs) {
-  double largest = 0;
-  for (const PreparedRun& run : runs) largest = std::max(largest, run.map.freeArea);
-  std::vector<std::size_t> order(runs.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto key = [&](std::size_t i) {
-    return std::make_pair(runs[i].map.freeArea < largest / 2,
-                          runs[i].map.axisDeviation.value_or(M_PI));
-  };
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
-  return order;
 }
 
 /** What the runs `voters` say that the picture fits at about `found`; never empty. */

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
+#include "by_straightness.h"
 #include "roomgraph/compare/pair_bytes.h"
 #include "roomgraph/grid/checked_file.h"
 
@@ -19,16 +22,22 @@ std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs) {
   return a * runs - a * (a + 1) / 2 + b - a - 1;
 }
 
-std::size_t hubOf(const std::vector<PreparedRun>& runs) {
-  double largest = 0, least = HUGE_VAL;
+std::vector<std::size_t> byStraightness(const std::vector<PreparedRun>& runs) {
+  double largest = 0;
   for (const PreparedRun& run : runs) largest = std::max(largest, run.map.freeArea);
-  std::size_t hub = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const double deviation = runs[i].map.axisDeviation.value_or(M_PI);
-    if (runs[i].map.freeArea < largest / 2 || deviation >= least) continue;
-    least = deviation, hub = i;
-  }
-  return hub;
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](std::size_t i) {
+    return std::make_pair(runs[i].map.freeArea < largest / 2,
+                          runs[i].map.axisDeviation.value_or(M_PI));
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+  return order;
+}
+
+std::size_t hubOf(const std::vector<PreparedRun>& runs) {
+  return runs.empty() ? 0 : byStraightness(runs).front();
 }
 
 namespace {
