@@ -32,9 +32,17 @@ Cell highest(const std::vector<SearchPoint>& points) {
   return high;
 }
 
+// Most of the search is these sums: with 16 instead of 8 in one instruction they take half as long.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define ROOMGRAPH_WIDE_IF_THERE __attribute__((target_clones("avx2", "default")))
+#else
+#define ROOMGRAPH_WIDE_IF_THERE
+#endif
+
 /** Adds, for each point, the image of its octant with the point as its origin: to a sum at shift s
  *  goes the image at s - point. */
-void add(const std::vector<SearchPoint>& points, const SearchImages& images, Sums& sums) {
+ROOMGRAPH_WIDE_IF_THERE void add(const std::vector<SearchPoint>& points, const SearchImages& images,
+                                 Sums& sums) {
   for (const SearchPoint& point : points) {
     const auto& values = images.values[std::size_t(point.octant)];
     const int x0 = point.cell.x + images.low.x - sums.low.x;
@@ -165,20 +173,6 @@ std::vector<AlignmentHypothesis> distinct(std::vector<Peak> peaks,
   return found;
 }
 
-/** The map moved so that its middle is the origin: turns then shift it least. */
-MapForAlignment centred(const MapForAlignment& map, Point middle) {
-  MapForAlignment out;
-  out.frame = map.frame;
-  out.frame.origin = map.frame.origin - middle;
-  out.depths = map.depths;
-  for (WallPoint wall : map.walls) {
-    wall.place = wall.place - middle;
-    out.walls.push_back(wall);
-  }
-  for (const Point& place : map.freePlaces) out.freePlaces.push_back(place - middle);
-  return out;
-}
-
 }  // namespace
 
 std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
@@ -186,8 +180,7 @@ std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
                                                      const AlignmentHypothesesOptions& options) {
   if (a.walls.empty() || b.walls.empty()) return {};
   const double cell = searchCell(a, b, options);
-  const Point middleA = a.middle(), middleB = b.middle();
-  const MapForAlignment fixed = centred(a, middleA), moved = centred(b, middleB);
+  const CentredMap fixed = centred(a), moved = centred(b);
   const std::size_t maxPoints = std::size_t(options.maxPoints);
   const auto fixedPoints = searchPoints(fixed, 0, cell, maxPoints, 1);
   const SearchImages fixedImages = imagesOf(fixed, 0, cell, 1);
@@ -200,7 +193,7 @@ std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
     const auto best = peaksOf(sums, int(k), std::size_t(options.perAngle));
     peaks.insert(peaks.end(), best.begin(), best.end());
   }
-  return distinct(std::move(peaks), angles, cell, middleA, middleB, options);
+  return distinct(std::move(peaks), angles, cell, a.middle(), b.middle(), options);
 }
 
 }  // namespace roomgraph

@@ -40,7 +40,11 @@ void setSize(SearchImages& images, const std::vector<SearchPoint>& points) {
     values.assign(std::size_t(images.width) * std::size_t(images.height), 0);
 }
 
+/** Nothing new where one with the same cell and octant was added before. */
 void addWall(SearchImages& images, const SearchPoint& point) {
+  const std::size_t at = std::size_t(point.cell.y - images.low.y) * std::size_t(images.width) +
+                         std::size_t(point.cell.x - images.low.x);
+  if (images.values[std::size_t(point.octant)][at] == kHit) return;
   for (int turn = -1; turn <= 1; ++turn) {
     auto& values = images.values[std::size_t(point.octant + turn + kOctants) % kOctants];
     for (int dy = -1; dy <= 1; ++dy)
@@ -55,7 +59,20 @@ void addWall(SearchImages& images, const SearchPoint& point) {
 
 }  // namespace
 
-std::vector<SearchPoint> searchPoints(const MapForAlignment& map, double angle, double cell,
+CentredMap centred(const MapForAlignment& map) {
+  const Point middle = map.middle();
+  CentredMap out;
+  for (WallPoint wall : map.walls) {
+    wall.place = wall.place - middle;
+    out.walls.push_back(wall);
+  }
+  for (const Point& place : map.freePlaces)
+    out.freePlaces.push_back(
+        {place - middle, map.depths[map.frame.index(map.frame.cellAt(place))] >= kDeep});
+  return out;
+}
+
+std::vector<SearchPoint> searchPoints(const CentredMap& map, double angle, double cell,
                                       std::size_t maxCount, int sign) {
   const std::size_t stride = (map.walls.size() + maxCount - 1) / maxCount;
   const Turn turn(angle);
@@ -68,13 +85,12 @@ std::vector<SearchPoint> searchPoints(const MapForAlignment& map, double angle, 
   return points;
 }
 
-SearchImages imagesOf(const MapForAlignment& map, double angle, double cell, int sign) {
+SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign) {
   SearchImages images;
   const auto walls = searchPoints(map, angle, cell, map.walls.size(), sign);
   setSize(images, walls);
   const Turn turn(angle);
-  for (const Point& place : map.freePlaces) {
-    const bool isDeep = map.depths[map.frame.index(map.frame.cellAt(place))] >= kDeep;
+  for (const auto& [place, isDeep] : map.freePlaces) {
     const Cell c = cellOf(turn(place), cell);
     const int x = sign * c.x - images.low.x, y = sign * c.y - images.low.y;
     if (x < 0 || y < 0 || x >= images.width || y >= images.height) continue;
