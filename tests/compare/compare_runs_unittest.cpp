@@ -120,6 +120,16 @@ TEST(CompareRuns, aRunOfAnotherBuildingIsLeftOut) {
   EXPECT_EQ(result.pairs.size(), 3u);
 }
 
+TEST(CompareRuns, aRunThatLiesInOneOfTwoTurnsIsOfTheSite) {
+  const std::vector<PreparedRun> runs{run("a", drawnBuilding(1, {})),
+                                      run("b", drawnBuilding(1, {0, 0, 0.5}))};
+  std::vector<MapPair> related = test::related(runs);
+  related[0].alignment.confidence = 0.4, related[0].alignment.runnerUpConfidence = 0.35;
+  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 2u);
+  related[0].alignment.runnerUpConfidence = 0.05;
+  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
+}
+
 TEST(CompareRuns, aReferenceIsWhatAllAreMeasuredAgainst) {
   CompareRunsOptions options;
   options.reference = 1;  // "hash of b"

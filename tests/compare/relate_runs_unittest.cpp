@@ -53,6 +53,22 @@ TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
   }
 }
 
+TEST(RelateRuns, ofAnUnsureHubAllAnswersAreTried) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const MapPair hubAndA = relateMaps(runs[2].map, runs[0].map);
+  MapPair hubAndB = relateMaps(runs[2].map, runs[1].map);
+  Alignment& unsure = hubAndB.alignment;
+  const Transform2D right = unsure.pose;
+  unsure.pose = right * carrying(runs[1].map.middle(), runs[1].map.middle(), M_PI);
+  unsure.poses = {unsure.pose, right};
+  unsure.confidence = 0.4, unsure.runnerUpConfidence = 0.3;
+  hubAndB.bInA = {};
+  const MapPair over = relateMapsOver(hubAndA, hubAndB, runs[0].map, runs[1].map);
+  EXPECT_TRUE(over.alignment.isSameSite);
+  EXPECT_TRUE(areAlike(over.alignment.pose, hubAndA.alignment.pose.inverse() * right));
+  EXPECT_LE(over.alignment.confidence, 0.7) << "surer than the hub";
+}
+
 TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
   const std::vector<PreparedRun> runs = fourRuns();
   const MapPair one = relateMaps(runs[0].map, runs[1].map);

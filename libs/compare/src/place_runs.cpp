@@ -15,8 +15,14 @@ Point middleOf(const MapForAlignment& map) {
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
 }
 
+constexpr double kJoined = 0.5;
+
+/** Of a symmetric building, no run is sure to lie in the right turn, but each lies in one of few.
+ */
 bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
-  return pair.alignment.isSameSite && pair.alignment.confidence >= options.minConfidence;
+  const Alignment& alignment = pair.alignment;
+  return alignment.isSameSite && alignment.confidence >= options.minConfidence &&
+         alignment.confidence + alignment.runnerUpConfidence >= kJoined;
 }
 
 /** The runs of the site, see compareRuns. */

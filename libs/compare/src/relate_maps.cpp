@@ -20,11 +20,18 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
 }
 
 constexpr double kSure = 0.5;  // confidence of a pose that others may follow from
-constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
-constexpr std::size_t kMostPieces = 4;
+constexpr double kSameTurn = 0.05, kSamePlace = 0.5;    // pieces with one pose [rad, m]
+constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are another answer
+constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
-/** The pose of the whole map (hub <- map), and of its pieces that lie elsewhere, largest first. */
-std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+bool areNear(const Transform2D& l, const Transform2D& r, Point at, double turn, double place) {
+  return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(at), r(at)) < place;
+}
+
+bool isSure(const MapPair& pair) { return pair.alignment.confidence >= kSure; }
+
+/** The poses of the map's pieces in the hub (hub <- map), largest first. */
+std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
   struct Piece {
     Transform2D pose;
     double walls;
@@ -33,8 +40,7 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignm
   for (const FollowedPatch& f : hubAndMap.bInA.patches) {
     const Point middle = map.patches[f.patch].middle;
     const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-      return std::abs(wrappedAngle(piece.pose.phi - f.pose.phi)) < kSameTurn &&
-             distance(piece.pose(middle), f.pose(middle)) < kSamePlace;
+      return areNear(piece.pose, f.pose, middle, kSameTurn, kSamePlace);
     });
     if (same == pieces.end())
       pieces.push_back({f.pose, f.walls});
@@ -43,10 +49,32 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignm
   }
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
-  std::vector<Transform2D> poses{hubAndMap.alignment.pose};
+  std::vector<Transform2D> poses;
   for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i)
     poses.push_back(pieces[i].pose);
   return poses;
+}
+
+/** The pose of the whole map, the other answers to where it lies if that is not sure, and the poses
+ *  of its pieces. */
+std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+  std::vector<Transform2D> poses{hubAndMap.alignment.pose};
+  if (!isSure(hubAndMap))
+    for (const Transform2D& pose : hubAndMap.alignment.poses) {
+      if (poses.size() == kMostAnswers) break;
+      if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
+            return areNear(known, pose, map.middle(), kOtherTurn, kOtherPlace);
+          }))
+        poses.push_back(pose);
+    }
+  for (const Transform2D& pose : piecesInHub(hubAndMap, map)) poses.push_back(pose);
+  return poses;
+}
+
+/** The probability that one of the poses in the hub is right. */
+double anyConfidence(const MapPair& pair) {
+  const Alignment& alignment = pair.alignment;
+  return isSure(pair) ? alignment.confidence : alignment.confidence + alignment.runnerUpConfidence;
 }
 
 }  // namespace
@@ -79,22 +107,20 @@ MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
 
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
                        const MapForAlignment& b) {
-  const auto isSure = [](const MapPair& pair) {
-    return pair.alignment.isSameSite && pair.alignment.confidence >= kSure;
-  };
-  if (!isSure(hubAndA) || !isSure(hubAndB)) return relateMaps(a, b);
+  if (!hubAndA.alignment.isSameSite || !hubAndB.alignment.isSameSite) return relateMaps(a, b);
   std::vector<Transform2D> poses;
   for (const Transform2D& ofB : posesInHub(hubAndB, b))
     for (const Transform2D& ofA : posesInHub(hubAndA, a)) poses.push_back(ofA.inverse() * ofB);
   MapPair pair;
   pair.alignment = alignMapsNear(a, b, poses, {});
-  if (!pair.alignment.isSameSite) return relateMaps(a, b);
   // One way or another, this pair is no surer than the two that it follows from.
-  pair.alignment.confidence = std::min(
-      {pair.alignment.confidence, hubAndA.alignment.confidence, hubAndB.alignment.confidence});
-  pair.alignment.isAmbiguous = hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
+  pair.alignment.confidence =
+      std::min({pair.alignment.confidence, anyConfidence(hubAndA), anyConfidence(hubAndB)});
+  const bool areSure = isSure(hubAndA) && isSure(hubAndB);
+  if (!pair.alignment.isSameSite && areSure) return relateMaps(a, b);
+  pair.alignment.isAmbiguous |= hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
   pair.areIdentical = areIdentical(a, b);
-  follow(pair, a, b, pair.alignment.poses);
+  if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
   return pair;
 }
 

@@ -21,8 +21,9 @@ struct MapPair {
 MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
 
 /** The same where the pose of both in a third map, the hub, is known already, so that no search is
- *  needed: their poses follow from what was found of the two, as a whole and piece by piece. Where
- *  one of these is not sure, or the maps do not agree there, it is relateMaps after all. */
+ *  needed: their poses follow from what was found of the two, as a whole and piece by piece, and of
+ *  one that is not sure, as in a symmetric building, from its other answers, too. Where the third
+ *  map is not of the same site, or sure poses do not agree, it is relateMaps after all. */
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
                        const MapForAlignment& b);
 

@@ -20,7 +20,7 @@ struct PairPose {
 };
 
 struct SitePosesOptions {
-  double minConfidence = 0.5;  ///< pairs below this are not used
+  double minConfidence = 0.3;  ///< pairs below this are not used
   double width = 0.5;          ///< a pair that disagrees by more than this counts little [m]
   double lever = 10;           ///< how far from the middle a turn is felt [m per rad]
   int iterations = 50;         ///< at most
