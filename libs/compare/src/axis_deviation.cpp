@@ -9,11 +9,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kReach = 1;            // of the walls that give a direction [m]
-constexpr double kThickness = 0.25;     // of a wall, with its roughness [m]
-constexpr double kSameFacing = 0.7;     // cosine between the normals of one wall
-constexpr double kMinLength = 0.28;     // of a straight piece, as a standard deviation [m]
-constexpr double kMaxRoughness = 0.05;  // variance across over variance along
+constexpr double kReach = 1.5;           // of the walls that give a direction [m]
+constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
+constexpr double kSameFacing = 0.7;      // cosine between the normals of one wall
+constexpr double kMinLength = 0.42;      // of a straight piece, as a standard deviation [m]
+constexpr double kMaxRoughness = 0.022;  // variance across over variance along
 constexpr std::size_t kMinNear = 8, kMinDirections = 100;
 
 /** Sums over the places near one another. */
