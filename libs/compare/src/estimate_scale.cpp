@@ -6,6 +6,7 @@
 
 #include "by_straightness.h"
 #include "fit_scale.h"
+#include "roomgraph/base/median.h"
 #include "roomgraph/compare/alignment_confidence.h"
 
 namespace roomgraph {
@@ -200,18 +201,14 @@ std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<PreparedRun
   return all;
 }
 
-/** The median, each scale counting by its odds. */
-double consensusOf(std::vector<ScaleTrial> votes) {
-  double most = -HUGE_VAL, sum = 0, below = 0;
+/** The median, each scale counting by its odds; of at least one. */
+double consensusOf(const std::vector<ScaleTrial>& votes) {
+  double most = -HUGE_VAL;
   for (const ScaleTrial& vote : votes) most = std::max(most, vote.score());
-  for (const ScaleTrial& vote : votes) sum += std::exp(vote.score() - most);
-  std::sort(votes.begin(), votes.end(),
-            [](const ScaleTrial& l, const ScaleTrial& r) { return l.resolution < r.resolution; });
-  for (const ScaleTrial& vote : votes) {
-    below += std::exp(vote.score() - most);
-    if (below >= sum / 2) return vote.resolution;
-  }
-  return votes.back().resolution;
+  std::vector<WeightedValue> scales;
+  for (const ScaleTrial& vote : votes)
+    scales.push_back({vote.resolution, std::exp(vote.score() - most)});
+  return *weightedMedian(std::move(scales));
 }
 
 }  // namespace

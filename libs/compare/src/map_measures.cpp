@@ -1,10 +1,10 @@
 #include "roomgraph/compare/map_measures.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "measure_over_others.h"
 #include "place_runs.h"
+#include "roomgraph/base/median.h"
 #include "roomgraph/compare/rigid_pieces.h"
 #include "roomgraph/compare/scan_disagreement.h"
 #include "roomgraph/compare/wall_doubling.h"
@@ -28,18 +28,12 @@ struct Witness {
   double pieces = 0, trust = 0, walls = 0;
 };
 
-/** Of the witnesses with trust, leaving one out. */
-std::optional<double> weightedMedian(std::vector<Witness> witnesses, std::size_t but) {
-  if (but < witnesses.size()) witnesses.erase(witnesses.begin() + std::ptrdiff_t(but));
-  double all = 0, below = 0;
-  for (const Witness& w : witnesses) all += w.trust;
-  std::sort(witnesses.begin(), witnesses.end(),
-            [](const Witness& l, const Witness& r) { return l.pieces < r.pieces; });
-  for (const Witness& w : witnesses) {
-    below += w.trust;
-    if (w.trust > 0 && 2 * below >= all) return w.pieces;
-  }
-  return std::nullopt;
+/** Of all witnesses but one. */
+std::optional<double> medianPieces(const std::vector<Witness>& witnesses, std::size_t but) {
+  std::vector<WeightedValue> pieces;
+  for (std::size_t j = 0; j < witnesses.size(); ++j)
+    if (j != but) pieces.push_back({witnesses[j].pieces, witnesses[j].trust});
+  return weightedMedian(std::move(pieces));
 }
 
 /** Whether run `in` has enough of the walls of `run` to tell of its pieces. */
@@ -94,7 +88,7 @@ Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPa
   std::vector<double> supports;
   for (const Witness& witness : witnesses) supports.push_back(witness.walls);
   measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {
-    auto value = weightedMedian(witnesses, but);
+    auto value = medianPieces(witnesses, but);
     if (value) --*value;
     return value;
   });

@@ -23,7 +23,7 @@ struct FindPiecesOptions {
   double samePlace = 0.15;     ///< the same, at the patch [m]
   double minExplained = 0.7;   ///< share of the followed walls that lie in the two pieces
   double minPiece = 0.15;      ///< and in the smaller one
-  double minRotation = 0.035;  ///< of a break [rad]
+  double minRotation = 0.044;  ///< of a break [rad]; less could be a drift
   double minShift = 0.4;       ///< of one that hardly turns [m]
 };
 
