@@ -37,6 +37,15 @@ std::optional<MapBreak> breakIn(const CsvTable& table, std::size_t row) {
                   std::hypot(table.number(row, "jump_x"), table.number(row, "jump_y"))};
 }
 
+/** All columns that were set for a run, but the seed. */
+std::string settingsIn(const CsvTable& table, std::size_t row) {
+  std::string all;
+  for (const char* column :
+       {"backend", "trajectory", "odo_noise", "fov_deg", "max_range_m", "laser_noise_m"})
+    all += table.text(row, column) + ' ';
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> simulatedSites(const std::string& data, const std::string& only) {
@@ -69,6 +78,7 @@ SimulatedSite readSite(const std::string& folder, const std::string& extension) 
     site.toTruth.push_back(
         {table.number(row, "A_x"), table.number(row, "A_y"), table.number(row, "A_phi")});
     site.breaks.push_back(breakIn(table, row));
+    site.settings.push_back(settingsIn(table, row));
   }
   site.related = relateRuns(site.runs, false, oneByOne);
   return site;

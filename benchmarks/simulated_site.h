@@ -14,6 +14,7 @@ struct SimulatedSite {
   std::vector<double> truth;                    ///< map_rms_m of each run
   std::vector<Transform2D> toTruth;             ///< true frame <- run, for each run
   std::vector<std::optional<MapBreak>> breaks;  ///< that each run was given, in the true frame
+  std::vector<std::string> settings;            ///< of each run; runs with the same differ in seed
   std::vector<MapPair> related;                 ///< of pairsOf(runs.size())
 };
 
