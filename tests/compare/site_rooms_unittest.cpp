@@ -208,6 +208,20 @@ TEST(SiteRooms, aRoomOfOneRunIsNewOnlyIfTheRunCanBeTrusted) {
   EXPECT_EQ(ledger({{house(), {}}, {house(), kOther}, {more, kThird, 1e-4}}).size(), 11u);
 }
 
+TEST(SiteRooms, aNarrowEndOfACorridorThatLeadsNowhereIsNoPlace) {
+  House beams = house();
+  beams.rooms.push_back({{20.2, 4.8}, {24, 5.2}, true});
+  beams.doors.push_back({0, 11, {20.1, 5}});
+  EXPECT_EQ(ledger({{beams, {}}, {beams, kOther}}).size(), 11u);
+  beams.rooms.push_back({{24.2, 4}, {27, 7}});
+  beams.doors.push_back({11, 12, {24.1, 5}});
+  EXPECT_EQ(ledger({{beams, {}}, {beams, kOther}}).size(), 13u) << "it leads to a room";
+  beams = house();
+  beams.rooms.push_back({{20.2, 4}, {24, 5.8}, true});
+  beams.doors.push_back({0, 11, {20.1, 5}});
+  EXPECT_EQ(ledger({{beams, {}}, {beams, kOther}}).size(), 12u) << "wide enough";
+}
+
 TEST(SiteRooms, againstAReferenceAloneAllIsCounted) {
   House more = house();
   more.rooms.push_back({{20.2, 0}, {24, 3.8}});

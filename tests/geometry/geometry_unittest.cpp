@@ -22,6 +22,12 @@ TEST(Polygon, areaIsPositiveCounterClockwise) {
   EXPECT_EQ(signedArea({{1, 1}, {2, 2}}), 0);
 }
 
+TEST(Polygon, perimeterIsThatOfAllRings) {
+  EXPECT_DOUBLE_EQ(perimeter({square(3, -2, 2), {}}), 8);
+  EXPECT_DOUBLE_EQ(perimeter({square(0, 0, 4), {backwards(square(1, 1, 1))}}), 20);
+  EXPECT_EQ(perimeter({}), 0);
+}
+
 TEST(Polygon, holesTakeFromTheArea) {
   const Polygon polygon{square(0, 0, 10), {backwards(square(1, 1, 2)), backwards(square(6, 6, 3))}};
   EXPECT_DOUBLE_EQ(area(polygon), 100 - 4 - 9);

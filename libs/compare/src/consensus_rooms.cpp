@@ -14,7 +14,19 @@ constexpr double kVote = 0.5;           // overlap from which on a run votes for
 constexpr double kGood = 0.7;           // overlap from which on no better place is looked for
 constexpr double kMaxCovered = 0.3;     // share of a candidate that rooms may cover already
 constexpr double kMinArea = 1.0;        // of a candidate [m2]
+constexpr double kNarrow = 0.7;         // mean width of a gap [m]
 constexpr double kLeastPower = 0.06;    // of the runs of a left area, in that of the second best
+
+/** Where a few beams have looked through a window or a slit: a narrow end of corridor that leads
+ *  nowhere. Each run has others, so they are no places of the site. */
+bool isGap(const RunAreas& run, std::size_t area) {
+  const SiteShape& shape = run.shapes[area];
+  const std::vector<AreaDoor>& doors = run.doors[area];
+  const bool leadsNowhere = std::all_of(doors.begin(), doors.end(), [&](const AreaDoor& door) {
+    return door.to == doors.front().to;
+  });
+  return shape.isCorridor && leadsNowhere && 2 * shape.area < kNarrow * perimeter(shape.polygon);
+}
 
 struct Candidate {
   ConsensusRooms::Source source;
@@ -56,7 +68,8 @@ class Choosing {
   double powerOf(std::size_t run) const { return site_.runs[run].weight * site_.runs[run].weight; }
 
   bool isCandidate(const Left& left, std::size_t run, std::size_t area) const {
-    return site_.runs[run].shapes[area].area >= kMinArea && (left.empty() || left[run][area]);
+    return site_.runs[run].shapes[area].area >= kMinArea && !isGap(site_.runs[run], area) &&
+           (left.empty() || left[run][area]);
   }
 
   /** The areas of the most trusted runs with the votes of those runs, best first. */

@@ -68,6 +68,17 @@ double area(const Polygon& polygon) {
   return sum;
 }
 
+double perimeter(const Polygon& polygon) {
+  double sum = 0;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      sum += distance(ring[i], ring[(i + 1) % ring.size()]);
+  };
+  add(polygon.outer);
+  for (const Ring& hole : polygon.holes) add(hole);
+  return sum;
+}
+
 Point centroid(const Polygon& polygon) {
   const Point origin = polygon.outer.front();
   Moments sum;

@@ -21,6 +21,9 @@ double signedArea(const Ring& ring);
 /** Area of the polygon without its holes [m2]. */
 double area(const Polygon& polygon);
 
+/** Length of all rings [m]. */
+double perimeter(const Polygon& polygon);
+
 /** Centre of mass of the polygon without its holes (paper III-G); the mean of the outer ring's
  *  points where the area is 0. Lies outside of the polygon where that is concave enough. */
 Point centroid(const Polygon& polygon);
