@@ -61,6 +61,37 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
   EXPECT_EQ(result.pairs[0].measures[0].value, 0);
 }
 
+TEST(CompareRuns, aCopyChangesNoCoverageAndNoMeaning) {
+  const Grid half = drawnBuilding(1, {1, 2, 0.3}, {-1e9, 14});
+  const std::vector<PreparedRun> two{run("half", half), run("whole", drawnBuilding(1, {}))};
+  std::vector<PreparedRun> three = two;
+  three.push_back(run("copy", drawnBuilding(1, {})));
+  const Comparison before = compared(two), after = compared(three);
+  ASSERT_EQ(after.runs.size(), 3u);
+  for (const ComparedRun& one : after.runs) {
+    EXPECT_FALSE(one.score->isMeaningful) << one.name;
+    const std::size_t k = before.runs[0].name == (one.name == "copy" ? "whole" : one.name) ? 0 : 1;
+    EXPECT_EQ(measureOf(one, "coverage").value, measureOf(before.runs[k], "coverage").value);
+  }
+}
+
+TEST(CompareRuns, rangesHoldTheirValues) {
+  for (const ComparedRun& one : compared(threeGoodAndABentRun()).runs)
+    for (const Measure& measure : one.measures) {
+      if (!measure.low) continue;
+      EXPECT_LE(*measure.low, *measure.value) << one.name << ' ' << measure.name;
+      EXPECT_GE(*measure.high, *measure.value) << one.name << ' ' << measure.name;
+    }
+}
+
+TEST(CompareRuns, theBestRunThatHasSeenLittleIsSaidToHaveDoneSo) {
+  const Comparison result = compared({run("a", drawnBuilding(1, {1, 2, 0.3}, {-1e9, 14})),
+                                      run("b", bent(drawnBuilding(1, {}), 0.1)),
+                                      run("c", bent(drawnBuilding(1, {}), 0.2))});
+  ASSERT_EQ(result.runs[0].name, "a");
+  EXPECT_NE(result.verdict.find("it has seen"), std::string::npos) << result.verdict;
+}
+
 TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
   std::vector<PreparedRun> runs = threeGoodAndABentRun();
   for (PreparedRun& one : runs) one.graph = test::drawnGraph();  // anywhere in the map

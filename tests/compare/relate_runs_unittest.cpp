@@ -78,6 +78,14 @@ TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
   EXPECT_NEAR(one.aInB.share, back.aInB.share, 1e-9);
 }
 
+TEST(RelateRuns, framesThatContradictEachOtherAreNotTakenForOne) {
+  const MapForAlignment map = run(drawnBuilding(1, {})).map;
+  EXPECT_TRUE(
+      relateAlignedMaps(map, run(drawnBuilding(1, {0.05, 0, 0.005})).map).alignment.isSameSite);
+  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {4, 2, 1})).map).alignment.isSameSite);
+  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {90, 0, 0})).map).alignment.isSameSite);
+}
+
 TEST(RelateRuns, copiesHaveNoBend) {
   const std::vector<PreparedRun> runs{run(drawnBuilding(2, {})), run(drawnBuilding(2, {}))};
   const MapPair pair = test::related(runs)[0];

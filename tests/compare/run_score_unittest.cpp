@@ -33,6 +33,30 @@ TEST(ScoreRuns, copiesOfOneMapCountAsOne) {
   EXPECT_EQ(four[0]->score, four[3]->score);
 }
 
+TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
+  Bends bends = allBends(3, 0.3);
+  bends[0][2] = bends[2][0] = {0, 1, 1000, true};
+  for (const auto& score : scoreRuns(bends, {{}, {}, {}}, {}, {})) {
+    EXPECT_EQ(score->others, 1u);
+    EXPECT_EQ(score->bend, 0.3);
+    EXPECT_FALSE(score->isMeaningful) << "these are two maps";
+  }
+}
+
+TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
+  Bends bends = allBends(4, 0.35);
+  for (std::size_t i = 0; i < 4; ++i) bends[i][i] = {};
+  for (std::size_t i = 0; i < 3; ++i) bends[i][3].share = bends[3][i].share = 0.05;
+  const auto scores = scoreRuns(bends, {{0.02, 0}, {0.02, 0}, {0.02, 0}, {0.0005, 0}}, {}, {});
+  EXPECT_FALSE(scores[3]->isMeaningful);
+  EXPECT_EQ(scores[3]->trust, 0);
+  EXPECT_GT(scores[3]->bend, 0);
+  const auto without = scoreRuns(allBends(3, 0.35), {{0.02, 0}, {0.02, 0}, {0.02, 0}}, {}, {});
+  EXPECT_TRUE(scores[0]->isMeaningful);
+  EXPECT_EQ(scores[0]->trust, 1);
+  EXPECT_EQ(scores[0]->bend, without[0]->bend);
+}
+
 TEST(ScoreRuns, onlyCopiesScore100) {
   const auto scores = scoreRuns(Bends(2, std::vector<PairBend>(2, {0, 1, 1000, true})),
                                 {{0.01, 0}, {0.01, 0}}, {}, {});

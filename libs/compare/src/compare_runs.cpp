@@ -26,7 +26,7 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
     const double trust = scores[i] ? scores[i]->trust : 0;
     site.trust.push_back(reference ? double(i == *reference) : trust);
   }
-  const std::vector<Measure> coverage = coverageOf(site);
+  const std::vector<Measure> coverage = coverageOf(site, bends);
   const std::vector<std::vector<Measure>> rooms = roomMeasuresOf(site, options.forEach);
   for (std::size_t i = 0; i < n; ++i) {
     ComparedRun run;
@@ -44,13 +44,16 @@ void addRuns(Comparison& result, PlacedRuns& site, const std::vector<std::vector
 
 void rank(std::vector<ComparedRun>& runs) {
   const auto key = [](const ComparedRun& run) {
-    return std::make_tuple(!run.score, run.score ? run.score->mapError : 0, run.name);
+    const bool isMeaningful = run.score && run.score->isMeaningful;
+    return std::make_tuple(!run.score, !isMeaningful, run.score ? run.score->mapError : 0,
+                           run.name);
   };
   std::sort(runs.begin(), runs.end(),
             [&](const ComparedRun& l, const ComparedRun& r) { return key(l) < key(r); });
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].score) continue;
-    const bool isSame = i > 0 && runs[i].score->mapError - runs[i - 1].score->mapError < kSameError;
+    const bool isSame = i > 0 && runs[i].score->isMeaningful == runs[i - 1].score->isMeaningful &&
+                        runs[i].score->mapError - runs[i - 1].score->mapError < kSameError;
     runs[i].rank = isSame ? runs[i - 1].rank : i + 1;
   }
 }

@@ -29,6 +29,10 @@ class Problem {
                                                 std::log(*deviation + options.deviationNoise))
                                 : std::nullopt);
     if (truth) told_[*truth].reset();
+    for (const auto& row : bends) {
+      mostShare_.push_back(0);
+      for (const PairBend& pair : row) mostShare_.back() = std::max(mostShare_.back(), pair.share);
+    }
   }
 
   /** Half the cost, with its gradient and the normal equations of a step. */
@@ -117,7 +121,7 @@ class Problem {
 
   void addDeviation(Linearised& out, const VectorXd& x, Eigen::Index i) const {
     if (!told_[std::size_t(i)]) return;
-    const double e = std::exp(x[i]), w = options_.deviationWeight;
+    const double e = std::exp(x[i]), w = options_.deviationWeight * mostShare_[std::size_t(i)];
     const double r = std::log(e + options_.errorNoise) - *told_[std::size_t(i)] - x[n_];
     const double j = e / (e + options_.errorNoise);
     out.cost += w * r * r / 2;
@@ -131,6 +135,8 @@ class Problem {
   Eigen::Index n_;
   std::optional<std::size_t> truth_;
   std::vector<std::optional<double>> told_;  // log of what the deviation tells
+  // Deviations can be compared where the walls are the same: those of a small piece tell little.
+  std::vector<double> mostShare_;
 };
 
 struct Solution {
@@ -191,6 +197,7 @@ std::vector<std::optional<MapError>> estimateMapErrors(
     const double variance = options.spread * options.spread * covariance(k, k) +
                             options.leastSpread * options.leastSpread;
     errors[i] = withInterval(std::exp(best.x[k]) - options.leastError, std::sqrt(variance));
+    errors[i]->high = std::max(errors[i]->high, options.bendNoise);  // less cannot be told from 0
   }
   return errors;
 }

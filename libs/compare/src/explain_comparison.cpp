@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace roomgraph {
 namespace {
 
-constexpr double kLittle = 0.6;  // share of the walls below which a bend tells little
+constexpr double kLittle = 0.6;   // share of the walls below which a bend tells little
+constexpr double kPartial = 0.7;  // coverage below which a map is no map of the whole site
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -32,6 +34,12 @@ std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks
   return text;
 }
 
+std::optional<double> coverageOf(const ComparedRun& run) {
+  for (const Measure& measure : run.measures)
+    if (measure.name == "coverage" && measure.isMeaningful) return measure.value;
+  return std::nullopt;
+}
+
 }  // namespace
 
 void addReasons(Comparison& result) {
@@ -45,7 +53,8 @@ void addReasons(Comparison& result) {
 }
 
 std::string verdictOf(const Comparison& result) {
-  if (result.runs.size() < 2) return "No two runs are of the same site: nothing can be compared.";
+  if (result.runs.size() < 2)
+    return "Fewer than two runs of one site are left: nothing can be compared.";
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
   if (!best.score) return "The runs share no walls: nothing can be compared.";
   if (!result.reference && result.runs.size() == 2)
@@ -58,6 +67,8 @@ std::string verdictOf(const Comparison& result) {
                       best.score->score, best.score->low, best.score->high, best.score->mapError);
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
+  if (const auto coverage = coverageOf(best); coverage && *coverage < kPartial)
+    text += formatted("; it has seen %.0f %% of what two runs have seen", 100 * *coverage);
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";
 }

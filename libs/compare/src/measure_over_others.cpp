@@ -17,6 +17,7 @@ void measureOverOthers(Measure& measure, const std::vector<double>& supports, do
   measure.isMeaningful = measure.value && others >= kMinOthers && measure.support >= minSupport;
   for (std::size_t j = 0; others > 1 && j < supports.size(); ++j) {
     if (supports[j] == 0) continue;
+    if (!measure.low) measure.low = measure.high = measure.value;
     const std::optional<double> without = valueWithout(j);
     if (!without) continue;
     measure.low = std::min(measure.low.value_or(*without), *without);

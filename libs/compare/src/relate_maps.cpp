@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "are_identical.h"
+#include "roomgraph/compare/alignment_confidence.h"
 
 namespace roomgraph {
 namespace {
@@ -19,7 +20,8 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kSure = 0.5;  // confidence of a pose that others may follow from
+constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
+constexpr double kSure = 0.5;       // confidence of a pose that others may follow from
 constexpr double kSameTurn = 0.05, kSamePlace = 0.5;    // pieces with one pose [rad, m]
 constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are another answer
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
@@ -130,11 +132,12 @@ MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b) {
   alignment.best = AlignmentCandidate{};
   alignment.best->evidence = verifyAlignment(a, b, {}, {});
   alignment.overlap = alignment.best->evidence.overlap;
-  alignment.confidence = alignment.siteConfidence = 1;
-  alignment.isSameSite = true;
+  alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
+  alignment.isSameSite = alignment.siteConfidence >= kNotAtOdds;
+  alignment.confidence = alignment.isSameSite ? 1 : alignment.siteConfidence;
   alignment.poses = {{}};
   pair.areIdentical = areIdentical(a, b);
-  follow(pair, a, b, alignment.poses);
+  if (alignment.isSameSite) follow(pair, a, b, alignment.poses);
   return pair;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "DistinctMaps.h"
 #include "measure_over_others.h"
 #include "roomgraph/compare/match_rooms.h"
 #include "roomgraph/compare/nearest_wall.h"
@@ -34,14 +35,14 @@ bool isFreeIn(const MapForAlignment& map, Point p) {
   return cell < map.states.size() && map.states[cell] == State::free;
 }
 
-/** Cells by who has seen them free. */
+/** Cells by who has seen them free; of runs with the same map only the first counts. */
 struct SeenCells {
   std::vector<std::uint16_t> count;
   std::vector<std::uint32_t> sum;  ///< of the indices of the runs that have seen it
   std::vector<std::vector<bool>> by;
 };
 
-SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame) {
+SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame, const DistinctMaps& maps) {
   SeenCells seen{std::vector<std::uint16_t>(frame.cellCount()),
                  std::vector<std::uint32_t>(frame.cellCount()),
                  {}};
@@ -53,6 +54,7 @@ SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame) {
         if (!isFreeIn(site.runs[i]->map, back(frame.center({x, y})))) continue;
         const std::size_t cell = frame.index({x, y});
         by[cell] = true;
+        if (!maps.isFirst(i)) continue;
         ++seen.count[cell];
         seen.sum[cell] += std::uint32_t(i);
       }
@@ -62,8 +64,7 @@ SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame) {
 }
 
 void widen(Measure& measure, double value) {
-  measure.low = measure.low ? std::min(*measure.low, value) : value;
-  measure.high = measure.high ? std::max(*measure.high, value) : value;
+  measure.low = std::min(*measure.low, value), measure.high = std::max(*measure.high, value);
 }
 
 Measure wallMeasure(const PlacedRuns& site, std::size_t run, const char* name, double share) {
@@ -137,22 +138,24 @@ Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<R
 
 }  // namespace
 
-std::vector<Measure> coverageOf(const PlacedRuns& site) {
+std::vector<Measure> coverageOf(const PlacedRuns& site,
+                                const std::vector<std::vector<PairBend>>& bends) {
   const GridFrame frame = siteFrame(site);
-  const SeenCells seen = seenCells(site, frame);
-  const std::size_t n = site.runs.size();
+  const DistinctMaps maps(bends);
+  const SeenCells seen = seenCells(site, frame, maps);
+  const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
   double all = 0;
   std::vector<double> mine(n), onlyTwo(n);  // cells; those that only one more run has seen
   std::vector<std::vector<double>> onlyThese(n, std::vector<double>(n));
   for (std::size_t cell = 0; cell < seen.count.size(); ++cell) {
-    if (seen.count[cell] < 2) continue;
+    if (seen.count[cell] < enough) continue;
     ++all;
     for (std::size_t i = 0; i < n; ++i) {
       if (!seen.by[i][cell]) continue;
       ++mine[i];
       if (seen.count[cell] != 2) continue;
       ++onlyTwo[i];
-      ++onlyThese[i][seen.sum[cell] - i];
+      ++onlyThese[i][seen.sum[cell] - maps.firstOf(i)];
     }
   }
   std::vector<Measure> measures(n);
@@ -162,9 +165,10 @@ std::vector<Measure> coverageOf(const PlacedRuns& site) {
     if (all == 0) continue;
     measures[i].value = mine[i] / all;
     measures[i].isMeaningful =
-        n >= kMinRuns && all * frame.resolution * frame.resolution >= kMinArea;
-    for (std::size_t j = 0; n > 2 && j < n; ++j)
-      if (j != i && all > onlyTwo[j])
+        maps.count() >= kMinRuns && all * frame.resolution * frame.resolution >= kMinArea;
+    if (maps.count() > 2) measures[i].low = measures[i].high = measures[i].value;
+    for (std::size_t j = 0; measures[i].low && j < n; ++j)
+      if (maps.isMeasuredAgainst(i, j) && all > onlyTwo[j])
         widen(measures[i], (mine[i] - onlyThese[i][j]) / (all - onlyTwo[j]));
   }
   return measures;
@@ -174,8 +178,9 @@ Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vecto
                std::size_t run) {
   Measure measure;
   measure.name = "bend", measure.unit = "m";
+  const DistinctMaps maps(bends);
   const auto weightOf = [&](std::size_t j) {
-    return j == run ? 0 : trust[j] * bends[run][j].share;
+    return maps.isMeasuredAgainst(run, j) ? trust[j] * bends[run][j].share : 0;
   };
   std::vector<double> supports;
   for (std::size_t j = 0; j < bends.size(); ++j)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "DistinctMaps.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {
@@ -12,24 +13,13 @@ namespace {
 using Bends = std::vector<std::vector<PairBend>>;
 using Errors = std::vector<std::optional<MapError>>;
 
-/** For each run the first one that has the same map. */
-std::vector<std::size_t> firstAlike(const Bends& bends) {
-  std::vector<std::size_t> first;
-  for (std::size_t i = 0; i < bends.size(); ++i) {
-    std::size_t j = 0;
-    while (j < i && !bends[i][j].areIdentical) ++j;
-    first.push_back(j);
-  }
-  return first;
-}
-
 /** Estimates the errors with one run for all that have the same map. */
 Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
                    std::optional<std::size_t> reference, const MapErrorOptions& options) {
-  const std::vector<std::size_t> first = firstAlike(bends);
+  const DistinctMaps maps(bends);
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < bends.size(); ++i)
-    if (first[i] == i) kept.push_back(i);
+    if (maps.isFirst(i)) kept.push_back(i);
   Bends some(kept.size(), std::vector<PairBend>(kept.size()));
   std::vector<std::optional<double>> told;
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -37,7 +27,8 @@ Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
     for (std::size_t j = 0; j < kept.size(); ++j) some[i][j] = bends[kept[i]][kept[j]];
   }
   const auto placeOf = [&](std::size_t i) {
-    return std::size_t(std::lower_bound(kept.begin(), kept.end(), first[i]) - kept.begin());
+    const auto place = std::lower_bound(kept.begin(), kept.end(), maps.firstOf(i));
+    return std::size_t(place - kept.begin());
   };
   std::optional<std::size_t> truth;
   if (reference) truth = placeOf(*reference);
@@ -58,22 +49,34 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
 }
 
+/** The largest share of its walls that a run has in common with another. */
+double mostShare(const std::vector<PairBend>& pairs) {
+  double most = 0;
+  for (const PairBend& pair : pairs) most = std::max(most, pair.share);
+  return most;
+}
+
 /** Sets trust, then each run's bend away from the others as their trust weighs it. */
 void weigh(std::vector<std::optional<RunScore>>& scores, const Bends& bends,
            std::optional<std::size_t> reference, const RunScoreOptions& options) {
+  const bool areAllSmall = std::none_of(bends.begin(), bends.end(), [&](const auto& row) {
+    return mostShare(row) >= options.minShare;
+  });
   double most = 0;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!scores[i] || (mostShare(bends[i]) < options.minShare && !areAllSmall)) continue;
+    scores[i]->trust = std::pow(options.trustFloor + scores[i]->mapError, -4);
+    most = std::max(most, scores[i]->trust);
+  }
   for (auto& score : scores)
-    if (score) {
-      score->trust = std::pow(options.trustFloor + score->mapError, -4);
-      most = std::max(most, score->trust);
-    }
-  for (auto& score : scores)
-    if (score) score->trust /= most;
+    if (score && most > 0) score->trust /= most;
+  const DistinctMaps maps(bends);
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i]) continue;
     double sum = 0, weights = 0, found = 0, trust = 0;
     for (std::size_t j = 0; j < bends.size(); ++j) {
-      if (j == i || bends[i][j].share <= 0 || (reference && j != reference)) continue;
+      if (bends[i][j].share <= 0 || (reference && j != reference)) continue;
+      if (!reference && !maps.isMeasuredAgainst(i, j)) continue;
       const double weight = (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
       sum += weight * bends[i][j].bend, weights += weight;
       found += (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
@@ -104,9 +107,10 @@ std::vector<std::optional<RunScore>> scoreRuns(const Bends& bends,
   }
   weigh(scores, bends, reference, options);
   const std::size_t minOthers = reference ? 1 : options.minOthers;
-  for (auto& score : scores)
-    if (score)
-      score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (auto& score = scores[i])
+      score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers &&
+                            mostShare(bends[i]) >= options.minShare;
   return scores;
 }
 

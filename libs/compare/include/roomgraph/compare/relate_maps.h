@@ -27,7 +27,8 @@ MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
                        const MapForAlignment& b);
 
-/** The same for two maps whose frames are the same already: their pose is nothing, and sure. */
+/** The same for two maps whose frames are said to be the same: their pose is nothing, and sure.
+ * Maps that contradict each other there are not of the same site. */
 MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b);
 
 /** The same pair with b named first. */

@@ -23,11 +23,13 @@ struct PlacedRuns {
 };
 
 /** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
- *  free. Meaningful with three runs and 10 m2. Support in cells. O(runs * cells of the site). */
-std::vector<Measure> coverageOf(const PlacedRuns& site);
+ *  free. Of runs with the same map one counts. Meaningful with three maps and 10 m2. Support in
+ *  cells. O(runs * cells of the site). */
+std::vector<Measure> coverageOf(const PlacedRuns& site,
+                                const std::vector<std::vector<PairBend>>& bends);
 
-/** Of one run: `bend`, its mean bend against the others, weighted by trust [m]. Support in wall
- *  points. */
+/** Of one run: `bend`, its mean bend against the others, weighted by trust [m]; copies of its map
+ *  are no others, unless there are no more. Support in wall points. */
 Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vector<double>& trust,
                std::size_t run);
 
