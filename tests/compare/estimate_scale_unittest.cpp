@@ -83,6 +83,15 @@ TEST(EstimateScale, anotherBuildingFitsAtNoScale) {
   EXPECT_FALSE(estimated(pictureOf(8, kCell), {run(drawnBuilding(1, {}))}, {}));
 }
 
+TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {}))};
+  const Grid part = pictureOf(1, kCell, {-1e9, 15});
+  expectScale(estimated(part, runs), kCell, 0.007);
+  EstimateScaleOptions demanding = fewScales();
+  demanding.minOfRun = 0.9;
+  EXPECT_FALSE(estimated(part, runs, demanding));
+}
+
 TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
   std::vector<PreparedRun> runs{run(drawnBuilding(1, {0, 0, 2})), run(drawnBuilding(11, {}))};
   runs[1].map.axisDeviation = 0;  // it is looked in first

@@ -163,6 +163,13 @@ std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid
   return chosen;
 }
 
+/** Whether the picture shows enough of the run: a single room fits in many places, at any scale. */
+bool isLargeEnough(const ScaleTrial& trial, const MapForAlignment& run,
+                   const EstimateScaleOptions& options) {
+  const double common = trial.alignment.best->evidence.common / 2;  // counted both ways
+  return common >= options.minOfRun * run.freeArea;
+}
+
 /** The scale that stands out, if any. */
 std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& run,
                                   const EstimateScaleOptions& options, const ForEach& forEach) {
@@ -170,7 +177,7 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& ru
   const std::vector<ScaleTrial> close = bestOf(trials, picture, run, options, forEach);
   const ScaleTrial& best = close.front();
   if (best.alignment.siteConfidence < options.minConfidence ||
-      best.alignment.overlap < options.minOverlap)
+      best.alignment.overlap < options.minOverlap || !isLargeEnough(best, run, options))
     return std::nullopt;
   for (const auto* others : {&trials, &close})
     for (const ScaleTrial& other : *others)

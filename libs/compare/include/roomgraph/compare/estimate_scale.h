@@ -27,6 +27,7 @@ struct EstimateScaleOptions {
   std::size_t voters = 5;      ///< runs that have their say at last
   double minConfidence = 0.4;  ///< siteConfidence of the pose from which on a picture may fit
   double minOverlap = 0.5;     ///< of the pose
+  double minOfRun = 0.2;       ///< share of the run's free area that the picture must show, too
   double minMargin = 1.2;      ///< how much better its score must be than that of any other scale
   AlignMapsOptions quick = quickAlignment();  ///< of each scale that is tried
   AlignMapsOptions align;                     ///< of those that are looked at closely
