@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "Command.h"
 #include "compare_maps.h"
@@ -14,8 +15,8 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/comparison_json.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/comparison_report.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {
@@ -26,7 +27,7 @@ struct CompareArguments {
   CompareTask task;
   OptionArguments options;
   std::string folder = ".";
-  double failBelow = 0;
+  std::optional<double> failBelow;
   std::vector<std::string> failOn;
 };
 
@@ -65,7 +66,8 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option(
          "--names", arguments.task.names,
          "JSON file that keeps the ids and names of the site's rooms from call to call; made "
-         "if it is not there, else brought up to date. Names in it may be edited.")
+         "if it is not there, else brought up to date, but not where --fail-below or --fail-on "
+         "strikes. Names in it may be edited.")
       ->type_name("FILE");
   app.add_option("--cache", arguments.task.cache,
                  "Folder that keeps what is found of each pair of maps from call to call, made if "
@@ -94,7 +96,9 @@ std::string complaints(const Comparison& comparison, const CompareArguments& arg
   };
   for (const ComparedRun& run : comparison.runs) {
     if (run.name == comparison.reference) continue;
-    if (arguments.failBelow > 0 && (!run.score || run.score->score < arguments.failBelow))
+    if (arguments.failBelow && !run.score)
+      lines += errorLine(run.name + ": has no score");
+    else if (arguments.failBelow && run.score->score < *arguments.failBelow)
       lines += errorLine(run.name + ": its score is below --fail-below");
     for (const Measure& measure : run.measures)
       if (isAsked("coverage") && measure.name == "coverage" &&
@@ -104,15 +108,34 @@ std::string complaints(const Comparison& comparison, const CompareArguments& arg
   for (const MapBreak& found : comparison.breaks)
     if (isAsked("broken")) lines += errorLine(found.run + ": is broken " + whereBroken(found));
   for (const LeftOutRun& run : comparison.leftOut) {
-    if (arguments.failBelow > 0) lines += errorLine(run.name + ": has no score");
+    if (arguments.failBelow) lines += errorLine(run.name + ": has no score");
     if (run.isOtherSite && isAsked("not-same-site"))
       lines += errorLine(run.name + ": is not of the same site");
   }
   return lines;
 }
 
-void checkNotReplaced(const CompareTask& task, const std::vector<std::string>& results) {
-  std::vector<std::string> inputs = task.files;
+/** The names of all that is written to the folder. */
+struct ResultFiles {
+  explicit ResultFiles(const std::filesystem::path& folder)
+      : report((folder / "report.html").string()),
+        json((folder / "comparison.json").string()),
+        runs((folder / "comparison.runs.csv").string()),
+        rooms((folder / "comparison.rooms.csv").string()),
+        scene((folder / "comparison.3Dscene").string()) {}
+
+  std::vector<std::string> all() const { return {report, json, runs, rooms, scene}; }
+
+  std::string report, json, runs, rooms, scene;
+};
+
+void checkNotReplaced(const CompareTask& task, const ResultFiles& files) {
+  std::vector<std::string> inputs = task.files, results = files.all();
+  for (const std::string& result : results)
+    if (!task.names.empty() && wouldBeSameFile(task.names, result))
+      throw UsageError(task.names + ": would be replaced by a result: choose another file with " +
+                       "--names");
+  results.push_back(task.names);
   inputs.push_back(task.reference);
   for (const std::string& result : results)
     for (const std::string& input : inputs)
@@ -134,36 +157,47 @@ std::vector<UsedOption> optionsOf(const CompareTask& task) {
   return options;
 }
 
+/** All of them, or none where one cannot be written. */
+void writeResults(const ComparedMaps& maps, const CompareTask& task, const ResultFiles& files,
+                  bool keepsNames) {
+  const Comparison& comparison = maps.comparison;
+  StagedFiles staged;
+  if (maps.site && keepsNames) staged.add(task.names, siteJson(*maps.site));
+  staged.add(files.json, comparisonJson(comparison));
+  staged.add(files.runs, comparisonRunsCsv(comparison));
+  staged.add(files.rooms, comparisonRoomsCsv(comparison));
+  staged.add(files.scene, comparisonSceneBytes(comparison, maps.runs));
+  staged.add(files.report, comparisonReport(comparison, maps.runs, optionsOf(task)));
+  staged.commit();
+}
+
 int run(const CompareArguments& arguments) {
+  if (arguments.failBelow && std::isnan(*arguments.failBelow))
+    throw UsageError("--fail-below: nan is no score: give one from 0 to 100");
   CompareTask task = arguments.task;
   task.extract = toOptions(arguments.options);
   if (task.files.size() + (task.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
-  const std::filesystem::path folder = arguments.folder;
-  const std::string json = (folder / "comparison.json").string();
-  const std::string csv = (folder / "comparison.runs.csv").string();
-  const std::string rooms = (folder / "comparison.rooms.csv").string();
-  const std::string report = (folder / "report.html").string();
-  const std::string scene = (folder / "comparison.3Dscene").string();
-  checkNotReplaced(task, {json, csv, rooms, report, scene, task.names});
+  const ResultFiles files(arguments.folder);
+  checkNotReplaced(task, files);
   makeWritableFolder(arguments.folder);
   const ComparedMaps result = compareMaps(task);
   const Comparison& comparison = result.comparison;
-  if (result.site) writeFileAtomically(task.names, siteJson(*result.site));
-  writeFileAtomically(json, comparisonJson(comparison));
-  writeFileAtomically(csv, comparisonRunsCsv(comparison));
-  writeFileAtomically(rooms, comparisonRoomsCsv(comparison));
-  writeFileAtomically(scene, comparisonSceneBytes(comparison, result.runs));
-  writeFileAtomically(report, comparisonReport(comparison, result.runs, optionsOf(task)));
+  // The rooms of a bad run are not to be remembered.
+  const std::string struck = complaints(comparison, arguments);
+  writeResults(result, task, files, struck.empty());
   for (const LeftOutRun& run : comparison.leftOut)
     if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
-  if (!task.isQuiet)
-    std::printf("%s%s\n  %s\n  %s\n  %s\n  %s\n  %s\n", comparisonText(comparison).c_str(),
-                comparison.verdict.c_str(), report.c_str(), json.c_str(), csv.c_str(),
-                rooms.c_str(), scene.c_str());
-  const std::string struck = complaints(comparison, arguments);
+  if (!task.isQuiet) {
+    std::string text = comparisonText(comparison) + comparison.verdict + "\n";
+    for (const std::string& file : files.all()) text += "  " + file + "\n";
+    std::fputs(text.c_str(), stdout);
+  }
+  if (struck.empty()) return result.exitCode;
   std::fputs(struck.c_str(), stderr);
-  return struck.empty() ? result.exitCode : int(kStruck);
+  if (result.site)
+    std::fputs(errorLine(task.names + ": left as it was, as the gate strikes").c_str(), stderr);
+  return kStruck;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "roomgraph/compare/name_rooms.h"
 #include "roomgraph/compare/noise_floor.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/report/utf8_text.h"
 #include "run_in_order.h"
 #include "run_names.h"
 
@@ -29,7 +30,7 @@ PreparedRun preparedRun(const std::string& name, const GreyMap& map,
   const std::string& file = map.source.file;
   Stages stages = extract(map, options);
   PreparedRun run;
-  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
+  run.name = name, run.file = utf8Text(file), run.sha256 = stages.source.sha256;
   run.map = mapForAlignment(stages.grid, {});
   if (run.map.walls.empty()) refuseWithoutWalls(file);
   run.noiseFloor = noiseFloor(stages.grid, run.map, {});
@@ -74,6 +75,8 @@ class Comparing {
     read();
     sortRuns(runs_);
     if (task_.estimatesScale) readPictures();
+    if (runs_.empty())
+      throw DataError("compare: no map could be used: nothing is written, earlier results stay");
     CompareRunsOptions options = task_.options;
     options.forEach = forEach();
     for (std::size_t i = 0; i < runs_.size(); ++i)

@@ -37,8 +37,8 @@ struct ComparedMaps {
  * is read at the scale at which it fits the maps that have one (the reference alone, if it has
  * one); where there is none, it is left out as of another site. The same numbers for any order of
  * the files and any number of threads.
- *  @throws DataError where the reference or the file of names cannot be used, or no map tells the
- *  scale.
+ *  @throws DataError where no map at all, the reference or the file of names cannot be used, or no
+ *  map tells the scale.
  *  @throws UsageError where scales are to be estimated and no map is a bare picture. */
 ComparedMaps compareMaps(const CompareTask& task);
 

@@ -38,6 +38,14 @@ std::string pictureOf(const std::string& mapFile) {
   return {};
 }
 
+/** From the root, with the links that are there followed. */
+fs::path normalised(const std::string& file) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(file, error).lexically_normal();
+  const fs::path followed = fs::weakly_canonical(whole, error);
+  return error ? whole : followed;
+}
+
 void checkNotReplaced(const std::string& result, const std::string& input) {
   if (areSameFile(result, input))
     throw UsageError(result + ": would replace the map it is made from: choose another folder " +
@@ -49,6 +57,10 @@ void checkNotReplaced(const std::string& result, const std::string& input) {
 bool areSameFile(const std::string& one, const std::string& other) {
   std::error_code error;  // where one of them does not exist they are not the same
   return fs::equivalent(one, other, error) && !error;
+}
+
+bool wouldBeSameFile(const std::string& one, const std::string& other) {
+  return areSameFile(one, other) || normalised(one) == normalised(other);
 }
 
 std::string outputStem(const std::string& mapFile) {

@@ -15,6 +15,9 @@ std::string outputFile(const std::string& folder, const std::string& mapFile,
 /** Whether two names are of one file, which must exist. */
 bool areSameFile(const std::string& one, const std::string& other);
 
+/** Whether two names are of one file once both are written; none need be there yet. */
+bool wouldBeSameFile(const std::string& one, const std::string& other);
+
 /** Throws UsageError where two maps have a result of the same name, or where a result would replace
  *  one of the maps, or the picture that a ROS map names. */
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "output_names.h"
+#include "roomgraph/report/utf8_text.h"
 
 namespace roomgraph {
 namespace {
@@ -18,6 +20,14 @@ bool isUnique(const std::vector<std::string>& names, const std::string& name) {
   return std::count(names.begin(), names.end(), name) == 1;
 }
 
+/** The name, or with the first of "#2", "#3" and so on that is not taken; it is then. */
+std::string firstFree(const std::string& name, std::set<std::string>& taken) {
+  std::string result = name;
+  for (int time = 2; !taken.insert(result).second; ++time)
+    result = name + "#" + std::to_string(time);
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> runNames(const std::vector<std::string>& files) {
@@ -29,14 +39,18 @@ std::vector<std::string> runNames(const std::vector<std::string>& files) {
     stems.push_back(outputStem(file));
     longer.push_back(withFolder(file));
   }
+  std::set<std::string> taken;
+  std::map<std::string, std::string> nameOf;
+  for (std::size_t i = 0; i < different.size(); ++i) {
+    const bool isShort = isUnique(stems, stems[i]), isLong = isUnique(longer, longer[i]);
+    const std::string& name = isShort ? stems[i] : isLong ? longer[i] : different[i];
+    nameOf[different[i]] = firstFree(utf8Text(name), taken);
+  }
   std::vector<std::string> names;
-  std::map<std::string, int> times;
+  std::set<std::string> given;
   for (const std::string& file : files) {
-    std::string name = outputStem(file);
-    if (!isUnique(stems, name)) name = withFolder(file);
-    if (!isUnique(stems, outputStem(file)) && !isUnique(longer, name)) name = file;
-    const int time = ++times[file];
-    names.push_back(time == 1 ? name : name + "#" + std::to_string(time));
+    const std::string& name = nameOf[file];
+    names.push_back(given.insert(file).second ? name : firstFree(name, taken));
   }
   return names;
 }

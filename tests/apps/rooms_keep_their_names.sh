@@ -31,6 +31,21 @@ cmp site.json edited.json
 grep -q '^R3,Kitchen,room,' o2/comparison.rooms.csv || fail "the name is not used"
 ls -A | grep -q part && fail "a part of a file is left"
 
+# Where the gate strikes the results have the names, but the file is left as it was, or not made.
+rooms other.pgm
+grep -v '"id":"R4"' edited.json > site.json   # a room less than there is
+cp site.json before.json
+for file in site.json none.json; do
+  expect 3 "$roomgraph" compare a.gridmap.gz b.gridmap.gz other.pgm -o o4 --names "$file" \
+    --fail-on not-same-site
+  grep -q "^roomgraph: $file: left as it was" err || { cat err; fail "nothing said of $file"; }
+  [ -s o4/comparison.rooms.csv ] || fail "no results"
+done
+cmp site.json before.json
+[ ! -e none.json ] || fail "names of a bad night are kept"
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o4 --names site.json --fail-below 0
+cmp -s site.json before.json && fail "names of a good night are not kept"
+
 # A file that is broken, or of another site, is one line, and stays as it is.
 head -c 500 edited.json > site.json
 cp site.json before.json
@@ -45,3 +60,22 @@ expect 1 "$roomgraph" compare c.pgm d.pgm -o o3 --names site.json
 one_line err site.json
 cmp site.json edited.json
 expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o3 --names a.gridmap.gz
+
+# The names may not have the place of a result, whether it is there already or not.
+cp -r o2 before
+ln -s o2 link
+for name in comparison.json comparison.runs.csv comparison.rooms.csv comparison.3Dscene report.html; do
+  expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o2 --names "link/../o2/./$name"
+  one_line err "$name" --names
+  expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o new/er --names "$PWD/new//er/$name"
+  one_line err "$name" --names
+done
+expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o2 --names link/report.html
+diff -r o2 before
+[ ! -e new ] || fail "something was written"
+
+# A file keeps its permissions.
+cp edited.json site.json
+chmod 660 site.json
+(umask 077 && expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o2 --names site.json)
+[ "$(stat -c %a site.json)" = 660 ] || fail "other permissions"

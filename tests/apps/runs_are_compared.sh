@@ -65,9 +65,17 @@ expect 3 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o other --fai
 expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 90 \
   --fail-on coverage,not-same-site
 expect 3 "$roomgraph" compare a.gridmap.gz other.pgm -o gate --fail-below 90
+# Below 0 is no score, but a run may have none.
+expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 0
+expect 3 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o gate --fail-below 0
+grep -q '^roomgraph: other: has no score$' err || { cat err; fail "no score, and no complaint"; }
 
 expect 2 "$roomgraph" compare a.gridmap.gz
 expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-on nonsense
-expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --fail-below 200
+for below in 200 inf nan; do
+  expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o4 --fail-below="$below"
+  one_line err --fail-below "$below"
+  [ ! -e o4 ] || fail "compared without a gate"
+done
 expect 1 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --reference missing.pgm -o o3
 [ ! -e o3/comparison.json ] || fail "a comparison without its reference"

@@ -45,6 +45,27 @@ TEST(ComparisonReport, holdsVerdictRunsRoomsBreaksPairsAndWhatWasLeftOut) {
   EXPECT_EQ(count(html, "data-layer=\"run-"), 4u);
 }
 
+TEST(ComparisonReport, countsThePairsOfTheSiteOnly) {
+  SampleComparison more = sample();
+  for (const PreparedRun& run : sample().runs) {
+    ComparedPair pair;
+    pair.a = "garage", pair.b = run.name;
+    more.comparison.pairs.push_back(pair);
+  }
+  const std::string html = comparisonReport(more.comparison, more.runs, {});
+  EXPECT_NE(html.find("4 runs of one site, 6 pairs, 5 rooms and corridors"), std::string::npos);
+  EXPECT_EQ(count(html, ">garage<"), 5u) << "pairs with what is left out are in the table";
+}
+
+TEST(ComparisonReport, piecesOfAMapAreNotCalledBreaks) {
+  SampleComparison more = sample();
+  for (ComparedRun& run : more.comparison.runs)
+    run.measures.push_back({"brokenness", 1.5, "pieces", 900, {}, {}, true});
+  const std::string html = comparisonReport(more.comparison, more.runs, {});
+  EXPECT_EQ(count(html, ">Extra pieces"), 1u);
+  EXPECT_EQ(html.find("[pieces]"), std::string::npos);
+}
+
 TEST(ComparisonReport, namesAreTextAndNeverCode) {
   const std::string html = report();
   EXPECT_EQ(html.find("<script>window.struck"), std::string::npos);

@@ -45,6 +45,17 @@ TEST(WriteFile, followsALinkAndKeepsIt) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link"));
 }
 
+TEST(WriteFile, keepsThePermissionsOfTheFileThatItReplaces) {
+  using std::filesystem::perms;
+  const TestFolder folder;
+  writeFileAtomically(folder / "file", "old");
+  for (const int mode : {0664, 0600, 0666}) {  // the umask would take some of these away
+    std::filesystem::permissions(folder / "file", perms(mode));
+    writeFileAtomically(folder / "file", "new");
+    EXPECT_EQ(std::filesystem::status(folder / "file").permissions(), perms(mode));
+  }
+}
+
 /** The message, which must be one line that starts with the file's name. */
 std::string refusal(const std::string& path) {
   try {

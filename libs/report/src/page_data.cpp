@@ -9,6 +9,7 @@
 #include "base64.h"
 #include "roomgraph/report/names.h"
 #include "roomgraph/report/run_marks.h"
+#include "roomgraph/report/utf8_text.h"
 #include "site_pictures.h"
 
 namespace roomgraph {
@@ -140,11 +141,6 @@ std::string safeInScript(const std::string& json) {
 }
 
 }  // namespace
-
-std::string utf8Text(const std::string& text) {
-  const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
-  return Json::parse(json).get<std::string>();
-}
 
 std::string colourText(std::size_t run) {
   const Colour c = runColour(run);

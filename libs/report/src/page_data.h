@@ -12,9 +12,6 @@ namespace roomgraph {
  *  that may stand in a script element: it holds no '<', '>' or '&'. */
 std::string pageData(const Comparison& comparison, const std::vector<PreparedRun>& runs);
 
-/** The text as UTF-8: what is not gets a replacement sign. */
-std::string utf8Text(const std::string& text);
-
 /** "#rrggbb". */
 std::string colourText(std::size_t run);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "page_data.h"
 
@@ -51,7 +52,24 @@ std::string goneSentence(const Comparison& comparison) {
          " missing where a run has looked: " + listed(names) + ".";
 }
 
+/** Not those with a run that is left out. */
+std::size_t pairsOfSite(const Comparison& comparison) {
+  std::set<std::string> names;
+  for (const ComparedRun& run : comparison.runs) names.insert(run.name);
+  return std::size_t(std::count_if(
+      comparison.pairs.begin(), comparison.pairs.end(),
+      [&](const ComparedPair& pair) { return names.count(pair.a) && names.count(pair.b); }));
+}
+
 }  // namespace
+
+std::string pageCounts(const Comparison& comparison) {
+  std::string text = counted(comparison.runs.size(), "run", "runs") + " of one site, " +
+                     counted(pairsOfSite(comparison), "pair", "pairs");
+  if (!comparison.rooms.empty())
+    text += ", " + counted(comparison.rooms.size(), "room", "rooms and corridors");
+  return text;
+}
 
 std::vector<std::string> pageSummary(const Comparison& comparison) {
   std::vector<std::string> sentences;

@@ -6,6 +6,10 @@
 
 namespace roomgraph {
 
+/** How many runs, pairs of them and rooms are compared: "4 runs of one site, 6 pairs, 5 rooms and
+ *  corridors". */
+std::string pageCounts(const Comparison& comparison);
+
 /** What stands out, a plain sentence each: why the best run is best, which runs bend, which rooms
  *  are missing where a run has looked, what was left out. Empty for a site without anything. */
 std::vector<std::string> pageSummary(const Comparison& comparison);

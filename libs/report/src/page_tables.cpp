@@ -38,6 +38,11 @@ std::string rangeText(std::optional<double> low, std::optional<double> high, int
   return low && high ? fixedText(low, digits) + " – " + fixedText(high, digits) : "";
 }
 
+/** "[m]" for metres; nothing for shares, which say it themselves, and for what is counted. */
+std::string unitText(const std::string& unit) {
+  return unit == "1" || unit == "pieces" ? "" : "[" + unit + "]";
+}
+
 /** "wall_distance_p90" for people. */
 std::string measureName(const std::string& name) {
   static const std::map<std::string, std::string> names = {
@@ -60,7 +65,7 @@ std::string measureName(const std::string& name) {
       {"path_length_error", "Path lengths off, median"},
       {"path_frechet", "Paths apart (Fréchet), median"},
       {"nearest_vertex", "Nearest vertex, mean"},
-      {"brokenness", "Breaks"},
+      {"brokenness", "Extra pieces"},
       {"wall_doubling", "Walls drawn twice"},
       {"wall_sharpness", "Wall at the edge of free space"},
       {"scan_disagreement", "Scans off another visit, 9 of 10 below"}};
@@ -111,8 +116,7 @@ class Tables {
     for (const Measure& measure : allMeasures()) {
       data one;
       one.set("name", text(measureName(measure.name)));
-      one.set("unit",
-              std::string(measure.unit) == "1" ? "" : "[" + std::string(measure.unit) + "]");
+      one.set("unit", unitText(measure.unit));
       names << one;
     }
     return names;
@@ -248,16 +252,6 @@ data heatRows() {
   return rows;
 }
 
-std::string countsText(const Comparison& comparison) {
-  const std::size_t runs = comparison.runs.size(), pairs = comparison.pairs.size();
-  std::string result = std::to_string(runs) + (runs == 1 ? " run" : " runs") + " of one site, " +
-                       std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs");
-  if (!comparison.rooms.empty())
-    result += ", " + std::to_string(comparison.rooms.size()) +
-              (comparison.rooms.size() == 1 ? " room" : " rooms and corridors");
-  return result;
-}
-
 }  // namespace
 
 data pageTables(const Comparison& comparison, const std::vector<PreparedRun>& runs,
@@ -266,7 +260,7 @@ data pageTables(const Comparison& comparison, const std::vector<PreparedRun>& ru
   data page;
   page.set("version", version());
   page.set("verdict", text(comparison.verdict));
-  page.set("counts", countsText(comparison));
+  page.set("counts", pageCounts(comparison));
   data summary = list();
   for (const std::string& sentence : pageSummary(comparison)) summary << text(sentence);
   page.set("summary", summary);

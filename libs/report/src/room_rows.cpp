@@ -1,5 +1,6 @@
 #include "room_rows.h"
 
+#include "page_data.h"
 #include "page_values.h"
 
 namespace roomgraph {

@@ -1,84 +1,13 @@
 #include "roomgraph/report/write_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
-
-#include "roomgraph/base/Error.h"
+#include "roomgraph/report/StagedFiles.h"
 
 namespace roomgraph {
-namespace {
-
-namespace fs = std::filesystem;
-
-[[noreturn]] void fail(const std::string& path, int error) {
-  throw DataError(path + ": cannot be written (" + std::generic_category().message(error) +
-                  "): choose a folder that exists, may be written and has room");
-}
-
-/** A new file beside the target that goes away again unless it is renamed. */
-class PartFile {
- public:
-  explicit PartFile(const std::string& path) : path_(path) {
-    // Names that are taken belong to another writer, or to one that was stopped.
-    for (int attempt = 0; attempt < 1000 && descriptor_ < 0; ++attempt) {
-      name_ = path + ".part" + std::to_string(attempt);
-      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor_ < 0 && errno != EEXIST) fail(path, errno);
-    }
-    if (descriptor_ < 0) fail(path, EEXIST);
-  }
-  PartFile(const PartFile&) = delete;
-  PartFile& operator=(const PartFile&) = delete;
-  ~PartFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!isDone_) unlink(name_.c_str());
-  }
-
-  void write(const std::string& bytes) {
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-      const ssize_t count = ::write(descriptor_, bytes.data() + done, bytes.size() - done);
-      if (count < 0 && errno != EINTR) fail(path_, errno);
-      if (count > 0) done += std::size_t(count);
-    }
-    if (fsync(descriptor_) != 0) fail(path_, errno);
-  }
-
-  void becomeTarget() {
-    const int toClose = descriptor_;
-    descriptor_ = -1;
-    if (close(toClose) != 0) fail(path_, errno);
-    if (std::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, errno);
-    isDone_ = true;
-  }
-
- private:
-  std::string path_, name_;
-  int descriptor_ = -1;
-  bool isDone_ = false;
-};
-
-}  // namespace
 
 void writeFileAtomically(const std::string& path, const std::string& bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  // Renaming onto a device or a pipe would replace it.
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw DataError(path + ": cannot be written (not a regular file): choose another name");
-  std::string target = path;
-  if (fs::exists(status)) {
-    const fs::path followed = fs::canonical(path, error);
-    if (!error) target = followed.string();
-  }
-  PartFile file(target);
-  file.write(bytes);
-  file.becomeTarget();
+  StagedFiles files;
+  files.add(path, bytes);
+  files.commit();
 }
 
 }  // namespace roomgraph

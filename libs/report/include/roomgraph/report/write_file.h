@@ -5,7 +5,8 @@ namespace roomgraph {
 
 /** Writes `bytes` to `path` so that there is the old file or the whole new one at any time, even if
  *  the machine stops: a file of another name in the same folder is written, flushed to the disk and
- *  renamed. A link is followed. Nothing is left behind on failure.
+ *  renamed. A link is followed, and a file that is there already keeps its permissions. Nothing is
+ *  left behind on failure. For several files that belong together see StagedFiles.
  *  @throws DataError with one line (file, problem, remedy). */
 void writeFileAtomically(const std::string& path, const std::string& bytes);
 

@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace roomgraph {
+
+/** Files that take the place of older ones together. add() writes each under another name in its
+ *  folder and flushes it to the disk; commit() renames them all, which needs no more room. Whatever
+ *  fails or stops before, a full disk or a damaged input, leaves all older files as they were. */
+class StagedFiles {
+ public:
+  StagedFiles();
+  StagedFiles(const StagedFiles&) = delete;
+  StagedFiles& operator=(const StagedFiles&) = delete;
+  /** Removes what was added and is not renamed. */
+  ~StagedFiles();
+
+  /** A link is followed, and a file that is there already keeps its permissions. Nothing of this
+   *  file is left behind on failure.
+   *  @throws DataError with one line (file, problem, remedy). */
+  void add(const std::string& path, const std::string& bytes);
+
+  /** In the order in which they were added, each in one step. @throws DataError like add(); the
+   *  files before the one that fails are new then, the others old. */
+  void commit();
+
+ private:
+  class Part;
+  std::vector<std::unique_ptr<Part>> parts_;
+};
+
+}  // namespace roomgraph
