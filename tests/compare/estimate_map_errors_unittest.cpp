@@ -66,6 +66,18 @@ TEST(EstimateMapErrors, onlyTheRatioOfTheDeviationsCounts) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(one[i]->error, other[i]->error, 1e-4);
 }
 
+TEST(EstimateMapErrors, thatASmallPieceIsStraightSaysLittleAndThatItIsBentSaysAll) {
+  const auto errorOf = [](double share, double deviation) {
+    Bends bends = bendsOf({0.2, 0.2, 0.2, 0.2});
+    for (std::size_t i = 0; i < 3; ++i) bends[i][3].share = bends[3][i].share = share;
+    for (std::size_t i = 0; i < 4; ++i) bends[i][i] = {};
+    return estimateMapErrors(bends, {0.02, 0.02, 0.02, deviation}, {}, {})[3]->error;
+  };
+  EXPECT_GT(errorOf(0.3, 0.005), 1.3 * errorOf(1, 0.005));
+  EXPECT_LT(errorOf(0.3, 0.005), errorOf(0.3, 0.02));
+  EXPECT_GT(errorOf(0.05, 0.2), 3 * errorOf(0.05, 0.02));
+}
+
 TEST(EstimateMapErrors, theOrderOfTheMapsChangesNothing) {
   const std::vector<double> truth{0.05, 0.4, 0.2, 0.9};
   const auto forth = estimateMapErrors(bendsOf(truth), {0.01, 0.03, 0.02, 0.06}, {}, {});

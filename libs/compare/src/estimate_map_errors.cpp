@@ -121,8 +121,10 @@ class Problem {
 
   void addDeviation(Linearised& out, const VectorXd& x, Eigen::Index i) const {
     if (!told_[std::size_t(i)]) return;
-    const double e = std::exp(x[i]), w = options_.deviationWeight * mostShare_[std::size_t(i)];
+    const double e = std::exp(x[i]);
     const double r = std::log(e + options_.errorNoise) - *told_[std::size_t(i)] - x[n_];
+    const double share = r > 0 ? mostShare_[std::size_t(i)] : 1;
+    const double w = options_.deviationWeight * share * share;
     const double j = e / (e + options_.errorNoise);
     out.cost += w * r * r / 2;
     out.g[i] += w * r * j, out.g[n_] -= w * r;
@@ -135,7 +137,8 @@ class Problem {
   Eigen::Index n_;
   std::optional<std::size_t> truth_;
   std::vector<std::optional<double>> told_;  // log of what the deviation tells
-  // Deviations can be compared where the walls are the same: those of a small piece tell little.
+  // A small piece of a site deviates little, which says nothing of it; one that deviates much is
+  // bad.
   std::vector<double> mostShare_;
 };
 
