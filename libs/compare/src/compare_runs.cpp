@@ -140,7 +140,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   addBreaks(result, inSite, inPairs, options);
   addReasons(result);
   rank(result.runs);
-  result.rooms = siteRooms(inSite, result.runs);
+  result.rooms = siteRooms(inSite, result.runs, options.forEach);
   addPairs(result, runs, pairs, related, site, inSite, bends);
   addMeasures(result, inSite, inPairs, options.forEach);
   for (std::size_t i = 0; i < runs.size(); ++i)

@@ -37,9 +37,10 @@ struct Candidate {
 
 class Choosing {
  public:
-  Choosing(const SiteAreas& site, const MatchAreasOptions& options)
+  Choosing(const SiteAreas& site, const MatchAreasOptions& options, const ForEach& forEach)
       : site_(site),
         options_(options),
+        forEach_(forEach),
         isCovered_(site.frame.cellCount()),
         fits_(site.runs.size()) {
     order_.resize(site.runs.size());
@@ -74,11 +75,15 @@ class Choosing {
 
   /** The areas of the most trusted runs with the votes of those runs, best first. */
   std::vector<Candidate> candidates(const Left& left) const {
-    std::vector<Candidate> all;
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // voter, area
     const std::size_t voters = std::min(order_.size(), kMaxVoters);
     for (std::size_t v = 0; v < voters; ++v)
       for (std::size_t a = 0; a < site_.runs[order_[v]].shapes.size(); ++a)
-        if (isCandidate(left, order_[v], a)) all.push_back(candidate(v, a, voters, left));
+        if (isCandidate(left, order_[v], a)) places.emplace_back(v, a);
+    std::vector<Candidate> all(places.size());
+    forEach_(places.size(), [&](std::size_t i) {
+      all[i] = candidate(places[i].first, places[i].second, voters, left);
+    });
     const auto key = [&](const Candidate& c) {
       return std::make_tuple(-c.support, -site_.runs[c.source.run].shapes[c.source.area].area);
     };
@@ -139,12 +144,12 @@ class Choosing {
   }
 
   void matchRuns() {
-    result_.matches.clear();
-    for (std::size_t i = 0; i < site_.runs.size(); ++i) {
+    result_.matches.assign(site_.runs.size(), {});
+    forEach_(site_.runs.size(), [&](std::size_t i) {
       addFits(result_.rooms.shapes, site_.frame, site_.runs[i], options_.fit, fits_[i]);
-      result_.matches.push_back(
-          matchAreas(result_.rooms, fits_[i], site_.frame, site_.runs[i], options_));
-    }
+      result_.matches[i] =
+          matchAreas(result_.rooms, fits_[i], site_.frame, site_.runs[i], options_);
+    });
   }
 
   /** Two rooms are neighbours where most runs, by weight, say so. */
@@ -176,6 +181,7 @@ class Choosing {
 
   const SiteAreas& site_;
   const MatchAreasOptions& options_;
+  const ForEach& forEach_;
   std::vector<std::size_t> order_;  // runs, most trusted first
   std::vector<std::uint8_t> isCovered_;
   std::vector<RoomFits> fits_;  // by run
@@ -184,9 +190,10 @@ class Choosing {
 
 }  // namespace
 
-ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options) {
+ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options,
+                              const ForEach& forEach) {
   if (site.runs.empty()) return {};
-  return Choosing(site, options).run();
+  return Choosing(site, options, forEach).run();
 }
 
 }  // namespace roomgraph

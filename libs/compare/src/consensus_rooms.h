@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "match_areas.h"
+#include "roomgraph/compare/relate_runs.h"
 
 namespace roomgraph {
 
@@ -28,6 +29,7 @@ struct ConsensusRooms {
  * that have them are not much less trusted than the others: a bent map adds none. Narrow ends of
  * corridors that lead nowhere are no candidates. Does not depend
  * on the order of the runs but in exact ties. O(runs * rooms * samples). */
-ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options);
+ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options,
+                              const ForEach& forEach);
 
 }  // namespace roomgraph

@@ -59,12 +59,13 @@ MeasuredRun measured(const RunAreas& run, const ConsensusRooms& consensus, std::
   return result;
 }
 
-std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRooms& consensus) {
+std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRooms& consensus,
+                                      const ForEach& forEach) {
   std::vector<RoomOutline> outlines;
   for (const SiteShape& shape : consensus.rooms.shapes) outlines.emplace_back(shape.polygon);
-  std::vector<MeasuredRun> runs;
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    runs.push_back(measured(site.runs[i], consensus, i, outlines));
+  std::vector<MeasuredRun> runs(site.runs.size());
+  forEach(runs.size(),
+          [&](std::size_t i) { runs[i] = measured(site.runs[i], consensus, i, outlines); });
   return runs;
 }
 
@@ -243,19 +244,19 @@ std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const C
 
 }  // namespace
 
-std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<ComparedRun>& order) {
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<ComparedRun>& order,
+                                const ForEach& forEach) {
   const SiteAreas areas = siteAreas(site);
-  const ConsensusRooms consensus = consensusRooms(areas, {});
-  std::vector<SiteRoom> rooms;
-  std::vector<RoomDoors> doors;
-  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus);
+  const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
+  std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
+  std::vector<RoomDoors> doors(rooms.size());
+  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus, forEach);
   std::vector<RoomsInRun> inRuns;
-  inRuns.reserve(runs.size());
   for (const MeasuredRun& run : runs) inRuns.push_back(run.rooms);
-  for (std::size_t s = 0; s < consensus.rooms.shapes.size(); ++s) {
-    doors.push_back(roomDoors(areas, consensus, s, inRuns));
-    rooms.push_back(Ledger(areas, consensus, runs, doors.back(), s).room());
-  }
+  forEach(rooms.size(), [&](std::size_t s) {
+    doors[s] = roomDoors(areas, consensus, s, inRuns);
+    rooms[s] = Ledger(areas, consensus, runs, doors[s], s).room();
+  });
   number(rooms);
   std::map<std::string, std::size_t> placeOf;
   for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i].name] = i;
