@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -15,6 +14,7 @@ class DistinctMaps {
       std::size_t j = 0;
       while (j < i && !bends[i][j].areIdentical) ++j;
       first_.push_back(j);
+      count_ += j == i;
     }
   }
 
@@ -22,21 +22,18 @@ class DistinctMaps {
   std::size_t firstOf(std::size_t run) const { return first_[run]; }
   bool isFirst(std::size_t run) const { return first_[run] == run; }
 
-  std::size_t count() const {
-    std::size_t maps = 0;
-    for (std::size_t i = 0; i < first_.size(); ++i) maps += isFirst(i);
-    return maps;
-  }
+  std::size_t count() const { return count_; }
 
   /** Whether a run is measured against another one: against one run of each map, and against
    *  copies of its own only where there is no other map. */
   bool isMeasuredAgainst(std::size_t run, std::size_t other) const {
-    if (count() == 1) return run != other;
+    if (count_ == 1) return run != other;
     return isFirst(other) && firstOf(run) != other;
   }
 
  private:
   std::vector<std::size_t> first_;
+  std::size_t count_ = 0;
 };
 
 }  // namespace roomgraph

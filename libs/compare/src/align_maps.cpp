@@ -4,15 +4,15 @@
 #include <cmath>
 #include <tuple>
 
+#include "near_poses.h"
 #include "roomgraph/compare/alignment_confidence.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSameTurn = 0.03, kSamePlace = 0.3;    // poses worth one closer look [rad, m]
-constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are not the same answer
-constexpr double kNoRunnerUp = -4;                      // its log odds
-constexpr double kMuchBetter = 6;                       // the best pose's score where it is alone
+constexpr double kSameTurn = 0.03, kSamePlace = 0.3;  // poses worth one closer look [rad, m]
+constexpr double kNoRunnerUp = -4;                    // its log odds
+constexpr double kMuchBetter = 6;                     // the best pose's score where it is alone
 
 void sortByScore(std::vector<AlignmentCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -27,10 +27,6 @@ AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment
   c.evidence = verifyAlignment(a, b, c.pose, verify);
   c.score = alignmentScore(c.evidence);
   return c;
-}
-
-bool areNear(const Transform2D& l, const Transform2D& r, Point middle, double turn, double place) {
-  return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(middle), r(middle)) < place;
 }
 
 /** The best `count` of those that are not near a better one, improved; the best first. */

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "most_share.h"
 #include "roomgraph/base/median.h"
 
 namespace roomgraph {
@@ -29,10 +30,7 @@ class Problem {
                                                 std::log(*deviation + options.deviationNoise))
                                 : std::nullopt);
     if (truth) told_[*truth].reset();
-    for (const auto& row : bends) {
-      mostShare_.push_back(0);
-      for (const PairBend& pair : row) mostShare_.back() = std::max(mostShare_.back(), pair.share);
-    }
+    for (const auto& row : bends) mostShare_.push_back(mostShare(row));
   }
 
   /** Half the cost, with its gradient and the normal equations of a step. */

@@ -15,9 +15,9 @@ void measureOverOthers(Measure& measure, const std::vector<double>& supports, do
   measure.support = std::accumulate(supports.begin(), supports.end(), 0.0);
   measure.value = valueWithout(supports.size());
   measure.isMeaningful = measure.value && others >= kMinOthers && measure.support >= minSupport;
+  if (others > 1) measure.low = measure.high = measure.value;
   for (std::size_t j = 0; others > 1 && j < supports.size(); ++j) {
     if (supports[j] == 0) continue;
-    if (!measure.low) measure.low = measure.high = measure.value;
     const std::optional<double> without = valueWithout(j);
     if (!without) continue;
     measure.low = std::min(measure.low.value_or(*without), *without);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "are_identical.h"
+#include "near_poses.h"
 #include "roomgraph/compare/alignment_confidence.h"
 
 namespace roomgraph {
@@ -22,13 +23,8 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
 
 constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
 constexpr double kSure = 0.5;       // confidence of a pose that others may follow from
-constexpr double kSameTurn = 0.05, kSamePlace = 0.5;    // pieces with one pose [rad, m]
-constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are another answer
+constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
-
-bool areNear(const Transform2D& l, const Transform2D& r, Point at, double turn, double place) {
-  return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(at), r(at)) < place;
-}
 
 bool isSure(const MapPair& pair) { return pair.alignment.confidence >= kSure; }
 

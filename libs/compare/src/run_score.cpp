@@ -5,6 +5,7 @@
 #include <string>
 
 #include "DistinctMaps.h"
+#include "most_share.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {
@@ -47,13 +48,6 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
   score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
-}
-
-/** The largest share of its walls that a run has in common with another. */
-double mostShare(const std::vector<PairBend>& pairs) {
-  double most = 0;
-  for (const PairBend& pair : pairs) most = std::max(most, pair.share);
-  return most;
 }
 
 /** Sets trust, then each run's bend away from the others as their trust weighs it. */
