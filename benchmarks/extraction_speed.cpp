@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,10 +92,11 @@ double cpuSeconds() {
 
 /** Shares the CPU time of an extraction out by the steps' own clocks. */
 Whole timesAfterSites(const Stages& stages, double seconds) {
+  const std::set<std::string> beforeSites{"binarize", "thin_obstacles", "obstacle_sites"};
   double all = 0, before = 0, areas = 0;
   for (const StageTiming& timing : stages.timings) {
     all += timing.seconds;
-    if (timing.stage == "binarize" || timing.stage == "obstacle_sites") before += timing.seconds;
+    if (beforeSites.count(timing.stage)) before += timing.seconds;
     if (timing.stage == "area_graph") areas += timing.seconds;
   }
   return {seconds * (all - before - areas) / all, seconds * (all - before) / all};

@@ -1,9 +1,10 @@
 #include "roomgraph/pipeline/extract.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <utility>
 
+#include "StepTimer.h"
 #include "roomgraph/areas/area_graph.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/cut_paths.h"
@@ -16,22 +17,7 @@ namespace roomgraph {
 namespace {
 
 /** Paper III-D: a cut this near to the end of a path is none [m]. */
-constexpr double kCutEpsilon = 1e-8;
-
-class Stopwatch {
- public:
-  explicit Stopwatch(std::vector<StageTiming>& timings) : timings_(timings) {}
-
-  void lap(const char* stage) {
-    const auto now = std::chrono::steady_clock::now();
-    timings_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
-    last_ = now;
-  }
-
- private:
-  std::vector<StageTiming>& timings_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+constexpr double kEpsilon = 1e-8;
 
 bool hasAny(const Grid& grid, State state) {
   return std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end();
@@ -41,6 +27,22 @@ bool hasAny(const Grid& grid, State state) {
 double discRadius(const FindRoomsOptions& options, double resolution, double clearance) {
   const double radius = roomRadius(options, resolution);
   return radius > 0 ? std::max(radius, clearance) : 0;
+}
+
+/** What the steps need to know of the map and the options. */
+Stages prepared(const GreyMap& map, const ExtractOptions& options) {
+  Stages s;
+  s.options = options;
+  s.source = map.source;
+  s.notes = map.notes;
+  s.clearance = effectiveClearance(options.keepClear, map.frame.resolution);
+  s.roomRadius = discRadius(options.findRooms, map.frame.resolution, s.clearance);
+  return s;
+}
+
+/** Without unknown cells a map is a drawing: beyond its border is outside, not unknown. */
+bool ringIsObstacle(const Stages& s) {
+  return s.options.thinObstacles.unknownIsObstacle && hasAny(s.grid, State::unknown);
 }
 
 /** III-B with one alpha, or ours. */
@@ -54,13 +56,13 @@ Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, co
 }
 
 /** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
-RegionOutlines outlineRegions(const Stages& s, Stopwatch& watch) {
-  const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.sites, s.cleared.isClutter);
-  const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, s.options.keepInside);
-  watch.lap("voronoi_without");
-  const Regions regions = findRegions(voronoi, isInside, s);
-  watch.lap("find_rooms");
-  return regionOutlines(s.cleared.grid, voronoi, isInside, regions);
+RegionOutlines outlineRegions(const Stages& s, const StepTimer& timed) {
+  const VoronoiGraph voronoi =
+      timed("voronoi_without", voronoiWithout, s.voronoi, s.sites, s.cleared.isClutter);
+  const InsideFlags isInside =
+      timed("keep_inside", keepInside, voronoi, s.cleared.grid, s.options.keepInside);
+  const Regions regions = timed("find_rooms", findRegions, voronoi, isInside, s);
+  return timed("region_outlines", regionOutlines, s.cleared.grid, voronoi, isInside, regions);
 }
 
 Note clutterNote(const std::vector<Clutter>& clutter) {
@@ -94,60 +96,38 @@ void addNotes(Stages& s) {
 }  // namespace
 
 Stages extract(const GreyMap& map, const ExtractOptions& options) {
-  Stages s;
-  s.options = options;
-  s.source = map.source;
-  s.notes = map.notes;
+  Stages s = prepared(map, options);
+  const StepTimer timed(s.timings);
   const double resolution = map.frame.resolution;
-  s.clearance = effectiveClearance(options.keepClear, resolution);
-  s.roomRadius = discRadius(options.findRooms, resolution, s.clearance);
   const double minLength = shortLength(options.shortDeadEnds, resolution);
-  Stopwatch watch(s.timings);
 
   // IV-C: threshold and thinning
-  s.grid = binarize(map, options.binarize);
-  watch.lap("binarize");
-  // Without unknown cells a map is a drawing: beyond its border is outside, not unknown.
-  const bool ringIsObstacle =
-      options.thinObstacles.unknownIsObstacle && hasAny(s.grid, State::unknown);
-  s.sites = obstacleSites(s.grid, thinObstacles(s.grid, options.thinObstacles), ringIsObstacle);
-  watch.lap("obstacle_sites");
+  s.grid = timed("binarize", binarize, map, options.binarize);
+  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, options.thinObstacles);
+  s.sites = timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
 
   // III-A: the topology graph
-  s.voronoi = voronoiGraph(s.sites);
-  watch.lap("voronoi_graph");
-  s.isInside = keepInside(s.voronoi, s.grid, options.keepInside);
-  watch.lap("keep_inside");
-  s.clearEdges = keepClear(s.voronoi, s.isInside, s.clearance);
-  watch.lap("keep_clear");
-  s.topology = topologyGraph(s.voronoi, s.clearEdges);
-  watch.lap("topology_graph");
-  s.pruned = removeDeadEnds(s.topology, options.deadEnds, resolution);
-  watch.lap("dead_ends");
-  s.joinedUp = joinVertices(s.pruned, options.joinVertices, resolution);
-  watch.lap("join_vertices");
-  s.largest = keepLargest(s.joinedUp, options.keepLargest, s.notes);
-  watch.lap("keep_largest");
+  s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
+  s.isInside = timed("keep_inside", keepInside, s.voronoi, s.grid, options.keepInside);
+  s.clearEdges = timed("keep_clear", keepClear, s.voronoi, s.isInside, s.clearance);
+  s.topology = timed("topology_graph", topologyGraph, s.voronoi, s.clearEdges);
+  s.pruned = timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution);
+  s.joinedUp = timed("join_vertices", joinVertices, s.pruned, options.joinVertices, resolution);
+  s.largest = timed("keep_largest", keepLargest, s.joinedUp, options.keepLargest, s.notes);
 
   // III-B to III-G: the rooms
-  s.cleared = clearClutter(s.grid, s.sites, options.clearClutter);
-  watch.lap("clear_clutter");
-  s.outlines = outlineRegions(s, watch);
+  s.cleared = timed("clear_clutter", clearClutter, s.grid, s.sites, options.clearClutter);
+  s.outlines = outlineRegions(s, timed);
   s.rooms = s.outlines.rooms();
-  watch.lap("region_outlines");
-  s.stretches = borderVertices(s.largest, s.rooms, s.clearance, kCutEpsilon);
-  watch.lap("border_vertices");
-  s.cut = roomIds(cutPaths(s.largest, s.stretches), s.rooms, minLength);
-  watch.lap("cut_paths");
-  s.cleaned = removeShortDeadEnds(s.cut, minLength);
-  watch.lap("short_dead_ends");
-  s.doors = joinDoors(s.cleaned, options.joinDoors);
-  watch.lap("join_doors");
-  s.result =
-      roomGraph(s.doors, s.rooms, ObstacleRows(s.sites), s.clearance, options.roomGraph, s.notes);
-  watch.lap("room_graph");
-  s.areas = areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
-  watch.lap("area_graph");
+  s.stretches = timed("border_vertices", borderVertices, s.largest, s.rooms, s.clearance, kEpsilon);
+  s.cut = timed("cut_paths", cutPaths, s.largest, s.stretches);
+  s.cut = timed("room_ids", roomIds, std::move(s.cut), s.rooms, minLength);
+  s.cleaned = timed("short_dead_ends", removeShortDeadEnds, s.cut, minLength);
+  s.doors = timed("join_doors", joinDoors, s.cleaned, options.joinDoors);
+  s.result = timed("room_graph", roomGraph, s.doors, s.rooms, ObstacleRows(s.sites), s.clearance,
+                   options.roomGraph, s.notes);
+  s.areas =
+      timed("area_graph", areaGraph, s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   addNotes(s);
   return s;
 }
