@@ -1,6 +1,8 @@
 #include "roomgraph/grid/load_keyframes.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <cmath>
 
@@ -9,6 +11,10 @@
 
 namespace roomgraph {
 namespace {
+
+mrpt::obs::CObservation2DRangeScan& scanOf(mrpt::maps::CSimpleMap& map, std::size_t entry) {
+  return dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**map.getAsPair(entry).sf->begin());
+}
 
 TEST(LoadKeyframes, givesEachScanWithWhatItsBeamsMet) {
   const test::TempDir dir;
@@ -33,6 +39,32 @@ TEST(LoadKeyframes, leavesOutWhatIsTooFar) {
     EXPECT_LT(frame.ends.size(), 39u);
     for (const Point end : frame.ends) EXPECT_LE(norm(end), 2.2);
   }
+}
+
+TEST(LoadKeyframes, tellsWhenAScanWasTakenWhereTheFileDoes) {
+  const test::TempDir dir;
+  auto map = test::smallSimplemap();
+  scanOf(map, 1).timestamp = INVALID_TIMESTAMP;
+  const auto frames = loadKeyframes(dir.write("map", test::streamed(map)), 30);
+  ASSERT_EQ(frames.size(), 3u);
+  ASSERT_TRUE(frames[0].time && frames[2].time);
+  EXPECT_NEAR(*frames[0].time, 1.7e9 - 0.5, 1e-6);
+  EXPECT_NEAR(*frames[2].time, 1.7e9 + 0.5, 1e-6);
+  EXPECT_FALSE(frames[1].time);
+}
+
+TEST(LoadKeyframes, theSameRangesAreTheSameScanWhereverTheyWereTaken) {
+  const test::TempDir dir;
+  auto map = test::smallSimplemap();
+  const auto before = loadKeyframes(dir.write("map", test::streamed(map)), 30);
+  EXPECT_NE(before[0].scanId, before[1].scanId);
+  dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(*map.getAsPair(0).pose).mean.x(7);
+  scanOf(map, 1).setScanRange(3, 1);
+  scanOf(map, 2).setScanRangeValidity(4, false);
+  const auto after = loadKeyframes(dir.write("map", test::streamed(map)), 30);
+  EXPECT_EQ(after[0].scanId, before[0].scanId);
+  EXPECT_NE(after[1].scanId, before[1].scanId);
+  EXPECT_NE(after[2].scanId, before[2].scanId);
 }
 
 TEST(LoadKeyframes, otherMapsHaveNone) {

@@ -88,6 +88,7 @@ mrpt::maps::CSimpleMap smallSimplemap() {
     scan->aperture = float(M_PI);
     scan->maxRange = 10;
     scan->sensorLabel = "laser";
+    scan->timestamp = mrpt::Clock::fromDouble(1.7e9 + x);
     scan->resizeScan(40);
     for (std::size_t i = 0; i < 40; ++i) {
       const double angle = -M_PI / 2 + M_PI * double(i) / 40;

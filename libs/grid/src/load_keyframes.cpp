@@ -1,9 +1,11 @@
 #include "roomgraph/grid/load_keyframes.h"
 
+#include <mrpt/core/Clock.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
+#include <array>
 #include <cmath>
-#include <exception>
+#include <cstring>
 
 #include "read_scans.h"
 #include "roomgraph/base/Error.h"
@@ -13,10 +15,24 @@
 namespace roomgraph {
 namespace {
 
+/** FNV-1a over the ranges and which of them are valid. */
+std::uint64_t scanIdOf(const mrpt::obs::CObservation2DRangeScan& scan) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    const float range = scan.getScanRangeValidity(i) ? scan.getScanRange(i) : -1;
+    std::array<std::uint8_t, sizeof range> bytes;
+    std::memcpy(bytes.data(), &range, sizeof range);
+    for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
+  }
+  return hash;
+}
+
 Keyframe keyframeOf(const mrpt::poses::CPose3D& robot,
                     const mrpt::obs::CObservation2DRangeScan& scan, double maxRange) {
   Keyframe frame;
   frame.pose = {robot.x(), robot.y(), robot.yaw()};
+  if (scan.timestamp != INVALID_TIMESTAMP) frame.time = mrpt::Clock::toDouble(scan.timestamp);
+  frame.scanId = scanIdOf(scan);
   const auto& sensor = scan.sensorPose;
   const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
   const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;

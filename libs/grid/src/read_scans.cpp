@@ -44,16 +44,21 @@ void readBeams(ByteReader& in, int version, CObservation2DRangeScan& scan) {
   }
 }
 
-/** What stands behind the beams, none of which matters for a grid. */
-void skipScanEnd(ByteReader& in, int version, std::size_t beams) {
+/** Counts 100 ns from 1601 on; 0 stands for none. */
+mrpt::Clock::time_point readTime(ByteReader& in) {
+  return mrpt::Clock::time_point(mrpt::Clock::duration(in.get<std::int64_t>()));
+}
+
+/** What stands behind the beams. */
+void readScanEnd(ByteReader& in, int version, CObservation2DRangeScan& scan) {
   if (version >= 2) in.skip(4);  // standard deviation
-  if (version >= 3) in.skip(8);  // time
+  scan.timestamp = version >= 3 ? readTime(in) : INVALID_TIMESTAMP;
   if (version >= 4) in.skip(4);  // beam aperture
   if (version >= 5) {
     in.skip(in.get<std::uint32_t>());  // label
     in.skip(8);                        // pitch
   }
-  if (version >= 7 && in.getFlag()) in.skip(std::uint64_t(beams) * 4);  // intensity
+  if (version >= 7 && in.getFlag()) in.skip(std::uint64_t(scan.getScanSize()) * 4);  // intensity
 }
 
 void readScan(ByteReader& in, const ObjectHeader& header, CObservation2DRangeScan& scan) {
@@ -66,7 +71,7 @@ void readScan(ByteReader& in, const ObjectHeader& header, CObservation2DRangeSca
   scan.sensorPose = readPose3D(in);
   if (header.version < 6) skipMatrix(in);
   readBeams(in, header.version, scan);
-  skipScanEnd(in, header.version, scan.getScanSize());
+  readScanEnd(in, header.version, scan);
   readObjectEnd(in, header);
 }
 

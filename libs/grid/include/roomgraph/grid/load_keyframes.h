@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,9 +10,13 @@ namespace roomgraph {
 
 /** What a robot saw from one place. */
 struct Keyframe {
-  Transform2D pose;  ///< map <- robot
-  std::vector<Point>
-      ends;  ///< where beams met something, in the order of the scan [m, robot frame]
+  Transform2D pose;            ///< map <- robot
+  std::optional<double> time;  ///< of the scan [s since 1970, UTC]; none where the file has none
+  /** The same for the same ranges, whatever the pose and the version of the file: two runs over one
+   *  log share their scans. Other scans differ but for chance. */
+  std::uint64_t scanId = 0;
+  /** Where beams met something, in the order of the scan [m, robot frame]. */
+  std::vector<Point> ends;
 };
 
 /** The horizontal 2D range scans of a simplemap, in the order of the file; empty for every other
