@@ -39,7 +39,7 @@ struct Outline {
 /** The bounded parts of what the alpha shape leaves empty. A single obstacle edge parts two of
  *  them, so the general mode decides; what encloses nothing does not count, as in the regularised
  *  one. Faces are collected one by one: CGAL's own extraction of rings splits or joins polygons
- * that touch in a vertex as its walk happens to go. */
+ *  that touch in a vertex as its walk happens to go. */
 class Oracle {
  public:
   Oracle(const ObstacleSites& sites, double alpha) {

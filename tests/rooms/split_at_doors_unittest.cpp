@@ -6,56 +6,16 @@
 #include <map>
 #include <random>
 
-#include "MapText.h"
+#include "plan.h"
 #include "random_maps.h"
-#include "roomgraph/grid/thin_obstacles.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {
-
-struct Inside {
-  Grid grid;
-  VoronoiGraph voronoi;
-  InsideFlags isInside;
-};
-
-Inside insideOf(const MapText& map) {
-  Inside inside{gridOf(map), {}, {}};
-  inside.voronoi = voronoiGraph(obstacleSites(inside.grid, thinObstacles(inside.grid, {}), false));
-  inside.isInside = keepInside(inside.voronoi, inside.grid, {});
-  return inside;
-}
 
 Regions split(const Inside& inside, const SplitAtDoorsOptions& options = {}) {
   const double resolution = inside.grid.frame.resolution;
   return splitAtDoors(inside.voronoi, inside.isInside, 0.75 * resolution, resolution, options);
 }
-
-/** Free cells (side 0.2 m) with a wall round them; then walls that leave out their gaps. */
-class Plan {
- public:
-  Plan(int width, int height)
-      : rows_(std::size_t(height + 2), std::string(std::size_t(width + 2), '.')) {
-    wall(0, 0, width + 2, 1);
-    wall(0, height + 1, width + 2, 1);
-    wall(0, 0, 1, height + 2);
-    wall(width + 1, 0, 1, height + 2);
-  }
-
-  Plan& wall(int x, int y, int width, int height, char sign = '#') {
-    for (int row = y; row < y + height; ++row)
-      for (int column = x; column < x + width; ++column)
-        rows_[std::size_t(row)][std::size_t(column)] = sign;
-    return *this;
-  }
-  Plan& gap(int x, int y, int width, int height) { return wall(x, y, width, height, '.'); }
-
-  Inside inside() const { return insideOf(drawn(rows_, 0.2)); }
-
- private:
-  std::vector<std::string> rows_;
-};
 
 TEST(SplitAtDoors, aDoorPartsTwoRooms) {
   const Regions regions = split(Plan(41, 20).wall(21, 1, 1, 20).gap(21, 8, 1, 5).inside());

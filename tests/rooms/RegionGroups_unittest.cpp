@@ -1,0 +1,86 @@
+#include "RegionGroups.h"
+
+#include <gtest/gtest.h>
+
+#include "plan.h"
+
+namespace roomgraph::test {
+namespace {
+
+/** Four places in a row, with the narrowest one between the second and the third. */
+VoronoiGraph row() {
+  VoronoiGraph graph;
+  graph.sites = {{0, 3}, {0, -3}};
+  graph.vertices = {{{0, 0}, 3}, {{4, 0}, 2}, {{8, 0}, 2.5}, {{12, 0}, 1}};
+  graph.edges = {{0, 1, 0, 1, 1.5},
+                 {1, 2, 0, 1, 0.7},
+                 {2, 3, 0, 1, 0.9},
+                 {3, VoronoiEdge::kNoVertex, 0, 1, 0.9}};
+  return graph;
+}
+
+using Edges = std::vector<std::uint32_t>;
+
+TEST(RegionGroups, edgesRunFromWideToNarrow) {
+  const VoronoiGraph graph = row();
+  EXPECT_EQ(RegionGroups(graph, InsideFlags(4, 1), 0, 0).edges(), (Edges{0, 2, 1}));
+}
+
+TEST(RegionGroups, edgesAreWideEnoughAndInside) {
+  const VoronoiGraph graph = row();
+  EXPECT_EQ(RegionGroups(graph, InsideFlags(4, 1), 0.9, 0).edges(), (Edges{0, 2}));
+  EXPECT_EQ(RegionGroups(graph, {1, 1, 1, 0}, 0, 0).edges(), (Edges{0, 1}));
+}
+
+TEST(RegionGroups, widthsAreFreeOfTheCells) {
+  const VoronoiGraph graph = row();
+  const InsideFlags all(4, 1);
+  const RegionGroups regions(graph, all, 0, 0.8);
+  EXPECT_DOUBLE_EQ(regions.radius(0), 2.2);
+  EXPECT_DOUBLE_EQ(regions.clearance(graph.edges[0]), 0.7);
+  EXPECT_EQ(regions.clearance(graph.edges[1]), 0) << "never below nothing";
+}
+
+TEST(RegionGroups, joinedRegionsHaveTheLargerDisc) {
+  const VoronoiGraph graph = row();
+  const InsideFlags all(4, 1);
+  RegionGroups regions(graph, all, 0, 0);
+  regions.join(3, 2);
+  regions.join(1, 3);
+  EXPECT_EQ(regions.find(1), regions.find(2));
+  EXPECT_NE(regions.find(0), regions.find(1));
+  EXPECT_DOUBLE_EQ(regions.radius(regions.find(3)), 2.5);
+}
+
+TEST(RegionGroups, neighboursMeetInTheWidestOfTheirPassages) {
+  VoronoiGraph graph = row();
+  graph.edges.push_back({0, 3, 0, 1, 1.2});
+  const InsideFlags all(4, 1);
+  RegionGroups regions(graph, all, 0, 0);
+  regions.join(0, 1);
+  regions.join(2, 3);
+  const auto neighbours = regions.neighbours();
+  ASSERT_EQ(neighbours.size(), 2u);
+  const RegionGroups::Passage& passage = neighbours.at(regions.find(0)).at(regions.find(2));
+  EXPECT_EQ(passage.count, 2);
+  EXPECT_DOUBLE_EQ(passage.clearance, 1.2);
+  EXPECT_EQ(regions.edges(), (Edges{4, 1})) << "those between different regions";
+}
+
+TEST(RegionGroups, aSquareHasAnElongationOfOne) {
+  // Wall cells stand half a cell outside of what is free.
+  const Inside square = Plan(20, 20).inside(), corridor = Plan(80, 20).inside();
+  const auto elongationOf = [](const Inside& inside) {
+    RegionGroups regions(inside.voronoi, inside.isInside, 0, 0);
+    for (const std::uint32_t e : Edges(regions.edges()))
+      regions.join(inside.voronoi.edges[e].source, inside.voronoi.edges[e].target);
+    regions.sumAreas();
+    const auto first = std::find(inside.isInside.begin(), inside.isInside.end(), 1);
+    return regions.elongation(regions.find(std::uint32_t(first - inside.isInside.begin())));
+  };
+  EXPECT_NEAR(elongationOf(square), 1, 0.02);
+  EXPECT_NEAR(elongationOf(corridor), 81.0 / 21, 0.05);
+}
+
+}  // namespace
+}  // namespace roomgraph::test

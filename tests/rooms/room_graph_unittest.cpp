@@ -1,0 +1,77 @@
+#include "roomgraph/rooms/room_graph.h"
+
+#include <gtest/gtest.h>
+
+#include "cut_graph.h"
+#include "roomgraph/topology/invariants.h"
+
+namespace roomgraph::test {
+namespace {
+
+const ObstacleSites kNoObstacle{{1, 1, 1, {}}, {}};
+
+TEST(RoomGraph, numbersRoomsAnewAndTellsOfThoseLeftOut) {
+  const Rooms rooms{squareRoom(20, 20), squareRoom(0, 0)};
+  const TopologyGraph cut = cutAtRooms(line({{2, 2}, {9, 2}}), rooms, 1);
+  Notes notes;
+  const RoomGraph result = roomGraph(cut, rooms, ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  ASSERT_EQ(result.rooms.size(), 1u);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0].code, "room_unreached");
+  EXPECT_EQ(result.rooms[0].borderVertices.size(), 1u);
+  const Vertex& vertex = result.graph.vertex(result.rooms[0].vertex);
+  EXPECT_EQ(vertex.room, RoomId(0));
+  EXPECT_NEAR(distance(vertex.at, {2, 2}), 0, 1e-12);
+}
+
+TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
+  // A crossing in the middle of the room, with two ways out.
+  const TopologyGraph graph({{{1.5, 1.5}, 1, VertexKind::junction, {}},
+                             {{9, 1.5}, 1, VertexKind::deadEnd, {}},
+                             {{1.5, 9}, 1, VertexKind::deadEnd, {}},
+                             {{0.5, 0.5}, 1, VertexKind::deadEnd, {}}},
+                            {{VertexId(0), VertexId(1), straight({{1.5, 1.5}, {9, 1.5}}), {}},
+                             {VertexId(0), VertexId(2), straight({{1.5, 1.5}, {1.5, 9}}), {}},
+                             {VertexId(0), VertexId(3), straight({{1.5, 1.5}, {0.5, 0.5}}), {}}});
+  const Rooms rooms{squareRoom(0, 0)};
+  Notes notes;
+  const RoomGraph result = roomGraph(cutAtRooms(graph, rooms, 1), rooms, ObstacleRows(kNoObstacle),
+                                     kClearance, {}, notes);
+  EXPECT_TRUE(notes.empty());
+  ASSERT_EQ(result.rooms.size(), 1u);
+  EXPECT_EQ(result.rooms[0].borderVertices.size(), 2u);
+  EXPECT_EQ(countOf(result.graph, VertexKind::room), 1u);
+  EXPECT_EQ(countOf(result.graph, VertexKind::junction), 0u) << "it lay inside";
+  EXPECT_EQ(result.graph.edges().size(), 4u) << "two in the room, two corridors";
+  EXPECT_NEAR(distance(result.rooms[0].center, {2, 2}), 0, 1e-12) << "the centroid";
+  EXPECT_TRUE(brokenInvariants(result.graph, 0).empty());
+}
+
+TEST(RoomGraph, aRoomWithoutAWayOutIsAVertexWithoutEdges) {
+  const Rooms rooms{squareRoom(0, 0)};
+  Notes notes;
+  const RoomGraph result = roomGraph(cutAtRooms(line({{1, 1}, {3, 3}}), rooms, 1), rooms,
+                                     ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  ASSERT_EQ(result.rooms.size(), 1u);
+  EXPECT_TRUE(result.rooms[0].borderVertices.empty());
+  EXPECT_EQ(result.graph.vertices().size(), 1u);
+  EXPECT_TRUE(result.graph.edges().empty());
+}
+
+TEST(RoomGraph, doesNotStandWhereAnObstacleIs) {
+  // A pillar at the centroid: the vertex moves onto the path, unless straight edges are asked for.
+  const ObstacleSites pillar{{8, 8, 0.5, {0, 0}}, {{3, 3}, {3, 4}, {4, 3}, {4, 4}}};
+  const Rooms rooms{squareRoom(0, 0)};
+  const TopologyGraph cut = cutAtRooms(line({{1, 0.8}, {3, 0.8}, {9, 0.8}}), rooms, 1);
+  Notes notes;
+  const auto centre = [&](bool straightEdges) {
+    RoomGraphOptions options;
+    options.straightEdges = straightEdges;
+    return roomGraph(cut, rooms, ObstacleRows(pillar), kClearance, options, notes).rooms[0].center;
+  };
+  EXPECT_NEAR(distance(centre(true), {2, 2}), 0, 1e-12);
+  EXPECT_NEAR(centre(false).y, 0.8, 1e-12);
+}
+
+}  // namespace
+}  // namespace roomgraph::test

@@ -1,0 +1,63 @@
+#include "roomgraph/rooms/room_ids.h"
+
+#include <gtest/gtest.h>
+
+#include "cut_graph.h"
+
+namespace roomgraph::test {
+namespace {
+
+TEST(RoomIds, aVertexOnThePolygonBecomesABorderVertex) {
+  // III-D, case A: the path is crossed at its source or target.
+  const Rooms rooms{squareRoom(0, 0)};
+  const TopologyGraph graph({{{2, 2}, 1, VertexKind::deadEnd, {}},
+                             {{4, 2}, 1, VertexKind::junction, {}},
+                             {{9, 2}, 1, VertexKind::deadEnd, {}}},
+                            {{VertexId(0), VertexId(1), straight({{2, 2}, {4, 2}}), {}},
+                             {VertexId(2), VertexId(1), straight({{9, 2}, {4, 2}}), {}}});
+  const auto stretches = borderVertices(graph, rooms, kClearance, kEpsilon);
+  EXPECT_EQ(stretches[0].size(), 1u);
+  EXPECT_EQ(stretches[1].size(), 1u);
+  const TopologyGraph ids = roomIds(cutPaths(graph, stretches), rooms, 1);
+  EXPECT_EQ(ids.vertices()[1].kind, VertexKind::border);
+  EXPECT_EQ(ids.vertices()[1].room, RoomId(0));
+  EXPECT_EQ(ids.vertices()[0].room, RoomId(0));
+  EXPECT_FALSE(ids.vertices()[2].room);
+}
+
+/** The corridor's room of a path from the middle of a room through its right side to `x`. */
+RoomId roomOfDeadEnd(double x) {
+  return cutAtRooms(line({{2, 2}, {x, 2}}), {squareRoom(0, 0)}, 1).edges()[1].room;
+}
+
+TEST(RoomIds, aShortDeadEndBelongsToItsRoom) {
+  // III-E, case B.
+  EXPECT_EQ(roomOfDeadEnd(4.9), RoomId(0));
+  EXPECT_FALSE(roomOfDeadEnd(5.1));
+}
+
+TEST(RoomIds, aLoneVertexGetsTheRoomAtItsPlace) {
+  const TopologyGraph lone(
+      {{{1, 1}, 1, VertexKind::junction, {}}, {{9, 1}, 1, VertexKind::junction, {}}}, {});
+  const TopologyGraph ids = roomIds(lone, {squareRoom(0, 0)}, 1);
+  EXPECT_EQ(ids.vertices()[0].room, RoomId(0));
+  EXPECT_FALSE(ids.vertices()[1].room);
+}
+
+TEST(RoomIds, aPathThatOnlyClipsACornerIsNotInTheRoom) {
+  // One way leads through the room, the other, which is not connected to it there, clips it.
+  const TopologyGraph graph({{{-3, 2}, 1, VertexKind::deadEnd, {}},
+                             {{9, 2}, 1, VertexKind::deadEnd, {}},
+                             {{-1, 3}, 1, VertexKind::deadEnd, {}},
+                             {{1, 5}, 1, VertexKind::deadEnd, {}}},
+                            {{VertexId(0), VertexId(1), straight({{-3, 2}, {9, 2}}), {}},
+                             {VertexId(2), VertexId(3), straight({{-1, 2.5}, {1.5, 5}}), {}}});
+  const TopologyGraph ids = cutAtRooms(graph, {squareRoom(0, 0)}, 0);
+  ASSERT_EQ(ids.edges().size(), 6u);
+  EXPECT_EQ(ids.edges()[1].room, RoomId(0)) << "the long way";
+  EXPECT_FALSE(ids.edges()[4].room) << "the corner";
+  EXPECT_EQ(countOf(ids, VertexKind::border), 2u) << "those of the long way";
+}
+
+}  // namespace
+}  // namespace roomgraph::test
