@@ -1,0 +1,61 @@
+#include "roomgraph/topology/dead_ends.h"
+
+#include <gtest/gtest.h>
+
+#include "hand_built.h"
+
+namespace roomgraph::test {
+namespace {
+
+constexpr auto kJunction = VertexKind::junction;
+constexpr auto kDeadEnd = VertexKind::deadEnd;
+
+TEST(RemoveDeadEnds, removesThemLayerByLayer) {
+  // A twig with two short tips goes as a whole: first its tips, then itself.
+  const TopologyGraph tree({{{0, 0}, 0.5, kJunction, {}},
+                            {{9, 0}, 0.5, kDeadEnd, {}},
+                            {{0, 9}, 0.5, kDeadEnd, {}},
+                            {{-0.4, 0}, 0.3, kJunction, {}},
+                            {{-0.6, 0.1}, 0.2, kDeadEnd, {}},
+                            {{-0.6, -0.1}, 0.2, kDeadEnd, {}}},
+                           {{VertexId(0), VertexId(1), straight({{0, 0}, {9, 0}}), {}},
+                            {VertexId(0), VertexId(2), straight({{0, 0}, {0, 9}}), {}},
+                            {VertexId(0), VertexId(3), straight({{0, 0}, {-0.4, 0}}), {}},
+                            {VertexId(3), VertexId(4), straight({{-0.4, 0}, {-0.6, 0.1}}), {}},
+                            {VertexId(3), VertexId(5), straight({{-0.4, 0}, {-0.6, -0.1}}), {}}});
+  const TopologyGraph pruned = removeDeadEnds(tree, {}, 0.1);
+  EXPECT_EQ(pruned.vertices().size(), 2u);
+  ASSERT_EQ(pruned.edges().size(), 1u);
+  EXPECT_DOUBLE_EQ(pruned.edges()[0].path.length, 18);
+}
+
+TEST(RemoveDeadEnds, measuresTheReachBeyondTheJunctionsDisc) {
+  DeadEndsOptions options;
+  options.minReachRatio = 0.5;
+  options.minReach = 0;
+  // The tips' clearance is that of hand_built's obstacles, 1; so the reach is the length.
+  EXPECT_EQ(removeDeadEnds(star({0.4, 3, 4}), options, 0.1).edges().size(), 1u);
+  EXPECT_EQ(removeDeadEnds(star({0.6, 3, 4}), options, 0.1).edges().size(), 3u);
+}
+
+TEST(RemoveDeadEnds, neverRemovesAWholeComponent) {
+  const TopologyGraph kept = removeDeadEnds(star({0.1, 0.1, 0.1}), {}, 0.1);
+  EXPECT_EQ(kept.vertices().size(), 1u);
+  EXPECT_TRUE(kept.edges().empty());
+  const TopologyGraph line({{{0, 0}, 1, kDeadEnd, {}}, {{0.1, 0}, 1, kDeadEnd, {}}},
+                           {{VertexId(0), VertexId(1), straight({{0, 0}, {0.1, 0}}), {}}});
+  EXPECT_EQ(removeDeadEnds(line, {}, 0.1).edges().size(), 1u);
+}
+
+TEST(RemoveDeadEnds, thePapersWayRemovesEachOnceThenTheShort) {
+  DeadEndsOptions options;
+  options.allOnce = true;
+  options.minLengthPx = 8;
+  EXPECT_TRUE(removeDeadEnds(star({2, 3, 4}), options, 0.1).edges().empty());
+  options.allOnce = false;
+  EXPECT_EQ(removeDeadEnds(star({0.7, 3, 4}), options, 0.1).edges().size(), 1u);
+  EXPECT_EQ(removeDeadEnds(star({0.9, 3, 4}), options, 0.1).edges().size(), 3u);
+}
+
+}  // namespace
+}  // namespace roomgraph::test
