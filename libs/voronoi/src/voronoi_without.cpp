@@ -179,11 +179,22 @@ class HoleFiller {
   VoronoiGraph result_;
 };
 
-VoronoiGraph fromScratch(const ObstacleSites& sites, const std::vector<std::uint8_t>& isLeftOut) {
+VoronoiGraph fromScratch(const VoronoiGraph& graph, const ObstacleSites& sites,
+                         const std::vector<std::uint8_t>& isLeftOut) {
   ObstacleSites kept{sites.frame, {}};
-  for (std::size_t i = 0; i < sites.cells.size(); ++i)
-    if (!isLeftOut[i]) kept.cells.push_back(sites.cells[i]);
-  return voronoiGraph(kept);
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < sites.cells.size(); ++i) {
+    if (isLeftOut[i]) continue;
+    kept.cells.push_back(sites.cells[i]);
+    numbers.push_back(i);
+  }
+  VoronoiGraph result = voronoiGraph(kept);
+  for (VoronoiEdge& edge : result.edges) {
+    edge.left = numbers[edge.left];
+    edge.right = numbers[edge.right];
+  }
+  result.sites = graph.sites;
+  return result;
 }
 
 }  // namespace
@@ -191,7 +202,7 @@ VoronoiGraph fromScratch(const ObstacleSites& sites, const std::vector<std::uint
 VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleSites& sites,
                             const std::vector<std::uint8_t>& isLeftOut) {
   auto filled = HoleFiller(graph, sites, isLeftOut).run();
-  return filled ? std::move(*filled) : fromScratch(sites, isLeftOut);
+  return filled ? std::move(*filled) : fromScratch(graph, sites, isLeftOut);
 }
 
 }  // namespace roomgraph
