@@ -1,8 +1,11 @@
-// Writes an empty graph as MRPT's bytes: enough to see that the classes link.
+// Writes an empty map's graph as JSON and as MRPT's bytes: enough to see that both link.
 #include <roomgraph/mrpt_plugin/register_classes.h>
 #include <roomgraph/mrpt_plugin/room_graph_file.h>
+#include <roomgraph/report/graph_json.h>
 
 int main() {
   roomgraph::registerMrptClasses();
-  return roomgraph::roomGraphBytes(roomgraph::CRoomGraph()).empty() ? 1 : 0;
+  const std::string json = roomgraph::graphJson(roomgraph::Stages());
+  const bool isJson = json.find("roomgraph/graph") != std::string::npos;
+  return isJson && !roomgraph::roomGraphBytes(roomgraph::CRoomGraph()).empty() ? 0 : 1;
 }
