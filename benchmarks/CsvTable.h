@@ -9,7 +9,7 @@ namespace roomgraph {
 class CsvTable {
  public:
   /** Commas, no quotes; the first line names the columns. Throws DataError where the file is
-   * missing or a line has too few fields. */
+   *  missing or a line has too few fields. */
   explicit CsvTable(const std::string& file);
 
   std::size_t size() const { return rows_.size(); }

@@ -19,9 +19,9 @@ std::string nameOf(const Pose& pose);
 /** The 4 turns and their mirror images. */
 std::vector<Pose> symmetries();
 
-/** Each symmetry as it is, shifted, at twice and at four times the resolution (unless
- *  the drawing is for the paper's numbers, which are in cells) and, where the map knows unknown
- *  cells, padded. */
+/** Each symmetry as it is, shifted, at twice and at four times the resolution (unless the drawing
+ *  is for the paper's numbers, which are in cells) and, where the map knows unknown cells,
+ *  padded. */
 std::vector<Pose> allPoses(const MapText& text);
 
 MapText posed(const MapText& text, const Pose& pose);

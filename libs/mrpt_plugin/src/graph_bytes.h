@@ -16,7 +16,7 @@ void checkMapSize(const CRoomGraph& graph);
 std::string graphBytes(const CRoomGraph& graph);
 
 /** Reads graphBytes() back. Throws DataError with one line, beginning with `name`, unless each
- * count fits the bytes, each id its list, each coordinate is finite and no byte is left over. */
+ *  count fits the bytes, each id its list, each coordinate is finite and no byte is left over. */
 void readGraphBytes(ByteView bytes, const std::string& name, CRoomGraph& graph);
 
 }  // namespace roomgraph

@@ -29,8 +29,7 @@ class Pen {
 
   void ink(Colour colour, double alpha = 1) const;
 
-  /** Adds to cairo's current path; points that make no visible
-   *  difference are left out. */
+  /** Adds to cairo's current path; points that make no visible difference are left out. */
   void trace(const Polyline& line) const;
   void trace(const Polygon& polygon) const;
   void stroke(double widthPx) const;

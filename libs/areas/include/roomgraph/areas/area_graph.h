@@ -17,8 +17,8 @@ namespace roomgraph {
  *  Passages are the openings between two areas through which a disc of `clearance` [m] passes; two
  *  areas may have several. Every free cell of `grid` in an area has its label; those that clutter
  *  stands on are free in `grid`. Where the centre of a cell lies on the line between two areas it
- * is in one of them. No more than kMaxLabelledAreas have labels; a note (code "too_many_areas")
- * tells where there are more. O(cells + n log n). */
+ *  is in one of them. No more than kMaxLabelledAreas have labels; a note (code "too_many_areas")
+ *  tells where there are more. O(cells + n log n). */
 AreaGraph areaGraph(const Grid& grid, const RegionOutlines& outlines, const RoomGraph& graph,
                     double clearance, Notes& notes);
 

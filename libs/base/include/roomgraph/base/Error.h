@@ -10,7 +10,7 @@ class DataError : public std::runtime_error {
 };
 
 /** What the caller asked for cannot be done. what() is one plain line: what, which value, what
- * would do. */
+ *  would do. */
 class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -6,8 +6,8 @@
 namespace roomgraph {
 
 /** One setting: where its value lives and all that is said about it, in one place.
- *  Loading, saving, checking, help and documents are made from this. The default is
- *  not here: it is the initialiser of the member that `value` points to. */
+ *  Loading, saving, checking, help and documents are made from this. The default is not here: it is
+ *  the initialiser of the member that `value` points to. */
 struct Field {
   std::string section;       ///< the step that reads it, as in its file name
   std::string name;          ///< snake_case
@@ -19,7 +19,7 @@ struct Field {
 };
 
 /** The settings of all steps, in pipeline order. Points into an options object that must outlive
- * it. */
+ *  it. */
 class FieldTable {
  public:
   void number(const char* section, const char* name, double& value, const char* unit, double low,

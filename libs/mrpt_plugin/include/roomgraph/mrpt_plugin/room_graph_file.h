@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   CRoomGraph
+// Out:  the bytes of a .roomgraph file, and back
+// Next: writeFileAtomically
+
 /** The bytes of a `.roomgraph` file: the gzipped MRPT stream of the one object, as RawLogViewer
  *  opens it with `-l libroomgraph_mrpt.so`. The same graph gives the same bytes.
  *  @throws UsageError where the map has more or fewer cells than its frame calls for. */

@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   CRoomGraph
+// Out:  the bytes of a .3Dscene file
+// Next: writeFileAtomically
+
 /** The graph as a scene whose camera looks at all of it from above, slightly tilted. */
 MrptScene graphScene(const CRoomGraph& graph);
 

@@ -3,6 +3,11 @@
 
 namespace roomgraph {
 
+// Paper III, all of it
+// In:   GreyMap
+// Out:  Stages, with the RoomGraph and the AreaGraph
+// Next: graphJson, drawPng, alignMaps
+
 /** The whole way from a map to its room-aware topology graph, one call per section of the paper.
  *  Same map and options give the same result, whatever else runs beside it. An odd map (no free
  *  cell, no obstacle, no room) gives an empty graph and a note that says why. O(n log n) in the

@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   Stages
+// Out:  the bytes of a picture
+// Next: writeFileAtomically
+
 /** The picture of a result as the bytes of a PNG or SVG file: the known part of the map, rooms
  *  filled and numbered, corridors, ways inside of rooms, passages, clutter, vertices with a shape
  *  and a colour for each kind, legend, scale bar, and a title with the file's name and the counts.

@@ -5,6 +5,10 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   Stages
+// Out:  a folder with a picture of each step
+
 /** Writes one PNG for each step into `folder`, which is made if it is not there: 01_grid.png to
  *  16_areas.png in the order of the pipeline, each with the section of the paper in its title; and
  *  stages.json with the counts: {"format": "roomgraph/stages", "version": 1, "stages": [{"file",

@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   RoomGraph
+// Out:  the text of a GeoJSON file
+// Next: writeFileAtomically
+
 /** The graph as GeoJSON for the route server of nav2 (its GeoJsonGraphFileLoader), QGIS and others,
  *  in metres of the map frame.
  *

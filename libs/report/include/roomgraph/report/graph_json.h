@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   Stages, or a GraphFile
+// Out:  the text of a JSON file
+// Next: writeFileAtomically, readGraphJson
+
 /** The text of a roomgraph/graph version 1 file; share/roomgraph/schema/graph-1.schema.json says
  *  what each field means. Ids are places in the lists; vertices, edges, rooms, areas and passages
  *  stand on a line each. Lengths and coordinates are rounded to 0.1 mm, and `area` is that of the

@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   RoomGraph
+// Out:  the text of a GraphML file
+// Next: writeFileAtomically
+
 /** The graph as GraphML for networkx, Gephi, yEd and others: undirected, node n3 is vertex 3 and
  *  edge e5 is edge 5; parallel edges and self loops stay. Typed keys, with units in their
  *  descriptions: x, y, kind, clearance, room, area of nodes, kind, room, length, min_clearance of

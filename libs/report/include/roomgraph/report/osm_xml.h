@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   AreaGraph
+// Out:  the text of an OSM file
+// Next: writeFileAtomically
+
 /** The areas as OpenStreetMap XML in the manner of osmAG (Feng et al., "osmAG: Hierarchical
  *  Semantic Topometric Area Graph Maps in the OSM Format for Mobile Robotics", ROBIO 2023), for its
  *  planners and for JOSM.

@@ -8,7 +8,7 @@ namespace roomgraph {
 
 // Paper III-C
 // In:   TopologyGraph, Rooms
-// Out:  PathCuts for each edge
+// Out:  PathStretches
 // Next: cutPaths
 
 /** A stretch of a path that lies in one room, or in none. */

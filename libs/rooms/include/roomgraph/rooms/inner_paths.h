@@ -14,8 +14,8 @@ struct InnerPaths {
 
 /** Starts at the place nearest to `center` on the given edges with at least `minClearance`, or
  *  anywhere on them where there is none, and follows them on the shortest way to each of `ends`. An
- * end that they do not reach gets a straight path with clearance 0. There must be at least one
- * edge. O(n log n). */
+ *  end that they do not reach gets a straight path with clearance 0. There must be at least one
+ *  edge. O(n log n). */
 InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                       const std::vector<VertexId>& ends, Point center, double minClearance);
 

@@ -9,6 +9,7 @@ namespace roomgraph {
 // Paper III-G
 // In:   TopologyGraph with rooms cut out, Rooms
 // Out:  RoomGraph
+// Next: areaGraph
 
 struct RoomGraphOptions {
   /** Straight edges from the centroid, whatever lies between, as the paper draws them. */

@@ -10,7 +10,7 @@ namespace roomgraph {
 
 // Paper III and III-A: "the biggest Alpha Shape polygon ... to filter away the outside parts"
 // In:   VoronoiGraph, Grid
-// Out:  one flag per Voronoi vertex: non-zero lies inside
+// Out:  one flag per VoronoiVertex: non-zero lies inside
 // Next: keepClear, findRooms
 
 using InsideFlags = std::vector<std::uint8_t>;
