@@ -6,6 +6,7 @@
 #include "extract_map.h"
 #include "option_arguments.h"
 #include "output_names.h"
+#include "roomgraph/grid/map_formats.h"
 
 namespace roomgraph {
 namespace {
@@ -82,8 +83,8 @@ int run(const ExtractArguments& arguments) {
 std::function<int()> extractCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   app.add_option("MAP", arguments->maps,
-                 "Maps: MRPT .gridmap or .simplemap, ROS map .yaml, or a picture (.png, .pgm); "
-                 "recognised by content, gzipped or not. Several maps run in parallel.")
+                 "Maps, each a " + mapFormatsText() +
+                     "; recognised by content, gzipped or not. Several maps run in parallel.")
       ->type_name("")
       ->required();
   declareOutput(*arguments, app);

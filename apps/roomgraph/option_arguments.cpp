@@ -1,5 +1,6 @@
 #include "option_arguments.h"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -81,6 +82,8 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
 ExtractOptions toOptions(const OptionArguments& arguments) {
   ExtractOptions options = preset(arguments.preset);
   FieldTable table = describe(options);
+  const double assumed = options.loadGrid.resolution;
+  options.loadGrid.resolution = NAN;  // no text can set that
   if (!arguments.configFile.empty()) readConfig(arguments.configFile, table);
   for (const std::string& setting : arguments.settings) applySetting(setting, table);
   if (!arguments.resolution.empty()) table.set("load_grid", "resolution", arguments.resolution);
@@ -90,6 +93,8 @@ ExtractOptions toOptions(const OptionArguments& arguments) {
   }
   if (!arguments.alphaPx2.empty()) table.set("find_rooms", "alpha_px2", arguments.alphaPx2);
   if (arguments.allComponents) table.set("keep_largest", "all_components", "true");
+  options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
+  if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/grid/map_formats.h"
 
 namespace roomgraph {
 namespace {
@@ -66,8 +67,9 @@ bool wouldBeSameFile(const std::string& one, const std::string& other) {
 std::string outputStem(const std::string& mapFile) {
   std::string name = fs::path(mapFile).filename().string();
   if (endsWith(name, ".gz")) name.resize(name.size() - 3);
-  for (const std::string end : {".gridmap", ".simplemap", ".yaml", ".yml", ".pgm", ".png"})
-    if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
+  for (const MapFormat& format : mapFormats())
+    for (const std::string end : format.extensions)
+      if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
   return name;
 }
 

@@ -355,7 +355,7 @@ TEST_F(BadYaml, everyValueIsChecked) {
   expectYamlRefused(image + resolution, "'origin'");
   for (const std::string bad : {"5", "[1]", "[1, 2, 3, 4]", "[.nan, 0, 0]", "[0, x, 0]"})
     expectYamlRefused(image + resolution + "origin: " + bad, "'origin'");
-  expectYamlRefused(image + resolution + "origin: [0, 0, 0.5]", "yaw");
+  expectYamlRefused(image + resolution + "origin: [0, 0, 50]", "'origin'");
   expectYamlRefused(good + "occupied_thresh: 65", "'occupied_thresh'");
   expectYamlRefused(good + "free_thresh: 0.9\noccupied_thresh: 0.2", "'free_thresh'");
   expectYamlRefused(good + "negate: perhaps", "'negate'");

@@ -10,8 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <stdexcept>
+// jpeglib.h uses what stands above it.
+#include <jpeglib.h>
 
 namespace roomgraph::test {
 
@@ -33,6 +36,11 @@ std::string TempDir::write(const std::string& name, const std::string& bytes) co
   fs::remove(file);  // some file systems write a file that is truncated to the disk at once
   std::ofstream(file, std::ios::binary) << bytes;
   return file;
+}
+
+std::string sharedFile(const std::string& name) {
+  const std::string file = ROOMGRAPH_SHARED_DATA + name;
+  return fs::exists(file) ? file : std::string();
 }
 
 std::string gzipped(const std::string& bytes) {
@@ -71,6 +79,32 @@ std::string png(int width, int height, int channels, const std::string& pixels) 
   if (!png_image_write_to_memory(&image, out.data(), &size, 0, pixels.data(), 0, nullptr))
     throw std::runtime_error("libpng");
   out.resize(size);
+  return out;
+}
+
+std::string jpeg(int width, int height, int channels, const std::string& pixels) {
+  jpeg_compress_struct image{};
+  jpeg_error_mgr errors{};
+  image.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&image);
+  unsigned char* bytes = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&image, &bytes, &size);
+  image.image_width = JDIMENSION(width), image.image_height = JDIMENSION(height);
+  image.input_components = channels;
+  image.in_color_space = channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
+  jpeg_set_defaults(&image);
+  jpeg_set_quality(&image, 98, TRUE);
+  jpeg_start_compress(&image, TRUE);
+  for (std::size_t y = 0; y < std::size_t(height); ++y) {
+    const char* row = pixels.data() + y * std::size_t(width * channels);
+    JSAMPROW rows[] = {reinterpret_cast<JSAMPROW>(const_cast<char*>(row))};
+    jpeg_write_scanlines(&image, rows, 1);
+  }
+  jpeg_finish_compress(&image);
+  jpeg_destroy_compress(&image);
+  const std::string out(reinterpret_cast<const char*>(bytes), size);
+  free(bytes);
   return out;
 }
 

@@ -24,11 +24,16 @@ class TempDir {
   std::filesystem::path path_;
 };
 
+/** The full name of a file of other projects beside the source tree; empty where it is not there. */
+std::string sharedFile(const std::string& name);
+
 std::string gzipped(const std::string& bytes);
 /** What MRPT writes for the object. */
 std::string streamed(const mrpt::serialization::CSerializable& object);
 /** A grey or grey-alpha (2 channels), RGB or RGBA png, 8 bits per channel, rows from the top. */
 std::string png(int width, int height, int channels, const std::string& pixels);
+/** A grey (1 channel) or RGB jpeg of good quality, rows from the top. */
+std::string jpeg(int width, int height, int channels, const std::string& pixels);
 /** The value as it stands in MRPT's streams. */
 template <class T>
 std::string raw(T value) {

@@ -16,12 +16,13 @@ StateOfGrey paperStates(int blackThreshold) {
 }
 
 StateOfGrey threeStates(double occupiedAbove, double freeBelow) {
+  constexpr double rounding = 1e-6;  // map_server compares in single precision
   StateOfGrey states;
   for (int grey = 0; grey < 256; ++grey) {
     const double occupied = 1 - grey / 255.0;
-    states[std::size_t(grey)] = occupied > occupiedAbove ? State::occupied
-                                : occupied < freeBelow   ? State::free
-                                                         : State::unknown;
+    states[std::size_t(grey)] = occupied <= freeBelow + rounding       ? State::free
+                                : occupied >= occupiedAbove - rounding ? State::occupied
+                                                                       : State::unknown;
   }
   return states;
 }
@@ -36,9 +37,9 @@ void describe(BinarizeOptions& options, FieldTable& table) {
       "states.");
   table.number(
       section, "occupied_above", options.occupiedAbove, "", 0, 1,
-      "A cell is occupied above this probability; 0 for the threshold of the map's format.");
+      "A cell is occupied from this probability on; 0 for the threshold of the map's format.");
   table.number(section, "free_below", options.freeBelow, "", 0, 1,
-               "A cell is free below this probability; 0 for the threshold of the map's format.");
+               "A cell is free up to this probability; 0 for the threshold of the map's format.");
 }
 
 Grid binarize(const GreyMap& map, const BinarizeOptions& options) {

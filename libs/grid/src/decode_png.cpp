@@ -6,12 +6,13 @@
 #include <csetjmp>
 #include <memory>
 
+#include "pixel_grey.h"
+
 namespace roomgraph {
 namespace {
 
 constexpr const char* kSaveAgain = "copy or save the picture again";
 constexpr std::size_t kSignatureSize = 8;
-constexpr int kBackground = 128;
 
 std::uint32_t bigEndian(const std::uint8_t* p) {
   return std::uint32_t(p[0]) << 24 | std::uint32_t(p[1]) << 16 | std::uint32_t(p[2]) << 8 | p[3];
@@ -41,10 +42,8 @@ void readBytes(png_structp png, png_bytep out, std::size_t count) {
 void onWarning(png_structp, png_const_charp) {}
 
 std::uint8_t greyOf(const std::uint8_t* pixel, int channels) {
-  const int level = channels >= 3 ? (pixel[0] + pixel[1] + pixel[2] + 1) / 3 : pixel[0];
-  if (channels % 2 == 1) return std::uint8_t(level);
-  const int alpha = pixel[channels - 1];
-  return std::uint8_t((level * alpha + kBackground * (255 - alpha) + 127) / 255);
+  const std::uint8_t level = channels >= 3 ? averaged(pixel[0], pixel[1], pixel[2]) : pixel[0];
+  return channels % 2 == 1 ? level : overBackground(level, pixel[channels - 1]);
 }
 
 /** How the pixels of a row lie in memory. */
@@ -57,6 +56,12 @@ struct RowFormat {
 void convertToGrey(const std::uint8_t* row, const RowFormat& format, std::uint8_t* out) {
   for (std::size_t x = 0; x < format.width; ++x)
     out[x] = greyOf(row + x * std::size_t(format.channels), format.channels);
+}
+
+void convertToClear(const std::uint8_t* row, const RowFormat& format, std::uint8_t* out) {
+  const auto channels = std::size_t(format.channels);
+  for (std::size_t x = 0; x < format.width; ++x)
+    out[x] = channels % 2 == 0 && row[x * channels + channels - 1] < 255;
 }
 
 /** 8 bits for each of 1 to 4 channels. */
@@ -191,6 +196,10 @@ void checkPng(ByteReader in, const PngHeader& header) {
 
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {
   return decodeAll(png, Conversion<std::uint8_t>{prepareGrey, convertToGrey}, file);
+}
+
+std::vector<std::uint8_t> decodePngClear(ByteView png, const std::string& file) {
+  return decodeAll(png, Conversion<std::uint8_t>{prepareGrey, convertToClear}, file);
 }
 
 std::vector<std::uint32_t> decodePngLabels(ByteView png, const std::string& file) {

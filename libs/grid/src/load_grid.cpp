@@ -2,45 +2,35 @@
 
 #include <new>
 
-#include "read_gridmap.h"
-#include "read_image.h"
-#include "read_ros_map.h"
-#include "read_scans.h"
-#include "read_simplemap.h"
 #include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/map_formats.h"
 #include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr const char* kKnownKinds =
-    "give an MRPT gridmap or simplemap, a ROS map yaml, or a png or pgm picture";
-
-/** Common pictures of maps draw the unknown at 205 to 230, and free space near white. */
-GreyMap readBareImage(CheckedFile& file, const LoadGridOptions& options) {
-  GreyMap map;
-  readImage(file, map);
-  map.frame.resolution = options.resolution;
-  map.occupiedAbove = 0.65;
-  map.freeBelow = 0.095;
-  map.source.kind = "image";
-  return map;
-}
-
+/** MRPT's own classes, as against a word that begins a text. */
 bool isRegisteredName(const std::string& className) {
   return className.size() > 1 && className[0] == 'C' && className[1] >= 'A' && className[1] <= 'Z';
 }
 
+[[noreturn]] void refuseUnknown(CheckedFile& file) {
+  if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
+  const std::string remedy = "give an " + mapFormatNames();
+  const auto object = peekObjectHeader(file.head());
+  if (object && isRegisteredName(object->className))
+    refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
+  refuse(file.name(), "is no map of a known kind", remedy);
+}
+
 GreyMap readByContent(CheckedFile& file, const LoadGridOptions& options) {
-  if (isPng(file.head()) || isPgm(file.head())) return readBareImage(file, options);
-  if (const auto object = peekObjectHeader(file.head())) {
-    if (object->className == "COccupancyGridMap2D") return readGridmap(file);
-    if (isSimplemapClass(object->className)) return readSimplemap(file, options);
-    if (isRegisteredName(object->className))
-      refuse(file.name(), "holds an MRPT object of class " + object->className, kKnownKinds);
+  for (const MapFormat& format : mapFormats()) {
+    if (!format.looksLike(file)) continue;
+    GreyMap map = format.read(file, options);
+    map.source.kind = format.kind;
+    return map;
   }
-  if (auto map = readRosMap(file)) return std::move(*map);
-  refuse(file.name(), "is no map of a known kind", kKnownKinds);
+  refuseUnknown(file);
 }
 
 }  // namespace

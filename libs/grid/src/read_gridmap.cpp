@@ -112,7 +112,12 @@ std::uint8_t greyOfLogOdds(int cell) {
   return static_cast<std::uint8_t>(std::lround(255 * COccupancyGridMap2D::l2p(logOdds)));
 }
 
-GreyMap readGridmap(CheckedFile& file) {
+bool isGridmap(CheckedFile& file) {
+  const auto object = peekObjectHeader(file.head());
+  return object && object->className == "COccupancyGridMap2D";
+}
+
+GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
   // The first bytes tell an absurd map before its cells cost memory.
   ByteReader head(file.head(), file.name());
   const GridHeader header = readHeader(head);
@@ -145,7 +150,6 @@ GreyMap readGridmap(CheckedFile& file) {
     map.grey[i] = table[cells[i * stride + stride - 1]];
   map.occupiedAbove = 0.55;
   map.freeBelow = 0.45;
-  map.source.kind = "gridmap";
   return map;
 }
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "decode_bmp.h"
+#include "decode_jpeg.h"
 #include "decode_pgm.h"
 #include "decode_png.h"
 #include "flip_rows.h"
+#include "pixel_grey.h"
 
 namespace roomgraph {
 namespace {
@@ -43,6 +46,59 @@ void readPng(CheckedFile& file, GreyMap& map) {
   flipRows(map.grey, header.width);
 }
 
+void readBmp(CheckedFile& file, GreyMap& map) {
+  const BmpHeader header = readBmpHeader(ByteReader(file.head(), file.name()));
+  setSize(map, header.width, header.height, file.name());
+  checkBmp(file, header);
+  map.grey.resize(map.frame.cellCount());
+  decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
+    std::transform(
+        pixels.begin(), pixels.end(), map.grey.begin() + std::ptrdiff_t(row * pixels.size()),
+        [](const BmpPixel& p) { return overBackground(averaged(p[0], p[1], p[2]), p[3]); });
+  });
+}
+
+void readJpeg(CheckedFile& file, GreyMap& map) {
+  const ByteView jpeg = file.content();
+  const JpegHeader header = readJpegHeader(jpeg, file.name());
+  setSize(map, header.width, header.height, file.name());
+  map.grey = decodeJpeg(jpeg, file.name());
+  flipRows(map.grey, header.width);
+}
+
+/** A kind of picture. */
+struct Kind {
+  bool (*looksLike)(ByteView head);
+  void (*read)(CheckedFile& file, GreyMap& map);
+};
+
+constexpr Kind kKinds[] = {
+    {isPng, readPng}, {isPgm, readPgm}, {isBmp, readBmp}, {isJpeg, readJpeg}};
+
+const Kind* kindOf(ByteView head) {
+  const Kind* found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                   [&](const Kind& kind) { return kind.looksLike(head); });
+  return found == std::end(kKinds) ? nullptr : found;
+}
+
+std::vector<std::uint8_t> clearPixelsOfPng(CheckedFile& file) {
+  const PngHeader header = readPngHeader(ByteReader(file.head(), file.name()));
+  std::vector<std::uint8_t> isClear = decodePngClear(file.content(), file.name());
+  flipRows(isClear, header.width);
+  return isClear;
+}
+
+std::vector<std::uint8_t> clearPixelsOfBmp(CheckedFile& file) {
+  const BmpHeader header = readBmpHeader(ByteReader(file.head(), file.name()));
+  std::vector<std::uint8_t> isClear(header.width * header.height);
+  decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
+    std::transform(pixels.begin(), pixels.end(),
+                   isClear.begin() + std::ptrdiff_t(row * pixels.size()),
+                   [](const BmpPixel& p) { return p[3] < 255; });
+  });
+  return isClear;
+}
+
 }  // namespace
 
 void checkPictureSize(std::uint64_t width, std::uint64_t height, const std::string& file) {
@@ -64,13 +120,19 @@ bool isPgm(ByteView head) {
          (std::isspace(head.data[2]) || head.data[2] == '#');
 }
 
+bool isImage(ByteView head) { return kindOf(head) != nullptr; }
+
 void readImage(CheckedFile& file, GreyMap& map) {
-  if (isPng(file.head()))
-    readPng(file, map);
-  else if (isPgm(file.head()))
-    readPgm(file, map);
-  else
-    refuse(file.name(), "is no picture of a known kind", "convert it to png or pgm (P2, P5)");
+  const Kind* kind = kindOf(file.head());
+  if (!kind)
+    refuse(file.name(), "is no picture of a known kind", "convert it to png, pgm, bmp or jpeg");
+  kind->read(file, map);
+}
+
+std::vector<std::uint8_t> readClearPixels(CheckedFile& file) {
+  if (isPng(file.head())) return clearPixelsOfPng(file);
+  if (isBmp(file.head())) return clearPixelsOfBmp(file);
+  return {};
 }
 
 }  // namespace roomgraph

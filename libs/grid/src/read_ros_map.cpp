@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "read_image.h"
+#include "turn_map.h"
 
 namespace roomgraph {
 namespace {
@@ -20,6 +21,7 @@ struct RosMap {
   std::string image, mode;
   double resolution = 0;
   Point origin;
+  double yaw = 0;
   bool negate = false;
   double occupiedAbove = 0.65, freeBelow = 0.196;  ///< those of map_server's own examples
 };
@@ -41,15 +43,12 @@ double readNumber(const YAML::Node& node, const std::string& key, double low, do
          "correct the yaml");
 }
 
-Point readOrigin(const YAML::Node& node, const std::string& file) {
+void readOrigin(const YAML::Node& node, RosMap& map, const std::string& file) {
   if (!node || !node.IsSequence() || node.size() < 2 || node.size() > 3)
     refuse(file, "it has no 'origin' of the form [x, y, yaw]", "correct the yaml");
-  const double yaw = node.size() == 3 ? readNumber(node[2], "origin", -10, 10, file) : 0;
-  if (std::abs(yaw) > 1e-6)
-    refuse(file, "its origin has a yaw other than 0, which is not supported",
-           "turn the picture and set the yaw to 0");
-  return {readNumber(node[0], "origin", -kFarthest, kFarthest, file),
-          readNumber(node[1], "origin", -kFarthest, kFarthest, file)};
+  map.origin = {readNumber(node[0], "origin", -kFarthest, kFarthest, file),
+                readNumber(node[1], "origin", -kFarthest, kFarthest, file)};
+  if (node.size() == 3) map.yaw = readNumber(node[2], "origin", -10, 10, file);
 }
 
 bool readNegate(const YAML::Node& node, const std::string& file) {
@@ -68,7 +67,7 @@ RosMap parse(const YAML::Node& yaml, const std::string& file) {
   map.image = yaml["image"].Scalar();
   if (map.image.empty()) refuse(file, "its 'image' names no file", "correct the yaml");
   map.resolution = readNumber(yaml["resolution"], "resolution", 1e-4, 1e3, file);
-  map.origin = readOrigin(yaml["origin"], file);
+  readOrigin(yaml["origin"], map, file);
   map.negate = readNegate(yaml["negate"], file);
   readOptional(yaml, "occupied_thresh", map.occupiedAbove, file);
   readOptional(yaml, "free_thresh", map.freeBelow, file);
@@ -80,40 +79,110 @@ RosMap parse(const YAML::Node& yaml, const std::string& file) {
   return map;
 }
 
-std::optional<RosMap> parse(ByteView bytes, const std::string& file) {
-  const std::string text(reinterpret_cast<const char*>(bytes.data), bytes.size);
+std::string textOf(ByteView bytes) {
+  return {reinterpret_cast<const char*>(bytes.data), bytes.size};
+}
+
+RosMap parse(ByteView bytes, const std::string& file) {
   try {
-    const YAML::Node yaml = YAML::Load(text);
-    if (!yaml.IsMap() || !yaml["image"]) return std::nullopt;
+    const YAML::Node yaml = YAML::Load(textOf(bytes));
+    if (!yaml.IsMap() || !yaml["image"])
+      refuse(file, "it has no 'image', which a ROS map names", "correct the yaml");
     return parse(yaml, file);
   } catch (const YAML::Exception& error) {
-    if (text.find("image:") == std::string::npos) return std::nullopt;
     refuse(file, "it is no valid yaml from line " + std::to_string(error.mark.line + 1) + " on",
            "correct the yaml");
   }
 }
 
-/** Raw pixels are percents of being occupied; beyond 100 they say nothing. */
-std::uint8_t greyOfRaw(int pixel) {
-  return std::uint8_t(pixel > 100 ? 128 : (255 * (100 - pixel) + 50) / 100);
+/** Raw pixels are percents of being occupied. */
+std::uint8_t greyOfPercent(int percent) { return std::uint8_t((255 * (100 - percent) + 50) / 100); }
+
+double occupancyOf(std::uint8_t grey) { return 1 - grey / 255.0; }
+
+/** A grey that the thresholds call neither occupied nor free. */
+std::uint8_t unknownGrey(const GreyMap& map) {
+  constexpr std::uint8_t middle = 128;
+  const double p = occupancyOf(middle);
+  if (p > map.freeBelow && p < map.occupiedAbove) return middle;
+  return std::uint8_t(std::lround(255 * (1 - (map.freeBelow + map.occupiedAbove) / 2)));
 }
 
-void applyMode(const RosMap& ros, std::vector<std::uint8_t>& grey) {
+/** The thresholds, which are meant for percents, for the greys that stand for them; beyond 100
+ *  pixels say nothing. */
+void applyRaw(GreyMap& map) {
+  constexpr double rounding = 1e-6;
+  const double free = std::floor(100 * map.freeBelow + rounding);
+  const double occupied = std::ceil(100 * map.occupiedAbove - rounding);
+  map.freeBelow = occupancyOf(greyOfPercent(int(free)));
+  map.occupiedAbove = occupancyOf(greyOfPercent(int(occupied)));
+  const std::uint8_t unknown = unknownGrey(map);
+  for (auto& level : map.grey) level = level > 100 ? unknown : greyOfPercent(level);
+}
+
+/** The map_saver of ROS 2 Humble and Iron writes 205 for unknown cells and a free_thresh that takes
+ *  them for free ones. A map drawn in greys for which that threshold may be meant also has some a
+ *  little darker than 205. */
+bool isSavedByHumble(const RosMap& ros, const std::vector<std::uint8_t>& grey) {
+  constexpr double threshold = 0.25;
+  constexpr std::uint8_t unknown = 205, darkestFree = 192;
+  if (std::abs(ros.freeBelow - threshold) > 1e-6 || ros.negate || ros.mode != "trinary")
+    return false;
+  const auto count = std::count(grey.begin(), grey.end(), unknown);
+  const auto darker = std::count_if(grey.begin(), grey.end(), [](std::uint8_t level) {
+    return level >= darkestFree && level < unknown;
+  });
+  return count > 0 && darker <= count / 100;
+}
+
+/** The map_server's rules, but that the unknown of Humble's maps stays unknown. */
+void applyMode(const RosMap& ros, GreyMap& map) {
+  map.occupiedAbove = ros.occupiedAbove;
+  map.freeBelow = ros.freeBelow;
+  if (isSavedByHumble(ros, map.grey)) {
+    map.freeBelow = RosMap().freeBelow;
+    map.notes.push_back({"humble_thresholds",
+                         "its free_thresh 0.25 would make its grey of unknown cells, 205, free, as "
+                         "the map_saver of ROS 2 Humble writes it: read with free_thresh 0.196",
+                         std::nullopt});
+  }
   if (ros.mode == "raw")
-    for (auto& level : grey) level = greyOfRaw(level);
+    applyRaw(map);
   else if (ros.negate)
-    for (auto& level : grey) level = std::uint8_t(255 - level);
+    for (auto& level : map.grey) level = std::uint8_t(255 - level);
+}
+
+/** Pixels that are not opaque are unknown, whatever their colour. */
+void applyTransparency(const std::vector<std::uint8_t>& isClear, GreyMap& map) {
+  const std::uint8_t unknown = unknownGrey(map);
+  for (std::size_t i = 0; i < isClear.size(); ++i)
+    if (isClear[i]) map.grey[i] = unknown;
+}
+
+GreyMap inMapFrame(const RosMap& ros, GreyMap map, const std::string& file) {
+  if (std::abs(ros.yaw) <= 1e-6) return map;
+  const double darkest = 255 * (1 - map.occupiedAbove);
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "its origin has a yaw of %.6g degrees: the cells are turned into the map frame",
+                ros.yaw * 180 / M_PI);
+  map = turned(map, ros.yaw, unknownGrey(map), std::uint8_t(std::clamp(darkest, 0.0, 255.0)), file);
+  map.notes.push_back({"turned", text, std::nullopt});
+  return map;
 }
 
 }  // namespace
 
-std::optional<GreyMap> readRosMap(CheckedFile& file) {
-  if (file.claimedSize() > kLongestYaml || !isText(file.head())) return std::nullopt;
-  const ByteView yaml = file.content();
-  const auto ros = parse(yaml, file.name());
-  if (!ros) return std::nullopt;
+bool isRosMap(CheckedFile& file) {
+  if (file.claimedSize() > kLongestYaml || !isText(file.head())) return false;
+  const std::string text = textOf(file.head());
+  return text.find("image:") != std::string::npos || text.find("image\":") != std::string::npos;
+}
 
-  const fs::path path = fs::path(file.name()).parent_path() / ros->image;
+GreyMap readRosMap(CheckedFile& file, const LoadGridOptions&) {
+  const ByteView yaml = file.content();
+  const RosMap ros = parse(yaml, file.name());
+  const fs::path path = fs::path(file.name()).parent_path() / ros.image;
   std::error_code error;
   if (!fs::exists(path, error))
     refuse(file.name(), "names the picture " + path.string() + ", which does not exist",
@@ -121,12 +190,11 @@ std::optional<GreyMap> readRosMap(CheckedFile& file) {
   CheckedFile picture(path.string());
   GreyMap map;
   readImage(picture, map);
-  applyMode(*ros, map.grey);
-  map.frame.resolution = ros->resolution;
-  map.frame.origin = ros->origin;
-  map.occupiedAbove = ros->occupiedAbove;
-  map.freeBelow = ros->freeBelow;
-  map.source.kind = "ros_map";
+  map.frame.resolution = ros.resolution;
+  map.frame.origin = ros.origin;
+  applyMode(ros, map);
+  applyTransparency(readClearPixels(picture), map);
+  map = inMapFrame(ros, std::move(map), file.name());
   map.source.sha256 = sha256Of(yaml, picture.content());
   return map;
 }

@@ -1,14 +1,16 @@
 #pragma once
-#include <optional>
-
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/load_grid.h"
 
 namespace roomgraph {
 
-/** Reads a ROS map: a yaml that names a picture. Nothing comes back for a text that is no such
- *  yaml. Fills everything but the source's file. Throws DataError where a value is missing or
- *  absurd, or the picture cannot be read; then the message starts with the picture's name. */
-std::optional<GreyMap> readRosMap(CheckedFile& file);
+/** Whether the file is a text with a key 'image'. */
+bool isRosMap(CheckedFile& file);
+
+/** Reads a ROS map: a yaml that names a picture. Fills everything but the source's file. Throws
+ *  DataError where a value is missing or absurd, or the picture cannot be read; then the message
+ *  starts with the picture's name. */
+GreyMap readRosMap(CheckedFile& file, const LoadGridOptions& options);
 
 }  // namespace roomgraph

@@ -9,6 +9,7 @@
 #include "read_gridmap.h"
 #include "read_scans.h"
 #include "roomgraph/base/Options.h"
+#include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
 namespace {
@@ -130,6 +131,11 @@ GreyMap toGreyMap(const COccupancyGridMap2D& grid, double resolution) {
 
 }  // namespace
 
+bool isSimplemap(CheckedFile& file) {
+  const auto object = peekObjectHeader(file.head());
+  return object && isSimplemapClass(object->className);
+}
+
 GreyMap readSimplemap(CheckedFile& file, const LoadGridOptions& options) {
   constexpr std::uint64_t mostBytes = 1'000'000'000;
   checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
@@ -148,7 +154,6 @@ GreyMap readSimplemap(CheckedFile& file, const LoadGridOptions& options) {
   file.release();
 
   GreyMap map = toGreyMap(grid, options.resolution);
-  map.source.kind = "simplemap";
   map.source.insertion = insertionText(options);
   if (counts.others > 0)
     map.notes.push_back(

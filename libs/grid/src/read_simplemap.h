@@ -5,6 +5,9 @@
 
 namespace roomgraph {
 
+/** Whether the file announces a CSimpleMap, under one of its names. */
+bool isSimplemap(CheckedFile& file);
+
 /** Reads a file whose head announces a CSimpleMap, and builds a grid of its horizontal 2D range
  *  scans. The objects in it are taken apart here, with every count compared to the bytes that are
  *  left; MRPT only gets the finished scans. Observations of other classes are stepped over.

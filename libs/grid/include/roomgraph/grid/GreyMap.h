@@ -15,7 +15,7 @@ struct GreyMap {
    *  occupancy maps, (R + G + B + 1) / 3 for pictures. */
   std::vector<std::uint8_t> grey;
   /** The thresholds that the source's format calls for, as probabilities of being occupied: a cell
-   *  is occupied above the one and free below the other. */
+   *  is occupied from the one on and free up to the other. */
   double occupiedAbove = 0.5, freeBelow = 0.5;
   /** Where the map came from. */
   struct Source {

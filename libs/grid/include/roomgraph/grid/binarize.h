@@ -19,7 +19,8 @@ struct BinarizeOptions {
 };
 void describe(BinarizeOptions& options, FieldTable& table);
 
-/** Decides for each cell whether it is free, occupied or unknown. O(cells). */
+/** Decides for each cell whether it is free, occupied or unknown. A cell exactly at a threshold is
+ *  decided by it, free first, as ROS's map_server does. O(cells). */
 Grid binarize(const GreyMap& map, const BinarizeOptions& options);
 
 }  // namespace roomgraph

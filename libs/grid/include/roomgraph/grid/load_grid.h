@@ -11,9 +11,10 @@ namespace roomgraph {
 // Next: binarize
 
 struct LoadGridOptions {
-  double resolution = 0.05;                      ///< of a bare image, and of a simplemap's grid [m]
-  double maxDistanceInsertion = 30;              ///< simplemap: ranges beyond this are not used [m]
-  double maxOccupancyUpdateCertainty = 0.65;     ///< simplemap: how far one beam moves a cell
+  double resolution = 0.05;                   ///< of a bare image, and of a simplemap's grid [m]
+  bool isResolutionGiven = false;             ///< else a bare image gets a note that it is a guess
+  double maxDistanceInsertion = 30;           ///< simplemap: ranges beyond this are not used [m]
+  double maxOccupancyUpdateCertainty = 0.65;  ///< simplemap: how far one beam moves a cell
   bool considerInvalidRangesAsFreeSpace = true;  ///< simplemap: beams without return clear cells
   bool wideningBeamsWithDistance = false;        ///< simplemap: beams widen as they go
 };
@@ -29,10 +30,14 @@ void describe(LoadGridOptions& options, FieldTable& table);
  *    ("other_observations").
  *  - ROS map yaml with its picture, whose name counts from the yaml's directory. Modes trinary and
  *    scale use the yaml's thresholds; raw takes pixels of 0 to 100 as percent occupied, the rest as
- *    unknown, and uses the thresholds, too. A yaw other than 0 is an error: the frame of a grid
- *    here has no rotation. source.sha256 is that of the yaml followed by the picture.
- *  - A bare picture (png of any depth, pgm): options.resolution, lower left corner at (0, 0).
- *  Transparent pixels show a mid-grey background, which means unknown.
+ *    unknown, and uses the thresholds, too. Pixels that are not opaque are unknown. The cells of a
+ *    map whose origin has a yaw are turned into the map frame ("turned"), as a grid here is always
+ *    along its axes. Maps that ROS 2 Humble saved, whose free_thresh of 0.25 would make unknown
+ *    cells free, are read with 0.196 ("humble_thresholds"). source.sha256 is that of the yaml
+ *    followed by the picture.
+ *  - A bare picture (png of any depth, pgm, bmp, jpeg): options.resolution, with a note that it is
+ *    a guess unless it was given ("assumed_resolution"); lower left corner at (0, 0). Transparent
+ *    pixels show a mid-grey background, which means unknown.
  *
  *  No byte reaches MRPT's readers unchecked: sizes, counts and checksums are verified first, and
  *  nothing is allocated on the word of a header alone. At most 400 million cells. Peak memory for a

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/load_grid.h"
+
+namespace roomgraph {
+
+/** A kind of map file. All that knows one stands in mapFormats() and in its reader; the program's
+ *  help, the names of its results and the texts of errors follow from the table. */
+struct MapFormat {
+  const char* kind;                     ///< as in GreyMap::source and in results
+  std::vector<const char*> extensions;  ///< usual ones; files are recognised by content
+  const char* name;                     ///< for people
+  bool (*looksLike)(CheckedFile& file);
+  GreyMap (*read)(CheckedFile& file, const LoadGridOptions& options);
+};
+
+/** All of them, in the order in which they are tried. */
+const std::vector<MapFormat>& mapFormats();
+
+/** For people: "MRPT grid map, ROS map or picture". */
+std::string mapFormatNames();
+/** For people: "MRPT grid map (.gridmap), ROS map (.yaml, .yml) or picture (.png)". */
+std::string mapFormatsText();
+
+}  // namespace roomgraph
