@@ -110,8 +110,7 @@ CPose2D readPose2D(ByteReader& in) {
   if (header.className != "CPose2D")
     refuse(in.file(), "it is damaged: a pose is missing in it", kSaveAgain);
   checkVersion(in, header, 1);
-  const CPose2D pose =
-      header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
+  CPose2D pose = header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
   readObjectEnd(in, header);
   return pose;
 }
@@ -157,13 +156,13 @@ CPose3D readParticles2D(ByteReader& in, int version) {
 }
 
 CPose3D readGaussian3D(ByteReader& in) {
-  const CPose3D mean = readPose3D(in);
+  CPose3D mean = readPose3D(in);
   in.skip(21 * sizeof(double));  // the upper triangle of 6 x 6
   return mean;
 }
 
 CPose3D readGaussian2D(ByteReader& in, int version) {
-  const CPose3D mean = checked(readPose2D(in), in);
+  CPose3D mean = checked(readPose2D(in), in);
   if (version == 0)
     skipMatrix(in);
   else
@@ -172,7 +171,7 @@ CPose3D readGaussian2D(ByteReader& in, int version) {
 }
 
 CPose3D readInformation2D(ByteReader& in) {
-  const CPose3D mean = checked(readCoordinates<double>(in), in);
+  CPose3D mean = checked(readCoordinates<double>(in), in);
   in.skip(6 * sizeof(double));
   return mean;
 }

@@ -1,0 +1,50 @@
+#include "roomgraph/grid/binarize.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph::test {
+namespace {
+
+GreyMap greyMapOf(std::vector<std::uint8_t> grey) {
+  GreyMap map;
+  map.frame = {int(grey.size()), 1, 0.1, {}};
+  map.grey = std::move(grey);
+  return map;
+}
+
+TEST(Binarize, usesTheThresholdsOfTheFormat) {
+  GreyMap map = greyMapOf({0, 80, 128, 180, 255});
+  map.occupiedAbove = 0.65;
+  map.freeBelow = 0.35;
+  const std::vector<State> expected{State::occupied, State::occupied, State::unknown, State::free,
+                                    State::free};
+  EXPECT_EQ(binarize(map, {}).cells, expected);
+}
+
+TEST(Binarize, optionsOverrideTheFormat) {
+  GreyMap map = greyMapOf({0, 80, 255});
+  BinarizeOptions options;
+  options.occupiedAbove = 0.9;
+  options.freeBelow = 0.05;
+  const std::vector<State> expected{State::occupied, State::unknown, State::free};
+  EXPECT_EQ(binarize(map, options).cells, expected);
+}
+
+TEST(Binarize, thePapersThresholdKnowsTwoStates) {
+  // The sum of three equal channels of 33 is 99, of 34 is 102.
+  BinarizeOptions options;
+  options.blackThreshold = 100;
+  const std::vector<State> expected{State::occupied, State::occupied, State::free, State::free};
+  EXPECT_EQ(binarize(greyMapOf({0, 33, 34, 128}), options).cells, expected);
+}
+
+TEST(Binarize, aLevelAtAThresholdIsNeither) {
+  GreyMap map = greyMapOf({0, 255});  // probabilities of 1 and 0
+  map.occupiedAbove = 1;
+  map.freeBelow = 0;
+  const std::vector<State> unknown{State::unknown, State::unknown};
+  EXPECT_EQ(binarize(map, {}).cells, unknown);
+}
+
+}  // namespace
+}  // namespace roomgraph::test

@@ -1,0 +1,36 @@
+#include "roomgraph/grid/obstacle_sites.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drawn_grid.h"
+#include "roomgraph/grid/thin_obstacles.h"
+
+namespace roomgraph::test {
+namespace {
+
+TEST(ObstacleSites, areOrderedByRowThenColumn) {
+  const Grid grid = gridFrom({"#.#", "...", "##."});
+  ThinObstaclesOptions all;
+  all.neighbours = "none";
+  for (const bool withRing : {false, true}) {
+    const ObstacleSites sites = obstacleSites(grid, thinObstacles(grid, all), withRing);
+    EXPECT_TRUE(std::is_sorted(sites.cells.begin(), sites.cells.end(), [](Cell a, Cell b) {
+      return a.y < b.y || (a.y == b.y && a.x < b.x);
+    }));
+    EXPECT_EQ(sites.cells.size() > 4, withRing);
+  }
+}
+
+TEST(ObstacleSites, theRingStandsBesideFreeCellsOnly) {
+  const Grid grid = gridFrom({"#####", "#####", "####."});
+  const auto none = std::vector<std::uint8_t>(grid.cells.size(), 0);
+  const ObstacleSites sites = obstacleSites(grid, none, true);
+  // Below, beside and diagonally round the free cell in the corner.
+  EXPECT_EQ(sites.cells.size(), 5u);
+  EXPECT_TRUE(obstacleSites(grid, none, false).cells.empty());
+}
+
+}  // namespace
+}  // namespace roomgraph::test
