@@ -38,12 +38,12 @@ TEST(Binarize, thePapersThresholdKnowsTwoStates) {
   EXPECT_EQ(binarize(greyMapOf({0, 33, 34, 128}), options).cells, expected);
 }
 
-TEST(Binarize, aLevelAtAThresholdIsNeither) {
-  GreyMap map = greyMapOf({0, 255});  // probabilities of 1 and 0
+TEST(Binarize, aLevelAtAThresholdIsDecided) {
+  GreyMap map = greyMapOf({0, 128, 255});  // the outer two are probabilities of 1 and 0
   map.occupiedAbove = 1;
   map.freeBelow = 0;
-  const std::vector<State> unknown{State::unknown, State::unknown};
-  EXPECT_EQ(binarize(map, {}).cells, unknown);
+  const std::vector<State> expected{State::occupied, State::unknown, State::free};
+  EXPECT_EQ(binarize(map, {}).cells, expected);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ std::uint32_t readCount(ByteReader& in, std::uint64_t bytesLeft) {
 }
 
 ObjectHeader readMapHeader(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+  ObjectHeader header = readObjectHeader(in);
   checkVersion(in, header, 1);
   return header;
 }
