@@ -13,6 +13,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/name_rooms.h"
 #include "roomgraph/compare/noise_floor.h"
+#include "roomgraph/compare/site_json.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/utf8_text.h"
 #include "run_in_order.h"

@@ -10,6 +10,7 @@
 
 #include "drawn_house.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/compare/site_json.h"
 #include "roomgraph/compare/site_rooms.h"
 
 namespace roomgraph {
@@ -22,9 +23,7 @@ using test::runOf;
 /** The rooms of two equal runs of a house whose first run, and so the site, lies at `pose`. */
 std::vector<SiteRoom> roomsOf(const House& drawn, const Transform2D& pose) {
   const PreparedRun a = runOf(drawn, "a", pose), b = runOf(drawn, "b", {});
-  std::vector<ComparedRun> order(2);
-  order[0].name = "a", order[1].name = "b";
-  return siteRooms({{&a, &b}, {{}, pose}, {1, 1}, {}}, order);
+  return siteRooms({{&a, &b}, {{}, pose}, {1, 1}, {}}, {"a", "b"});
 }
 
 const SiteRoom* roomAt(const std::vector<SiteRoom>& rooms, Point p) {

@@ -25,11 +25,10 @@ struct Drawn {
 /** The ledger of these runs, named a, b, c, ... */
 std::vector<SiteRoom> ledger(const std::vector<Drawn>& all, bool isBackwards = false) {
   std::vector<PreparedRun> runs;
-  std::vector<ComparedRun> order;
+  std::vector<std::string> order;
   for (std::size_t i = 0; i < all.size(); ++i) {
     runs.push_back(runOf(all[i].house, std::string(1, char('a' + i)), all[i].pose));
-    order.emplace_back();
-    order.back().name = runs.back().name;
+    order.push_back(runs.back().name);
   }
   PlacedRuns site;
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -162,11 +161,11 @@ TEST(SiteRooms, unknownCellsTellUnvisitedFromGone) {
     if (p.x > 16 && p.x < 20 && p.y > 0 && p.y < 3.8) runs[3].map.states[i] = State::occupied;
   }
   PlacedRuns site;
-  std::vector<ComparedRun> order(5);
+  std::vector<std::string> order;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     site.runs.push_back(&runs[i]);
     site.poses.push_back({}), site.trust.push_back(1);
-    order[i].name = runs[i].name;
+    order.push_back(runs[i].name);
   }
   const auto rooms = siteRooms(site, order);
   const SiteRoom& room = roomAt(rooms, kRight);

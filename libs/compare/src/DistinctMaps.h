@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "roomgraph/compare/estimate_map_errors.h"
+#include "roomgraph/compare/PairBend.h"
 
 namespace roomgraph {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/areas/AreaGraph.h"
-#include "roomgraph/compare/run_measures.h"
+#include "roomgraph/compare/PlacedRuns.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "place_runs.h"
 #include "roomgraph/base/median.h"
 
 namespace roomgraph {

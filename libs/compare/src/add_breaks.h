@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "place_runs.h"
+#include "roomgraph/compare/PlacedRuns.h"
+#include "roomgraph/compare/compare_runs.h"
 
 namespace roomgraph {
 

@@ -58,6 +58,12 @@ void rank(std::vector<ComparedRun>& runs) {
   }
 }
 
+std::vector<std::string> namesOf(const std::vector<ComparedRun>& runs) {
+  std::vector<std::string> names;
+  for (const ComparedRun& run : runs) names.push_back(run.name);
+  return names;
+}
+
 ComparedPair pairOf(const PreparedRun& a, const PreparedRun& b, const Alignment& alignment) {
   ComparedPair pair;
   pair.a = a.name, pair.b = b.name;
@@ -128,7 +134,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
     result.verdict = verdictOf(result);
     return result;
   }
-  const Site site = siteOf(runs, pairs, related, options);
+  const Site site = siteOf(runs, pairs, related, options.poses, options.reference);
   PlacedRuns inSite = placed(runs, site, options.forEach);
   std::optional<std::size_t> reference;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
@@ -140,7 +146,7 @@ Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<M
   addBreaks(result, inSite, inPairs, options);
   addReasons(result);
   rank(result.runs);
-  result.rooms = siteRooms(inSite, result.runs, options.forEach);
+  result.rooms = siteRooms(inSite, namesOf(result.runs), options.forEach);
   addPairs(result, runs, pairs, related, site, inSite, bends);
   addMeasures(result, inSite, inPairs, options.forEach);
   for (std::size_t i = 0; i < runs.size(); ++i)

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "match_areas.h"
-#include "roomgraph/compare/relate_runs.h"
+#include "roomgraph/base/ForEach.h"
 
 namespace roomgraph {
 

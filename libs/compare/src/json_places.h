@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/SiteRoom.h"
 #include "stability_json.h"
 
 namespace roomgraph {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/Measure.h"
 
 namespace roomgraph {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "roomgraph/compare/estimate_map_errors.h"
+#include "roomgraph/compare/PairBend.h"
 
 namespace roomgraph {
 

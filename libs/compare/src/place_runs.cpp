@@ -28,21 +28,22 @@ bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
 /** The runs of the site, see compareRuns. */
 std::vector<std::size_t> membersOf(std::size_t runs, const Pairs& pairs,
                                    const std::vector<MapPair>& related,
-                                   const CompareRunsOptions& options) {
+                                   const SitePosesOptions& options,
+                                   std::optional<std::size_t> reference) {
   UnionFind sets(runs);
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(related[k], options.poses))
+    if (isJoined(related[k], options))
       sets.join(std::uint32_t(pairs[k].first), std::uint32_t(pairs[k].second));
   std::vector<std::size_t> set;  // of each run the first run it is joined to
   for (std::uint32_t i = 0; i < runs; ++i) set.push_back(sets.find(i));
   std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
   for (const std::size_t s : set) ++size[s].first;
   for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(related[k], options.poses))
+    if (isJoined(related[k], options))
       size[set[pairs[k].first]].second += related[k].alignment.confidence;
   const std::size_t chosen =
-      options.reference ? set[*options.reference]
-                        : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
+      reference ? set[*reference]
+                : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
   std::vector<std::size_t> members;
   for (std::size_t i = 0; i < runs; ++i)
     if (set[i] == chosen) members.push_back(i);
@@ -73,9 +74,10 @@ double sharedOf(const MapPair& pair) { return std::min(pair.bInA.share, pair.aIn
 }  // namespace
 
 Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
-            const std::vector<MapPair>& related, const CompareRunsOptions& options) {
+            const std::vector<MapPair>& related, const SitePosesOptions& options,
+            std::optional<std::size_t> reference) {
   Site site;
-  site.runs = membersOf(runs.size(), pairs, related, options);
+  site.runs = membersOf(runs.size(), pairs, related, options, reference);
   const auto placeOf = [&](std::size_t run) {
     return std::lower_bound(site.runs.begin(), site.runs.end(), run) - site.runs.begin();
   };
@@ -85,13 +87,13 @@ Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
   std::vector<PairPose> used;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto [a, b] = pairs[k];
-    if (!isJoined(related[k], options.poses) || !isIn(a) || !isIn(b)) continue;
+    if (!isJoined(related[k], options) || !isIn(a) || !isIn(b)) continue;
     used.push_back({std::size_t(placeOf(a)), std::size_t(placeOf(b)), related[k].alignment.pose,
                     related[k].alignment.confidence, middleOf(runs[b].map)});
   }
-  const std::size_t reference = options.reference ? std::size_t(placeOf(*options.reference))
-                                                  : centreOf(site.runs.size(), used);
-  for (const SitePose& placed : sitePoses(site.runs.size(), used, reference, options.poses).runs)
+  const std::size_t centre =
+      reference ? std::size_t(placeOf(*reference)) : centreOf(site.runs.size(), used);
+  for (const SitePose& placed : sitePoses(site.runs.size(), used, centre, options).runs)
     site.poses.push_back(placed.pose);
   return site;
 }

@@ -1,9 +1,12 @@
 #pragma once
-#include <utility>
+#include <optional>
 #include <vector>
 
-#include "roomgraph/compare/compare_runs.h"
-#include "roomgraph/compare/run_measures.h"
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/compare/PairBend.h"
+#include "roomgraph/compare/PlacedRuns.h"
+#include "roomgraph/compare/relate_runs.h"
+#include "roomgraph/compare/site_poses.h"
 
 namespace roomgraph {
 
@@ -15,7 +18,8 @@ struct Site {
 
 /** The runs of the site and their poses, see compareRuns. */
 Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
-            const std::vector<MapPair>& related, const CompareRunsOptions& options);
+            const std::vector<MapPair>& related, const SitePosesOptions& options,
+            std::optional<std::size_t> reference);
 
 /** The runs of the site; trust is left open. */
 PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site, const ForEach& forEach);

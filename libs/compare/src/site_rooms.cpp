@@ -244,7 +244,7 @@ std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const C
 
 }  // namespace
 
-std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<ComparedRun>& order,
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::string>& order,
                                 const ForEach& forEach) {
   const SiteAreas areas = siteAreas(site);
   const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
@@ -259,7 +259,7 @@ std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<Compar
   });
   number(rooms);
   std::map<std::string, std::size_t> placeOf;
-  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i].name] = i;
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = i;
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     for (const RoomDoors::Door& door : doors[s].doors)
       rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : ""});

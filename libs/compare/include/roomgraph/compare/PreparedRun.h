@@ -4,7 +4,7 @@
 
 #include "roomgraph/areas/AreaGraph.h"
 #include "roomgraph/compare/MapForAlignment.h"
-#include "roomgraph/compare/track_scans.h"
+#include "roomgraph/compare/scan_walls.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {

@@ -3,20 +3,14 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/compare/PairBend.h"
+
 namespace roomgraph {
 
 // Ours
 // In:   how far each pair of maps bends apart, and what each map tells of itself
 // Out:  MapError of each map
 // Next: scoreRuns
-
-/** How far one map bends away from another, see FollowedWalls. */
-struct PairBend {
-  double bend = 0;   ///< root mean square [m]
-  double share = 0;  ///< of the walls it was seen on, 0 to 1; 0 where nothing could be compared
-  double walls = 0;  ///< wall points it was seen on
-  bool areIdentical = false;  ///< the maps are the same
-};
 
 /** The map error: root mean square displacement of the walls against the truth, after the best turn
  *  and shift [m]. */

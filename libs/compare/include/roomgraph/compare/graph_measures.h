@@ -1,8 +1,11 @@
 #pragma once
 #include <vector>
 
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/compare/Measure.h"
+#include "roomgraph/compare/PlacedRuns.h"
 #include "roomgraph/compare/compare_graphs.h"
-#include "roomgraph/compare/run_measures.h"
+#include "roomgraph/compare/relate_maps.h"
 
 namespace roomgraph {
 

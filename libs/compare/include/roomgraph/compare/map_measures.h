@@ -2,7 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/compare/run_measures.h"
+#include "roomgraph/compare/Measure.h"
+#include "roomgraph/compare/PlacedRuns.h"
+#include "roomgraph/compare/relate_maps.h"
 
 namespace roomgraph {
 

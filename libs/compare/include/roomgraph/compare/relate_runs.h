@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "roomgraph/base/ForEach.h"
 #include "roomgraph/compare/PreparedRun.h"
 #include "roomgraph/compare/relate_maps.h"
 
@@ -14,14 +15,6 @@ namespace roomgraph {
 // In:   the runs
 // Out:  MapPair of each pair of runs
 // Next: compareRuns
-
-/** Calls job(0) to job(count - 1), in any order, on any threads. Jobs do not throw. */
-using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>& job)>;
-
-/** A ForEach on this thread alone, in order. */
-inline void oneByOne(std::size_t count, const std::function<void(std::size_t)>& job) {
-  for (std::size_t i = 0; i < count; ++i) job(i);
-}
 
 /** Both indices of each pair of runs, a < b. */
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;

@@ -1,10 +1,10 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/compare_runs.h"
-#include "roomgraph/compare/estimate_map_errors.h"
-#include "roomgraph/compare/wall_distances.h"
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/compare/Measure.h"
+#include "roomgraph/compare/PairBend.h"
+#include "roomgraph/compare/PlacedRuns.h"
 
 namespace roomgraph {
 
@@ -12,15 +12,6 @@ namespace roomgraph {
 // In:   the runs of a site, placed
 // Out:  Measure
 // Next: compareRuns
-
-/** The runs of a site in one frame. */
-struct PlacedRuns {
-  std::vector<const PreparedRun*> runs;
-  std::vector<Transform2D> poses;  ///< site <- run
-  std::vector<double> trust;       ///< of each run as an other, 0 to 1
-  /** [i][j]: the walls of i against those of j. */
-  std::vector<std::vector<WallDistances>> distances;
-};
 
 /** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
  *  free. Of runs with the same map one counts. Meaningful with three maps and 10 m2. Support in

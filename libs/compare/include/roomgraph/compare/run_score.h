@@ -2,7 +2,6 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/estimate_map_errors.h"
 
 namespace roomgraph {
@@ -11,6 +10,18 @@ namespace roomgraph {
 // In:   how far each pair of runs bends apart, and what each run tells of itself
 // Out:  RunScore of each run
 // Next: compareRuns
+
+/** What the walls of one run say against those of the others. */
+struct RunScore {
+  double bend = 0;   ///< against the others, each weighted by its trust [m]
+  double share = 0;  ///< of the walls that the others have, too; weighted alike
+  double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
+  double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
+  double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1
+  double support = 0;         ///< wall points that were compared
+  std::size_t others = 0;     ///< runs it was compared with
+  bool isMeaningful = false;  ///< see scoreRuns
+};
 
 /** What a run tells of itself, without any other. */
 struct OwnEvidence {

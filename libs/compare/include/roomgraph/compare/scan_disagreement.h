@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/compare/Figure.h"
-#include "roomgraph/compare/track_scans.h"
+#include "roomgraph/compare/scan_walls.h"
 
 namespace roomgraph {
 

@@ -1,9 +1,10 @@
 #pragma once
+#include <string>
 #include <vector>
 
-#include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/relate_runs.h"
-#include "roomgraph/compare/run_measures.h"
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/compare/PlacedRuns.h"
+#include "roomgraph/compare/SiteRoom.h"
 
 namespace roomgraph {
 
@@ -16,11 +17,11 @@ namespace roomgraph {
  *  runs are one room where they overlap after a small move of the room and their neighbours behind
  *  the doors match, too. Which areas are rooms at all is put to the vote of the runs, by trust;
  * what one run alone has and the others contradict is none. Rooms get the ids R1, R2, ...,
- * corridors C1, C2, ..., largest first. SiteRoom::runs follow `order`, the compared runs. Does not
+ * corridors C1, C2, ..., largest first. SiteRoom::runs follow `order`, names of the runs. Does not
  * depend on the order of the jobs, nor on that of the placed runs but in exact ties. Empty where no
  * run has an area. O(runs
  * * rooms * (rooms + cells of a room)). */
-std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<ComparedRun>& order,
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::string>& order,
                                 const ForEach& forEach = oneByOne);
 
 /** Brings rooms into the order of their ids: R1, R2, R10, then C1. */

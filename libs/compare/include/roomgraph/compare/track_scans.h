@@ -4,7 +4,7 @@
 
 #include "roomgraph/compare/MapForAlignment.h"
 #include "roomgraph/compare/follow_walls.h"
-#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/compare/scan_walls.h"
 
 namespace roomgraph {
 
@@ -12,16 +12,6 @@ namespace roomgraph {
 // In:   the scans of a run, and another map
 // Out:  where each scan lies in that map
 // Next: findBreaks
-
-/** A scan as walls: what its neighbouring beams met. */
-struct ScanWalls {
-  Point at;                      ///< of the robot [m, frame of the run]
-  std::vector<WallPoint> walls;  ///< [m, frame of the run]
-};
-
-/** At most `maxWalls` walls of each scan, evenly; beams that meet nothing near their neighbours'
- * are left out. */
-std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls = 90);
 
 struct TrackScansOptions {
   double firstWidth = 0.6;    ///< of the band around a wall that counts at first [m]

@@ -1,4 +1,4 @@
-#include "roomgraph/compare/SiteFile.h"
+#include "roomgraph/compare/site_json.h"
 
 #include <cmath>
 #include <set>

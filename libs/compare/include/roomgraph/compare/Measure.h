@@ -1,0 +1,19 @@
+#pragma once
+#include <optional>
+#include <string>
+
+namespace roomgraph {
+
+/** One figure, and how far it can be trusted. */
+struct Measure {
+  std::string name;             ///< as in the file
+  std::optional<double> value;  ///< none where nothing supports it
+  const char* unit = "1";       ///< "m", "deg" or "1", a share of 1
+  double support = 0;           ///< how many things were counted: wall points, cells or rooms
+  /** The range of the value when any one of the other runs is left out; none without a value, or
+   *  with a single other run. */
+  std::optional<double> low, high;
+  bool isMeaningful = false;  ///< enough other runs, and enough support
+};
+
+}  // namespace roomgraph

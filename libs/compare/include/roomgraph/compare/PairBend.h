@@ -1,0 +1,13 @@
+#pragma once
+
+namespace roomgraph {
+
+/** How far one map bends away from another, see FollowedWalls. */
+struct PairBend {
+  double bend = 0;   ///< root mean square [m]
+  double share = 0;  ///< of the walls it was seen on, 0 to 1; 0 where nothing could be compared
+  double walls = 0;  ///< wall points it was seen on
+  bool areIdentical = false;  ///< the maps are the same
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,51 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/geometry/Polygon.h"
+
+namespace roomgraph {
+
+/** Whether a run knows a room of the site. */
+enum class RoomSighting {
+  seen,       ///< one of its areas is this room, or (without pieces) its space is there, but in no
+              ///< area, as nothing leads to it
+  gone,       ///< it has looked there, and no area of it is this room
+  unvisited,  ///< it has not looked there
+};
+
+/** What one run says of a room of the site. All figures are against the consensus of the runs that
+ *  have seen it. */
+struct RoomInRun {
+  std::string run;  ///< name
+  RoomSighting sighting = RoomSighting::unvisited;
+  int pieces = 0;                           ///< areas of the run that make it up; 2 or more: split
+  bool isMerged = false;                    ///< its area holds another room of the site, too
+  std::optional<double> shift;              ///< of its middle [m]
+  std::optional<double> areaChange;         ///< share, 0.1 for 10 % larger
+  std::optional<double> boundaryAgreement;  ///< share of its outline that others draw, too
+  std::optional<double> lengthError;        ///< of a corridor, end to end; longer: positive [m]
+  int doorsGained = 0, doorsLost = 0;
+};
+
+/** An opening of a room that most runs have. */
+struct SiteDoor {
+  Point place;       ///< [m, site frame]
+  double width = 0;  ///< [m]
+  std::string to;    ///< id of the room behind it; empty for none
+};
+
+/** A room or corridor of the site, over all runs. */
+struct SiteRoom {
+  std::string id;    ///< stays the same from call to call where names are kept
+  std::string name;  ///< given by the user; else the id
+  bool isCorridor = false;
+  Point center;     ///< [m, site frame]
+  Polygon polygon;  ///< as that run draws it that the others agree with most [m, site frame]
+  double area = 0;  ///< median over the runs that have seen it all [m2]
+  std::vector<SiteDoor> doors;
+  std::vector<RoomInRun> runs;  ///< in the order of Comparison::runs
+};
+
+}  // namespace roomgraph
