@@ -13,8 +13,8 @@
 
 #include "alignment_cases.h"
 #include "cut_strip.h"
+#include "roomgraph/align/align_maps.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/align_maps.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/load_grid.h"
 

@@ -17,8 +17,8 @@
 #include "floor_plans.h"
 #include "room_rules.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/match_rooms.h"
 #include "roomgraph/grid/load_grid.h"
+#include "roomgraph/match/match_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 #include "turn_map.h"
 

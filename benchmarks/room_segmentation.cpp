@@ -15,7 +15,7 @@
 #include "floor_plans.h"
 #include "room_rules.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/score_rooms.h"
+#include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 
 namespace roomgraph {

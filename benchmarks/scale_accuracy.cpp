@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/estimate_scale.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/relate/estimate_scale.h"
 #include "simulated_site.h"
 
 namespace roomgraph {

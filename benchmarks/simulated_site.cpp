@@ -7,8 +7,8 @@
 
 #include "CsvTable.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/noise_floor.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/relate/noise_floor.h"
 
 namespace roomgraph {
 namespace {

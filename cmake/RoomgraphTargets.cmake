@@ -39,6 +39,8 @@ function(roomgraph_add_test lib)
   set(target test_${lib})
   add_executable(${target} ${ARG_SOURCES})
   target_link_libraries(${target} PRIVATE roomgraph::${lib} ${ARG_DEPENDS} GTest::gtest_main)
+  # A test also sees what its library keeps to itself.
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/libs/${lib}/src")
   roomgraph_compile_options(${target})
   gtest_discover_tests(${target} PROPERTIES LABELS ${lib} DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "roomgraph/compare/relate_maps.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/load_grid.h"
+#include "roomgraph/relate/relate_maps.h"
 
 namespace {
 

@@ -13,11 +13,11 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/comparison_json.h"
-#include "roomgraph/compare/site_json.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
+#include "roomgraph/report/site_json.h"
 
 namespace roomgraph {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/SiteFile.h"
 #include "roomgraph/compare/compare_runs.h"
-#include "roomgraph/compare/estimate_scale.h"
+#include "roomgraph/ledger/SiteFile.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/relate/estimate_scale.h"
 
 namespace roomgraph {
 

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "Command.h"
-#include "roomgraph/compare/score_rooms.h"
-#include "roomgraph/compare/write_score.h"
+#include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/grid/read_labels.h"
+#include "roomgraph/report/write_score.h"
 
 namespace roomgraph {
 namespace {

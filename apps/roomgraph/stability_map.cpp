@@ -11,10 +11,10 @@
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/stability_progress.h"
-#include "roomgraph/compare/write_stability.h"
 #include "roomgraph/grid/load_grid.h"
+#include "roomgraph/report/stability_progress.h"
 #include "roomgraph/report/write_file.h"
+#include "roomgraph/report/write_stability.h"
 #include "run_in_order.h"
 
 namespace roomgraph {

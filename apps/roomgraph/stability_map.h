@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/compare/stability.h"
+#include "roomgraph/evaluation/stability.h"
 
 namespace roomgraph {
 

@@ -12,7 +12,7 @@
 #include "drawn_building.h"
 #include "drawn_graph.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/comparison_json.h"
+#include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
 namespace {

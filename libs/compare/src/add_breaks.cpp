@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "place_runs.h"
 #include "roomgraph/base/median.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/compare/PlacedRuns.h"
 #include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/relate/PlacedRuns.h"
 
 namespace roomgraph {
 

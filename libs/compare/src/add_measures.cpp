@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
-#include "roomgraph/compare/graph_measures.h"
-#include "roomgraph/compare/map_measures.h"
+#include "roomgraph/measures/graph_measures.h"
+#include "roomgraph/measures/map_measures.h"
 
 namespace roomgraph {
 namespace {

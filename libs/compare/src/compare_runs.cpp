@@ -6,10 +6,10 @@
 #include "add_breaks.h"
 #include "add_measures.h"
 #include "explain_comparison.h"
-#include "place_runs.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/run_measures.h"
-#include "roomgraph/compare/site_rooms.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/measures/run_measures.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "png_bytes.h"
-#include "roomgraph/compare/MapForAlignment.h"
+#include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Transform2D.h"
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/MapBreak.h"
-#include "roomgraph/compare/Measure.h"
-#include "roomgraph/compare/SiteRoom.h"
-#include "roomgraph/compare/run_score.h"
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/ledger/SiteRoom.h"
+#include "roomgraph/measures/Measure.h"
+#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 

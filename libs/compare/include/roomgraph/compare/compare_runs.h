@@ -4,13 +4,13 @@
 #include <utility>
 #include <vector>
 
+#include "roomgraph/breaks/find_breaks.h"
+#include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/PreparedRun.h"
-#include "roomgraph/compare/find_breaks.h"
-#include "roomgraph/compare/find_pieces.h"
-#include "roomgraph/compare/relate_runs.h"
-#include "roomgraph/compare/run_score.h"
-#include "roomgraph/compare/site_poses.h"
+#include "roomgraph/relate/PreparedRun.h"
+#include "roomgraph/relate/relate_runs.h"
+#include "roomgraph/relate/site_poses.h"
+#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "roomgraph/align/WallPatches.h"
+#include "roomgraph/align/WallPoint.h"
+#include "roomgraph/geometry/Point.h"
+#include "roomgraph/grid/Grid.h"
+
+namespace roomgraph {
+
+// In:   Grid
+// Out:  MapForAlignment
+// Next: alignMaps
+
+/** What the alignment needs to know of a map; made once, then used for all pairs. */
+struct MapForAlignment {
+  static constexpr std::uint32_t kNoWall = UINT32_MAX;
+
+  std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
+  GridFrame frame;               ///< around all that is known, with a margin
+  std::vector<State> states;     ///< row-major, as in Grid
+  /** How far each cell is from the nearest that is not free [m]; 0 where it is not free itself. */
+  std::vector<float> depths;
+  /** For each octant and cell the wall point that is nearest among those whose normal is within 45
+   *  degrees of that octant; kNoWall where none is in reach. */
+  std::array<std::vector<std::uint32_t>, kOctants> nearest;
+  std::vector<Point> freePlaces;  ///< evenly spread over the free space
+  double freeArea = 0;            ///< [m2]
+  std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle
+  WallPatches patches;            ///< of `walls`
+  std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
+  std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
+
+  Point middle() const {  ///< of `frame` [m]
+    return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
+  }
+  double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
+};
+
+struct AlignmentMapOptions {
+  double cell = 0.1;   ///< of MapForAlignment::frame [m]; a coarser map keeps its own
+  double reach = 1.0;  ///< walls farther away are not looked for [m]
+};
+
+/** Finds the walls of a map. A map without any free cell beside an occupied one has no walls, and
+ *  aligns with nothing. O(cells + walls * walls within 4 m). */
+MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options);
+
+/** The same without what it takes to look walls up in it (`nearest`, `depths`, `axisDeviation`):
+ * enough to be looked for in another map. */
+MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,29 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/align/WallPoint.h"
+
+namespace roomgraph {
+
+/** The walls of one square of a map, and what holds them in place. */
+struct WallPatch {
+  Point middle;                       ///< mean of its own walls [m, map frame]
+  std::vector<std::uint32_t> own;     ///< its wall points, as indices of all of them
+  std::vector<std::uint32_t> around;  ///< some of those within reach, evenly, its own among them
+  std::vector<std::uint32_t> neighbours;  ///< patches of the squares beside it, ascending
+};
+
+using WallPatches = std::vector<WallPatch>;
+
+struct WallPatchesOptions {
+  double side = 2;     ///< of a square [m]
+  double reach = 4;    ///< of `around` from the middle [m]: far enough to hold shift and turn
+  int maxAround = 60;  ///< points of `around`
+};
+
+/** Cuts the walls of a map into patches, by column, then row of squares. Each wall point belongs to
+ *  exactly one. O(walls * walls within reach). */
+WallPatches wallPatches(const std::vector<WallPoint>& walls, const WallPatchesOptions& options);
+
+}  // namespace roomgraph

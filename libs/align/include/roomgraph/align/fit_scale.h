@@ -1,0 +1,25 @@
+#pragma once
+#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/geometry/Transform2D.h"
+
+namespace roomgraph {
+
+/** A map that is made larger about the origin of its frame, and then laid down. */
+struct ScaledPose {
+  double scale = 1;  ///< of b's places
+  Transform2D pose;  ///< a <- b, after that
+};
+
+struct FitScaleOptions {
+  double firstWidth = 1.0;  ///< of the band around a wall that counts at first [m]
+  double lastWidth = 0.2;   ///< and at last [m]
+  int iterations = 12;
+  int maxPoints = 1000;  ///< wall points of a map that are looked up
+};
+
+/** What refineAlignment does, with the scale of `b` free as well. Right as long as the scale is
+ *  within a few percent, so that walls have their own in reach. O(iterations * points). */
+ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
+                    const FitScaleOptions& options);
+
+}  // namespace roomgraph

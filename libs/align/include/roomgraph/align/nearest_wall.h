@@ -1,0 +1,23 @@
+#pragma once
+#include "roomgraph/align/MapForAlignment.h"
+
+namespace roomgraph {
+
+/** Index of the cell that holds `place`, or frame.cellCount() outside of it: GridFrame::cellAt and
+ *  index in one, for the innermost loops. */
+inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {
+  const double x = (place.x - frame.origin.x) / frame.resolution;
+  const double y = (place.y - frame.origin.y) / frame.resolution;
+  if (!(x >= 0 && y >= 0 && x < frame.width && y < frame.height)) return frame.cellCount();
+  return frame.index({int(x), int(y)});
+}
+
+/** The wall point near the cell at `index` that faces about as `normal` does, nearest to the middle
+ *  of that cell; null where none is in reach, or beyond the last cell. O(1). */
+inline const WallPoint* nearestWall(const MapForAlignment& map, std::size_t index, Point normal) {
+  if (index >= map.frame.cellCount()) return nullptr;
+  const std::uint32_t wall = map.nearest[std::size_t(octantOf(normal))][index];
+  return wall == MapForAlignment::kNoWall ? nullptr : &map.walls[wall];
+}
+
+}  // namespace roomgraph

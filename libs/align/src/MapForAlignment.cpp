@@ -1,0 +1,231 @@
+#include "roomgraph/align/MapForAlignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "axis_deviation.h"
+#include "wall_sharpness.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFineCell = 0.05;      // walls are looked for on cells no smaller than this [m]
+constexpr double kNormalRadius = 0.25;  // of the window that gives a wall its direction [m]
+constexpr double kFreeSpacing = 0.2;    // of freePlaces [m]
+constexpr int kTurnBins = 180;
+
+/** The cells that are not unknown, as a box of cells; empty where x1 <= x0. */
+struct CellBox {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+CellBox knownBox(const Grid& grid) {
+  CellBox box{grid.frame.width, grid.frame.height, 0, 0};
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x)
+      if (grid.at({x, y}) != State::unknown) {
+        box.x0 = std::min(box.x0, x), box.x1 = std::max(box.x1, x + 1);
+        box.y0 = std::min(box.y0, y), box.y1 = std::max(box.y1, y + 1);
+      }
+  return box;
+}
+
+/** The known part of the map on cells of side `cell`, with a margin: occupied where any of its
+ *  cells is, free where more are free than unknown. */
+Grid coarser(const Grid& grid, double cell, double margin) {
+  const CellBox box = knownBox(grid);
+  const GridFrame& from = grid.frame;
+  Grid out;
+  out.frame.resolution = cell;
+  if (box.x1 <= box.x0) return out;
+  const Point low{from.origin.x + box.x0 * from.resolution,
+                  from.origin.y + box.y0 * from.resolution};
+  out.frame.origin = low - Point{margin, margin};
+  out.frame.width = int(std::ceil(((box.x1 - box.x0) * from.resolution + 2 * margin) / cell));
+  out.frame.height = int(std::ceil(((box.y1 - box.y0) * from.resolution + 2 * margin) / cell));
+  std::vector<std::int32_t> balance(out.frame.cellCount(), 0);
+  std::vector<std::uint8_t> isOccupied(out.frame.cellCount(), 0);
+  std::vector<std::int32_t> column(std::size_t(from.width));
+  for (int x = 0; x < from.width; ++x)
+    column[std::size_t(x)] = out.frame.cellAt(from.center({x, 0})).x;
+  for (int y = box.y0; y < box.y1; ++y) {
+    const int row = out.frame.cellAt(from.center({0, y})).y;
+    for (int x = box.x0; x < box.x1; ++x) {
+      const std::size_t i = out.frame.index({column[std::size_t(x)], row});
+      const State state = grid.at({x, y});
+      if (state == State::occupied) isOccupied[i] = 1;
+      balance[i] += state == State::free ? 1 : -1;
+    }
+  }
+  out.cells.resize(out.frame.cellCount());
+  for (std::size_t i = 0; i < out.cells.size(); ++i)
+    out.cells[i] = isOccupied[i] ? State::occupied : balance[i] > 0 ? State::free : State::unknown;
+  return out;
+}
+
+/** From the occupied cells round a free cell towards it; (0, 0) where they balance. */
+Point normalAt(const Grid& grid, Cell at) {
+  const int r = std::max(1, int(kNormalRadius / grid.frame.resolution));
+  Point sum;
+  for (int y = std::max(0, at.y - r); y <= std::min(grid.frame.height - 1, at.y + r); ++y)
+    for (int x = std::max(0, at.x - r); x <= std::min(grid.frame.width - 1, at.x + r); ++x)
+      if (grid.at({x, y}) == State::occupied) {
+        const double dx = at.x - x, dy = at.y - y;
+        if (dx * dx + dy * dy > r * r) continue;
+        const double weight = 1 / (dx * dx + dy * dy);
+        sum = sum + weight * Point{dx, dy};
+      }
+  const double length = norm(sum);
+  return length < 1e-9 ? Point{} : (1 / length) * sum;
+}
+
+bool isBesideWall(const Grid& grid, Cell c) {
+  return grid.atOrUnknown({c.x - 1, c.y}) == State::occupied ||
+         grid.atOrUnknown({c.x + 1, c.y}) == State::occupied ||
+         grid.atOrUnknown({c.x, c.y - 1}) == State::occupied ||
+         grid.atOrUnknown({c.x, c.y + 1}) == State::occupied;
+}
+
+/** Every free cell beside a wall. */
+std::vector<WallPoint> wallSides(const Grid& grid) {
+  std::vector<WallPoint> sides;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x) {
+      if (grid.at({x, y}) != State::free || !isBesideWall(grid, {x, y})) continue;
+      const Point normal = normalAt(grid, {x, y});
+      if (normal == Point{}) continue;
+      sides.push_back({grid.frame.center({x, y}) - 0.5 * grid.frame.resolution * normal, normal,
+                       octantOf(normal)});
+    }
+  return sides;
+}
+
+/** The mean of the sides in each cell and octant, by cell, then octant. */
+std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFrame& frame) {
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // key, side
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    order.push_back(
+        {frame.index(frame.cellAt(sides[i].place)) * kOctants + std::size_t(sides[i].direction),
+         i});
+  std::sort(order.begin(), order.end());
+  std::vector<WallPoint> points;
+  for (std::size_t i = 0; i < order.size();) {
+    Point place, normal;
+    std::size_t n = 0, k = i;
+    for (; k < order.size() && order[k].first == order[i].first; ++k, ++n) {
+      place = place + sides[order[k].second].place;
+      normal = normal + sides[order[k].second].normal;
+    }
+    normal = (1 / norm(normal)) * normal;  // within one octant, so not (0, 0)
+    points.push_back({(1 / double(n)) * place, normal, octantOf(normal)});
+    i = k;
+  }
+  return points;
+}
+
+/** Spreads what `better` prefers from each cell to its neighbours, forth and back. */
+template <class Better>
+void sweep(const GridFrame& frame, Better better) {
+  const int w = frame.width, h = frame.height;
+  for (int y = 0; y < h; ++y) {
+    for (int x = 0; x < w; ++x)
+      for (const Cell d : {Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}, Cell{-1, 0}})
+        if (frame.contains({x + d.x, y + d.y})) better({x, y}, {x + d.x, y + d.y});
+    for (int x = w - 1; x-- > 0;) better({x, y}, {x + 1, y});
+  }
+  for (int y = h - 1; y >= 0; --y) {
+    for (int x = w - 1; x >= 0; --x)
+      for (const Cell d : {Cell{1, 1}, Cell{0, 1}, Cell{-1, 1}, Cell{1, 0}})
+        if (frame.contains({x + d.x, y + d.y})) better({x, y}, {x + d.x, y + d.y});
+    for (int x = 1; x < w; ++x) better({x, y}, {x - 1, y});
+  }
+}
+
+std::vector<std::uint32_t> nearestWalls(const MapForAlignment& map, int octant, double reach) {
+  constexpr std::uint32_t none = MapForAlignment::kNoWall;
+  const GridFrame& frame = map.frame;
+  std::vector<std::uint32_t> label(frame.cellCount(), none);
+  std::vector<float> best(frame.cellCount(), float(reach * reach));
+  const auto offer = [&](Cell c, std::uint32_t wall) {
+    const std::size_t i = frame.index(c);
+    const float d = float(squaredNorm(frame.center(c) - map.walls[wall].place));
+    if (d < best[i]) best[i] = d, label[i] = wall;
+  };
+  const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
+  for (std::uint32_t i = 0; i < map.walls.size(); ++i)
+    if (dot(map.walls[i].normal, axis) > M_SQRT1_2) offer(frame.cellAt(map.walls[i].place), i);
+  sweep(frame, [&](Cell to, Cell from) {
+    const std::uint32_t wall = label[frame.index(from)];
+    if (wall != none && wall != label[frame.index(to)]) offer(to, wall);
+  });
+  return label;
+}
+
+std::vector<float> depthsOf(const GridFrame& frame, const std::vector<State>& states) {
+  std::vector<float> depth(states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) depth[i] = states[i] == State::free ? 1e6f : 0;
+  const float straight = float(frame.resolution), slanted = float(M_SQRT2 * frame.resolution);
+  sweep(frame, [&](Cell to, Cell from) {
+    const float step = to.x != from.x && to.y != from.y ? slanted : straight;
+    float& d = depth[frame.index(to)];
+    d = std::min(d, depth[frame.index(from)] + step);
+  });
+  return depth;
+}
+
+std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
+  std::vector<double> turns(kTurnBins, 0);
+  for (const WallPoint& side : sides) {
+    const double turn = std::atan2(side.normal.y, side.normal.x) / (2 * M_PI);
+    turns[std::size_t((turn - std::floor(turn)) * kTurnBins) % kTurnBins] += 1;
+  }
+  return turns;
+}
+
+std::vector<Point> placesIn(const Grid& grid, const GridFrame& frame) {
+  const int step = std::max(1, int(std::lround(kFreeSpacing / frame.resolution)));
+  std::vector<Point> places;
+  for (int y = step / 2; y < frame.height; y += step)
+    for (int x = step / 2; x < frame.width; x += step)
+      if (grid.at({x, y}) == State::free) places.push_back(frame.center({x, y}));
+  return places;
+}
+
+}  // namespace
+
+int octantOf(Point v) {
+  constexpr double kTan22 = 0.41421356237309503;  // of half an octant
+  const double ax = std::abs(v.x), ay = std::abs(v.y);
+  if (ay <= kTan22 * ax) return v.x >= 0 ? 0 : 4;
+  if (ax <= kTan22 * ay) return v.y >= 0 ? 2 : 6;
+  if (v.y >= 0) return v.x >= 0 ? 1 : 3;
+  return v.x >= 0 ? 7 : 5;
+}
+
+MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
+  const Grid fine = coarser(grid, std::max(kFineCell, grid.frame.resolution), options.reach);
+  const Grid coarse = coarser(grid, std::max(options.cell, grid.frame.resolution), options.reach);
+  MapForAlignment map;
+  map.frame = coarse.frame;
+  map.states = coarse.cells;
+  const std::vector<WallPoint> sides = wallSides(fine);
+  map.turns = turnsOf(sides);
+  map.walls = thinned(sides, map.frame);
+  map.patches = wallPatches(map.walls, {});
+  map.freePlaces = placesIn(coarse, map.frame);
+  const auto free = std::count(map.states.begin(), map.states.end(), State::free);
+  map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;
+  return map;
+}
+
+MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
+  MapForAlignment map = wallsForAlignment(grid, options);
+  map.axisDeviation = axisDeviation(map.walls);
+  map.wallSharpness = wallSharpness(grid);
+  map.depths = depthsOf(map.frame, map.states);
+  for (int k = 0; k < kOctants; ++k)
+    map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);
+  return map;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,141 @@
+#include "roomgraph/align/align_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "roomgraph/align/alignment_confidence.h"
+#include "roomgraph/align/near_poses.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameTurn = 0.03, kSamePlace = 0.3;  // poses worth one closer look [rad, m]
+constexpr double kNoRunnerUp = -4;                    // its log odds
+constexpr double kMuchBetter = 6;                     // the best pose's score where it is alone
+
+void sortByScore(std::vector<AlignmentCandidate>& candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& l, const auto& r) { return l.score > r.score; });
+}
+
+AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment& b,
+                                 const Transform2D& near, const RefineAlignmentOptions& refine,
+                                 const VerifyAlignmentOptions& verify) {
+  AlignmentCandidate c;
+  c.pose = refineAlignment(a, b, near, refine);
+  c.evidence = verifyAlignment(a, b, c.pose, verify);
+  c.score = alignmentScore(c.evidence);
+  return c;
+}
+
+/** The best `count` of those that are not near a better one, improved; the best first. */
+std::vector<AlignmentCandidate> lookedAt(const MapForAlignment& a, const MapForAlignment& b,
+                                         const std::vector<AlignmentCandidate>& candidates,
+                                         int count, const RefineAlignmentOptions& refine,
+                                         const VerifyAlignmentOptions& verify) {
+  const Point middle = b.middle();
+  std::vector<Transform2D> seen;
+  std::vector<AlignmentCandidate> found;
+  for (const AlignmentCandidate& c : candidates) {
+    if (int(seen.size()) == count) break;
+    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
+      return areNear(pose, c.pose, middle, kSameTurn, kSamePlace);
+    });
+    if (isSeen) continue;
+    seen.push_back(c.pose);
+    found.push_back(candidateNear(a, b, c.pose, refine, verify));
+  }
+  sortByScore(found);
+  return found;
+}
+
+/** Any order that does not depend on which map was named first. */
+bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
+  const auto key = [](const MapForAlignment& m) {
+    return std::make_tuple(m.walls.size(), m.freeArea, m.frame.width, m.frame.height);
+  };
+  if (key(l) != key(r)) return key(l) > key(r);
+  return std::lexicographical_compare(
+      l.walls.begin(), l.walls.end(), r.walls.begin(), r.walls.end(),
+      [](const WallPoint& p, const WallPoint& q) { return p.place < q.place; });
+}
+
+bool cannotBeToldApart(const MapForAlignment& l, const MapForAlignment& r) {
+  return l.states == r.states && !isBefore(l, r) && !isBefore(r, l);
+}
+
+void judge(Alignment& result, const AlignMapsOptions& options) {
+  const double odds = sameSiteLogOdds(result.best->evidence);
+  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : kNoRunnerUp;
+  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : kMuchBetter;
+  result.siteConfidence = probability(odds);
+  result.isSameSite = result.siteConfidence >= options.minSameSite;
+  result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);
+  result.confidence = poseConfidence(odds, other, margin, result.best->evidence.weakest);
+  if (!result.isSameSite) result.confidence = std::min(result.confidence, result.siteConfidence);
+  result.runnerUpConfidence =
+      result.runnerUp ? (1 - result.confidence) * probability(other - margin) : 0;
+  result.overlap = result.best->evidence.overlap;
+}
+
+/** What follows from the poses that were looked at closely, best first. */
+Alignment alignmentOf(const MapForAlignment& a, const MapForAlignment& b,
+                      const std::vector<AlignmentCandidate>& found,
+                      const AlignMapsOptions& options) {
+  Alignment result;
+  if (found.empty()) return result;
+  result.best = found.front();
+  const Point middle = b.middle();
+  for (const AlignmentCandidate& c : found) {
+    if (areNear(c.pose, result.best->pose, middle, kOtherTurn, kOtherPlace)) continue;
+    result.runnerUp = c;
+    break;
+  }
+  if (cannotBeToldApart(a, b) && areNear(result.best->pose, {}, middle, kSameTurn, kSamePlace))
+    result.best->pose = {};
+  judge(result, options);
+  result.pose = result.best->pose;
+  for (const AlignmentCandidate& c : found) result.poses.push_back(c.pose);
+  result.poses.front() = result.pose;
+  return result;
+}
+
+}  // namespace
+
+Alignment inverse(Alignment alignment) {
+  alignment.pose = alignment.pose.inverse();
+  for (Transform2D& pose : alignment.poses) pose = pose.inverse();
+  if (alignment.best) alignment.best->pose = alignment.best->pose.inverse();
+  if (alignment.runnerUp) alignment.runnerUp->pose = alignment.runnerUp->pose.inverse();
+  return alignment;
+}
+
+std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
+                                                    const MapForAlignment& b,
+                                                    const AlignMapsOptions& options) {
+  std::vector<AlignmentCandidate> found;
+  for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
+    found.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
+  sortByScore(found);
+  found = lookedAt(a, b, found, options.closer, options.closerRefine, options.closerVerify);
+  return lookedAt(a, b, found, options.count, options.refine, options.verify);
+}
+
+Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
+                    const AlignMapsOptions& options) {
+  if (!isBefore(b, a)) return alignmentOf(a, b, alignmentCandidates(a, b, options), options);
+  return inverse(alignmentOf(b, a, alignmentCandidates(b, a, options), options));
+}
+
+Alignment alignMapsNear(const MapForAlignment& a, const MapForAlignment& b,
+                        const std::vector<Transform2D>& poses, const AlignMapsOptions& options) {
+  std::vector<AlignmentCandidate> found;
+  if (!a.walls.empty() && !b.walls.empty())
+    for (const Transform2D& pose : poses)
+      found.push_back(candidateNear(a, b, pose, options.refine, options.verify));
+  sortByScore(found);
+  return alignmentOf(a, b, found, options);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,83 @@
+#include "axis_deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kReach = 1.5;           // of the walls that give a direction [m]
+constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
+constexpr double kSameFacing = 0.7;      // cosine between the normals of one wall
+constexpr double kMinLength = 0.42;      // of a straight piece, as a standard deviation [m]
+constexpr double kMaxRoughness = 0.022;  // variance across over variance along
+constexpr std::size_t kMinNear = 8, kMinDirections = 100;
+
+/** Sums over the places near one another. */
+struct Moments {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+
+  void add(Point p) {
+    ++n, x += p.x, y += p.y;
+    xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
+  }
+
+  /** The direction in which the places lie [rad]; none where that is no line. */
+  std::optional<double> direction() const {
+    if (n < double(kMinNear)) return std::nullopt;
+    const double a = xx / n - x * x / n / n, b = xy / n - x * y / n / n, c = yy / n - y * y / n / n;
+    const double middle = (a + c) / 2, half = std::hypot((a - c) / 2, b);
+    const double along = middle + half, across = middle - half;
+    if (along < kMinLength * kMinLength || across > kMaxRoughness * along) return std::nullopt;
+    return std::atan2(2 * b, a - c) / 2;
+  }
+};
+
+using Squares = std::map<std::pair<int, int>, std::vector<const WallPoint*>>;
+
+std::pair<int, int> squareOf(Point p) {
+  return {int(std::floor(p.x / kReach)), int(std::floor(p.y / kReach))};
+}
+
+std::optional<double> directionAt(const Squares& squares, const WallPoint& wall) {
+  Moments near;
+  const auto [x0, y0] = squareOf(wall.place);
+  for (int x = x0 - 1; x <= x0 + 1; ++x)
+    for (int y = y0 - 1; y <= y0 + 1; ++y) {
+      const auto it = squares.find({x, y});
+      if (it == squares.end()) continue;
+      for (const WallPoint* other : it->second) {
+        const Point off = other->place - wall.place;
+        if (dot(other->normal, wall.normal) >= kSameFacing && norm(off) <= kReach &&
+            std::abs(dot(off, wall.normal)) <= kThickness)
+          near.add(off);
+      }
+    }
+  return near.direction();
+}
+
+}  // namespace
+
+std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
+  Squares squares;
+  for (const WallPoint& wall : walls) squares[squareOf(wall.place)].push_back(&wall);
+  std::vector<double> directions;
+  double cosine = 0, sine = 0;
+  for (const WallPoint& wall : walls)
+    if (const auto direction = directionAt(squares, wall)) {
+      directions.push_back(*direction);
+      cosine += std::cos(4 * *direction), sine += std::sin(4 * *direction);  // all axes as one
+    }
+  if (directions.size() < kMinDirections) return std::nullopt;
+  const double axis = std::atan2(sine, cosine) / 4;
+  for (double& direction : directions)
+    direction = std::abs(std::remainder(direction - axis, M_PI / 2));
+  const auto middle = directions.begin() + std::ptrdiff_t(directions.size() / 2);
+  std::nth_element(directions.begin(), middle, directions.end());
+  return *middle;
+}
+
+}  // namespace roomgraph

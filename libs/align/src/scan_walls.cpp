@@ -1,0 +1,39 @@
+#include "roomgraph/align/scan_walls.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameSurface = 0.3;  // between the ends of neighbouring beams, at 4 m [m]
+constexpr double kNear = 4;
+
+std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
+  if (i == 0 || i + 1 >= frame.ends.size()) return std::nullopt;
+  const Point end = frame.ends[i];
+  const Point along = frame.ends[i + 1] - frame.ends[i - 1];
+  const double gap = kSameSurface * std::max(1.0, norm(end) / kNear);
+  if (norm(along) < 1e-6 || norm(along) > 2 * gap) return std::nullopt;
+  Point normal = (1 / norm(along)) * Point{-along.y, along.x};
+  if (dot(normal, end) > 0) normal = -1.0 * normal;  // towards the robot
+  const Point out = turned(normal, frame.pose.phi);
+  return WallPoint{frame.pose(end), out, octantOf(out)};
+}
+
+}  // namespace
+
+std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls) {
+  std::vector<ScanWalls> scans;
+  for (const Keyframe& frame : frames) {
+    ScanWalls scan{frame.pose.shift(), {}};
+    const std::size_t step = std::max<std::size_t>(1, frame.ends.size() / std::size_t(maxWalls));
+    for (std::size_t i = step / 2; i < frame.ends.size(); i += step)
+      if (const auto wall = wallOf(frame, i)) scan.walls.push_back(*wall);
+    scans.push_back(std::move(scan));
+  }
+  return scans;
+}
+
+}  // namespace roomgraph

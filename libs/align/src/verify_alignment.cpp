@@ -1,0 +1,114 @@
+#include "roomgraph/align/verify_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+// How far from the end of the free space a wall must lie to speak against a pose [m].
+constexpr double kShallow = 0.2, kDeep = 0.5;
+
+/** The sums over wall points, and of n nT over those that were found. */
+struct Sums {
+  double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
+  double xx = 0, xy = 0, yy = 0;
+
+  void lookUp(const MapForAlignment& in, Point at, Point normal, double length,
+              const VerifyAlignmentOptions& options) {
+    all += length;
+    const std::size_t i = cellIndexAt(in.frame, at);
+    if (i == in.states.size()) return;
+    const WallPoint* wall = nearestWall(in, i, normal);
+    double near = 0, far = 0;
+    if (wall) {
+      const double d2 = squaredNorm(wall->place - at);
+      const double facing = std::max(0.0, dot(wall->normal, normal));
+      near = facing * std::exp(-0.5 * d2 / (options.near * options.near));
+      far = facing * std::exp(-0.5 * d2 / (options.far * options.far));
+    }
+    close += length * near;
+    loose += length * far;
+    xx += length * far * normal.x * normal.x;
+    xy += length * far * normal.x * normal.y;
+    yy += length * far * normal.y * normal.y;
+    const bool isKnown = in.states[i] != State::unknown;
+    known += length * (isKnown ? 1 : far);
+    if (in.depths[i] > kShallow) slightly += length * (1 - std::min(1.0, 2 * near));
+    if (in.depths[i] > kDeep) contradicted += length * (1 - far);
+  }
+};
+
+void lookUpAll(const MapForAlignment& of, const MapForAlignment& in, const Transform2D& pose,
+               const VerifyAlignmentOptions& options, double turn, Sums& sums) {
+  const std::size_t stride =
+      (of.walls.size() + std::size_t(options.maxPoints) - 1) / std::size_t(options.maxPoints);
+  if (stride == 0) return;
+  const double length = double(stride) * of.wallSpacing();
+  const Motion2D motion(pose);
+  Sums part;
+  for (std::size_t i = 0; i < of.walls.size(); i += stride)
+    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, options);
+  // n nT in the frame of a, whichever map was looked up
+  const double ct = std::cos(turn), st = std::sin(turn);
+  const double xx = part.xx, xy = part.xy, yy = part.yy;
+  part.xx = ct * ct * xx - 2 * ct * st * xy + st * st * yy;
+  part.yy = st * st * xx + 2 * ct * st * xy + ct * ct * yy;
+  part.xy = ct * st * (xx - yy) + (ct * ct - st * st) * xy;
+  sums.close += part.close, sums.loose += part.loose, sums.contradicted += part.contradicted;
+  sums.slightly += part.slightly;
+  sums.known += part.known, sums.all += part.all;
+  sums.xx += part.xx, sums.xy += part.xy, sums.yy += part.yy;
+}
+
+struct FreeCount {
+  std::size_t free = 0, wall = 0, all = 0;
+};
+
+FreeCount countFree(const MapForAlignment& of, const MapForAlignment& in, const Transform2D& pose,
+                    std::size_t maxCount) {
+  const std::size_t stride = (of.freePlaces.size() + maxCount - 1) / maxCount;
+  const Motion2D motion(pose);
+  FreeCount count;
+  for (std::size_t i = 0; i < of.freePlaces.size(); i += std::max<std::size_t>(1, stride)) {
+    ++count.all;
+    const std::size_t at = cellIndexAt(in.frame, motion(of.freePlaces[i]));
+    if (at == in.states.size()) continue;
+    const State state = in.states[at];
+    if (state == State::free) ++count.free;
+    if (state == State::occupied) ++count.wall;
+  }
+  return count;
+}
+
+double commonArea(const MapForAlignment& of, const FreeCount& count) {
+  return count.all ? of.freeArea * double(count.free + count.wall) / double(count.all) : 0;
+}
+
+}  // namespace
+
+AlignmentEvidence verifyAlignment(const MapForAlignment& a, const MapForAlignment& b,
+                                  const Transform2D& pose, const VerifyAlignmentOptions& options) {
+  const Transform2D back = pose.inverse();
+  Sums sums;
+  lookUpAll(b, a, pose, options, 0, sums);
+  lookUpAll(a, b, back, options, pose.phi, sums);
+  AlignmentEvidence e;
+  e.close = sums.close, e.loose = sums.loose, e.contradicted = sums.contradicted;
+  e.slightly = sums.slightly;
+  e.known = sums.known, e.all = sums.all;
+  const double half = 0.5 * (sums.xx + sums.yy);
+  e.weakest = half - std::hypot(0.5 * (sums.xx - sums.yy), sums.xy);
+  const std::size_t most = 2 * std::size_t(options.maxPoints);
+  const FreeCount inA = countFree(b, a, pose, most), inB = countFree(a, b, back, most);
+  const FreeCount& smaller = b.freeArea <= a.freeArea ? inA : inB;
+  if (smaller.all > 0) e.overlap = double(smaller.free) / double(smaller.all);
+  const FreeCount free{inA.free + inB.free, inA.wall + inB.wall, 0};
+  e.common = commonArea(b, inA) + commonArea(a, inB);
+  if (free.free + free.wall > 0) e.freeOnWall = double(free.wall) / double(free.free + free.wall);
+  return e;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,41 @@
+#include "roomgraph/align/wall_doubling.h"
+
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kNearest = 0.15, kFarthest = 0.8;  // from one copy to the other [m]
+constexpr double kAside = 0.12;                     // of the normal's line [m]
+constexpr double kSameFacing = 0.94;                // cosine
+
+bool isCopy(const WallPoint& wall, const WallPoint& other) {
+  const Point off = other.place - wall.place;
+  const double ahead = std::abs(dot(off, wall.normal));
+  return ahead >= kNearest && ahead <= kFarthest && std::abs(cross(wall.normal, off)) <= kAside &&
+         dot(wall.normal, other.normal) >= kSameFacing;
+}
+
+bool hasCopy(const MapForAlignment& map, const WallPoint& wall) {
+  const double step = map.frame.resolution;
+  for (double along = kNearest; along <= kFarthest; along += step)
+    for (const double way : {along, -along}) {
+      const std::size_t cell = cellIndexAt(map.frame, wall.place + way * wall.normal);
+      const WallPoint* other = nearestWall(map, cell, wall.normal);
+      if (other && isCopy(wall, *other)) return true;
+    }
+  return false;
+}
+
+}  // namespace
+
+std::optional<double> wallDoubling(const MapForAlignment& map) {
+  if (map.walls.empty()) return std::nullopt;
+  double doubled = 0;
+  for (const WallPoint& wall : map.walls) doubled += hasCopy(map, wall);
+  return doubled / double(map.walls.size());
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,134 @@
+#include "roomgraph/breaks/find_breaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "roomgraph/base/median.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
+constexpr std::size_t kMinSide = 3;    // steps on either side of a break
+
+/** The change of a run's pose in another map from one scan to the next that was found. */
+struct Jump {
+  std::size_t scan = 0, before = 0;
+  double rotation = 0, shift = 0;
+};
+
+std::vector<Jump> stepsOf(const std::vector<ScanWalls>& scans, const ScanTrack& track) {
+  std::vector<Jump> steps;
+  std::optional<std::size_t> last;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    if (!track[k]) continue;
+    if (last) {
+      const Transform2D &from = *track[*last], &to = *track[k];
+      // The map shows the run's error the other way round.
+      steps.push_back({k, *last, wrappedAngle(from.phi - to.phi),
+                       distance(from(scans[k].at), to(scans[k].at))});
+    }
+    last = k;
+  }
+  return steps;
+}
+
+double usual(const std::vector<Jump>& steps, double (*size)(const Jump&)) {
+  std::vector<double> sizes;
+  for (const Jump& step : steps) sizes.push_back(size(step));
+  const auto at = sizes.begin() + std::ptrdiff_t(0.95 * double(sizes.size()));
+  std::nth_element(sizes.begin(), at, sizes.end());
+  return *at;
+}
+
+double rotationOf(const Jump& step) { return std::abs(step.rotation); }
+double shiftOf(const Jump& step) { return step.shift; }
+
+/** The jumps of one track that stand out of it. */
+class JumpFinder {
+ public:
+  JumpFinder(const std::vector<Jump>& steps, const FindBreaksOptions& options)
+      : steps_(steps), options_(options) {}
+
+  std::vector<Jump> find() const {
+    std::vector<Jump> found;
+    if (steps_.size() < kMinSteps) return found;
+    const double rotation =
+        std::max(options_.minRotation, options_.outlier * usual(steps_, rotationOf));
+    const double shift = std::max(options_.minShift, options_.outlier * usual(steps_, shiftOf));
+    for (std::size_t i = kMinSide; i + kMinSide < steps_.size(); ++i) {
+      const Jump& step = steps_[i];
+      if (step.scan - step.before > options_.maxGap) continue;
+      const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
+      const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
+      if (isTurned || isMoved) found.push_back(step);
+    }
+    return found;
+  }
+
+ private:
+  bool isQuietAround(std::size_t i, double (*size)(const Jump&)) const {
+    const std::size_t from = i - std::min(i, options_.window - 1);
+    const std::size_t to = std::min(steps_.size(), i + options_.window);
+    for (std::size_t k = from; k < to; ++k)
+      if (k != i && size(steps_[k]) > options_.quiet * size(steps_[i])) return false;
+    return true;
+  }
+
+  const std::vector<Jump>& steps_;
+  const FindBreaksOptions& options_;
+};
+
+/** What one track shows at a scan. */
+struct Sighting {
+  Jump jump;
+  std::size_t track = 0;
+};
+
+ScanBreak breakOf(const std::vector<Sighting>& seen) {
+  ScanBreak found;
+  std::vector<double> scans, rotations, shifts;
+  for (const Sighting& sighting : seen) {
+    scans.push_back(double(sighting.jump.scan));
+    rotations.push_back(sighting.jump.rotation);
+    shifts.push_back(sighting.jump.shift);
+    found.seenIn.push_back(sighting.track);
+  }
+  found.scan = std::size_t(median(scans));
+  found.rotation = median(rotations), found.shift = median(shifts);
+  return found;
+}
+
+}  // namespace
+
+std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans,
+                                  const std::vector<ScanTrack>& tracks,
+                                  const std::vector<double>& weights,
+                                  const FindBreaksOptions& options) {
+  std::vector<Sighting> all;
+  for (std::size_t t = 0; t < tracks.size(); ++t) {
+    const std::vector<Jump> steps = stepsOf(scans, tracks[t]);
+    for (const Jump& jump : JumpFinder(steps, options).find()) all.push_back({jump, t});
+  }
+  std::sort(all.begin(), all.end(), [](const Sighting& l, const Sighting& r) {
+    return l.jump.scan != r.jump.scan ? l.jump.scan < r.jump.scan : l.track < r.track;
+  });
+  std::vector<ScanBreak> breaks;
+  for (std::size_t i = 0; i < all.size();) {
+    std::vector<Sighting> seen;
+    const std::size_t first = all[i].jump.scan;
+    for (; i < all.size() && all[i].jump.scan <= first + options.sameScan; ++i)
+      if (std::none_of(seen.begin(), seen.end(),
+                       [&](const Sighting& other) { return other.track == all[i].track; }))
+        seen.push_back(all[i]);
+    double weight = 0;
+    for (const Sighting& sighting : seen) weight += weights[sighting.track];
+    if (2 * weight <= std::accumulate(weights.begin(), weights.end(), 0.0)) continue;
+    breaks.push_back(breakOf(seen));
+    std::sort(breaks.back().seenIn.begin(), breaks.back().seenIn.end());
+  }
+  return breaks;
+}
+
+}  // namespace roomgraph

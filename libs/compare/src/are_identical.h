@@ -1,9 +1,0 @@
-#pragma once
-#include "roomgraph/compare/MapForAlignment.h"
-
-namespace roomgraph {
-
-/** Whether two maps are the same, cell by cell and wall by wall. */
-bool areIdentical(const MapForAlignment& l, const MapForAlignment& r);
-
-}  // namespace roomgraph

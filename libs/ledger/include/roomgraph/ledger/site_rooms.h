@@ -1,0 +1,33 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/ledger/SiteRoom.h"
+#include "roomgraph/relate/PlacedRuns.h"
+
+namespace roomgraph {
+
+// Ours: the ledger of a site
+// In:   the runs of a site, placed, with their areas
+// Out:  SiteRoom
+// Next: nameRooms, comparisonJson
+
+/** The rooms and corridors that the runs have, and what each run says of each. Areas of several
+ *  runs are one room where they overlap after a small move of the room and their neighbours behind
+ *  the doors match, too. Which areas are rooms at all is put to the vote of the runs, by trust;
+ * what one run alone has and the others contradict is none. Rooms get the ids R1, R2, ...,
+ * corridors C1, C2, ..., largest first. SiteRoom::runs follow `order`, names of the runs. Does not
+ * depend on the order of the jobs, nor on that of the placed runs but in exact ties. Empty where no
+ * run has an area. O(runs
+ * * rooms * (rooms + cells of a room)). */
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::string>& order,
+                                const ForEach& forEach = oneByOne);
+
+/** Brings rooms into the order of their ids: R1, R2, R10, then C1. */
+void sortRooms(std::vector<SiteRoom>& rooms);
+
+/** One line for people: how many rooms, and what is odd of which run; empty without rooms. */
+std::string roomsText(const std::vector<SiteRoom>& rooms);
+
+}  // namespace roomgraph

@@ -1,0 +1,120 @@
+#include "SiteAreas.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/match/polygon_cells.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kCell = 0.1, kMargin = 0.5;  // [m]
+constexpr double kMaxCells = 1e6;             // of a site; a larger one has larger cells
+constexpr std::size_t kMaxAreas = UINT16_MAX - RunAreas::kFirst;
+constexpr double kLeastWeight = 0.1;
+
+Ring moved(Ring ring, const Motion2D& motion) {
+  for (Point& p : ring) p = motion(p);
+  return ring;
+}
+
+AreaGraph moved(AreaGraph areas, const Transform2D& pose) {
+  const Motion2D motion(pose);
+  for (Area& area : areas.areas) {
+    area.polygon.outer = moved(std::move(area.polygon.outer), motion);
+    for (Ring& hole : area.polygon.holes) hole = moved(std::move(hole), motion);
+  }
+  for (Passage& passage : areas.passages)
+    passage.from = motion(passage.from), passage.to = motion(passage.to);
+  return areas;
+}
+
+/** Labels the cells of each area, and takes samples of every second cell both ways. */
+void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
+  for (std::size_t a = 0; a < std::min(areas.areas.size(), kMaxAreas); ++a) {
+    SiteShape shape;
+    shape.polygon = areas.areas[a].polygon;
+    shape.middle = centroid(shape.polygon);
+    shape.area = area(shape.polygon);
+    shape.isCorridor = !areas.areas[a].isRoom();
+    for (const Cell c : cellsIn(shape.polygon, frame)) {
+      run.labels[frame.index(c)] = std::uint16_t(RunAreas::kFirst + a);
+      if (c.x % 2 == 0 && c.y % 2 == 0) shape.samples.push_back(frame.center(c));
+    }
+    run.shapes.push_back(std::move(shape));
+  }
+  run.doors.resize(run.shapes.size());
+  for (const Passage& passage : areas.passages) {
+    const std::size_t a = passage.a.index(), b = passage.b.index();
+    if (a >= run.shapes.size() || b >= run.shapes.size()) continue;
+    run.doors[a].push_back({b, passage.middle(), passage.width});
+    run.doors[b].push_back({a, passage.middle(), passage.width});
+  }
+}
+
+void markKnown(const MapForAlignment& map, const Transform2D& pose, const GridFrame& frame,
+               RunAreas& run) {
+  const Motion2D back(pose.inverse());
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      const std::size_t cell = cellIndexAt(map.frame, back(frame.center({x, y})));
+      if (cell >= map.states.size() || map.states[cell] == State::unknown) continue;
+      run.labels[frame.index({x, y})] =
+          map.states[cell] == State::free ? RunAreas::kFree : RunAreas::kOccupied;
+    }
+}
+
+}  // namespace
+
+bool RunAreas::isOpenTo(std::size_t a, std::size_t b) const {
+  return std::any_of(doors[a].begin(), doors[a].end(),
+                     [&](const AreaDoor& door) { return door.to == b; });
+}
+
+GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
+  std::vector<Point> corners;
+  for (const Polygon* polygon : polygons) {
+    if (polygon->outer.empty()) continue;
+    const Box box = boundingBox(polygon->outer);
+    corners.push_back(box.low), corners.push_back(box.high);
+  }
+  if (corners.empty()) return {0, 0, kCell, {}};
+  Box box = boundingBox(corners);
+  box.low = box.low - Point{kMargin, kMargin}, box.high = box.high + Point{kMargin, kMargin};
+  const Point size = box.high - box.low;
+  const double cell = std::max(kCell, std::sqrt(size.x * size.y / kMaxCells));
+  return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
+}
+
+SiteAreas siteAreas(const PlacedRuns& site) {
+  std::vector<AreaGraph> areas;
+  std::vector<const Polygon*> polygons;
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    areas.push_back(moved(site.runs[i]->areas, site.poses[i]));
+  for (const AreaGraph& graph : areas)
+    for (const Area& area : graph.areas) polygons.push_back(&area.polygon);
+  SiteAreas result;
+  result.frame = frameRound(polygons);
+  const bool isTrusted =
+      std::any_of(site.trust.begin(), site.trust.end(), [](double trust) { return trust > 0; });
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    RunAreas run;
+    run.weight = isTrusted ? std::max(kLeastWeight, std::sqrt(std::sqrt(site.trust[i]))) : 1;
+    run.labels.assign(result.frame.cellCount(), RunAreas::kUnknown);
+    markKnown(site.runs[i]->map, site.poses[i], result.frame, run);
+    addShapes(areas[i], result.frame, run);
+    result.runs.push_back(std::move(run));
+  }
+  return result;
+}
+
+RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame) {
+  RunAreas run;
+  run.weight = 1;
+  run.labels.assign(frame.cellCount(), RunAreas::kFree);
+  addShapes(areas, frame, run);
+  return run;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/grid/GridFrame.h"
+#include "roomgraph/relate/PlacedRuns.h"
+
+namespace roomgraph {
+
+/** A room or corridor as one run draws it. */
+struct SiteShape {
+  Polygon polygon;             ///< [m, site frame]
+  std::vector<Point> samples;  ///< evenly spread over it, on one raster for all shapes
+  Point middle;                ///< centre of mass
+  double area = 0;             ///< [m2]
+  bool isCorridor = false;
+};
+
+/** An opening of an area. */
+struct AreaDoor {
+  std::size_t to = 0;  ///< the area behind it
+  Point place;         ///< [m, site frame]
+  double width = 0;    ///< [m]
+};
+
+/** The areas of one run, laid down in the site's frame. */
+struct RunAreas {
+  static constexpr std::uint16_t kUnknown = 0, kOccupied = 1, kFree = 2, kFirst = 3;
+
+  double weight = 0;                         ///< of what it says
+  std::vector<SiteShape> shapes;             ///< by area
+  std::vector<std::vector<AreaDoor>> doors;  ///< of each area
+  std::vector<std::uint16_t> labels;         ///< per cell of the frame: one of the above, or
+                                             ///< kFirst + area
+  bool isOpenTo(std::size_t a, std::size_t b) const;
+};
+
+/** The areas of all runs of a site. */
+struct SiteAreas {
+  GridFrame frame;  ///< round all areas
+  std::vector<RunAreas> runs;
+};
+
+/** Lays down the areas of all runs. Weights are the fourth root of the runs' trust, and at
+ *  least 0.1: good walls do not make good rooms, so several fair runs have a say against the best.
+ *  All 1 where no run has any trust. O(runs * cells of the site). */
+SiteAreas siteAreas(const PlacedRuns& site);
+
+/** The same for one run whose areas are in the site's frame and which knows all there is. */
+RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame);
+
+/** A frame round the outlines, with cells of 0.1 m, or larger where there would be too many. */
+GridFrame frameRound(const std::vector<const Polygon*>& polygons);
+
+}  // namespace roomgraph

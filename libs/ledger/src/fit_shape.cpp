@@ -1,0 +1,130 @@
+#include "fit_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kRaster = 0.5;                        // of the search round a start [m]
+constexpr double kFirstStep = 0.3, kFirstTurn = 0.07;  // of the refinement [m, rad]
+constexpr int kHalvings = 4;
+constexpr double kMoveCost = 0.03;   // per metre from the start
+constexpr double kLeastKnown = 0.5;  // share of a room; of less than that, nothing can be told
+
+/** The best of each area so far. */
+class Search {
+ public:
+  Search(const SiteShape& room, const GridFrame& frame, const RunAreas& run, double reach)
+      : room_(room), frame_(frame), run_(run), reach_(reach) {}
+
+  struct Found {
+    ShapeFit fit;
+    RoomMove start;
+    double value = 0;
+  };
+
+  /** Keeps the move for each area that it is better for. */
+  void look(const RoomMove& move, const RoomMove& start) {
+    if (distance(move.shift, start.shift) > reach_ + kFirstStep) return;
+    const Footprint print = footprint(room_, move, frame_, run_);
+    if (print.known < kLeastKnown * print.samples) return;
+    for (const auto& [area, common] : print.in) {
+      const double overlap = overlapOf(print, area, common);
+      const double value = overlap - kMoveCost * norm(move.shift - start.shift);
+      Found& best = found_[area];
+      if (value > best.value) best = {{move, overlap}, start, value};
+    }
+  }
+
+  double best() const {
+    double most = 0;
+    for (const auto& [area, found] : found_) most = std::max(most, found.fit.overlap);
+    return most;
+  }
+
+  /** Walks from the best move of `area` to better ones. */
+  void refine(std::size_t area) {
+    double step = kFirstStep, turn = kFirstTurn;
+    for (int halving = 0; halving < kHalvings;) {
+      const Found before = found_[area];
+      const RoomMove& at = before.fit.move;
+      for (const RoomMove& by :
+           {RoomMove{{step, 0}, 0}, RoomMove{{-step, 0}, 0}, RoomMove{{0, step}, 0},
+            RoomMove{{0, -step}, 0}, RoomMove{{}, turn}, RoomMove{{}, -turn}})
+        look({at.shift + by.shift, at.turn + by.turn}, before.start);
+      if (found_[area].value > before.value) continue;
+      step /= 2, turn /= 2, ++halving;
+    }
+  }
+
+  std::map<std::size_t, Found>& found() { return found_; }
+
+ private:
+  double overlapOf(const Footprint& print, std::size_t area, double common) const {
+    const double either = print.known + double(run_.shapes[area].samples.size()) - common;
+    return either > 0 ? common / either : 0;
+  }
+
+  const SiteShape& room_;
+  const GridFrame& frame_;
+  const RunAreas& run_;
+  double reach_;
+  std::map<std::size_t, Found> found_;
+};
+
+void searchRound(const RoomMove& start, double reach, Search& search) {
+  const int count = int(reach / kRaster);
+  for (int y = -count; y <= count; ++y)
+    for (int x = -count; x <= count; ++x) {
+      const Point by{x * kRaster, y * kRaster};
+      if ((x != 0 || y != 0) && norm(by) <= reach + 1e-9)
+        search.look({start.shift + by, start.turn}, start);
+    }
+}
+
+}  // namespace
+
+Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
+                    const RunAreas& run) {
+  const Motion2D motion(move.about(room.middle));
+  const bool isStill = move.shift == Point{} && move.turn == 0;
+  static thread_local std::vector<std::uint32_t> counts;
+  counts.assign(run.shapes.size() + RunAreas::kFirst, 0);
+  for (const Point p : room.samples) {
+    const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
+    ++counts[cell < run.labels.size() ? run.labels[cell] : RunAreas::kUnknown];
+  }
+  Footprint print;
+  print.samples = double(room.samples.size());
+  print.known = print.samples - counts[RunAreas::kUnknown];
+  print.bare = counts[RunAreas::kFree];
+  for (std::size_t i = RunAreas::kFirst; i < counts.size(); ++i)
+    if (counts[i] > 0) print.in[i - RunAreas::kFirst] = counts[i];
+  return print;
+}
+
+std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame& frame,
+                                         const RunAreas& run, const std::vector<RoomMove>& starts,
+                                         const FitShapeOptions& options) {
+  Search search(room, frame, run, options.reach);
+  for (const RoomMove& start : starts) search.look(start, start);
+  if (search.best() < options.good)
+    for (const RoomMove& start : starts) searchRound(start, options.reach, search);
+  std::vector<std::pair<double, std::size_t>> areas;  // -overlap, area
+  for (const auto& [area, found] : search.found())
+    if (found.fit.overlap >= options.least) areas.emplace_back(-found.fit.overlap, area);
+  std::sort(areas.begin(), areas.end());
+  if (areas.size() > options.most) areas.resize(options.most);
+  std::map<std::size_t, ShapeFit> fits;
+  for (const auto& [overlap, area] : areas) {
+    if (!options.isQuick) search.refine(area);
+    fits[area] = search.found()[area].fit;
+  }
+  return fits;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,222 @@
+#include "roomgraph/ledger/name_rooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "match_areas.h"
+#include "roomgraph/align/align_maps.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/match/polygon_cells.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kCell = 0.05;          // of the maps drawn for alignment [m]
+constexpr double kMaxCells = 4e6;       // of those
+constexpr double kMostArea = 0.5;       // share of the rooms that must be found in their places
+constexpr double kInPlace = 0.5;        // [m]
+constexpr double kMinConfidence = 0.5;  // of the alignment
+constexpr double kSameShape = 0.5;      // overlap from which on the shape in the file stays
+
+template <class Room>
+Room moved(Room room, const Transform2D& pose) {
+  const Motion2D motion(pose);
+  room.center = motion(room.center);
+  for (Point& p : room.polygon.outer) p = motion(p);
+  for (Ring& hole : room.polygon.holes)
+    for (Point& p : hole) p = motion(p);
+  for (SiteDoor& door : room.doors) door.place = motion(door.place);
+  return room;
+}
+
+/** Rooms and their doors as areas with passages. */
+template <class Room>
+AreaGraph areasOf(const std::vector<Room>& rooms) {
+  AreaGraph graph;
+  std::map<std::string, std::size_t> placeOf;
+  for (const Room& room : rooms) {
+    placeOf[room.id] = graph.areas.size();
+    Area area;
+    if (!room.isCorridor) area.room = RoomId(graph.areas.size());
+    area.polygon = room.polygon;
+    graph.areas.push_back(area);
+  }
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    for (const SiteDoor& door : rooms[r].doors)
+      if (const auto to = placeOf.find(door.to); to != placeOf.end())
+        graph.passages.push_back(
+            {AreaId(r), AreaId(to->second), door.place, door.place, door.width});
+  return graph;
+}
+
+template <class Room>
+std::vector<const Polygon*> polygonsOf(const std::vector<Room>& rooms) {
+  std::vector<const Polygon*> polygons;
+  polygons.reserve(rooms.size());
+  for (const Room& room : rooms) polygons.push_back(&room.polygon);
+  return polygons;
+}
+
+void drawRing(const Ring& ring, Grid& grid) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+    const int steps = 1 + int(2 * distance(a, b) / grid.frame.resolution);
+    for (int k = 0; k <= steps; ++k) {
+      const Cell c = grid.frame.cellAt(a + (double(k) / steps) * (b - a));
+      if (grid.frame.contains(c)) grid.cells[grid.frame.index(c)] = State::occupied;
+    }
+  }
+}
+
+void drawDoor(const SiteDoor& door, Grid& grid) {
+  const double radius = std::min(door.width / 2, 2.0);
+  const Cell low = grid.frame.cellAt(door.place - Point{radius, radius});
+  const Cell high = grid.frame.cellAt(door.place + Point{radius, radius});
+  for (int y = std::max(0, low.y); y <= std::min(grid.frame.height - 1, high.y); ++y)
+    for (int x = std::max(0, low.x); x <= std::min(grid.frame.width - 1, high.x); ++x)
+      if (distance(grid.frame.center({x, y}), door.place) < radius)
+        grid.cells[grid.frame.index({x, y})] = State::free;
+}
+
+/** A map of the rooms: free inside, walls along the outlines, but in the doors. */
+template <class Room>
+MapForAlignment mapOf(const std::vector<Room>& rooms) {
+  GridFrame frame = frameRound(polygonsOf(rooms));
+  const double width = frame.width * frame.resolution, height = frame.height * frame.resolution;
+  frame.resolution = std::max(kCell, std::sqrt(width * height / kMaxCells));
+  frame.width = int(width / frame.resolution) + 1;
+  frame.height = int(height / frame.resolution) + 1;
+  Grid grid{frame, std::vector<State>(frame.cellCount(), State::unknown)};
+  for (const Room& room : rooms)
+    for (const Cell c : cellsIn(room.polygon, frame)) grid.cells[frame.index(c)] = State::free;
+  for (const Room& room : rooms) {
+    drawRing(room.polygon.outer, grid);
+    for (const Ring& hole : room.polygon.holes) drawRing(hole, grid);
+  }
+  for (const Room& room : rooms)
+    for (const SiteDoor& door : room.doors) drawDoor(door, grid);
+  return mapForAlignment(grid, {});
+}
+
+/** Which known room each room is, and how well it fits. */
+struct Found {
+  std::vector<AreaMatch> matches;
+  double area = 0;  ///< of the rooms that are found in their places, as a share of the smaller site
+};
+
+Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const Transform2D& pose) {
+  std::vector<SiteRoom> inFile;
+  inFile.reserve(rooms.size());
+  for (const SiteRoom& room : rooms) inFile.push_back(moved(room, pose));
+  std::vector<const Polygon*> polygons = polygonsOf(inFile);
+  for (const Polygon* polygon : polygonsOf(file.rooms)) polygons.push_back(polygon);
+  const GridFrame frame = frameRound(polygons);
+  const RunAreas now = areasIn(areasOf(inFile), frame), known = areasIn(areasOf(file.rooms), frame);
+  RoomSet set{now.shapes, {}};
+  for (const auto& doors : now.doors) {
+    std::vector<std::size_t> neighbours;
+    neighbours.reserve(doors.size());
+    for (const AreaDoor& door : doors) neighbours.push_back(door.to);
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+    set.neighbours.push_back(std::move(neighbours));
+  }
+  const MatchAreasOptions options;
+  RoomFits fits;
+  addFits(set.shapes, frame, known, options.fit, fits);
+  Found found{matchAreas(set, fits, frame, known, options), 0};
+  double all = 0, before = 0, inPlace = 0;
+  for (const SiteShape& shape : known.shapes) before += shape.area;
+  for (std::size_t s = 0; s < set.shapes.size(); ++s) {
+    const AreaMatch& match = found.matches[s];
+    all += set.shapes[s].area;
+    if (match.isMatched() && match.overlap > 0.5 && norm(match.move.shift) < kInPlace)
+      inPlace += set.shapes[s].area;
+  }
+  found.area = inPlace / std::max(1e-9, std::min(all, before));
+  return found;
+}
+
+/** A number that no id of the file has, and counts on. */
+std::string newId(SiteFile& file, bool isCorridor) {
+  int& next = isCorridor ? file.nextCorridor : file.nextRoom;
+  for (;;) {
+    std::string id = (isCorridor ? "C" : "R") + std::to_string(next++);
+    if (std::none_of(file.rooms.begin(), file.rooms.end(),
+                     [&](const KnownRoom& room) { return room.id == id; }))
+      return id;
+  }
+}
+
+/** The known room of each room, each once, those that overlap most first. */
+std::vector<std::optional<std::size_t>> oneToOne(const std::vector<AreaMatch>& matches,
+                                                 std::size_t known) {
+  std::vector<std::pair<double, std::size_t>> order;  // -overlap, room
+  for (std::size_t s = 0; s < matches.size(); ++s)
+    if (matches[s].isMatched()) order.emplace_back(-matches[s].overlap, s);
+  std::sort(order.begin(), order.end());
+  std::vector<std::optional<std::size_t>> result(matches.size());
+  std::vector<bool> isTaken(known);
+  for (const auto& [overlap, s] : order) {
+    const std::size_t at = matches[s].areas[0];
+    if (isTaken[at]) continue;
+    isTaken[at] = true;
+    result[s] = at;
+  }
+  return result;
+}
+
+void setShape(KnownRoom& known, const SiteRoom& room, const Transform2D& pose) {
+  const SiteRoom inFile = moved(room, pose);
+  known.center = inFile.center, known.area = inFile.area;
+  known.polygon = inFile.polygon, known.doors = inFile.doors;
+}
+
+void sortKnown(std::vector<KnownRoom>& rooms) {
+  std::stable_sort(rooms.begin(), rooms.end(), [](const KnownRoom& l, const KnownRoom& r) {
+    return l.isCorridor < r.isCorridor;
+  });
+}
+
+}  // namespace
+
+void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& name) {
+  if (rooms.empty()) return;
+  Transform2D pose;  // file <- site
+  Found found = findRooms(rooms, file, pose);
+  if (!file.rooms.empty() && found.area < kMostArea) {
+    const Alignment alignment = alignMaps(mapOf(file.rooms), mapOf(rooms), {});
+    pose = alignment.pose;
+    const bool isSure = !alignment.isAmbiguous && alignment.confidence >= kMinConfidence;
+    if (alignment.isSameSite && isSure) found = findRooms(rooms, file, pose);
+    if (found.area < kMostArea)
+      throw DataError(name +
+                      ": its rooms cannot be found in these runs, or in several ways: name "
+                      "the file of this site, or one that is not there yet");
+  }
+  const auto knownOf = oneToOne(found.matches, file.rooms.size());
+  std::map<std::string, std::string> newIdOf;
+  std::vector<std::size_t> placeOf;  // in the file
+  for (std::size_t s = 0; s < rooms.size(); ++s) {
+    if (!knownOf[s]) {
+      const std::string id = newId(file, rooms[s].isCorridor);
+      file.rooms.push_back({id, id, rooms[s].isCorridor, {}, 0, {}, {}});
+    }
+    placeOf.push_back(knownOf[s].value_or(file.rooms.size() - 1));
+    newIdOf[rooms[s].id] = file.rooms[placeOf[s]].id;
+  }
+  for (std::size_t s = 0; s < rooms.size(); ++s) {
+    SiteRoom& room = rooms[s];
+    KnownRoom& known = file.rooms[placeOf[s]];
+    room.id = known.id, room.name = known.name;
+    for (SiteDoor& door : room.doors)
+      if (!door.to.empty()) door.to = newIdOf.at(door.to);
+    if (!knownOf[s] || found.matches[s].overlap < kSameShape) setShape(known, room, pose);
+  }
+  sortKnown(file.rooms);
+  sortRooms(rooms);
+}
+
+}  // namespace roomgraph

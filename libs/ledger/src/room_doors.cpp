@@ -1,0 +1,118 @@
+#include "room_doors.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
+constexpr double kNear = 0.3;                         // a place is known where all round it is [m]
+
+/** A door and who has it. */
+struct Group {
+  RoomDoors::Door door;
+  std::vector<bool> isIn;
+};
+
+bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
+  for (const Point by : {Point{0, 0}, {kNear, 0}, {-kNear, 0}, {0, kNear}, {0, -kNear}}) {
+    const std::size_t cell = cellIndexAt(frame, p + by);
+    if (cell >= run.labels.size() || run.labels[cell] == RunAreas::kUnknown) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> roomOf(const std::vector<AreaMatch>& matches, std::size_t area) {
+  for (std::size_t s = 0; s < matches.size(); ++s)
+    if (std::count(matches[s].areas.begin(), matches[s].areas.end(), area) > 0) return s;
+  return std::nullopt;
+}
+
+/** Where the surroundings of a door lie in a run: those of the smaller of its two rooms, since
+ *  a long corridor may bend. */
+Transform2D moveAt(const RoomSet& rooms, const RoomsInRun& in, std::size_t room,
+                   std::optional<std::size_t> to) {
+  const bool isBehind = to && in.isClean[*to] && rooms.shapes[*to].area < rooms.shapes[room].area;
+  const std::size_t guide = isBehind ? *to : room;
+  return in.moves[guide].about(rooms.shapes[guide].middle);
+}
+
+/** The doors of a room in a run, where the room's shape lies, but those between its pieces. */
+std::vector<RoomDoors::Door> doorsIn(const RunAreas& run, const ConsensusRooms& consensus,
+                                     const std::vector<AreaMatch>& matches, std::size_t room,
+                                     const RoomsInRun& in) {
+  const std::vector<std::size_t>& areas = matches[room].areas;
+  std::vector<RoomDoors::Door> doors;
+  for (const std::size_t area : areas)
+    for (const AreaDoor& door : run.doors[area]) {
+      if (std::count(areas.begin(), areas.end(), door.to) > 0) continue;
+      const std::optional<std::size_t> to = roomOf(matches, door.to);
+      const Transform2D back = moveAt(consensus.rooms, in, room, to).inverse();
+      doors.push_back({back(door.place), door.width, to});
+    }
+  return doors;
+}
+
+/** Counts the doors of a run to the nearest groups, one each, nearest first. */
+void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_t runs,
+          std::vector<Group>& groups) {
+  std::vector<std::tuple<double, std::size_t, std::size_t>> offers;  // distance, door, group
+  for (std::size_t d = 0; d < doors.size(); ++d)
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const double far = distance(doors[d].place, groups[g].door.place);
+      const bool isSameTo = doors[d].to && doors[d].to == groups[g].door.to;
+      if (far <= (isSameTo ? kSameDoorTo : kSameDoor)) offers.emplace_back(far, d, g);
+    }
+  std::sort(offers.begin(), offers.end());
+  std::vector<bool> isJoined(doors.size());
+  for (const auto& [far, d, g] : offers) {
+    if (isJoined[d] || groups[g].isIn[run]) continue;
+    isJoined[d] = true;
+    groups[g].isIn[run] = true;
+    if (!groups[g].door.to) groups[g].door.to = doors[d].to;
+  }
+  for (std::size_t d = 0; d < doors.size(); ++d) {
+    if (isJoined[d]) continue;
+    groups.push_back({doors[d], std::vector<bool>(runs)});
+    groups.back().isIn[run] = true;
+  }
+}
+
+}  // namespace
+
+RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
+                    const std::vector<RoomsInRun>& inRuns) {
+  const std::size_t n = site.runs.size();
+  std::vector<std::size_t> order{consensus.sources[room].run};  // it gives the places
+  for (std::size_t i = 0; i < n; ++i)
+    if (i != order[0]) order.push_back(i);
+  std::vector<Group> groups;
+  for (const std::size_t i : order)
+    if (inRuns[i].isClean[room])
+      join(doorsIn(site.runs[i], consensus, consensus.matches[i], room, inRuns[i]), i, n, groups);
+  RoomDoors result;
+  result.gained.assign(n, 0), result.lost.assign(n, 0);
+  for (const Group& group : groups) {
+    double with = 0, all = 0;
+    std::vector<bool> isKnown(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!inRuns[i].isClean[room]) continue;
+      const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
+      isKnown[i] = group.isIn[i] || knows(site.runs[i], site.frame, move(group.door.place));
+      if (isKnown[i]) all += site.runs[i].weight;
+      if (group.isIn[i]) with += site.runs[i].weight;
+    }
+    const bool isDoor = with > 0.5 * all;
+    if (isDoor) result.doors.push_back(group.door);
+    for (std::size_t i = 0; i < n; ++i) {
+      if (isDoor && isKnown[i] && !group.isIn[i]) ++result.lost[i];
+      if (!isDoor && group.isIn[i]) ++result.gained[i];
+    }
+  }
+  return result;
+}
+
+}  // namespace roomgraph

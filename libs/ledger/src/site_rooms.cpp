@@ -1,0 +1,300 @@
+#include "roomgraph/ledger/site_rooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "consensus_rooms.h"
+#include "room_doors.h"
+#include "room_outlines.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kVisited = 0.5;        // known share of a room from which on a run was there
+constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same
+constexpr double kComplete = 0.8;       // known share from which on its size can be compared
+constexpr double kMinOverlap = 0.35;    // with its area, below which a room cannot be measured
+constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
+constexpr std::size_t kMaxJudges = 12;  // so that the cost grows with the runs, not their pairs
+constexpr double kNear = 0.15;          // of two outlines that agree [m]
+constexpr double kTolerance = 0.05;     // of the outlines in the result [m]
+
+/** The middle of the values by weight; the mean of two where both are. None for no weight. */
+std::optional<double> weightedMedian(std::vector<std::pair<double, double>> values) {
+  std::sort(values.begin(), values.end());
+  double all = 0, before = 0;
+  for (const auto& [value, weight] : values) all += weight;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    before += values[i].second;
+    if (before > 0.5 * all * (1 + 1e-12)) return values[i].first;
+    if (before >= 0.5 * all * (1 - 1e-12) && i + 1 < values.size())
+      return 0.5 * (values[i].first + values[i + 1].first);
+  }
+  return std::nullopt;
+}
+
+/** How all rooms lie in one run, and their outlines there. */
+struct MeasuredRun {
+  RoomsInRun rooms;
+  std::vector<RoomOutline> outlines;  ///< by room; empty where the room cannot be measured
+};
+
+MeasuredRun measured(const RunAreas& run, const ConsensusRooms& consensus, std::size_t index,
+                     const std::vector<RoomOutline>& outlines) {
+  MeasuredRun result;
+  for (std::size_t s = 0; s < outlines.size(); ++s) {
+    const AreaMatch& match = consensus.matches[index][s];
+    result.rooms.isClean.push_back(match.areas.size() == 1 && !match.isMerged &&
+                                   match.overlap >= kMinOverlap && match.known >= kComplete);
+    result.rooms.moves.push_back(match.move);
+    result.outlines.emplace_back(Polygon{});
+    if (!result.rooms.isClean[s]) continue;
+    result.outlines[s] = RoomOutline(run.shapes[match.areas[0]].polygon);
+    result.rooms.moves[s] =
+        refinedMove(outlines[s], result.outlines[s], match.move, consensus.rooms.shapes[s].middle);
+  }
+  return result;
+}
+
+std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRooms& consensus,
+                                      const ForEach& forEach) {
+  std::vector<RoomOutline> outlines;
+  for (const SiteShape& shape : consensus.rooms.shapes) outlines.emplace_back(shape.polygon);
+  std::vector<MeasuredRun> runs(site.runs.size());
+  forEach(runs.size(),
+          [&](std::size_t i) { runs[i] = measured(site.runs[i], consensus, i, outlines); });
+  return runs;
+}
+
+/** One room of the site and its figures. */
+class Ledger {
+ public:
+  Ledger(const SiteAreas& site, const ConsensusRooms& consensus,
+         const std::vector<MeasuredRun>& runs, const RoomDoors& doors, std::size_t room)
+      : site_(site),
+        consensus_(consensus),
+        measured_(runs),
+        doors_(doors),
+        room_(room),
+        shape_(consensus.rooms.shapes[room]) {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (isClean(i)) judges_.push_back(i);
+    std::stable_sort(judges_.begin(), judges_.end(), [&](std::size_t a, std::size_t b) {
+      return site.runs[a].weight > site.runs[b].weight;
+    });
+    if (judges_.size() > kMaxJudges) judges_.resize(kMaxJudges);
+  }
+
+  SiteRoom room() const {
+    SiteRoom result;
+    result.polygon = simplified(shape_.polygon, kTolerance);
+    result.center = shape_.middle;
+    result.isCorridor = isCorridor();
+    result.area = areaMedian();
+    for (std::size_t i = 0; i < site_.runs.size(); ++i) result.runs.push_back(inRun(i));
+    addShifts(result);
+    addLengths(result);
+    return result;
+  }
+
+ private:
+  const AreaMatch& matchIn(std::size_t run) const { return consensus_.matches[run][room_]; }
+  bool isClean(std::size_t run) const { return measured_[run].rooms.isClean[room_]; }
+  const RoomMove& moveIn(std::size_t run) const { return measured_[run].rooms.moves[room_]; }
+
+  bool isCorridor() const {
+    double corridor = 0, all = 0;
+    for (std::size_t i = 0; i < site_.runs.size(); ++i) {
+      if (!isClean(i)) continue;
+      all += site_.runs[i].weight;
+      if (site_.runs[i].shapes[matchIn(i).areas[0]].isCorridor) corridor += site_.runs[i].weight;
+    }
+    return all > 0 ? corridor > 0.5 * all : shape_.isCorridor;
+  }
+
+  /** Of all pieces; none where it is another room's, too, or seen in part. */
+  std::optional<double> areaIn(std::size_t run) const {
+    const AreaMatch& match = matchIn(run);
+    if (!match.isMatched() || match.isMerged || match.known < kComplete) return std::nullopt;
+    double sum = 0;
+    for (const std::size_t area : match.areas) sum += site_.runs[run].shapes[area].area;
+    return sum;
+  }
+
+  double areaMedian() const {
+    std::vector<std::pair<double, double>> areas;
+    for (std::size_t i = 0; i < site_.runs.size(); ++i)
+      if (const auto area = areaIn(i)) areas.emplace_back(*area, site_.runs[i].weight);
+    return weightedMedian(areas).value_or(shape_.area);
+  }
+
+  RoomInRun inRun(std::size_t run) const {
+    const AreaMatch& match = matchIn(run);
+    RoomInRun result;
+    if (match.isMatched() || match.bare >= kBare)
+      result.sighting = RoomSighting::seen;
+    else if (match.known >= kVisited)
+      result.sighting = RoomSighting::gone;
+    result.pieces = int(match.areas.size());
+    result.isMerged = match.isMerged;
+    if (const auto area = areaIn(run)) result.areaChange = *area / areaMedian() - 1;
+    result.boundaryAgreement = agreementOf(run);
+    result.doorsGained = doors_.gained[run], result.doorsLost = doors_.lost[run];
+    return result;
+  }
+
+  /** Mean over the other runs, the most trusted ones, by weight. */
+  std::optional<double> agreementOf(std::size_t run) const {
+    if (!isClean(run)) return std::nullopt;
+    double sum = 0, all = 0;
+    for (const std::size_t j : judges_) {
+      if (j == run) continue;
+      const Transform2D between =
+          moveIn(j).about(shape_.middle) * moveIn(run).about(shape_.middle).inverse();
+      const double weight = site_.runs[j].weight;
+      sum += weight * outlineAgreement(measured_[run].outlines[room_], measured_[j].outlines[room_],
+                                       between, kNear);
+      all += weight;
+    }
+    if (all <= 0) return std::nullopt;
+    return sum / all;
+  }
+
+  void addShifts(SiteRoom& result) const {
+    std::vector<std::pair<double, double>> xs, ys;
+    for (std::size_t i = 0; i < site_.runs.size(); ++i) {
+      if (!isClean(i)) continue;
+      xs.emplace_back(moveIn(i).shift.x, site_.runs[i].weight);
+      ys.emplace_back(moveIn(i).shift.y, site_.runs[i].weight);
+    }
+    if (xs.size() < 2) return;
+    const Point consensus{*weightedMedian(xs), *weightedMedian(ys)};
+    for (std::size_t i = 0; i < site_.runs.size(); ++i)
+      if (isClean(i) && result.runs[i].boundaryAgreement.value_or(0) >= kMinAgreement)
+        result.runs[i].shift = distance(moveIn(i).shift, consensus);
+  }
+
+  void addLengths(SiteRoom& result) const {
+    if (!result.isCorridor) return;
+    std::vector<double> lengths(site_.runs.size());
+    std::vector<std::pair<double, double>> all;
+    for (std::size_t i = 0; i < site_.runs.size(); ++i) {
+      if (!isClean(i)) continue;
+      lengths[i] = lengthOf(site_.runs[i].shapes[matchIn(i).areas[0]].polygon);
+      all.emplace_back(lengths[i], site_.runs[i].weight);
+    }
+    if (all.size() < 2) return;
+    const double consensus = *weightedMedian(all);
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+      if (lengths[i] > 0) result.runs[i].lengthError = lengths[i] - consensus;
+  }
+
+  const SiteAreas& site_;
+  const ConsensusRooms& consensus_;
+  const std::vector<MeasuredRun>& measured_;
+  const RoomDoors& doors_;
+  std::size_t room_;
+  const SiteShape& shape_;
+  std::vector<std::size_t> judges_;  // runs whose outlines the others are held against
+};
+
+/** R1, R2, ... and C1, C2, ..., largest first. */
+void number(std::vector<SiteRoom>& rooms) {
+  std::vector<std::size_t> order(rooms.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto key = [&](std::size_t s) {
+      return std::make_tuple(-rooms[s].area, rooms[s].center);
+    };
+    return key(a) < key(b);
+  });
+  int roomCount = 0, corridorCount = 0;
+  for (const std::size_t s : order) {
+    rooms[s].id = rooms[s].isCorridor ? "C" + std::to_string(++corridorCount)
+                                      : "R" + std::to_string(++roomCount);
+    rooms[s].name = rooms[s].id;
+  }
+}
+
+/** "; 3 gone in run07, 1 in run02", or "; 12 gone in 5 runs" where that would be long. */
+template <class Counts>
+std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const Counts& counts) {
+  constexpr std::size_t mostNamed = 2;
+  std::vector<std::pair<long, std::string>> found;
+  long sum = 0;
+  for (std::size_t i = 0; i < rooms[0].runs.size(); ++i) {
+    const long count = std::count_if(rooms.begin(), rooms.end(),
+                                     [&](const SiteRoom& room) { return counts(room.runs[i]); });
+    if (count > 0) found.push_back({count, rooms[0].runs[i].run});
+    sum += count;
+  }
+  if (found.empty()) return "";
+  if (found.size() > mostNamed)
+    return "; " + std::to_string(sum) + " " + what + " in " + std::to_string(found.size()) +
+           " runs";
+  std::string text;
+  for (const auto& [count, run] : found)
+    text += (text.empty() ? "; " : ", ") + std::to_string(count) + " " +
+            (text.empty() ? std::string(what) + " " : "") + "in " + run;
+  return text;
+}
+
+}  // namespace
+
+std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::string>& order,
+                                const ForEach& forEach) {
+  const SiteAreas areas = siteAreas(site);
+  const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
+  std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
+  std::vector<RoomDoors> doors(rooms.size());
+  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus, forEach);
+  std::vector<RoomsInRun> inRuns;
+  for (const MeasuredRun& run : runs) inRuns.push_back(run.rooms);
+  forEach(rooms.size(), [&](std::size_t s) {
+    doors[s] = roomDoors(areas, consensus, s, inRuns);
+    rooms[s] = Ledger(areas, consensus, runs, doors[s], s).room();
+  });
+  number(rooms);
+  std::map<std::string, std::size_t> placeOf;
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = i;
+  for (std::size_t s = 0; s < rooms.size(); ++s) {
+    for (const RoomDoors::Door& door : doors[s].doors)
+      rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : ""});
+    for (std::size_t i = 0; i < site.runs.size(); ++i) rooms[s].runs[i].run = site.runs[i]->name;
+    std::sort(
+        rooms[s].runs.begin(), rooms[s].runs.end(),
+        [&](const RoomInRun& l, const RoomInRun& r) { return placeOf[l.run] < placeOf[r.run]; });
+  }
+  sortRooms(rooms);
+  return rooms;
+}
+
+void sortRooms(std::vector<SiteRoom>& rooms) {
+  const auto key = [](const SiteRoom& room) {
+    return std::make_tuple(room.isCorridor, room.id.size(), room.id);
+  };
+  std::sort(rooms.begin(), rooms.end(),
+            [&](const SiteRoom& l, const SiteRoom& r) { return key(l) < key(r); });
+}
+
+std::string roomsText(const std::vector<SiteRoom>& rooms) {
+  if (rooms.empty()) return "";
+  const auto corridors = std::count_if(rooms.begin(), rooms.end(),
+                                       [](const SiteRoom& room) { return room.isCorridor; });
+  const auto counted = [](std::size_t count, const char* what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  };
+  std::string text = counted(rooms.size() - std::size_t(corridors), "room") + " and " +
+                     counted(std::size_t(corridors), "corridor");
+  text +=
+      perRun(rooms, "gone", [](const RoomInRun& in) { return in.sighting == RoomSighting::gone; });
+  text += perRun(rooms, "not visited",
+                 [](const RoomInRun& in) { return in.sighting == RoomSighting::unvisited; });
+  text += perRun(rooms, "split", [](const RoomInRun& in) { return in.pieces > 1; });
+  return text + perRun(rooms, "merged", [](const RoomInRun& in) { return in.isMerged; });
+}
+
+}  // namespace roomgraph

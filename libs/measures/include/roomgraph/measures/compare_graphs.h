@@ -1,0 +1,35 @@
+#pragma once
+#include <array>
+
+#include "roomgraph/measures/Figure.h"
+#include "roomgraph/measures/match_graphs.h"
+
+namespace roomgraph {
+
+// After the attributes of Schwertfeger and Birk (2015); the formulas are ours
+// In:   GraphMatch
+// Out:  GraphComparison: how far two graphs agree
+// Next: graphMeasuresOf
+
+/** How many hops apart the pairs of vertices are whose distances are compared. */
+constexpr std::array<std::size_t, 4> kConsistencyHops{1, 2, 4, 8};
+
+struct GraphComparison {
+  Figure coverageOfA, coverageOfB;  ///< share of the other's path length that a, or b, has [of m]
+  Figure globalAccuracy;            ///< RMS distance of matched vertices in the common frame [m]
+  Figure relativeAccuracy;          ///< the same after the turn and shift that fits them best [m]
+  /** For each of kConsistencyHops, of all pairs of matched vertices so many matched paths apart:
+   *  median of | |pi - pj| - |qi - qj| | / length of these paths, which is the mean of both. */
+  std::array<Figure, kConsistencyHops.size()> consistency;
+  Figure lengthError;         ///< median over the paths of |la - lb| / max(la, lb)
+  Figure frechet;             ///< median over the paths outside of rooms of pathFrechet [m]
+  Figure nearestA, nearestB;  ///< nearestVertices from a to b, and from b to a [m, of vertices]
+};
+
+/** `inSite`: poses that place a and b in one frame. A single matched vertex has no relative
+ *  accuracy. Swapping the graphs swaps the answers but for exact ties.
+ *  O(vertices * vertices + paths). */
+GraphComparison compareGraphs(const TopologyGraph& a, const TopologyGraph& b,
+                              const GraphMatch& match, const std::array<Transform2D, 2>& inSite);
+
+}  // namespace roomgraph

@@ -1,0 +1,98 @@
+#include "roomgraph/measures/map_measures.h"
+
+#include <utility>
+
+#include "measure_over_others.h"
+#include "roomgraph/align/wall_doubling.h"
+#include "roomgraph/base/median.h"
+#include "roomgraph/breaks/rigid_pieces.h"
+#include "roomgraph/relate/place_runs.h"
+#include "scan_disagreement.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMinPoints = 300, kMinScans = 10;
+constexpr double kMinShare = 0.3;  // of the walls found, for pieces that can be counted
+
+Measure measure(const char* name, const char* unit, const Figure& figure, double minSupport) {
+  Measure result;
+  result.name = name, result.unit = unit;
+  result.value = figure.value, result.support = figure.support;
+  result.isMeaningful = figure.value && figure.support >= minSupport;
+  return result;
+}
+
+/** What one other run says of the pieces of a run; without trust where it says nothing. */
+struct Witness {
+  double pieces = 0, trust = 0, walls = 0;
+};
+
+/** Of all witnesses but one. */
+std::optional<double> medianPieces(const std::vector<Witness>& witnesses, std::size_t but) {
+  std::vector<WeightedValue> pieces;
+  for (std::size_t j = 0; j < witnesses.size(); ++j)
+    if (j != but) pieces.push_back({witnesses[j].pieces, witnesses[j].trust});
+  return weightedMedian(std::move(pieces));
+}
+
+/** Whether run `in` has enough of the walls of `run` to tell of its pieces. */
+bool canTell(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
+             std::size_t run, std::size_t in) {
+  return in != run && site.trust[in] > 0 && followedIn(pairs, run, in).share >= kMinShare;
+}
+
+/** Of all runs, by their number. */
+std::vector<Witness> witnessesOf(const PlacedRuns& site,
+                                 const std::vector<std::vector<MapPair>>& pairs, std::size_t run) {
+  std::vector<Witness> witnesses(site.runs.size());
+  for (std::size_t j = 0; j < site.runs.size(); ++j) {
+    if (!canTell(site, pairs, run, j)) continue;
+    const FollowedWalls& followed = followedIn(pairs, run, j);
+    witnesses[j].pieces = double(rigidPieces(site.runs[run]->map.patches, followed, {}));
+    witnesses[j].trust = site.trust[j];
+    for (const FollowedPatch& f : followed.patches) witnesses[j].walls += f.walls;
+  }
+  return witnesses;
+}
+
+/** Scans tell where a run breaks, so that its pieces need not be guessed from its walls. */
+void countBreaks(Measure& measure, const PlacedRuns& site,
+                 const std::vector<std::vector<MapPair>>& pairs, std::size_t run,
+                 std::size_t breaks) {
+  std::size_t others = 0;
+  for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(site, pairs, run, j);
+  if (others == 0) return;
+  measure.value = double(breaks), measure.support = double(site.runs[run]->scans.size());
+  measure.isMeaningful = others >= 2 && measure.support >= kMinScans;
+}
+
+}  // namespace
+
+std::vector<Measure> ownMeasuresOf(const PreparedRun& run) {
+  const double walls = double(run.map.walls.size());
+  return {measure("wall_doubling", "1", {wallDoubling(run.map), walls}, kMinPoints),
+          measure("wall_sharpness", "1", {run.map.wallSharpness, walls}, kMinPoints),
+          measure("scan_disagreement", "m", scanDisagreement(run.scans, {}), kMinScans)};
+}
+
+Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
+                     std::size_t run, std::size_t breaks) {
+  Measure result;
+  result.name = "brokenness", result.unit = "pieces";
+  if (!site.runs[run]->scans.empty()) {
+    countBreaks(result, site, pairs, run, breaks);
+    return result;
+  }
+  const std::vector<Witness> witnesses = witnessesOf(site, pairs, run);
+  std::vector<double> supports;
+  for (const Witness& witness : witnesses) supports.push_back(witness.walls);
+  measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {
+    auto value = medianPieces(witnesses, but);
+    if (value) --*value;
+    return value;
+  });
+  return result;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,189 @@
+#include "roomgraph/measures/match_graphs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <queue>
+#include <tuple>
+
+#include "shared_paths.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+// What speaks against a pair, in metres of distance.
+constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerClearance = 0.5, kPerLength = 0.5;
+constexpr double kUnlike = 1.0, kGrown = -0.3;
+constexpr int kMostExits = 3;
+
+/** Where a vertex lies in the other map: once for each copy of the walls beside it. */
+std::vector<Point> placesOf(const Vertex& vertex, const FollowedGraph& side, double reach) {
+  std::map<int, std::pair<double, const FollowedPatch*>> nearest;  // by layer
+  for (const FollowedPatch& f : side.followed.patches) {
+    const double far = distance(side.patches[f.patch].middle, vertex.at);
+    if (far > reach) continue;
+    const auto [it, isNew] = nearest.try_emplace(f.layer, far, &f);
+    if (!isNew && far < it->second.first) it->second = {far, &f};
+  }
+  std::vector<Point> places;
+  for (const auto& [layer, found] : nearest) places.push_back(found.second->pose(vertex.at));
+  if (places.empty() && !side.followed.patches.empty())
+    places.push_back(side.followed.pose(vertex.at));
+  return places;
+}
+
+double nearestOf(const std::vector<Point>& places, Point to) {
+  double best = kFar;
+  for (const Point p : places) best = std::min(best, distance(p, to));
+  return best;
+}
+
+/** How far apart two vertices may be told to be, [i of a][k]: other vertex and distance. */
+using Near = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
+
+Near nearVertices(const FollowedGraph& a, const FollowedGraph& b,
+                  const MatchGraphsOptions& options) {
+  std::vector<std::vector<Point>> ofA, ofB;
+  for (const Vertex& v : a.graph.vertices()) ofA.push_back(placesOf(v, a, options.reach));
+  for (const Vertex& v : b.graph.vertices()) ofB.push_back(placesOf(v, b, options.reach));
+  Near near(ofA.size());
+  for (std::uint32_t i = 0; i < ofA.size(); ++i)
+    for (std::uint32_t j = 0; j < ofB.size(); ++j) {
+      const double there = nearestOf(ofA[i], b.graph.vertices()[j].at);
+      if (there > 2 * options.maxGrown) continue;
+      const double apart = (there + nearestOf(ofB[j], a.graph.vertices()[i].at)) / 2;
+      if (apart <= options.maxGrown) near[i].push_back({j, apart});
+    }
+  return near;
+}
+
+/** A pair that waits to be taken. */
+struct Candidate {
+  double cost = 0;
+  std::uint32_t a = 0, b = 0;
+  double distance = 0;
+  bool mayStand = true;  ///< without a way that is matched, too
+
+  /** The least cost is the top of a queue. */
+  friend bool operator<(const Candidate& l, const Candidate& r) {
+    return std::tie(l.cost, l.a, l.b) > std::tie(r.cost, r.a, r.b);
+  }
+};
+
+class Matcher {
+ public:
+  Matcher(const FollowedGraph& a, const FollowedGraph& b, const MatchGraphsOptions& options)
+      : a_(a.graph),
+        b_(b.graph),
+        options_(options),
+        near_(nearVertices(a, b, options)),
+        ofA_(a_.vertices().size()),
+        ofB_(b_.vertices().size()) {}
+
+  std::vector<VertexMatch> match() {
+    offerAll();
+    while (!queue_.empty()) {
+      const Candidate next = queue_.top();
+      queue_.pop();
+      if (ofA_[next.a] || ofB_[next.b]) continue;
+      ofA_[next.a] = next, ofB_[next.b] = next;
+      offerAround(next);
+    }
+    std::vector<VertexMatch> matches;
+    for (const auto& found : ofA_)
+      if (found && (found->mayStand || found->distance <= options_.maxUnlike))
+        matches.push_back({VertexId(found->a), VertexId(found->b), found->distance});
+    return matches;
+  }
+
+ private:
+  /** None where one of them is a room and the other is not. */
+  std::optional<double> unlikeness(std::uint32_t i, std::uint32_t j) const {
+    const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
+    if ((v.kind == VertexKind::room) != (w.kind == VertexKind::room)) return std::nullopt;
+    const int exits = std::abs(int(a_.degree(VertexId(i))) - int(b_.degree(VertexId(j))));
+    return (v.kind == w.kind ? 0 : kOtherKind) + kOneExit * std::min(exits, kMostExits) +
+           kPerClearance * std::min(1.0, std::abs(v.clearance - w.clearance));
+  }
+
+  bool lookAlike(std::uint32_t i, std::uint32_t j) const {
+    const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
+    return v.kind == w.kind && a_.degree(VertexId(i)) == b_.degree(VertexId(j)) &&
+           std::abs(v.clearance - w.clearance) <= options_.clearance;
+  }
+
+  void offerAll() {
+    for (std::uint32_t i = 0; i < near_.size(); ++i)
+      for (const auto& [j, apart] : near_[i]) {
+        const auto unlike = unlikeness(i, j);
+        if (!unlike || apart > options_.maxDistance) continue;
+        const bool isSeed = lookAlike(i, j);
+        queue_.push({apart + *unlike + (isSeed ? 0 : kUnlike), i, j, apart, isSeed});
+      }
+  }
+
+  /** Offers the neighbours of a pair, over edges of about the same length. */
+  void offerAround(const Candidate& pair) {
+    for (const HalfEdgeId h : a_.outgoing(VertexId(pair.a))) {
+      const auto i = std::uint32_t(a_.target(h).index());
+      if (ofA_[i]) continue;
+      for (const HalfEdgeId g : b_.outgoing(VertexId(pair.b))) {
+        const auto j = std::uint32_t(b_.target(g).index());
+        if (ofB_[j]) continue;
+        const double ofA = a_.edge(h).path.length, ofB = b_.edge(g).path.length;
+        if (!isSameLength(ofA, ofB, options_)) continue;
+        const auto found = std::find_if(near_[i].begin(), near_[i].end(),
+                                        [&](const auto& one) { return one.first == j; });
+        const auto unlike = unlikeness(i, j);
+        if (found == near_[i].end() || !unlike) continue;
+        const double cost = found->second + *unlike + kPerLength * std::abs(ofA - ofB) + kGrown;
+        queue_.push({cost, i, j, found->second, true});
+      }
+    }
+  }
+
+  const TopologyGraph &a_, &b_;
+  const MatchGraphsOptions& options_;
+  const Near near_;
+  std::vector<std::optional<Candidate>> ofA_, ofB_;
+  std::priority_queue<Candidate> queue_;
+};
+
+double overallLength(const TopologyGraph& graph) {
+  double sum = 0;
+  for (const Edge& edge : graph.edges()) sum += edge.path.length;
+  return sum;
+}
+
+/** Of the edges that are part of a path, each once. */
+double sharedLength(const TopologyGraph& graph, const std::vector<PathMatch>& paths,
+                    std::vector<HalfEdgeId> PathMatch::*side) {
+  std::vector<bool> isShared(graph.edges().size());
+  double sum = 0;
+  for (const PathMatch& path : paths)
+    for (const HalfEdgeId h : path.*side) {
+      const std::size_t edge = TopologyGraph::edgeOf(h).index();
+      if (!isShared[edge]) sum += graph.edges()[edge].path.length;
+      isShared[edge] = true;
+    }
+  return sum;
+}
+
+}  // namespace
+
+GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b,
+                       const MatchGraphsOptions& options) {
+  GraphMatch result;
+  result.overallInA = overallLength(a.graph), result.overallInB = overallLength(b.graph);
+  if (a.followed.patches.empty() || b.followed.patches.empty()) return result;
+  result.vertices = Matcher(a, b, options).match();
+  result.paths = sharedPaths(a.graph, b.graph, result.vertices, options);
+  result.sharedInA = sharedLength(a.graph, result.paths, &PathMatch::a);
+  result.sharedInB = sharedLength(b.graph, result.paths, &PathMatch::b);
+  return result;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,240 @@
+#include "roomgraph/measures/run_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "measure_over_others.h"
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/match/match_rooms.h"
+#include "roomgraph/relate/DistinctMaps.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMinArea = 10;  // of the site, for a coverage that means something [m2]
+constexpr double kMinPoints = 300, kMinRooms = 3;
+constexpr std::size_t kMinRuns = 3;
+
+/** A frame around all placed runs. */
+GridFrame siteFrame(const PlacedRuns& site) {
+  Point low{1e30, 1e30}, high{-1e30, -1e30};
+  double cell = 0.1;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    cell = std::max(cell, site.runs[i]->map.frame.resolution);
+    for (const WallPoint& wall : site.runs[i]->map.walls) {
+      const Point p = site.poses[i](wall.place);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  }
+  return {int((high.x - low.x) / cell) + 1, int((high.y - low.y) / cell) + 1, cell, low};
+}
+
+bool isFreeIn(const MapForAlignment& map, Point p) {
+  const std::size_t cell = cellIndexAt(map.frame, p);
+  return cell < map.states.size() && map.states[cell] == State::free;
+}
+
+/** Cells by who has seen them free; of runs with the same map only the first counts. */
+struct SeenCells {
+  std::vector<std::uint16_t> count;
+  std::vector<std::uint32_t> sum;  ///< of the indices of the runs that have seen it
+  std::vector<std::vector<bool>> by;
+};
+
+SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame, const DistinctMaps& maps) {
+  SeenCells seen{std::vector<std::uint16_t>(frame.cellCount()),
+                 std::vector<std::uint32_t>(frame.cellCount()),
+                 {}};
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    std::vector<bool> by(frame.cellCount());
+    const Motion2D back(site.poses[i].inverse());
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        if (!isFreeIn(site.runs[i]->map, back(frame.center({x, y})))) continue;
+        const std::size_t cell = frame.index({x, y});
+        by[cell] = true;
+        if (!maps.isFirst(i)) continue;
+        ++seen.count[cell];
+        seen.sum[cell] += std::uint32_t(i);
+      }
+    seen.by.push_back(std::move(by));
+  }
+  return seen;
+}
+
+void widen(Measure& measure, double value) {
+  measure.low = std::min(*measure.low, value), measure.high = std::max(*measure.high, value);
+}
+
+Measure wallMeasure(const PlacedRuns& site, std::size_t run, const char* name, double share) {
+  Measure measure;
+  measure.name = name, measure.unit = "m";
+  const std::vector<WallDistances>& distances = site.distances[run];
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < distances.size(); ++j)
+    supports.push_back(j != run && site.trust[j] > 0 ? distances[j].count : 0);
+  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) {
+    WallDistances all;
+    for (std::size_t j = 0; j < distances.size(); ++j)
+      if (j != run && j != but) all.add(distances[j], site.trust[j]);
+    return all.quantile(share);
+  });
+  return measure;
+}
+
+/** The rooms of a run, in the frame of the site. */
+std::vector<GraphRoom> roomsInSite(const PreparedRun& run, const Transform2D& pose) {
+  std::vector<GraphRoom> rooms = run.rooms;
+  for (GraphRoom& room : rooms) {
+    room.center = pose(room.center);
+    for (Point& p : room.shape.polygon.outer) p = pose(p);
+    for (Ring& hole : room.shape.polygon.holes)
+      for (Point& p : hole) p = pose(p);
+  }
+  return rooms;
+}
+
+/** How many rooms of another run this one could have, and how many it has. */
+struct RoomCount {
+  double visible = 0, matched = 0;
+  double area = 0, matchedArea = 0;  ///< of all rooms of the other, and of those it has [m2]
+};
+
+RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isMatched,
+                     const MapForAlignment& map, const Transform2D& back) {
+  RoomCount count;
+  for (std::size_t r = 0; r < others.size(); ++r) {
+    if (isMatched[r]) ++count.matched;
+    if (isMatched[r] || isFreeIn(map, back(others[r].center))) ++count.visible;
+    const double size = area(others[r].shape.polygon);
+    count.area += size;
+    if (isMatched[r]) count.matchedArea += size;
+  }
+  return count;
+}
+
+/** The share `part` of `all` in the rooms of the others. */
+Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<RoomCount>& counts,
+                    const char* name, double RoomCount::*part, double RoomCount::*all,
+                    double minSupport) {
+  Measure measure;
+  measure.name = name;
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < counts.size(); ++j)
+    supports.push_back(j != run && site.trust[j] > 0 ? counts[j].*all : 0);
+  measureOverOthers(measure, supports, minSupport, [&](std::size_t but) -> std::optional<double> {
+    RoomCount sum;
+    for (std::size_t j = 0; j < counts.size(); ++j) {
+      if (j == run || j == but) continue;
+      sum.*all += site.trust[j] * counts[j].*all;
+      sum.*part += site.trust[j] * counts[j].*part;
+    }
+    if (sum.*all <= 0) return std::nullopt;
+    return sum.*part / sum.*all;
+  });
+  return measure;
+}
+
+}  // namespace
+
+std::vector<Measure> coverageOf(const PlacedRuns& site,
+                                const std::vector<std::vector<PairBend>>& bends) {
+  const GridFrame frame = siteFrame(site);
+  const DistinctMaps maps(bends);
+  const SeenCells seen = seenCells(site, frame, maps);
+  const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
+  double all = 0;
+  std::vector<double> mine(n), onlyTwo(n);  // cells; those that only one more run has seen
+  std::vector<std::vector<double>> onlyThese(n, std::vector<double>(n));
+  for (std::size_t cell = 0; cell < seen.count.size(); ++cell) {
+    if (seen.count[cell] < enough) continue;
+    ++all;
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!seen.by[i][cell]) continue;
+      ++mine[i];
+      if (seen.count[cell] != 2) continue;
+      ++onlyTwo[i];
+      ++onlyThese[i][seen.sum[cell] - maps.firstOf(i)];
+    }
+  }
+  std::vector<Measure> measures(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    measures[i].name = "coverage";
+    measures[i].support = all;
+    if (all == 0) continue;
+    measures[i].value = mine[i] / all;
+    measures[i].isMeaningful =
+        maps.count() >= kMinRuns && all * frame.resolution * frame.resolution >= kMinArea;
+    if (maps.count() > 2) measures[i].low = measures[i].high = measures[i].value;
+    for (std::size_t j = 0; measures[i].low && j < n; ++j)
+      if (maps.isMeasuredAgainst(i, j) && all > onlyTwo[j])
+        widen(measures[i], (mine[i] - onlyThese[i][j]) / (all - onlyTwo[j]));
+  }
+  return measures;
+}
+
+Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vector<double>& trust,
+               std::size_t run) {
+  Measure measure;
+  measure.name = "bend", measure.unit = "m";
+  const DistinctMaps maps(bends);
+  const auto weightOf = [&](std::size_t j) {
+    return maps.isMeasuredAgainst(run, j) ? trust[j] * bends[run][j].share : 0;
+  };
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < bends.size(); ++j)
+    supports.push_back(weightOf(j) > 0 ? bends[run][j].walls : 0);
+  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) -> std::optional<double> {
+    double sum = 0, weights = 0;
+    for (std::size_t j = 0; j < bends.size(); ++j) {
+      if (j == but) continue;
+      sum += weightOf(j) * bends[run][j].bend, weights += weightOf(j);
+    }
+    if (weights <= 0) return std::nullopt;
+    return sum / weights;
+  });
+  return measure;
+}
+
+Measure axisDeviationOf(const PreparedRun& run) {
+  Measure measure;
+  measure.name = "axis_deviation", measure.unit = "deg";
+  measure.support = double(run.map.walls.size());
+  if (run.map.axisDeviation) measure.value = *run.map.axisDeviation * 180 / M_PI;
+  measure.isMeaningful = bool(measure.value);
+  return measure;
+}
+
+std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
+  return {wallMeasure(site, run, "wall_distance", 0.5),
+          wallMeasure(site, run, "wall_distance_p90", 0.9)};
+}
+
+std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site, const ForEach& forEach) {
+  const GridFrame frame = siteFrame(site);
+  const std::size_t n = site.runs.size();
+  std::vector<std::vector<GraphRoom>> rooms;
+  for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
+  std::vector<std::vector<RoomCount>> counts(n, std::vector<RoomCount>(n));
+  forEach(n, [&](std::size_t i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
+      for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
+        ofI[match.base.index()] = true;
+        ofJ[match.other.index()] = true;
+      }
+      counts[i][j] = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
+      counts[j][i] = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
+    }
+  });
+  std::vector<std::vector<Measure>> measures;
+  for (std::size_t i = 0; i < n; ++i)
+    measures.push_back({roomMeasure(site, i, counts[i], "rooms_matched", &RoomCount::matched,
+                                    &RoomCount::visible, kMinRooms),
+                        roomMeasure(site, i, counts[i], "room_coverage", &RoomCount::matchedArea,
+                                    &RoomCount::area, kMinArea)});
+  return measures;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,85 @@
+#include "scan_disagreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameFacing = 0.5;  // cosine
+constexpr std::size_t kStride = 2;   // every second wall of a scan is looked for
+
+double quantileOf(std::vector<double>& values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/** The path from the first scan to each [m]. */
+std::vector<double> pathsTo(const std::vector<ScanWalls>& scans) {
+  std::vector<double> paths;
+  for (std::size_t i = 0; i < scans.size(); ++i)
+    paths.push_back(i == 0 ? 0 : paths.back() + distance(scans[i - 1].at, scans[i].at));
+  return paths;
+}
+
+/** The scans that see what this one sees, but at another time. */
+std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>& scans,
+                                  const std::vector<double>& paths,
+                                  const ScanDisagreementOptions& options) {
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t j = 0; j < scans.size(); ++j) {
+    const double far = distance(scans[scan].at, scans[j].at);
+    if (far <= options.sameView && std::abs(paths[scan] - paths[j]) >= options.minApart)
+      others.push_back({far, j});
+  }
+  std::sort(others.begin(), others.end());
+  if (others.size() > options.mostScans) others.resize(options.mostScans);
+  std::vector<std::size_t> numbers;
+  for (const auto& [far, j] : others) numbers.push_back(j);
+  return numbers;
+}
+
+/** Squared distance to the nearest wall of a scan, if that is below `best`. */
+void searchIn(const ScanWalls& scan, const WallPoint& wall, const ScanDisagreementOptions& options,
+              std::optional<double>& best) {
+  for (const WallPoint& other : scan.walls) {
+    const Point off = other.place - wall.place;
+    if (squaredNorm(off) > options.reach * options.reach) continue;
+    if (dot(other.normal, wall.normal) < kSameFacing) continue;
+    const double across = dot(off, other.normal);
+    const double along = std::max(0.0, std::abs(cross(off, other.normal)) - options.spacing);
+    const double far = across * across + along * along;
+    if (!best || far < *best) best = far;
+  }
+}
+
+}  // namespace
+
+Figure scanDisagreement(const std::vector<ScanWalls>& scans,
+                        const ScanDisagreementOptions& options) {
+  const std::vector<double> paths = pathsTo(scans);
+  std::vector<double> medians;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const std::vector<std::size_t> others = othersOf(i, scans, paths, options);
+    if (others.empty()) continue;
+    std::vector<double> distances;
+    double asked = 0;
+    for (std::size_t k = 0; k < scans[i].walls.size(); k += kStride) {
+      ++asked;
+      std::optional<double> best;
+      for (const std::size_t j : others) searchIn(scans[j], scans[i].walls[k], options, best);
+      if (best) distances.push_back(std::sqrt(*best));
+    }
+    if (distances.size() < options.minWalls || double(distances.size()) < options.minShare * asked)
+      continue;
+    medians.push_back(quantileOf(distances, 0.5));
+  }
+  if (medians.empty()) return {};
+  const double count = double(medians.size());
+  return {quantileOf(medians, options.quantile), count};
+}
+
+}  // namespace roomgraph

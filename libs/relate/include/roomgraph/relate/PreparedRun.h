@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/RoomGraph.h"
+
+namespace roomgraph {
+
+/** What the comparison needs to know of a run. */
+struct PreparedRun {
+  std::string name, file, sha256;
+  MapForAlignment map;            ///< must have walls
+  double noiseFloor = 0;          ///< see noiseFloor [m]
+  std::vector<GraphRoom> rooms;   ///< in the frame of the run
+  std::vector<ScanWalls> scans;   ///< of a simplemap; else empty
+  AreaGraph areas{};              ///< in the frame of the run; without labels
+  TopologyGraph graph{};          ///< that of the RoomGraph, in the frame of the run
+  double resolution = 0;          ///< side of a cell of the map as it was read [m]
+  bool isScaleEstimated = false;  ///< `resolution` is estimateScale's, not the file's
+};
+
+/** Brings runs into the order that all results are computed in, by content and then by name, so
+ * that the order in which they are given changes no number. */
+void sortRuns(std::vector<PreparedRun>& runs);
+
+}  // namespace roomgraph

@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/geometry/Transform2D.h"
+
+namespace roomgraph {
+
+// Ours: a map bends, so each of its patches has a pose of its own
+// In:   two maps, and poses of the one in the other
+// Out:  FollowedWalls
+// Next: scoreRuns, findBreaks
+
+/** A patch of walls that was found in the other map. */
+struct FollowedPatch {
+  std::uint32_t patch = 0;  ///< of MapForAlignment::patches
+  Transform2D pose;         ///< in <- of, right near the patch's middle
+  double walls = 0;         ///< wall points of its own that lie on walls there
+  int layer = 0;            ///< where a patch was mapped twice, each copy has a layer
+};
+
+/** Where the walls of one map lie in another, place by place. */
+struct FollowedWalls {
+  std::vector<FollowedPatch> patches;  ///< as they were found: surest first within a layer
+  Transform2D pose;                    ///< in <- of, that fits all of them best
+  double bend = 0;   ///< root mean square displacement of the walls that `pose` leaves over [m]
+  double share = 0;  ///< of the walls that were found, 0 to 1
+};
+
+struct FollowWallsOptions {
+  double firstWidth = 0.8;    ///< of the band around a wall that counts at first [m]
+  double lastWidth = 0.25;    ///< and at last [m]
+  int iterations = 4;         ///< of the fit of a patch
+  double near = 0.12;         ///< how far apart the same wall lies [m]
+  double found = 0.15;        ///< a wall that lies this near to another has been found [m]
+  double goodQuality = 0.5;   ///< share of a patch's walls from which on it is found by itself
+  double fairQuality = 0.3;   ///< and where all around it has been found
+  double maxStep = 0.4;       ///< between the poses of neighbours, at the patch [m]
+  double maxStepTurn = 0.08;  ///< and between their turns [rad]
+  double maxBend = 6;         ///< of a piece away from the first pose, at a patch [m]
+  double maxTurn = 0.45;      ///< and its turn [rad]
+  double minPiece = 0.03;     ///< share of the walls from which on a piece counts
+  int pieces = 6;             ///< at most
+  int candidates = 40;        ///< poses that are tried for a piece
+};
+
+/** Looks for each patch of `of` in `in`, starting where the first of `poses` (in <- of) fits and
+ *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
+ *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
+ *  and next to what was found, as walls can be there twice. Nothing is found where there is no
+ * pose. A map followed in itself from no shift and no turn has no bend. Deterministic. O(patches *
+ * points of a patch). */
+FollowedWalls followWalls(const MapForAlignment& of, const MapForAlignment& in,
+                          const std::vector<Transform2D>& poses, const FollowWallsOptions& options);
+
+}  // namespace roomgraph

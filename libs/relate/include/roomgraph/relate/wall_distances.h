@@ -1,0 +1,36 @@
+#pragma once
+#include <array>
+
+#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/geometry/Transform2D.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   two MapForAlignment and how one lies in the other
+// Out:  WallDistances
+// Next: scoreRuns
+
+/** How far the walls of one map lie from those of another. */
+struct WallDistances {
+  static constexpr double kMost = 1.0;  ///< a wall that is farther away, or missing, counts as this
+  static constexpr double kStep = 0.005;  ///< of the histogram [m]
+  double sum = 0;                         ///< of the distances, each at most kMost [m]
+  double count = 0;                       ///< wall points
+  std::array<double, 201> histogram{};    ///< points by distance, rounded to kStep
+
+  /** none for no points: 0. */
+  double mean() const { return count > 0 ? sum / count : 0; }
+  /** Counts `other` in, `weight` times. */
+  void add(const WallDistances& other, double weight = 1);
+  /** The distance that a share of the points does not exceed, to kStep; 0 without points. */
+  double quantile(double share) const;
+};
+
+/** For each wall point of `of` that lies where `in` has seen free space or wall: the distance to
+ * the nearest wall of `in` that faces about the same way (within 45 degrees, see nearestWall).
+ *  `pose` is in <- of. A map against itself gives zeros. O(points). */
+WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,
+                            const Transform2D& pose);
+
+}  // namespace roomgraph

@@ -1,0 +1,261 @@
+#include "roomgraph/relate/estimate_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "by_straightness.h"
+#include "roomgraph/align/alignment_confidence.h"
+#include "roomgraph/align/fit_scale.h"
+#include "roomgraph/base/median.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameScale = 0.1;  // scales that are one answer, as a share
+constexpr int kFits = 3;            // of the scale to the walls, each from the one before
+constexpr int kMostAcross = 1500;   // cells that sizes are measured on
+
+/** A scale, and how well the picture fits there. */
+struct ScaleTrial {
+  double resolution = 0;
+  Alignment alignment;  ///< run <- picture
+  double score() const { return alignment.best ? alignment.best->score : -HUGE_VAL; }
+};
+
+double ratioOf(const ScaleTrial& l, const ScaleTrial& r) {
+  return std::abs(std::log(l.resolution / r.resolution));
+}
+
+/** Sizes of a map that do not depend on how it is turned [m]; 0 where there is nothing. */
+struct Sizes {
+  double free = 0;   ///< root of the free area
+  double width = 0;  ///< median distance of free places to what is not free
+  double walls = 0;  ///< root mean square distance of the walls from their middle
+
+  explicit Sizes(const MapForAlignment& map) : free(std::sqrt(map.freeArea)) {
+    std::vector<float> depths;
+    for (std::size_t i = 0; i < map.depths.size(); ++i)
+      if (map.states[i] == State::free) depths.push_back(map.depths[i]);
+    if (depths.empty() || map.walls.empty()) return;
+    const auto half = depths.begin() + std::ptrdiff_t(depths.size() / 2);
+    std::nth_element(depths.begin(), half, depths.end());
+    width = *half;
+    Point middle;
+    for (const WallPoint& wall : map.walls)
+      middle = middle + (1 / double(map.walls.size())) * wall.place;
+    for (const WallPoint& wall : map.walls) walls += squaredNorm(wall.place - middle);
+    walls = std::sqrt(walls / double(map.walls.size()));
+  }
+};
+
+/** Of a picture, in cells. A large one is measured on coarser cells: occupied where any of its
+ *  cells is, free where more are free than unknown. */
+Sizes sizesInCells(const Grid& picture) {
+  const GridFrame& from = picture.frame;
+  const int factor = std::max(from.width, from.height) / kMostAcross + 1;
+  Grid small;
+  small.frame = {(from.width + factor - 1) / factor, (from.height + factor - 1) / factor, 1, {}};
+  std::vector<int> balance(small.frame.cellCount(), 0);
+  small.cells.assign(small.frame.cellCount(), State::unknown);
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x) {
+      const std::size_t i = small.frame.index({x / factor, y / factor});
+      const State state = picture.at({x, y});
+      if (state == State::occupied) small.cells[i] = state;
+      balance[i] += state == State::free ? 1 : -1;
+    }
+  for (std::size_t i = 0; i < small.cells.size(); ++i)
+    if (small.cells[i] == State::unknown && balance[i] > 0) small.cells[i] = State::free;
+  Sizes sizes(mapForAlignment(small, {}));
+  sizes.free *= factor, sizes.width *= factor, sizes.walls *= factor;
+  return sizes;
+}
+
+/** The scales to try, rising: those that sizes of map and rooms make likely, and so many more that
+ *  the first guess is among them. Where it lies does not change the others. */
+std::vector<double> scalesToTry(const Grid& picture, const MapForAlignment& run,
+                                const EstimateScaleOptions& options) {
+  const Sizes cells = sizesInCells(picture), metres(run);
+  if (cells.walls <= 0 || metres.walls <= 0) return {picture.frame.resolution};
+  const auto [least, most] = std::minmax(
+      {metres.free / cells.free, metres.width / cells.width, metres.walls / cells.walls});
+  const double low = least / options.below, high = most * options.above;
+  const double reach = std::log(options.guessReach);
+  const double lower = std::clamp(std::log(low / picture.frame.resolution), 0.0, reach);
+  const double higher = std::clamp(std::log(picture.frame.resolution / high), 0.0, reach);
+  const int first = -int(std::ceil(lower / options.step));
+  const int last = int(std::ceil((std::log(high / low) + higher) / options.step));
+  std::vector<double> scales;
+  for (int i = first; i <= last; ++i) scales.push_back(low * std::exp(i * options.step));
+  return scales;
+}
+
+ScaleTrial trialAt(double resolution, const Grid& picture, const MapForAlignment& run,
+                   const AlignMapsOptions& options) {
+  const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+  return {resolution, alignMaps(run, map, options)};
+}
+
+/** From a scale that is nearly right, the one that fits the walls near the pose found there. */
+ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const MapForAlignment& run,
+                  const AlignMapsOptions& options) {
+  FitScaleOptions fitOptions;
+  double resolution = near.resolution;
+  Transform2D pose = near.alignment.pose;
+  for (int i = 0; i < kFits; ++i) {
+    const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+    const ScaledPose fit = fitScale(run, map, pose, fitOptions);
+    resolution *= fit.scale, pose = fit.pose;
+    fitOptions.firstWidth = 0.5;
+  }
+  const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+  return {resolution, alignMapsNear(run, map, {pose}, options)};
+}
+
+/** The best first; of equal ones the smaller scale. */
+void sortByScore(std::vector<ScaleTrial>& trials) {
+  std::stable_sort(trials.begin(), trials.end(),
+                   [](const ScaleTrial& l, const ScaleTrial& r) { return l.score() > r.score(); });
+}
+
+/** All scales of the range, the best first. */
+std::vector<ScaleTrial> tried(const Grid& picture, const MapForAlignment& run,
+                              const EstimateScaleOptions& options, const ForEach& forEach) {
+  const std::vector<double> scales = scalesToTry(picture, run, options);
+  std::vector<ScaleTrial> trials(scales.size());
+  forEach(trials.size(),
+          [&](std::size_t i) { trials[i] = trialAt(scales[i], picture, run, options.quick); });
+  sortByScore(trials);
+  return trials;
+}
+
+/** The best scale near `trial`: the best of some between it and its neighbours, fitted to the
+ *  walls, then once more from the pose that is the best there. */
+ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const MapForAlignment& run,
+                    const EstimateScaleOptions& options) {
+  ScaleTrial best = trial;
+  for (const int quarters : {-2, -1, 1, 2}) {
+    const double resolution = trial.resolution * std::exp(quarters * options.step / 4);
+    ScaleTrial other = trialAt(resolution, picture, run, options.quick);
+    if (other.score() > best.score()) best = std::move(other);
+  }
+  const double resolution = fitted(best, picture, run, options.align).resolution;
+  best = trialAt(resolution, picture, run, options.align);
+  ScaleTrial again = fitted(best, picture, run, options.align);
+  return again.score() > best.score() ? again : best;
+}
+
+/** The best scales that are not near a better one, looked at closely; the best first. */
+std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid& picture,
+                               const MapForAlignment& run, const EstimateScaleOptions& options,
+                               const ForEach& forEach) {
+  std::vector<ScaleTrial> chosen;
+  for (const ScaleTrial& trial : trials) {
+    const bool isNear = std::any_of(chosen.begin(), chosen.end(), [&](const ScaleTrial& better) {
+      return ratioOf(better, trial) < kSameScale;
+    });
+    if (!isNear && chosen.size() < options.closer) chosen.push_back(trial);
+  }
+  forEach(chosen.size(),
+          [&](std::size_t i) { chosen[i] = lookedAt(chosen[i], picture, run, options); });
+  sortByScore(chosen);
+  return chosen;
+}
+
+/** Whether the picture shows enough of the run: a single room fits in many places, at any scale. */
+bool isLargeEnough(const ScaleTrial& trial, const MapForAlignment& run,
+                   const EstimateScaleOptions& options) {
+  const double common = trial.alignment.best->evidence.common / 2;  // counted both ways
+  return common >= options.minOfRun * run.freeArea;
+}
+
+/** The scale that stands out, if any. */
+std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& run,
+                                  const EstimateScaleOptions& options, const ForEach& forEach) {
+  const std::vector<ScaleTrial> trials = tried(picture, run, options, forEach);
+  const std::vector<ScaleTrial> close = bestOf(trials, picture, run, options, forEach);
+  const ScaleTrial& best = close.front();
+  if (best.alignment.siteConfidence < options.minConfidence ||
+      best.alignment.overlap < options.minOverlap || !isLargeEnough(best, run, options))
+    return std::nullopt;
+  for (const auto* others : {&trials, &close})
+    for (const ScaleTrial& other : *others)
+      if (ratioOf(other, best) > kSameScale && other.score() > best.score() - options.minMargin)
+        return std::nullopt;
+  return best;
+}
+
+/** What the runs `voters` say that the picture fits at about `found`; never empty. */
+std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<PreparedRun>& runs,
+                              const std::vector<std::size_t>& voters, const ScaleTrial& found,
+                              std::size_t best, const EstimateScaleOptions& options,
+                              const ForEach& forEach) {
+  const MapForAlignment map = mapForAlignment(rescaled(picture, found.resolution), {});
+  std::vector<ScaleTrial> all(voters.size());
+  forEach(voters.size(), [&](std::size_t i) {
+    const MapForAlignment& run = runs[voters[i]].map;
+    if (voters[i] == best || run.walls.empty()) return;
+    const ScaleTrial there{found.resolution, alignMaps(run, map, options.quick)};
+    all[i] = fitted(there, picture, run, options.align);
+  });
+  const auto isOff = [&](const ScaleTrial& vote) {
+    return !vote.alignment.isSameSite || vote.alignment.overlap < options.minOverlap ||
+           ratioOf(vote, found) > kSameScale;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), isOff), all.end());
+  all.push_back(found);
+  return all;
+}
+
+/** The median, each scale counting by its odds; of at least one. */
+double consensusOf(const std::vector<ScaleTrial>& votes) {
+  double most = -HUGE_VAL;
+  for (const ScaleTrial& vote : votes) most = std::max(most, vote.score());
+  std::vector<WeightedValue> scales;
+  for (const ScaleTrial& vote : votes)
+    scales.push_back({vote.resolution, std::exp(vote.score() - most)});
+  return *weightedMedian(std::move(scales));
+}
+
+}  // namespace
+
+AlignMapsOptions quickAlignment() {
+  AlignMapsOptions options;
+  options.hypotheses.cell = 0.3;
+  options.hypotheses.maxPoints = 300;
+  options.hypotheses.perAngle = 6;
+  options.hypotheses.count = 200;
+  options.closer = 40;
+  options.count = 12;
+  return options;
+}
+
+Grid rescaled(Grid grid, double resolution) {
+  grid.frame.origin = (resolution / grid.frame.resolution) * grid.frame.origin;
+  grid.frame.resolution = resolution;
+  return grid;
+}
+
+std::optional<ScaleEstimate> estimateScale(const Grid& picture,
+                                           const std::vector<PreparedRun>& runs,
+                                           const EstimateScaleOptions& options,
+                                           const ForEach& forEach) {
+  std::size_t searches = 0;
+  const std::vector<std::size_t> order = byStraightness(runs);
+  const std::vector<std::size_t> voters(
+      order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), options.voters)));
+  for (const std::size_t best : order) {
+    const MapForAlignment& run = runs[best].map;
+    if (run.walls.empty()) continue;
+    if (searches++ == options.searches) break;
+    const auto found = foundIn(picture, run, options, forEach);
+    if (!found) continue;
+    const auto agreed = votes(picture, runs, voters, *found, best, options, forEach);
+    const ScaleTrial there = trialAt(consensusOf(agreed), picture, run, options.align);
+    return ScaleEstimate{there.resolution, agreed.size(), best, there.alignment};
+  }
+  return std::nullopt;
+}
+
+}  // namespace roomgraph

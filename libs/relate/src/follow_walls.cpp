@@ -1,0 +1,253 @@
+#include "roomgraph/relate/follow_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <utility>
+
+#include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/geometry/MotionFit.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMinPoints = 15;  // of a patch that are left, for a pose of its own
+constexpr double kMinKnown = 0.4;       // share of them that lies where the other map has looked
+constexpr double kDoubt = 5;            // points that speak against each patch beforehand
+constexpr double kSure = 0.7;           // a patch found this well is not looked for again
+constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
+constexpr int kTwinRounds = 2;
+
+/** A patch as it may be found. */
+struct Offer {
+  double quality = 0;
+  std::uint32_t patch = 0;
+  Transform2D pose;
+
+  bool operator<(const Offer& other) const {  // the surest comes first
+    return quality != other.quality ? quality < other.quality : patch > other.patch;
+  }
+};
+
+class Follower {
+ public:
+  Follower(const MapForAlignment& of, const MapForAlignment& in, const FollowWallsOptions& options)
+      : of_(of), in_(in), options_(options), patches_(of.patches), isFound_(of.walls.size()) {
+    for (const WallPatch& patch : patches_) left_.push_back(patch.around);
+  }
+
+  FollowedWalls follow(const std::vector<Transform2D>& poses) {
+    if (poses.empty() || of_.walls.empty()) return {};
+    followFirst(poses.front());
+    std::vector<Transform2D> others(poses.begin() + 1, poses.end());
+    if (others.size() > std::size_t(options_.candidates))
+      others.resize(std::size_t(options_.candidates));
+    for (int piece = 1; piece < options_.pieces; ++piece)
+      if (!followPiece(poses.front(), others)) break;
+    for (int round = 0; round < kTwinRounds; ++round) followTwins();
+    fit();
+    return std::move(result_);
+  }
+
+ private:
+  const WallPoint* wallAt(Point at, Point normal) const {
+    return nearestWall(in_, cellIndexAt(in_.frame, at), normal);
+  }
+
+  /** Moves the pose so that what is left around the patch comes to lie on walls. */
+  Transform2D refined(std::uint32_t patch, Transform2D pose) const {
+    for (int i = 0; i < options_.iterations; ++i) {
+      const double share = double(i) / std::max(1, options_.iterations - 1);
+      const double width =
+          options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share);
+      WallFit fit(pose, patches_[patch].middle, width);
+      for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
+      if (!fit.isEnough()) break;
+      pose = fit.improved();
+    }
+    return pose;
+  }
+
+  /** The share of what is left around the patch that lies on walls, 0 to 1. */
+  double qualityAt(std::uint32_t patch, const Transform2D& pose, std::size_t stride = 1) const {
+    const Motion2D forth(pose);
+    double sum = 0, known = 0, all = 0;
+    for (std::size_t i = 0; i < left_[patch].size(); i += stride, ++all) {
+      const WallPoint& point = of_.walls[left_[patch][i]];
+      const Point at = forth(point.place);
+      const std::size_t cell = cellIndexAt(in_.frame, at);
+      if (cell >= in_.states.size() || in_.states[cell] == State::unknown) continue;
+      ++known;
+      const WallPoint* wall = nearestWall(in_, cell, forth.turned(point.normal));
+      if (wall) sum += 1 / (1 + squaredNorm(wall->place - at) / (options_.near * options_.near));
+    }
+    const bool isEnough = known * double(stride) >= double(kMinPoints) && known > kMinKnown * all;
+    return isEnough ? sum / (known + kDoubt / double(stride)) : 0;
+  }
+
+  /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
+  void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
+    if (left_[patch].size() < kMinPoints || queued_[patch] >= kSure) return;
+    const Transform2D at = refined(patch, pose);
+    if (isStep && !isStepAway(patch, at, pose)) return;
+    const double quality = qualityAt(patch, at);
+    if (quality < minQuality || quality <= queued_[patch]) return;
+    queued_[patch] = quality;
+    queue_.push({quality, patch, at});
+  }
+
+  bool isStepAway(std::uint32_t patch, const Transform2D& l, const Transform2D& r) const {
+    const Point middle = patches_[patch].middle;
+    return distance(l(middle), r(middle)) <= options_.maxStep &&
+           std::abs(wrappedAngle(l.phi - r.phi)) <= options_.maxStepTurn;
+  }
+
+  void offerAround(std::uint32_t patch, const Transform2D& pose, double minQuality) {
+    for (const std::uint32_t next : patches_[patch].neighbours)
+      if (!isDone_[next]) offer(next, pose, minQuality, true);
+  }
+
+  /** Takes what is queued, surest first, and goes on from there. Returns the walls found. */
+  double grow(double minQuality) {
+    double sum = 0;
+    while (!queue_.empty()) {
+      const Offer next = queue_.top();
+      queue_.pop();
+      if (isDone_[next.patch]) continue;
+      isDone_[next.patch] = true;
+      sum += take(next);
+      offerAround(next.patch, next.pose, minQuality);
+    }
+    return sum;
+  }
+
+  double take(const Offer& offer) {
+    const Motion2D forth(offer.pose);
+    double count = 0;
+    for (const std::uint32_t k : patches_[offer.patch].own) {
+      if (isFound_[k]) continue;
+      const Point at = forth(of_.walls[k].place);
+      const WallPoint* wall = wallAt(at, forth.turned(of_.walls[k].normal));
+      if (!wall || distance(wall->place, at) > options_.found) continue;
+      isFound_[k] = true;
+      ++count;
+    }
+    if (count > 0) result_.patches.push_back({offer.patch, offer.pose, count, layer_});
+    return count;
+  }
+
+  /** Leaves out what has been found, and starts anew. */
+  void nextLayer() {
+    for (std::vector<std::uint32_t>& points : left_)
+      points.erase(std::remove_if(points.begin(), points.end(),
+                                  [&](std::uint32_t k) { return isFound_[k]; }),
+                   points.end());
+    isDone_.assign(patches_.size(), false);
+    queued_.assign(patches_.size(), 0);
+    queue_ = {};
+  }
+
+  void followFirst(const Transform2D& pose) {
+    nextLayer();
+    std::vector<std::pair<double, std::uint32_t>> seeds;
+    for (std::uint32_t i = 0; i < patches_.size(); ++i) seeds.push_back({-qualityAt(i, pose), i});
+    std::sort(seeds.begin(), seeds.end());
+    for (const auto& [quality, patch] : seeds) {
+      if (isDone_[patch]) continue;
+      offer(patch, pose, options_.goodQuality, false);
+      grow(options_.goodQuality);
+    }
+  }
+
+  /** How much of what is left lies on walls at `pose`, in wall points, and where it fits best. */
+  std::pair<double, std::uint32_t> fitOf(const Transform2D& pose, const Transform2D& first) const {
+    double sum = 0, best = 0;
+    std::uint32_t seed = 0;
+    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
+      const WallPatch& patch = patches_[i];
+      if (left_[i].size() < kMinPoints) continue;
+      if (distance(pose(patch.middle), first(patch.middle)) > options_.maxBend) continue;
+      const double quality = qualityAt(i, pose, kQuickStride);
+      if (quality >= options_.fairQuality)
+        sum += quality * double(patch.own.size() * left_[i].size()) / double(patch.around.size());
+      if (quality > best) best = quality, seed = i;
+    }
+    return {sum, seed};
+  }
+
+  /** Finds one more piece by one of the `others`, which is then removed; false where there is
+   *  none. */
+  bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
+    ++layer_;
+    nextLayer();
+    double best = options_.minPiece * double(of_.walls.size());
+    std::optional<std::size_t> chosen;
+    std::uint32_t seed = 0;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (std::abs(wrappedAngle(others[i].phi - first.phi)) > options_.maxTurn) continue;
+      const auto [sum, patch] = fitOf(others[i], first);
+      if (sum > best) best = sum, chosen = i, seed = patch;
+    }
+    if (!chosen) return false;
+    offer(seed, others[*chosen], options_.goodQuality, false);
+    others.erase(others.begin() + std::ptrdiff_t(*chosen));
+    const std::size_t before = result_.patches.size();
+    if (grow(options_.goodQuality) < options_.minPiece * double(of_.walls.size()))
+      result_.patches.resize(before);
+    return true;
+  }
+
+  /** Looks for the second copy of what was found, and for patches that little is left of. */
+  void followTwins() {
+    ++layer_;
+    nextLayer();
+    const std::vector<FollowedPatch> found = result_.patches;
+    for (const FollowedPatch& f : found) {
+      offer(f.patch, f.pose, options_.fairQuality, true);
+      offerAround(f.patch, f.pose, options_.fairQuality);
+    }
+    grow(options_.fairQuality);
+  }
+
+  /** The pose that carries all patches as near to their places as one pose can, and what is left.
+   */
+  void fit() {
+    MotionFit fit;
+    for (const FollowedPatch& f : result_.patches) {
+      const Point middle = patches_[f.patch].middle;
+      fit.add(middle, f.pose(middle), f.walls);
+    }
+    if (fit.weight() <= 0) return;
+    result_.pose = fit.motion();
+    double squares = 0;
+    for (const FollowedPatch& f : result_.patches) {
+      const Point middle = patches_[f.patch].middle;
+      squares += f.walls * squaredNorm(result_.pose(middle) - f.pose(middle));
+    }
+    result_.bend = std::sqrt(squares / fit.weight());
+    result_.share = fit.weight() / double(of_.walls.size());
+  }
+
+  const MapForAlignment &of_, &in_;
+  const FollowWallsOptions& options_;
+  const WallPatches& patches_;
+  std::vector<std::uint8_t> isFound_;             // wall points
+  std::vector<std::vector<std::uint32_t>> left_;  // of `around`, per patch
+  std::vector<bool> isDone_;
+  std::vector<double> queued_;  // best quality that waits, per patch
+  std::priority_queue<Offer> queue_;
+  int layer_ = 0;
+  FollowedWalls result_;
+};
+
+}  // namespace
+
+FollowedWalls followWalls(const MapForAlignment& of, const MapForAlignment& in,
+                          const std::vector<Transform2D>& poses,
+                          const FollowWallsOptions& options) {
+  return Follower(of, in, options).follow(poses);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,170 @@
+#include "pair_bytes.h"
+
+#include <cstring>
+
+#include "roomgraph/grid/checked_file.h"
+
+namespace roomgraph {
+namespace {
+
+/** To be raised whenever what is related of two maps changes, in form or in value. */
+constexpr std::string_view kVersion = "roomgraph/pair 1\n";
+constexpr std::size_t kChecksum = 64;  // hex digits
+
+// Both archives take every number as a double, which holds all of them exactly.
+
+class Writer {
+ public:
+  template <typename T>
+  void number(const T& value) {
+    const double wide = double(value);
+    char raw[sizeof wide];
+    std::memcpy(raw, &wide, sizeof wide);
+    bytes_.append(raw, sizeof wide);
+  }
+  template <typename T>
+  std::size_t count(const T& of) {
+    number(of.size());
+    return of.size();
+  }
+  template <typename T>
+  bool isThere(const std::optional<T>& value) {
+    number(value.has_value());
+    return value.has_value();
+  }
+  std::string bytes() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/** Once the bytes have run out, all that is read is 0. */
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  void number(T& value) {
+    double wide = 0;
+    isWhole_ = isWhole_ && bytes_.size() >= sizeof wide;
+    if (isWhole_) {
+      std::memcpy(&wide, bytes_.data(), sizeof wide);
+      bytes_.remove_prefix(sizeof wide);
+    }
+    value = T(wide);
+  }
+  template <typename T>
+  std::size_t count(T& of) {
+    std::size_t size = 0;
+    number(size);
+    isWhole_ = isWhole_ && size <= bytes_.size();
+    of.resize(isWhole_ ? size : 0);
+    return of.size();
+  }
+  template <typename T>
+  bool isThere(std::optional<T>& value) {
+    bool isThere = false;
+    number(isThere);
+    if (isThere) value.emplace();
+    return isThere;
+  }
+  bool isAtEnd() const { return isWhole_ && bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;
+  bool isWhole_ = true;
+};
+
+// One list of fields for both ways.
+
+template <typename Archive, typename Pose>
+void visitPose(Archive& archive, Pose& pose) {
+  archive.number(pose.x), archive.number(pose.y), archive.number(pose.phi);
+}
+
+template <typename Archive, typename Candidate>
+void visitCandidate(Archive& archive, Candidate& c) {
+  visitPose(archive, c.pose);
+  archive.number(c.evidence.close), archive.number(c.evidence.loose);
+  archive.number(c.evidence.slightly), archive.number(c.evidence.contradicted);
+  archive.number(c.evidence.known), archive.number(c.evidence.all);
+  archive.number(c.evidence.weakest), archive.number(c.evidence.overlap);
+  archive.number(c.evidence.common), archive.number(c.evidence.freeOnWall);
+  archive.number(c.score);
+}
+
+template <typename Archive, typename AnAlignment>
+void visitAlignment(Archive& archive, AnAlignment& alignment) {
+  visitPose(archive, alignment.pose);
+  archive.number(alignment.confidence), archive.number(alignment.siteConfidence);
+  archive.number(alignment.overlap);
+  archive.number(alignment.isSameSite), archive.number(alignment.isAmbiguous);
+  archive.number(alignment.runnerUpConfidence);
+  if (archive.isThere(alignment.best)) visitCandidate(archive, *alignment.best);
+  if (archive.isThere(alignment.runnerUp)) visitCandidate(archive, *alignment.runnerUp);
+  const std::size_t poses = archive.count(alignment.poses);
+  for (std::size_t i = 0; i < poses; ++i) visitPose(archive, alignment.poses[i]);
+}
+
+template <typename Archive, typename Walls>
+void visitWalls(Archive& archive, Walls& walls) {
+  visitPose(archive, walls.pose);
+  archive.number(walls.bend), archive.number(walls.share);
+  const std::size_t patches = archive.count(walls.patches);
+  for (std::size_t i = 0; i < patches; ++i) {
+    auto& patch = walls.patches[i];
+    archive.number(patch.patch), archive.number(patch.walls), archive.number(patch.layer);
+    visitPose(archive, patch.pose);
+  }
+}
+
+template <typename Archive, typename Pair>
+void visitPair(Archive& archive, Pair& pair) {
+  archive.number(pair.areIdentical);
+  visitAlignment(archive, pair.alignment);
+  visitWalls(archive, pair.bInA);
+  visitWalls(archive, pair.aInB);
+}
+
+ByteView viewOf(std::string_view bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
+
+std::string fingerprint(const MapForAlignment& map) {
+  Writer writer;
+  const GridFrame& frame = map.frame;
+  writer.number(frame.width), writer.number(frame.height), writer.number(frame.resolution);
+  writer.number(frame.origin.x), writer.number(frame.origin.y);
+  for (const WallPoint& wall : map.walls) {
+    writer.number(wall.place.x), writer.number(wall.place.y);
+    writer.number(wall.normal.x), writer.number(wall.normal.y);
+  }
+  static_assert(sizeof(State) == 1);
+  const std::string_view states(reinterpret_cast<const char*>(map.states.data()),
+                                map.states.size());
+  return sha256Of(viewOf(writer.bytes()), viewOf(states));
+}
+
+std::string pairBytes(const MapPair& pair) {
+  Writer writer;
+  visitPair(writer, pair);
+  const std::string body = writer.bytes();
+  return std::string(kVersion) + sha256Of(viewOf(body)) + body;
+}
+
+std::optional<MapPair> pairOfBytes(std::string_view bytes) {
+  if (bytes.substr(0, kVersion.size()) != kVersion) return {};
+  bytes.remove_prefix(kVersion.size());
+  if (bytes.size() < kChecksum) return {};
+  const std::string_view body = bytes.substr(kChecksum);
+  if (bytes.substr(0, kChecksum) != sha256Of(viewOf(body))) return {};
+  MapPair pair;
+  Reader reader(body);
+  visitPair(reader, pair);
+  if (!reader.isAtEnd()) return {};
+  return pair;
+}
+
+}  // namespace roomgraph

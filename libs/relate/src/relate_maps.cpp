@@ -1,0 +1,140 @@
+#include "roomgraph/relate/relate_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "roomgraph/align/alignment_confidence.h"
+#include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/near_poses.h"
+
+namespace roomgraph {
+namespace {
+
+/** All patches at `pose`: where two maps are the same, following could only blur that. */
+FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
+  FollowedWalls all;
+  for (std::uint32_t i = 0; i < map.patches.size(); ++i)
+    all.patches.push_back({i, pose, double(map.patches[i].own.size()), 0});
+  all.pose = pose;
+  all.share = 1;
+  return all;
+}
+
+constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
+constexpr double kSure = 0.5;       // confidence of a pose that others may follow from
+constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
+constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
+
+bool isSure(const MapPair& pair) { return pair.alignment.confidence >= kSure; }
+
+/** The poses of the map's pieces in the hub (hub <- map), largest first. */
+std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+  struct Piece {
+    Transform2D pose;
+    double walls;
+  };
+  std::vector<Piece> pieces;
+  for (const FollowedPatch& f : hubAndMap.bInA.patches) {
+    const Point middle = map.patches[f.patch].middle;
+    const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      return areNear(piece.pose, f.pose, middle, kSameTurn, kSamePlace);
+    });
+    if (same == pieces.end())
+      pieces.push_back({f.pose, f.walls});
+    else
+      same->walls += f.walls;
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
+  std::vector<Transform2D> poses;
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i)
+    poses.push_back(pieces[i].pose);
+  return poses;
+}
+
+/** The pose of the whole map, the other answers to where it lies if that is not sure, and the poses
+ *  of its pieces. */
+std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+  std::vector<Transform2D> poses{hubAndMap.alignment.pose};
+  if (!isSure(hubAndMap))
+    for (const Transform2D& pose : hubAndMap.alignment.poses) {
+      if (poses.size() == kMostAnswers) break;
+      if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
+            return areNear(known, pose, map.middle(), kOtherTurn, kOtherPlace);
+          }))
+        poses.push_back(pose);
+    }
+  for (const Transform2D& pose : piecesInHub(hubAndMap, map)) poses.push_back(pose);
+  return poses;
+}
+
+/** The probability that one of the poses in the hub is right. */
+double anyConfidence(const MapPair& pair) {
+  const Alignment& alignment = pair.alignment;
+  return isSure(pair) ? alignment.confidence : alignment.confidence + alignment.runnerUpConfidence;
+}
+
+}  // namespace
+
+void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
+            const std::vector<Transform2D>& poses) {
+  if (pair.areIdentical) {
+    pair.bInA = carried(b, poses.front()), pair.aInB = carried(a, poses.front().inverse());
+    return;
+  }
+  std::vector<Transform2D> back;
+  for (const Transform2D& pose : poses) back.push_back(pose.inverse());
+  pair.bInA = followWalls(b, a, poses, {});
+  pair.aInB = followWalls(a, b, back, {});
+}
+
+MapPair swapped(MapPair pair) {
+  pair.alignment = inverse(std::move(pair.alignment));
+  std::swap(pair.bInA, pair.aInB);
+  return pair;
+}
+
+MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
+  MapPair pair;
+  pair.alignment = alignMaps(a, b, {});
+  pair.areIdentical = areIdentical(a, b);
+  if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
+  return pair;
+}
+
+MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
+                       const MapForAlignment& b) {
+  if (!hubAndA.alignment.isSameSite || !hubAndB.alignment.isSameSite) return relateMaps(a, b);
+  std::vector<Transform2D> poses;
+  for (const Transform2D& ofB : posesInHub(hubAndB, b))
+    for (const Transform2D& ofA : posesInHub(hubAndA, a)) poses.push_back(ofA.inverse() * ofB);
+  MapPair pair;
+  pair.alignment = alignMapsNear(a, b, poses, {});
+  // One way or another, this pair is no surer than the two that it follows from.
+  pair.alignment.confidence =
+      std::min({pair.alignment.confidence, anyConfidence(hubAndA), anyConfidence(hubAndB)});
+  const bool areSure = isSure(hubAndA) && isSure(hubAndB);
+  if (!pair.alignment.isSameSite && areSure) return relateMaps(a, b);
+  pair.alignment.isAmbiguous |= hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
+  pair.areIdentical = areIdentical(a, b);
+  if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
+  return pair;
+}
+
+MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b) {
+  MapPair pair;
+  Alignment& alignment = pair.alignment;
+  alignment.best = AlignmentCandidate{};
+  alignment.best->evidence = verifyAlignment(a, b, {}, {});
+  alignment.overlap = alignment.best->evidence.overlap;
+  alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
+  alignment.isSameSite = alignment.siteConfidence >= kNotAtOdds;
+  alignment.confidence = alignment.isSameSite ? 1 : alignment.siteConfidence;
+  alignment.poses = {{}};
+  pair.areIdentical = areIdentical(a, b);
+  if (alignment.isSameSite) follow(pair, a, b, alignment.poses);
+  return pair;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,155 @@
+#include "roomgraph/relate/site_poses.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kConverged = 1e-9;
+
+/** The pair's pose as seen from run `from`: from <- other. */
+Transform2D seenFrom(const PairPose& pair, std::size_t from) {
+  return pair.a == from ? pair.pose : pair.pose.inverse();
+}
+
+/** How far apart two poses a <- b lay the pair's walls [m]. */
+double apart(const PairPose& pair, const Transform2D& l, const Transform2D& r, double lever) {
+  return std::hypot(distance(l(pair.middle), r(pair.middle)), lever * wrappedAngle(l.phi - r.phi));
+}
+
+/** The pair's index by its runs. */
+using PairTable = std::vector<std::vector<std::optional<std::size_t>>>;
+
+PairTable tableOf(std::size_t runs, const std::vector<PairPose>& pairs, double minConfidence) {
+  PairTable table(runs, std::vector<std::optional<std::size_t>>(runs));
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].confidence < minConfidence) continue;
+    auto& entry = table[pairs[i].a][pairs[i].b];
+    if (!entry) entry = table[pairs[i].b][pairs[i].a] = i;
+  }
+  return table;
+}
+
+/** Confidence, raised by each third run over which the same pose comes out, and lowered by each
+ *  over which another one does. */
+double trustIn(const PairPose& pair, const std::vector<PairPose>& pairs, const PairTable& table,
+               const SitePosesOptions& options) {
+  double trust = pair.confidence;
+  for (std::size_t c = 0; c < table.size(); ++c) {
+    const auto ac = table[pair.a][c], cb = table[c][pair.b];
+    if (c == pair.a || c == pair.b || !ac || !cb) continue;
+    const Transform2D way = seenFrom(pairs[*ac], pair.a) * seenFrom(pairs[*cb], c);
+    const double d = apart(pair, pair.pose, way, options.lever) / (3 * options.width);
+    const double weight = pairs[*ac].confidence * pairs[*cb].confidence;
+    trust += weight * (2 / (1 + d * d * d * d) - 1);
+  }
+  return trust;
+}
+
+/** Places one run after the other, each over the most trusted pair that reaches it. */
+std::vector<SitePose> tree(const std::vector<PairPose>& pairs, const PairTable& table,
+                           std::size_t reference, const SitePosesOptions& options) {
+  std::vector<double> trust;
+  for (const PairPose& pair : pairs) trust.push_back(trustIn(pair, pairs, table, options));
+  std::vector<SitePose> runs(table.size());
+  runs[reference].isPlaced = true;
+  for (;;) {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const bool isUsed = table[pairs[i].a][pairs[i].b] == i;
+      if (!isUsed || runs[pairs[i].a].isPlaced == runs[pairs[i].b].isPlaced) continue;
+      if (!best || trust[i] > trust[*best]) best = i;
+    }
+    if (!best) return runs;
+    const PairPose& pair = pairs[*best];
+    const std::size_t from = runs[pair.a].isPlaced ? pair.a : pair.b;
+    const std::size_t to = from == pair.a ? pair.b : pair.a;
+    runs[to] = {runs[from].pose * seenFrom(pair, from), true};
+  }
+}
+
+/** What a pair says about its two runs, linearised: the misfit of b's middle in a's turned frame
+ *  and, times the lever, that of the angle. */
+struct Row {
+  Eigen::Matrix3d ja, jb;
+  Eigen::Vector3d r;
+};
+
+Row rowOf(const PairPose& pair, const Transform2D& a, const Transform2D& b, double lever) {
+  const Point inSite = b(pair.middle), target = a(pair.pose(pair.middle));
+  const Point leverB = inSite - b.shift(), leverA = target - a.shift();
+  Row row;
+  row.r << inSite.x - target.x, inSite.y - target.y,
+      lever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
+  row.jb << 1, 0, -leverB.y, 0, 1, leverB.x, 0, 0, lever;
+  row.ja << -1, 0, leverA.y, 0, -1, -leverA.x, 0, 0, -lever;
+  return row;
+}
+
+/** One step of all placed runs but the reference; how far it moved them. */
+double step(const std::vector<PairPose>& pairs, const PairTable& table, std::size_t reference,
+            const SitePosesOptions& options, std::vector<SitePose>& runs) {
+  const Eigen::Index n = 3 * Eigen::Index(runs.size());
+  Eigen::MatrixXd h = Eigen::MatrixXd::Identity(n, n) * 1e-9;
+  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairPose& p = pairs[i];
+    if (table[p.a][p.b] != i || !runs[p.a].isPlaced || !runs[p.b].isPlaced) continue;
+    const Row row = rowOf(p, runs[p.a].pose, runs[p.b].pose, options.lever);
+    const double s = row.r.squaredNorm() / (options.width * options.width);
+    const double w = p.confidence / ((1 + s) * (1 + s));
+    const Eigen::Index ia = 3 * Eigen::Index(p.a), ib = 3 * Eigen::Index(p.b);
+    h.block<3, 3>(ia, ia) += w * row.ja.transpose() * row.ja;
+    h.block<3, 3>(ib, ib) += w * row.jb.transpose() * row.jb;
+    h.block<3, 3>(ia, ib) += w * row.ja.transpose() * row.jb;
+    h.block<3, 3>(ib, ia) += w * row.jb.transpose() * row.ja;
+    g.segment<3>(ia) -= w * row.ja.transpose() * row.r;
+    g.segment<3>(ib) -= w * row.jb.transpose() * row.r;
+  }
+  h.block<3, 3>(3 * Eigen::Index(reference), 3 * Eigen::Index(reference)) +=
+      Eigen::Matrix3d::Identity() * 1e9;
+  const Eigen::VectorXd by = h.ldlt().solve(g);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].isPlaced || i == reference) continue;
+    const Eigen::Vector3d d = by.segment<3>(3 * Eigen::Index(i));
+    Transform2D& pose = runs[i].pose;
+    pose = {pose.x + d[0], pose.y + d[1], wrappedAngle(pose.phi + d[2])};
+  }
+  return by.cwiseAbs().maxCoeff();
+}
+
+void check(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference) {
+  if (reference >= runs)
+    throw UsageError("site_poses: there is no run " + std::to_string(reference));
+  for (const PairPose& pair : pairs)
+    if (pair.a >= runs || pair.b >= runs || pair.a == pair.b)
+      throw UsageError("site_poses: there is no pair of the runs " + std::to_string(pair.a) +
+                       " and " + std::to_string(pair.b));
+}
+
+}  // namespace
+
+SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference,
+                    const SitePosesOptions& options) {
+  check(runs, pairs, reference);
+  const PairTable table = tableOf(runs, pairs, options.minConfidence);
+  SitePoses out;
+  out.runs = tree(pairs, table, reference, options);
+  for (int i = 0; i < options.iterations; ++i)
+    if (step(pairs, table, reference, options, out.runs) < kConverged) break;
+  for (const PairPose& pair : pairs) {
+    const SitePose &a = out.runs[pair.a], &b = out.runs[pair.b];
+    const bool isPlaced = a.isPlaced && b.isPlaced;
+    out.misfit.push_back(isPlaced ? apart(pair, pair.pose, a.pose.inverse() * b.pose, options.lever)
+                                  : 0);
+  }
+  return out;
+}
+
+}  // namespace roomgraph

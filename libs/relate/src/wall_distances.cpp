@@ -1,0 +1,53 @@
+#include "roomgraph/relate/wall_distances.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+bool isNothing(const Transform2D& pose) {
+  constexpr double kTiny = 1e-6;
+  return std::abs(pose.x) < kTiny && std::abs(pose.y) < kTiny && std::abs(pose.phi) < kTiny;
+}
+
+}  // namespace
+
+void WallDistances::add(const WallDistances& other, double weight) {
+  sum += weight * other.sum;
+  count += weight * other.count;
+  for (std::size_t i = 0; i < histogram.size(); ++i) histogram[i] += weight * other.histogram[i];
+}
+
+double WallDistances::quantile(double share) const {
+  double below = 0;
+  for (std::size_t i = 0; i < histogram.size(); ++i) {
+    below += histogram[i];
+    if (below > 0 && below >= share * count) return double(i) * kStep;
+  }
+  return 0;
+}
+
+WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,
+                            const Transform2D& pose) {
+  WallDistances result;
+  // The table holds the wall that is nearest to the middle of a cell, which may be another one.
+  const bool isItself = isNothing(pose) && areIdentical(of, in);
+  for (const WallPoint& wall : of.walls) {
+    const Point at = pose(wall.place), normal = turned(wall.normal, pose.phi);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (cell == in.states.size() || in.states[cell] == State::unknown) continue;
+    const WallPoint* found = isItself ? &wall : nearestWall(in, cell, normal);
+    const double far = found ? distance(found->place, at) : WallDistances::kMost;
+    const double d = isItself ? 0 : std::min(far, WallDistances::kMost);
+    result.sum += d;
+    result.count += 1;
+    result.histogram[std::size_t(std::lround(d / WallDistances::kStep))] += 1;
+  }
+  return result;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,243 @@
+#include "roomgraph/report/comparison_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "json_places.h"
+#include "roomgraph/base/version.h"
+#include "roomgraph/ledger/site_rooms.h"
+
+namespace roomgraph {
+namespace {
+
+double rounded(double value) { return toTenthMillimetre(value); }
+
+Json number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return rounded(*value);
+}
+
+std::string fileName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+Json poseJson(const Transform2D& pose) {
+  return {rounded(pose.x), rounded(pose.y), std::round(pose.phi * 1e6) / 1e6 + 0.0};
+}
+
+Json poseJson(const std::optional<Transform2D>& pose) {
+  return pose ? poseJson(*pose) : Json(nullptr);
+}
+
+Json measuresJson(const std::vector<Measure>& measures) {
+  Json json = Json::object();
+  for (const Measure& m : measures)
+    json[m.name] = {{"value", number(m.value)},         {"unit", m.unit},
+                    {"support", std::round(m.support)}, {"low", number(m.low)},
+                    {"high", number(m.high)},           {"meaningful", m.isMeaningful}};
+  return json;
+}
+
+Json runJson(const ComparedRun& run) {
+  const auto of = [&](double RunScore::*member) {
+    return run.score ? number((*run.score).*member) : Json(nullptr);
+  };
+  return {{"name", run.name},
+          {"file", fileName(run.file)},
+          {"score", of(&RunScore::score)},
+          {"score_low", of(&RunScore::low)},
+          {"score_high", of(&RunScore::high)},
+          {"map_error_m", of(&RunScore::mapError)},
+          {"map_error_low", of(&RunScore::errorLow)},
+          {"map_error_high", of(&RunScore::errorHigh)},
+          {"meaningful", run.score && run.score->isMeaningful},
+          {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
+          {"reason", run.reason},
+          {"bend_m", of(&RunScore::bend)},
+          {"trust", of(&RunScore::trust)},
+          {"pose", poseJson(run.pose)},
+          {"resolution", std::round(run.resolution * 1e6) / 1e6},
+          {"scale_estimated", run.isScaleEstimated},
+          {"measures", measuresJson(run.measures)}};
+}
+
+Json pairJson(const ComparedPair& pair) {
+  Json runnerUp = nullptr;
+  if (pair.runnerUp)
+    runnerUp = {{"transform", poseJson(*pair.runnerUp)},
+                {"confidence", number(pair.runnerUpConfidence)}};
+  return {{"a", pair.a},
+          {"b", pair.b},
+          {"same_site", pair.isSameSite},
+          {"transform", poseJson(pair.transform)},
+          {"confidence", number(pair.confidence)},
+          {"overlap", number(pair.overlap)},
+          {"runner_up", runnerUp},
+          {"measures", measuresJson(pair.measures)}};
+}
+
+Json breakJson(const MapBreak& bend) {
+  return {{"run", bend.run},
+          {"x", rounded(bend.place.x)},
+          {"y", rounded(bend.place.y)},
+          {"rotation_deg", rounded(bend.rotation * 180 / M_PI)},
+          {"shift_m", rounded(bend.shift)}};
+}
+
+const char* nameOf(RoomSighting sighting) {
+  if (sighting == RoomSighting::seen) return "seen";
+  return sighting == RoomSighting::gone ? "gone" : "unvisited";
+}
+
+Json roomInRunJson(const RoomInRun& in) {
+  return {{"run", in.run},
+          {"sighting", nameOf(in.sighting)},
+          {"pieces", in.pieces},
+          {"merged", in.isMerged},
+          {"shift_m", number(in.shift)},
+          {"area_change", number(in.areaChange)},
+          {"boundary_agreement", number(in.boundaryAgreement)},
+          {"length_error_m", number(in.lengthError)},
+          {"doors_gained", in.doorsGained},
+          {"doors_lost", in.doorsLost}};
+}
+
+Json roomJson(const SiteRoom& room) {
+  Json runs = Json::array();
+  for (const RoomInRun& in : room.runs) runs.push_back(roomInRunJson(in));
+  return {{"id", room.id},
+          {"name", room.name},
+          {"kind", room.isCorridor ? "corridor" : "room"},
+          {"x", rounded(room.center.x)},
+          {"y", rounded(room.center.y)},
+          {"area_m2", rounded(room.area)},
+          {"polygon", ringJson(room.polygon.outer)},
+          {"holes", ringsJson(room.polygon.holes)},
+          {"doors", doorsJson(room.doors)},
+          {"runs", runs}};
+}
+
+/** A list with one entry per line. */
+template <class Things, class ToJson>
+std::string lines(const char* name, const Things& things, const ToJson& toJson) {
+  std::string text = std::string("\"") + name + "\": [";
+  const char* separator = "\n";
+  for (const auto& thing : things) {
+    text += separator + lineOf(toJson(thing));
+    separator = ",\n";
+  }
+  return text + (things.empty() ? "],\n" : "\n],\n");
+}
+
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csvNumber(std::optional<double> value) {
+  if (!value) return "";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4f", rounded(*value));
+  return text;
+}
+
+}  // namespace
+
+std::string comparisonJson(const Comparison& comparison) {
+  std::string text = "{\n\"format\": \"roomgraph/comparison\",\n\"version\": 1,\n";
+  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
+  const Json reference = comparison.reference ? Json(*comparison.reference) : Json(nullptr);
+  text += "\"reference\": " + lineOf(reference) + ",\n";
+  text += lines("runs", comparison.runs, runJson);
+  text += lines("pairs", comparison.pairs, pairJson);
+  text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
+    return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
+  });
+  text += lines("rooms", comparison.rooms, roomJson);
+  text += lines("breaks", comparison.breaks, breakJson);
+  return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
+}
+
+std::string comparisonRunsCsv(const Comparison& comparison) {
+  std::string text =
+      "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
+      "meaningful,x,y,phi,coverage,bend,axis_deviation,wall_distance,wall_distance_p90,rooms_"
+      "matched,room_coverage,path_coverage,global_accuracy,relative_accuracy,consistency_1,"
+      "consistency_2,"
+      "consistency_4,consistency_8,path_length_error,path_frechet,nearest_vertex,brokenness,"
+      "wall_doubling,wall_sharpness,scan_disagreement\n";
+  for (const ComparedRun& run : comparison.runs) {
+    text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
+            csvField(fileName(run.file));
+    for (double RunScore::*member :
+         {&RunScore::score, &RunScore::low, &RunScore::high, &RunScore::mapError,
+          &RunScore::errorLow, &RunScore::errorHigh})
+      text +=
+          "," + csvNumber(run.score ? std::optional<double>((*run.score).*member) : std::nullopt);
+    text += run.score && run.score->isMeaningful ? ",1" : ",0";
+    for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
+      text += "," + csvNumber(value);
+    for (const Measure& measure : run.measures) text += "," + csvNumber(measure.value);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string comparisonRoomsCsv(const Comparison& comparison) {
+  std::string text =
+      "id,name,kind,x,y,area_m2,run,sighting,pieces,merged,shift_m,area_change,"
+      "boundary_agreement,length_error_m,doors_gained,doors_lost\n";
+  for (const SiteRoom& room : comparison.rooms) {
+    std::string start = csvField(room.id) + "," + csvField(room.name) + "," +
+                        (room.isCorridor ? "corridor" : "room");
+    for (const double value : {room.center.x, room.center.y, room.area})
+      start += "," + csvNumber(value);
+    for (const RoomInRun& in : room.runs) {
+      text += start + "," + csvField(in.run) + "," + nameOf(in.sighting) + "," +
+              std::to_string(in.pieces) + (in.isMerged ? ",1" : ",0");
+      for (const auto& value : {in.shift, in.areaChange, in.boundaryAgreement, in.lengthError})
+        text += "," + csvNumber(value);
+      text += "," + std::to_string(in.doorsGained) + "," + std::to_string(in.doorsLost) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string comparisonText(const Comparison& comparison) {
+  std::size_t width = 3;
+  for (const ComparedRun& run : comparison.runs) width = std::max(width, run.name.size());
+  std::string text = "rank  run" + std::string(width - 3, ' ') +
+                     "  score         (80 %)  map error [m]          (80 %)  coverage\n";
+  for (const ComparedRun& run : comparison.runs) {
+    const double seen = run.measures.empty() ? -1 : run.measures.front().value.value_or(-1);
+    const std::string name = run.name + std::string(width - run.name.size(), ' ');
+    const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
+    char line[120];
+    if (run.score)
+      std::snprintf(line, sizeof line, "  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n",
+                    run.score->score, run.score->low, run.score->high, run.score->mapError,
+                    run.score->errorLow, run.score->errorHigh, share.c_str(),
+                    run.score->isMeaningful ? "" : "  too little to judge by");
+    else
+      std::snprintf(line, sizeof line, "  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "",
+                    share.c_str());
+    std::string place = run.rank ? std::to_string(run.rank) : "-";
+    text +=
+        std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
+  }
+  for (const ComparedRun& run : comparison.runs) {
+    if (!run.isScaleEstimated) continue;
+    char scale[60];
+    std::snprintf(scale, sizeof scale, ": %.5f m per cell, estimated.\n", run.resolution);
+    text += run.name + scale;
+  }
+  const std::string rooms = roomsText(comparison.rooms);
+  if (!rooms.empty()) text += rooms + ".\n";
+  return text;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,56 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/score/estimate_map_errors.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   how far each pair of runs bends apart, and what each run tells of itself
+// Out:  RunScore of each run
+// Next: compareRuns
+
+/** What the walls of one run say against those of the others. */
+struct RunScore {
+  double bend = 0;   ///< against the others, each weighted by its trust [m]
+  double share = 0;  ///< of the walls that the others have, too; weighted alike
+  double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
+  double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
+  double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1
+  double support = 0;         ///< wall points that were compared
+  std::size_t others = 0;     ///< runs it was compared with
+  bool isMeaningful = false;  ///< see scoreRuns
+};
+
+/** What a run tells of itself, without any other. */
+struct OwnEvidence {
+  std::optional<double> axisDeviation;  ///< [rad]
+  double noiseFloor = 0;                ///< [m]
+};
+
+/** How an error becomes a score. */
+struct RunScoreOptions {
+  MapErrorOptions error;
+  double scoreScale = 0.5;    ///< error at which the score is 100 / e [m]
+  double trustFloor = 0.05;   ///< error below which all runs are trusted alike [m]
+  double minWalls = 300;      ///< wall points from which on a score is meaningful
+  std::size_t minOthers = 2;  ///< runs from which on a score is meaningful; 1 with a reference
+  double minShare = 0.2;      ///< of walls in common with another run, to be meaningful
+};
+
+/** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of
+ *  estimateMapErrors. Identical maps count as one, and as others only where there is no other map.
+ *  With `reference`, that run is taken for the truth and gets no score itself. Trust falls with the
+ *  fourth power of trustFloor plus the map error; that of the most trusted run, or of the
+ * reference, is 1, that of a run without minShare 0, unless all are so. Runs that share no walls
+ * with any other have no score. Intervals are wider by the noise floor on both sides. Meaningful
+ * with minOthers other runs (one reference), minWalls wall points and minShare. `bends` is square
+ * and symmetric; its diagonal must have no share. Cost: that of estimateMapErrors.
+ *  @throws UsageError where `reference` is none of the runs. */
+std::vector<std::optional<RunScore>> scoreRuns(const std::vector<std::vector<PairBend>>& bends,
+                                               const std::vector<OwnEvidence>& own,
+                                               std::optional<std::size_t> reference,
+                                               const RunScoreOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,57 @@
+#include "roomgraph/breaks/rigid_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include "drawn_building.h"
+#include "drawn_graph.h"
+
+namespace roomgraph {
+namespace {
+
+using test::everywhere;
+using test::patchesOver;
+
+TEST(RigidPieces, whatLiesAtOnePoseIsOnePiece) {
+  const WallPatches patches = patchesOver({});
+  EXPECT_EQ(rigidPieces(patches, everywhere(patches, {4, 5, 1}), {}), 1u);
+  EXPECT_EQ(rigidPieces(patches, {}, {}), 0u);
+}
+
+TEST(RigidPieces, aJumpMakesTwo) {
+  const WallPatches patches = patchesOver({});
+  FollowedWalls jump = everywhere(patches, {});
+  for (FollowedPatch& f : jump.patches)
+    if (patches[f.patch].middle.x > 10) f.pose = carrying({10, 0}, {10, 0}, 0.12);
+  EXPECT_EQ(rigidPieces(patches, jump, {}), 2u);
+  for (FollowedPatch& f : jump.patches)
+    if (patches[f.patch].middle.x > 10) f.pose = {0, 0.7, 0};
+  EXPECT_EQ(rigidPieces(patches, jump, {}), 2u);
+}
+
+TEST(RigidPieces, aBendIsNoBreak) {
+  const WallPatches patches = patchesOver({});
+  FollowedWalls bend = everywhere(patches, {});
+  for (FollowedPatch& f : bend.patches)
+    f.pose = carrying(patches[f.patch].middle, patches[f.patch].middle,
+                      0.004 * patches[f.patch].middle.x);
+  EXPECT_EQ(rigidPieces(patches, bend, {}), 1u);
+}
+
+TEST(RigidPieces, aFewWallsElsewhereAreNoPiece) {
+  const WallPatches patches = patchesOver({});
+  FollowedWalls followed = everywhere(patches, {});
+  followed.patches[0].pose = {3, 3, 0};
+  EXPECT_EQ(rigidPieces(patches, followed, {}), 1u);
+}
+
+TEST(RigidPieces, aBrokenBuildingHasTwo) {
+  const Grid grid = test::drawnBuilding(1, {});
+  const MapForAlignment sound = mapForAlignment(grid, {}),
+                        broken = mapForAlignment(test::bent(grid, 0.12), {});
+  EXPECT_EQ(rigidPieces(sound.patches, followWalls(sound, sound, {{}}, {}), {}), 1u);
+  const Transform2D other = carrying(sound.middle(), sound.middle(), -0.12);
+  EXPECT_EQ(rigidPieces(broken.patches, followWalls(broken, sound, {{}, other}, {}), {}), 2u);
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,228 @@
+#include "roomgraph/ledger/name_rooms.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "drawn_house.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/report/site_json.h"
+
+namespace roomgraph {
+namespace {
+
+using test::House;
+using test::house;
+using test::runOf;
+
+/** The rooms of two equal runs of a house whose first run, and so the site, lies at `pose`. */
+std::vector<SiteRoom> roomsOf(const House& drawn, const Transform2D& pose) {
+  const PreparedRun a = runOf(drawn, "a", pose), b = runOf(drawn, "b", {});
+  return siteRooms({{&a, &b}, {{}, pose}, {1, 1}, {}}, {"a", "b"});
+}
+
+const SiteRoom* roomAt(const std::vector<SiteRoom>& rooms, Point p) {
+  for (const SiteRoom& room : rooms)
+    if (sideOf(room.polygon, p) == Side::inside) return &room;
+  return nullptr;
+}
+
+const Transform2D kOther{3, -7, 1.1};
+const std::vector<Point> kPlaces{{10, 5},  {1.5, 2}, {5, 2},   {9, 2},  {14, 2}, {18, 2},
+                                 {2.5, 9}, {6, 9},   {9.5, 9}, {13, 9}, {18, 9}};
+
+/** A hall that is the same after half a turn. */
+House symmetricHouse() {
+  House h;
+  h.rooms.push_back({{0, 4}, {20, 6}, true});
+  for (int i = 0; i < 5; ++i) {
+    h.rooms.push_back({{4.0 * i + 0.1, 0}, {4.0 * i + 3.9, 3.8}});
+    h.doors.push_back({0, h.rooms.size() - 1, {4.0 * i + 2, 3.9}});
+    h.rooms.push_back({{4.0 * i + 0.1, 6.2}, {4.0 * i + 3.9, 10}});
+    h.doors.push_back({0, h.rooms.size() - 1, {4.0 * i + 2, 6.1}});
+  }
+  return h;
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    parseSiteJson(text, "site.json");
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(NameRooms, aNewFileGetsAllRooms) {
+  auto rooms = roomsOf(house(), {});
+  SiteFile file;
+  nameRooms(rooms, file, "site.json");
+  ASSERT_EQ(file.rooms.size(), 11u);
+  EXPECT_EQ(file.rooms[0].id, "R1");
+  EXPECT_EQ(file.rooms.back().id, "C1");
+  EXPECT_EQ(file.nextRoom, 11);
+  EXPECT_EQ(file.nextCorridor, 2);
+}
+
+TEST(NameRooms, idsAndNamesStayInAnotherFrame) {
+  auto before = roomsOf(house(), {}), after = roomsOf(house(), kOther);
+  SiteFile file;
+  nameRooms(before, file, "site.json");
+  file.rooms[3].name = "Kitchen";
+  const std::string text = siteJson(file);
+  nameRooms(after, file, "site.json");
+  EXPECT_EQ(siteJson(file), text) << "nothing is new";
+  int kitchens = 0;
+  for (const Point p : kPlaces) {
+    ASSERT_TRUE(roomAt(before, p) && roomAt(after, kOther(p)));
+    EXPECT_EQ(roomAt(before, p)->id, roomAt(after, kOther(p))->id);
+    const bool isKitchen = roomAt(after, kOther(p))->name == "Kitchen";
+    EXPECT_EQ(isKitchen, roomAt(before, p)->id == file.rooms[3].id);
+    kitchens += isKitchen;
+  }
+  EXPECT_EQ(kitchens, 1);
+}
+
+TEST(NameRooms, whatIsGoneStaysAndWhatIsNewGetsANewId) {
+  House less = house(), more = house();
+  less.rooms.pop_back(), less.doors.pop_back();
+  more.rooms.push_back({{20.2, 0}, {24, 3.8}});
+  more.doors.push_back({5, 11, {20.1, 2}});
+  SiteFile file;
+  auto rooms = roomsOf(house(), {});
+  nameRooms(rooms, file, "site.json");
+  const std::string gone = roomAt(rooms, {18, 9})->id, text = siteJson(file);
+  rooms = roomsOf(less, kOther);
+  nameRooms(rooms, file, "site.json");
+  EXPECT_EQ(siteJson(file), text);
+  EXPECT_FALSE(roomAt(rooms, kOther({18, 9})));
+  rooms = roomsOf(more, kOther);
+  nameRooms(rooms, file, "site.json");
+  EXPECT_EQ(file.rooms.size(), 12u);
+  EXPECT_EQ(roomAt(rooms, kOther({22, 2}))->id, "R11");
+  EXPECT_EQ(roomAt(rooms, kOther({18, 9}))->id, gone) << "seen again";
+  // Its place in the file is that of the file's frame, and its door leads to a room of the file.
+  const KnownRoom& added = *std::find_if(file.rooms.begin(), file.rooms.end(),
+                                         [](const KnownRoom& room) { return room.id == "R11"; });
+  EXPECT_LT(distance(added.center, {22.1, 1.9}), 0.2);
+  ASSERT_EQ(added.doors.size(), 1u);
+  EXPECT_EQ(added.doors[0].to, roomAt(rooms, kOther({18, 2}))->id);
+}
+
+TEST(NameRooms, idsAreNotUsedAgain) {
+  SiteFile file;
+  auto rooms = roomsOf(house(), {});
+  nameRooms(rooms, file, "site.json");
+  file.rooms.erase(file.rooms.begin() + 9);  // R10, by the user
+  rooms = roomsOf(house(), {});
+  nameRooms(rooms, file, "site.json");
+  EXPECT_EQ(file.nextRoom, 12);
+  EXPECT_EQ(std::count_if(file.rooms.begin(), file.rooms.end(),
+                          [](const KnownRoom& room) { return room.id == "R10"; }),
+            0);
+}
+
+TEST(NameRooms, anotherSiteIsRefusedAndNothingIsChanged) {
+  SiteFile file;
+  auto rooms = roomsOf(house(), {});
+  nameRooms(rooms, file, "site.json");
+  const std::string text = siteJson(file);
+  House other;
+  other.rooms = {{{0, 0}, {3, 9}}, {{3.2, 5}, {9, 7}}, {{3.2, 7.2}, {6, 15}}, {{9.2, 3}, {17, 7}}};
+  other.doors = {{0, 1, {3.1, 6}}, {1, 2, {4, 7.1}}, {1, 3, {9.1, 6}}};
+  rooms = roomsOf(other, {});
+  const std::string id = rooms[0].id;
+  EXPECT_THROW(nameRooms(rooms, file, "site.json"), DataError);
+  EXPECT_EQ(siteJson(file), text);
+  EXPECT_EQ(rooms[0].id, id);
+}
+
+TEST(NameRooms, aSymmetricSiteIsFoundInItsOldFrameOnly) {
+  SiteFile file;
+  auto rooms = roomsOf(symmetricHouse(), {});
+  nameRooms(rooms, file, "site.json");
+  auto again = roomsOf(symmetricHouse(), {});
+  nameRooms(again, file, "site.json");
+  EXPECT_EQ(file.rooms.size(), 11u);
+  auto turnedRooms = roomsOf(symmetricHouse(), kOther);
+  EXPECT_THROW(nameRooms(turnedRooms, file, "site.json"), DataError);
+}
+
+TEST(NameRooms, withoutRoomsNothingHappens) {
+  SiteFile file;
+  std::vector<SiteRoom> rooms;
+  nameRooms(rooms, file, "site.json");
+  EXPECT_TRUE(file.rooms.empty());
+}
+
+/** A file with a room that has all there can be. */
+SiteFile sampleFile() {
+  SiteFile file;
+  file.nextRoom = 2;
+  file.rooms.push_back({"R1", "Kitchen \"old\"", false, {1, 1}, 4, {}, {}});
+  file.rooms[0].polygon.outer = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+  file.rooms[0].polygon.holes = {{{0.5, 0.5}, {0.5, 1}, {1, 0.5}}};
+  file.rooms[0].doors = {{{2, 1}, 0.9, "C1"}, {{0, 1}, 0.8, ""}};
+  return file;
+}
+
+TEST(SiteFile, isReadAsItWasWritten) {
+  const std::string text = siteJson(sampleFile());
+  EXPECT_EQ(siteJson(parseSiteJson(text, "site.json")), text);
+  EXPECT_EQ(siteJson(parseSiteJson(siteJson({}), "site.json")), siteJson({}));
+}
+
+TEST(SiteFile, followsTheSchema) {
+  std::ostringstream schemaFile;
+  schemaFile << std::ifstream(ROOMGRAPH_SITE_SCHEMA).rdbuf();
+  rapidjson::Document schemaText, document;
+  schemaText.Parse(schemaFile.str().c_str());
+  ASSERT_FALSE(schemaText.HasParseError());
+  document.Parse(siteJson(sampleFile()).c_str());
+  ASSERT_FALSE(document.HasParseError());
+  const rapidjson::SchemaDocument schema(schemaText);
+  rapidjson::SchemaValidator validator(schema);
+  EXPECT_TRUE(document.Accept(validator)) << validator.GetInvalidSchemaKeyword();
+}
+
+TEST(SiteFile, whatIsBrokenIsNamed) {
+  const std::string good = siteJson(sampleFile());
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    text.replace(text.find(from), from.size(), to);
+    return complaint(text);
+  };
+  const auto says = [](const std::string& line, const std::string& what) {
+    return line.rfind("site.json: " + what, 0) == 0 && line.find('\n') == std::string::npos;
+  };
+  EXPECT_TRUE(says(complaint(""), "is no JSON"));
+  EXPECT_TRUE(says(complaint(good.substr(0, good.size() / 2)), "is no JSON"));
+  EXPECT_TRUE(says(complaint("[]"), "the file is no object"));
+  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"), "format "));
+  EXPECT_TRUE(says(with("\"version\": 1", "\"version\": 2"), "version "));
+  EXPECT_TRUE(says(with("\"room\":2", "\"room\":0"), "next.room "));
+  EXPECT_TRUE(says(with("\"kind\":\"room\"", "\"kind\":\"hall\""), "rooms[0].kind "));
+  EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":\"\""), "rooms[0].id is empty"));
+  EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":7"), "rooms[0].id is no text"));
+  EXPECT_TRUE(says(with("\"name\":\"Kitchen", "\"name\":7,\"\":\""), "rooms[0].name "));
+  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0]"), "rooms[0].polygon "));
+  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"), "rooms[0].polygon is too large"));
+  EXPECT_TRUE(says(with("\"doors\":[", "\"doors\":[7,"), "rooms[0].doors is no object"));
+  SiteFile twice = sampleFile();
+  twice.rooms.push_back(twice.rooms[0]);
+  EXPECT_TRUE(says(complaint(siteJson(twice)), "rooms[1].id is that of another room"));
+}
+
+TEST(SiteFile, aRoomWithoutANameIsNamedByItsId) {
+  SiteFile file = sampleFile();
+  file.rooms[0].name = "";
+  EXPECT_EQ(parseSiteJson(siteJson(file), "site.json").rooms[0].name, "R1");
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,134 @@
+#include "roomgraph/measures/compare_graphs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_graph.h"
+
+namespace roomgraph {
+namespace {
+
+using test::drawnGraph;
+using test::everywhere;
+using test::moved;
+using test::patchesOver;
+
+GraphMatch matched(const TopologyGraph& a, const TopologyGraph& b) {
+  const WallPatches patches = patchesOver({});
+  const FollowedWalls followed = everywhere(patches, {});
+  return matchGraphs({a, patches, followed}, {b, patches, followed}, {});
+}
+
+/** A match of vertices and edges of equal numbers. */
+GraphMatch byNumbers(const TopologyGraph& a, const TopologyGraph& b) {
+  GraphMatch match;
+  for (std::size_t i = 0; i < a.vertices().size(); ++i)
+    match.vertices.push_back({VertexId(i), VertexId(i), 0});
+  for (std::size_t e = 0; e < a.edges().size(); ++e)
+    match.paths.push_back({a.edges()[e].source.index(),
+                           a.edges()[e].target.index(),
+                           {HalfEdgeId(2 * e)},
+                           {HalfEdgeId(2 * e)},
+                           a.edges()[e].path.length,
+                           b.edges()[e].path.length});
+  return match;
+}
+
+TopologyGraph stretched(const TopologyGraph& graph, double factor) {
+  std::vector<Vertex> vertices = graph.vertices();
+  for (Vertex& v : vertices) v.at = factor * v.at;
+  std::vector<Edge> edges;
+  for (Edge edge : graph.edges()) {
+    for (Point& p : edge.path.points) p = factor * p;
+    edge.path = makePath(edge.path.points, {});
+    edges.push_back(edge);
+  }
+  return {vertices, edges};
+}
+
+TEST(CompareGraphs, aGraphAgreesWithItself) {
+  const TopologyGraph graph = drawnGraph();
+  const GraphComparison same = compareGraphs(graph, graph, matched(graph, graph), {});
+  EXPECT_DOUBLE_EQ(same.coverageOfA.value.value(), 1);
+  EXPECT_DOUBLE_EQ(same.coverageOfB.value.value(), 1);
+  EXPECT_EQ(same.globalAccuracy.value, 0);
+  EXPECT_NEAR(same.relativeAccuracy.value.value(), 0, 1e-9);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(same.consistency[k].value, 0) << k;
+  EXPECT_EQ(same.lengthError.value, 0);
+  EXPECT_NEAR(same.frechet.value.value(), 0, 1e-9);
+  EXPECT_EQ(same.nearestA.value, 0);
+  EXPECT_EQ(same.globalAccuracy.support, double(graph.vertices().size()));
+  EXPECT_EQ(same.lengthError.support, double(graph.edges().size()));
+}
+
+TEST(CompareGraphs, aShiftIsGlobalButNotRelative) {
+  const TopologyGraph graph = drawnGraph();
+  const GraphComparison shifted =
+      compareGraphs(graph, graph, matched(graph, graph), {Transform2D{}, Transform2D{0.3, 0.4, 0}});
+  EXPECT_NEAR(shifted.globalAccuracy.value.value(), 0.5, 1e-9);
+  EXPECT_NEAR(shifted.relativeAccuracy.value.value(), 0, 1e-9);
+  EXPECT_NEAR(shifted.nearestA.value.value(), 0.5, 1e-9);
+  EXPECT_NEAR(shifted.nearestB.value.value(), 0.5, 1e-9);
+  EXPECT_NEAR(shifted.consistency[0].value.value(), 0, 1e-9);
+}
+
+TEST(CompareGraphs, aScaleShowsInLengthsAndOverAllHops) {
+  const TopologyGraph graph = drawnGraph(), larger = stretched(graph, 1.1);
+  const GraphComparison found = compareGraphs(graph, larger, byNumbers(graph, larger), {});
+  EXPECT_NEAR(found.lengthError.value.value(), 0.1 / 1.1, 1e-9);
+  // One hop is a straight way here: its ends are 1.1 times as far apart.
+  EXPECT_NEAR(found.consistency[0].value.value(), 0.1 / 1.05, 1e-9);
+  EXPECT_GT(found.consistency[1].value.value(), 0.04);
+  EXPECT_GT(found.relativeAccuracy.value.value(), 0.3);
+  EXPECT_GT(found.frechet.value.value(), 0.05);
+}
+
+TEST(CompareGraphs, hopsAreCountedOverMatchedPaths) {
+  // Five vertices in a row, 1 m apart, the last of which b has 0.5 m farther away.
+  const auto row = [](double more) {
+    std::vector<Vertex> vertices;
+    std::vector<Edge> edges;
+    for (int i = 0; i < 5; ++i)
+      vertices.push_back({{i + (i == 4 ? more : 0), 0}, 1, VertexKind::junction, RoomId::none()});
+    for (std::size_t i = 0; i < 4; ++i)
+      edges.push_back({VertexId(i), VertexId(i + 1),
+                       makePath({vertices[i].at, vertices[i + 1].at}, {}), RoomId::none()});
+    return TopologyGraph(vertices, edges);
+  };
+  const TopologyGraph a = row(0), b = row(0.5);
+  const GraphComparison found = compareGraphs(a, b, byNumbers(a, b), {});
+  EXPECT_EQ(found.consistency[0].support, 4);
+  EXPECT_EQ(found.consistency[1].support, 3);
+  EXPECT_EQ(found.consistency[2].support, 1);
+  EXPECT_EQ(found.consistency[3].support, 0);
+  EXPECT_FALSE(found.consistency[3].value);
+  EXPECT_EQ(found.consistency[0].value, 0) << "three of four";
+  EXPECT_NEAR(found.consistency[2].value.value(), 0.5 / 4.25, 1e-9);
+}
+
+TEST(CompareGraphs, whatOneGraphLacksItDoesNotCover) {
+  const TopologyGraph all = drawnGraph();
+  std::vector<bool> vertices(all.vertices().size()), edges(all.edges().size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = all.vertices()[i].at.x < 10;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    edges[e] = vertices[all.edges()[e].source.index()] && vertices[all.edges()[e].target.index()];
+  const TopologyGraph part = keepOnly(all, vertices, edges);
+  const GraphComparison found = compareGraphs(part, all, matched(part, all), {});
+  EXPECT_NEAR(found.coverageOfB.value.value(), 1, 1e-9);
+  EXPECT_LT(found.coverageOfA.value.value(), 0.6);
+  EXPECT_EQ(found.nearestA.value, 0) << "as published, it does not see what is missing";
+  EXPECT_GT(found.nearestB.value.value(), 1);
+}
+
+TEST(CompareGraphs, emptyGraphsHaveNoFigures) {
+  const GraphComparison none = compareGraphs({}, {}, {}, {});
+  EXPECT_FALSE(none.coverageOfA.value);
+  EXPECT_FALSE(none.globalAccuracy.value);
+  EXPECT_FALSE(none.relativeAccuracy.value);
+  EXPECT_FALSE(none.frechet.value);
+  EXPECT_FALSE(none.nearestA.value);
+}
+
+}  // namespace
+}  // namespace roomgraph

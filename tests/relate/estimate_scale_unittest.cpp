@@ -1,0 +1,143 @@
+#include "roomgraph/relate/estimate_scale.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "drawn_building.h"
+
+namespace roomgraph {
+namespace {
+
+using test::drawnBuilding;
+
+constexpr double kCell = 0.05;  // of drawnBuilding [m]
+
+PreparedRun run(const Grid& grid) {
+  PreparedRun run;
+  run.map = mapForAlignment(grid, {});
+  return run;
+}
+
+/** Tries fewer scales and poses, where it is not them that matters. */
+EstimateScaleOptions fewScales() {
+  EstimateScaleOptions options;
+  options.below = options.above = 1.15;
+  options.closer = 1;
+  options.align = options.quick;
+  return options;
+}
+
+std::optional<ScaleEstimate> estimated(const Grid& picture, const std::vector<PreparedRun>& runs,
+                                       const EstimateScaleOptions& options = fewScales()) {
+  return estimateScale(picture, runs, options, oneByOne);
+}
+
+/** The building as a picture that claims to have cells of `guess`. */
+Grid pictureOf(std::uint32_t seed, double guess, const test::Seen& seen = {}) {
+  return rescaled(drawnBuilding(seed, {0, 0, 1.1}, seen), guess);
+}
+
+void expectScale(const std::optional<ScaleEstimate>& found, double resolution, double share) {
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->resolution / resolution, 1, share);
+  EXPECT_TRUE(found->alignment.isSameSite);
+}
+
+TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
+  const Transform2D expected = Transform2D{3, -4, 0.4} * Transform2D{0, 0, 1.1}.inverse();
+  const Point middle = Transform2D{0, 0, 1.1}({12, 8});
+  std::vector<double> scales;
+  for (const double guess : {0.02, 0.1}) {
+    const auto found = estimated(pictureOf(1, guess), runs);
+    expectScale(found, kCell, 0.005);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(wrappedAngle(found->alignment.pose.phi - expected.phi), 0, 0.01);
+    EXPECT_LT(distance(found->alignment.pose(middle), expected(middle)), 0.15);
+    scales.push_back(found->resolution);
+  }
+  EXPECT_NEAR(scales[0], scales[1], 1e-6);
+}
+
+TEST(EstimateScale, theRunsTellHowLargeTheBuildingIs) {
+  const double factor = 0.65;
+  const std::vector<PreparedRun> runs{
+      run(rescaled(drawnBuilding(2, {3, -4, 0.4}), factor * kCell))};
+  expectScale(estimated(pictureOf(2, kCell), runs), factor * kCell, 0.005);
+}
+
+TEST(EstimateScale, aRunThatHasSeenAPartIsEnough) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(4, {3, -4, 0.4}, {-1e9, 15}))};
+  expectScale(estimated(pictureOf(4, 0.03), runs), kCell, 0.007);
+}
+
+TEST(EstimateScale, aDrawingMayBeFreeAllRound) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
+  Grid picture = pictureOf(1, 0.03);
+  std::replace(picture.cells.begin(), picture.cells.end(), State::unknown, State::free);
+  expectScale(estimated(picture, runs), kCell, 0.005);
+}
+
+TEST(EstimateScale, anotherBuildingFitsAtNoScale) {
+  EXPECT_FALSE(estimated(pictureOf(8, kCell), {run(drawnBuilding(1, {}))}, {}));
+}
+
+TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {}))};
+  const Grid part = pictureOf(1, kCell, {-1e9, 15});
+  expectScale(estimated(part, runs), kCell, 0.007);
+  EstimateScaleOptions demanding = fewScales();
+  demanding.minOfRun = 0.9;
+  EXPECT_FALSE(estimated(part, runs, demanding));
+}
+
+TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
+  std::vector<PreparedRun> runs{run(drawnBuilding(1, {0, 0, 2})), run(drawnBuilding(11, {}))};
+  runs[1].map.axisDeviation = 0;  // it is looked in first
+  const auto found = estimated(pictureOf(1, 0.04), runs);
+  expectScale(found, kCell, 0.005);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best, 0u);
+  EXPECT_EQ(found->runs, 1u);
+}
+
+TEST(EstimateScale, oneStretchedRunIsOutvoted) {
+  std::vector<PreparedRun> runs{run(rescaled(drawnBuilding(1, {1, 2, 0.1}), 1.02 * kCell)),
+                                run(drawnBuilding(1, {0, 1, -1.2})),
+                                run(drawnBuilding(1, {3, -4, 0.4}))};
+  runs[0].map.axisDeviation = 0;  // it is looked in first
+  const auto found = estimated(pictureOf(1, 0.05), runs);
+  expectScale(found, kCell, 0.005);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->best, 0u);
+  EXPECT_EQ(found->runs, 3u);
+}
+
+TEST(EstimateScale, theOrderOfRunsAndJobsChangesNothing) {
+  std::vector<PreparedRun> runs{run(drawnBuilding(1, {1, 2, 0.1})),
+                                run(drawnBuilding(1, {0, 1, -1.2}))};
+  const Grid picture = pictureOf(1, 0.03);
+  const auto one = estimated(picture, runs);
+  std::swap(runs[0], runs[1]);
+  const auto other =
+      estimateScale(picture, runs, fewScales(), [](std::size_t count, const auto& job) {
+        for (std::size_t i = count; i-- > 0;) job(i);
+      });
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->resolution, other->resolution);
+  EXPECT_EQ(one->best, 1 - other->best);
+}
+
+TEST(EstimateScale, whatHasNoWallsHasNoScale) {
+  const Grid picture = pictureOf(1, 0.05);
+  Grid blank = picture;
+  std::fill(blank.cells.begin(), blank.cells.end(), State::free);
+  EXPECT_FALSE(estimated(picture, {}));
+  EXPECT_FALSE(estimated(picture, {run(blank)}));
+  EXPECT_FALSE(estimated(blank, {run(picture)}));
+  EXPECT_FALSE(estimated(rescaled({{0, 0, 0.05, {}}, {}}, 0.1), {run(picture)}));
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,111 @@
+#include "roomgraph/relate/follow_walls.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_building.h"
+#include "roomgraph/geometry/MotionFit.h"
+#include "roomgraph/relate/noise_floor.h"
+
+namespace roomgraph {
+namespace {
+
+using test::bent;
+using test::drawnBuilding;
+
+MapForAlignment mapOf(const Grid& grid) { return mapForAlignment(grid, {}); }
+
+double walls(const FollowedWalls& found) {
+  double sum = 0;
+  for (const FollowedPatch& patch : found.patches) sum += patch.walls;
+  return sum;
+}
+
+TEST(FollowWalls, aMapLiesInAnotherOfTheSameBuildingWithoutABend) {
+  const Transform2D pose{3, -2, 0.7};
+  const MapForAlignment a = mapOf(drawnBuilding(4, {})), b = mapOf(drawnBuilding(4, pose));
+  const FollowedWalls found = followWalls(a, b, {pose}, {});
+  EXPECT_GT(found.share, 0.95);
+  EXPECT_LT(found.bend, 0.03);
+  EXPECT_NEAR(found.pose.phi, pose.phi, 0.003);
+  EXPECT_LT(distance(found.pose(a.middle()), pose(a.middle())), 0.05);
+}
+
+TEST(FollowWalls, noWallIsFoundTwice) {
+  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const FollowedWalls found = followWalls(a, b, {{}}, {});
+  EXPECT_LE(walls(found), double(a.walls.size()));
+  EXPECT_NEAR(found.share, walls(found) / double(a.walls.size()), 1e-12);
+}
+
+/** Of a building whose walls right of its middle are moved, how far the walls lie from where they
+ *  belong after the best fit, by its drawing. */
+double trueBend(const MapForAlignment& straight, Point middle, const Transform2D& motion) {
+  const auto drawn = [&](Point p) { return p.x > middle.x ? motion(p) : p; };
+  MotionFit fit;
+  for (const WallPoint& wall : straight.walls) fit.add(wall.place, drawn(wall.place));
+  const Transform2D best = fit.motion();
+  double squares = 0;
+  for (const WallPoint& wall : straight.walls)
+    squares += squaredNorm(best(wall.place) - drawn(wall.place));
+  return std::sqrt(squares / fit.weight());
+}
+
+Point middleOf(const Grid& grid) {
+  return grid.frame.center({grid.frame.width / 2, grid.frame.height / 2});
+}
+
+TEST(FollowWalls, theBendOfAHalfTurnedMapIsThatOfItsDrawing) {
+  const Grid drawing = drawnBuilding(4, {});
+  const MapForAlignment straight = mapOf(drawing);
+  const Point middle = middleOf(drawing);
+  for (const double angle : {0.04, 0.08, 0.15}) {
+    const double bend = followWalls(mapOf(bent(drawing, angle)), straight, {{}}, {}).bend;
+    const double truth = trueBend(straight, middle, carrying(middle, middle, angle));
+    EXPECT_NEAR(bend, truth, 0.2 * truth + 0.02) << angle;
+  }
+}
+
+/** The map with its right half moved up. */
+Grid torn(const Grid& grid, int cells) {
+  Grid result = grid;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = grid.frame.width / 2; x < grid.frame.width; ++x)
+      result.cells[grid.frame.index({x, y})] = grid.atOrUnknown({x, y - cells});
+  return result;
+}
+
+TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
+  const Grid drawing = drawnBuilding(4, {});
+  const MapForAlignment straight = mapOf(drawing), broken = mapOf(torn(drawing, 40));
+  const double truth = trueBend(straight, middleOf(drawing), {0, 2, 0});
+  const FollowedWalls found = followWalls(broken, straight, {{}, {0, -2, 0}}, {});
+  EXPECT_GT(found.share, 0.8);
+  EXPECT_NEAR(found.bend, truth, 0.1 * truth);
+  double moved = 0;
+  for (const FollowedPatch& patch : found.patches)
+    if (distance(patch.pose.shift(), {0, -2}) < 0.2) moved += patch.walls;
+  EXPECT_GT(moved, 0.2 * double(broken.walls.size())) << "of the half that lies 2 m away";
+}
+
+TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
+  const MapForAlignment map = mapOf(drawnBuilding(4, {}));
+  EXPECT_TRUE(followWalls(map, map, {}, {}).patches.empty());
+  EXPECT_TRUE(followWalls({}, map, {{}}, {}).patches.empty());
+  EXPECT_EQ(followWalls(map, MapForAlignment(), {{}}, {}).share, 0);
+}
+
+TEST(NoiseFloor, isSmallAndGrowsWithTheNoise) {
+  const Grid drawing = drawnBuilding(4, {});
+  const MapForAlignment map = mapOf(drawing);
+  const double usual = noiseFloor(drawing, map, {});
+  EXPECT_GT(usual, 0);
+  EXPECT_LT(usual, 0.03);
+  EXPECT_GT(noiseFloor(drawing, map, {{5, 14, 1}, 3}), usual);
+  EXPECT_EQ(noiseFloor(drawing, map, {}), usual) << "the same each time";
+  EXPECT_EQ(noiseFloor(drawing, {}, {}), 0);
+}
+
+}  // namespace
+}  // namespace roomgraph

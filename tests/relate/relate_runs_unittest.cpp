@@ -1,0 +1,179 @@
+#include "roomgraph/relate/relate_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "drawn_building.h"
+#include "pair_bytes.h"
+
+namespace roomgraph {
+namespace {
+
+using test::bent;
+using test::drawnBuilding;
+
+PreparedRun run(const Grid& grid) {
+  PreparedRun run;
+  run.map = mapForAlignment(grid, {});
+  return run;
+}
+
+std::vector<PreparedRun> fourRuns() {
+  return {run(bent(drawnBuilding(1, {3, -4, 0.4}), 0.08)), run(drawnBuilding(1, {-7, 2, 2.5})),
+          run(drawnBuilding(1, {0, 1, -1.2})), run(drawnBuilding(11, {}))};
+}
+
+bool areAlike(const Transform2D& l, const Transform2D& r) {
+  return distance(l.shift(), r.shift()) < 0.1 && std::abs(wrappedAngle(l.phi - r.phi)) < 0.01;
+}
+
+TEST(RelateRuns, theHubIsTheStraightestOfTheLargeRuns) {
+  std::vector<PreparedRun> runs = fourRuns();
+  runs.resize(3);
+  const std::size_t hub = hubOf(runs);
+  EXPECT_NE(hub, 0u) << "it is bent";
+  runs[hub].map.freeArea = 1;
+  EXPECT_NE(hubOf(runs), hub) << "it is small";
+  EXPECT_EQ(hubOf({}), 0u);
+}
+
+TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const std::vector<MapPair> related = test::related(runs);
+  for (const auto& [a, b] : pairsOf(runs.size())) {
+    const MapPair& over = related[pairIndex(a, b, runs.size())];
+    const MapPair searched = relateMaps(runs[a].map, runs[b].map);
+    EXPECT_EQ(over.alignment.isSameSite, searched.alignment.isSameSite) << a << ' ' << b;
+    EXPECT_EQ(over.alignment.isSameSite, b < 3);
+    if (b == 3) continue;
+    EXPECT_TRUE(areAlike(over.alignment.pose, searched.alignment.pose)) << a << ' ' << b;
+    EXPECT_NEAR(over.bInA.bend, searched.bInA.bend, 0.03);
+    EXPECT_NEAR(over.aInB.bend, searched.aInB.bend, 0.03);
+  }
+}
+
+TEST(RelateRuns, ofAnUnsureHubAllAnswersAreTried) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const MapPair hubAndA = relateMaps(runs[2].map, runs[0].map);
+  MapPair hubAndB = relateMaps(runs[2].map, runs[1].map);
+  Alignment& unsure = hubAndB.alignment;
+  const Transform2D right = unsure.pose;
+  unsure.pose = right * carrying(runs[1].map.middle(), runs[1].map.middle(), M_PI);
+  unsure.poses = {unsure.pose, right};
+  unsure.confidence = 0.4, unsure.runnerUpConfidence = 0.3;
+  hubAndB.bInA = {};
+  const MapPair over = relateMapsOver(hubAndA, hubAndB, runs[0].map, runs[1].map);
+  EXPECT_TRUE(over.alignment.isSameSite);
+  EXPECT_TRUE(areAlike(over.alignment.pose, hubAndA.alignment.pose.inverse() * right));
+  EXPECT_LE(over.alignment.confidence, 0.7) << "surer than the hub";
+}
+
+TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const MapPair one = relateMaps(runs[0].map, runs[1].map);
+  const MapPair back = swapped(relateMaps(runs[1].map, runs[0].map));
+  EXPECT_TRUE(areAlike(one.alignment.pose, back.alignment.pose));
+  EXPECT_NEAR(one.bInA.bend, back.bInA.bend, 1e-9);
+  EXPECT_NEAR(one.aInB.share, back.aInB.share, 1e-9);
+}
+
+TEST(RelateRuns, framesThatContradictEachOtherAreNotTakenForOne) {
+  const MapForAlignment map = run(drawnBuilding(1, {})).map;
+  EXPECT_TRUE(
+      relateAlignedMaps(map, run(drawnBuilding(1, {0.05, 0, 0.005})).map).alignment.isSameSite);
+  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {4, 2, 1})).map).alignment.isSameSite);
+  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {90, 0, 0})).map).alignment.isSameSite);
+}
+
+TEST(RelateRuns, copiesHaveNoBend) {
+  const std::vector<PreparedRun> runs{run(drawnBuilding(2, {})), run(drawnBuilding(2, {}))};
+  const MapPair pair = test::related(runs)[0];
+  EXPECT_TRUE(pair.areIdentical);
+  EXPECT_EQ(pair.bInA.bend, 0);
+  EXPECT_EQ(pair.aInB.share, 1);
+}
+
+/** Keeps pairs in memory, and counts. */
+struct Shelf {
+  std::map<std::string, std::string> bytes;
+  std::size_t written = 0;
+
+  KeptPairs kept() {
+    return {[this](const std::string& name) -> std::optional<std::string> {
+              const auto found = bytes.find(name);
+              if (found == bytes.end()) return {};
+              return found->second;
+            },
+            [this](const std::string& name, const std::string& of) {
+              bytes[name] = of;
+              ++written;
+            }};
+  }
+};
+
+std::vector<std::string> bytesOf(const std::vector<MapPair>& pairs) {
+  std::vector<std::string> bytes;
+  for (const MapPair& pair : pairs) bytes.push_back(pairBytes(pair));
+  return bytes;
+}
+
+TEST(RelateRuns, keptPairsChangeNothingAndAreNotWorkedOutAgain) {
+  const std::vector<PreparedRun> runs = fourRuns();
+  const auto without = bytesOf(test::related(runs));
+  Shelf shelf;
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), without);
+  EXPECT_EQ(shelf.written, 6u);
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), without);
+  EXPECT_EQ(shelf.written, 6u);
+}
+
+TEST(RelateRuns, oneMoreRunCostsItsOwnPairsOnly) {
+  std::vector<PreparedRun> runs = fourRuns();
+  const auto all = bytesOf(test::related(runs));
+  const std::size_t hub = hubOf(runs), added = hub == 0 ? 1 : 0;
+  std::vector<PreparedRun> before = runs;
+  before.erase(before.begin() + std::ptrdiff_t(added));
+  Shelf shelf;
+  test::related(before, shelf.kept());
+  EXPECT_EQ(shelf.written, 3u);
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), all);
+  EXPECT_EQ(shelf.written, 6u);
+}
+
+TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
+  std::vector<PreparedRun> runs = fourRuns();
+  runs.resize(2);
+  Shelf shelf;
+  const auto whole = bytesOf(test::related(runs, shelf.kept()));
+  const std::string bytes = shelf.bytes.begin()->second;
+  for (std::size_t at = 0; at < bytes.size(); at += 1 + bytes.size() / 200) {
+    std::string damaged = bytes;
+    damaged[at] = char(damaged[at] ^ 4);
+    EXPECT_FALSE(pairOfBytes(damaged)) << at;
+    EXPECT_FALSE(pairOfBytes(bytes.substr(0, at))) << at;
+  }
+  EXPECT_FALSE(pairOfBytes(bytes + 'x'));
+  shelf.bytes.begin()->second.back() ^= 1;
+  EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), whole);
+  EXPECT_EQ(shelf.bytes.begin()->second, bytes);
+}
+
+TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {
+  const MapForAlignment map = mapForAlignment(drawnBuilding(1, {}), {});
+  MapForAlignment moved = map, opened = map;
+  moved.frame.origin.x += 0.01;
+  opened.states[opened.states.size() / 2] = State::unknown;
+  EXPECT_EQ(fingerprint(map), fingerprint(mapForAlignment(drawnBuilding(1, {}), {})));
+  EXPECT_NE(fingerprint(map), fingerprint(moved));
+  EXPECT_NE(fingerprint(map), fingerprint(opened));
+}
+
+TEST(RelateRuns, thePairsAreNumberedInTheirOrder) {
+  const auto pairs = pairsOf(6);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    EXPECT_EQ(pairIndex(pairs[k].first, pairs[k].second, 6), k);
+}
+
+}  // namespace
+}  // namespace roomgraph
