@@ -20,7 +20,8 @@ Row longestRow(const Grid& grid) {
 }
 
 Keyframe seenFrom(const Grid& grid, const Transform2D& pose) {
-  Keyframe frame{pose, {}};
+  Keyframe frame;
+  frame.pose = pose;
   constexpr int beams = 540;
   for (int i = 0; i < beams; ++i) {
     const double angle = M_PI / 360 * (i - beams / 2);

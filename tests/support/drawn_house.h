@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/relate/PreparedRun.h"
 
 namespace roomgraph::test {
 

@@ -1,8 +1,7 @@
 #pragma once
-#include <Eigen/Dense>
+#include <array>
 
 #include "roomgraph/align/MapForAlignment.h"
-#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -14,35 +13,22 @@ class WallFit {
   WallFit(const Transform2D& pose, Point about, double width)
       : pose_(pose), forth_(pose), pivot_(forth_(about)), width_(width) {}
 
-  void add(const WallPoint& point, const MapForAlignment& in) {
-    const Point at = forth_(point.place);
-    const WallPoint* wall = nearestWall(in, cellIndexAt(in.frame, at), forth_.turned(point.normal));
-    if (!wall) return;
-    const Point off = at - wall->place;
-    const double s = 1 + squaredNorm(off) / (width_ * width_), w = 1 / (s * s);
-    const Eigen::Vector3d j(wall->normal.x, wall->normal.y, cross(at - pivot_, wall->normal));
-    h_ += w * j * j.transpose();
-    g_ -= w * dot(wall->normal, off) * j;
-    weight_ += w;
-  }
+  void add(const WallPoint& point, const MapForAlignment& in);
 
   bool isEnough() const { return weight_ >= 3; }
 
   /** The pose after the step. What no wall holds stays as it is. */
-  Transform2D improved() const {
-    Eigen::Matrix3d h = h_;
-    h.diagonal() += weight_ * Eigen::Vector3d(0.02, 0.02, 0.08);
-    const Eigen::Vector3d by = h.ldlt().solve(g_);
-    return carrying(pivot_, pivot_ + Point{by[0], by[1]}, by[2]) * pose_;
-  }
+  Transform2D improved() const;
 
  private:
+  using Row = std::array<double, 3>;
+
   Transform2D pose_;
   Motion2D forth_;
   Point pivot_;
   double width_, weight_ = 0;
-  Eigen::Matrix3d h_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d g_ = Eigen::Vector3d::Zero();
+  std::array<Row, 3> h_{};  // the normal equations h x = g: of h what is on and below its diagonal
+  Row g_{};
 };
 
 }  // namespace roomgraph
