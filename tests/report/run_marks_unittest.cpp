@@ -1,0 +1,32 @@
+#include "roomgraph/report/run_marks.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+
+namespace roomgraph {
+namespace {
+
+TEST(RunMarks, tell42RunsApart) {
+  std::set<std::tuple<int, int, int, std::string>> marks;
+  for (std::size_t run = 0; run < 42; ++run) {
+    const Colour colour = runColour(run);
+    marks.insert({colour.red, colour.green, colour.blue, runShapeName(run)});
+  }
+  EXPECT_EQ(marks.size(), 42u);
+}
+
+TEST(RunMarks, shapesOfOneNameHaveOnePath) {
+  std::set<std::pair<std::string, std::string>> shapes;
+  std::set<std::string> names;
+  for (std::size_t run = 0; run < 20; ++run) {
+    shapes.insert({runShapeName(run), runShape(run)});
+    names.insert(runShapeName(run));
+  }
+  EXPECT_EQ(shapes.size(), names.size());
+}
+
+}  // namespace
+}  // namespace roomgraph

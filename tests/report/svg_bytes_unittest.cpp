@@ -1,0 +1,29 @@
+#include "svg_bytes.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+TEST(FinishedSvg, numbersImagesAndSurfacesInTheirOrder) {
+  EXPECT_EQ(
+      finishedSvg("<g id=\"surface42\"><use xlink:href=\"#image17\"/></g><g id=\"surface42\"/>"),
+      "<g id=\"surface1\"><use xlink:href=\"#image2\"/></g><g id=\"surface1\"/>");
+}
+
+TEST(FinishedSvg, isTheSameWhateverCairoHasCounted) {
+  const auto svg = [](const std::string& first, const std::string& second) {
+    return finishedSvg("<i id=\"image" + first + "\"/><i id=\"image" + second + "\"/><u \"#image" +
+                       first + "\"/>");
+  };
+  EXPECT_EQ(svg("5", "6"), svg("105", "7"));
+}
+
+TEST(FinishedSvg, asksForSquareCells) {
+  EXPECT_EQ(finishedSvg("<image width=\"3\"/>"),
+            "<image image-rendering=\"optimizeSpeed\" width=\"3\"/>");
+  EXPECT_EQ(finishedSvg("<svg/>"), "<svg/>");
+}
+
+}  // namespace
+}  // namespace roomgraph
