@@ -60,8 +60,8 @@ bool TopologyGraph::isDeadEnd(EdgeId e) const {
 
 TopologyGraph keepOnly(TopologyGraph graph, const std::vector<bool>& keepVertex,
                        const std::vector<bool>& keepEdge) {
-  auto oldVertices = std::move(graph).takeVertices();
-  auto oldEdges = std::move(graph).takeEdges();
+  const std::vector<Vertex> oldVertices = graph.vertices();
+  std::vector<Edge> oldEdges = std::move(graph).takeEdges();
   std::vector<VertexId> newId(oldVertices.size());
   std::vector<Vertex> vertices;
   for (std::size_t v = 0; v < oldVertices.size(); ++v) {

@@ -41,38 +41,52 @@ Path pathOf(const VoronoiGraph& voronoi, const EdgeIndices& kept, const Step* fi
   return makePath(std::move(points), std::move(obstacles));
 }
 
+std::vector<Link> linksOf(const VoronoiGraph& voronoi, const EdgeIndices& kept,
+                          const Renumbering& numbers) {
+  std::vector<Link> links;
+  links.reserve(kept.size());
+  for (const auto e : kept)
+    links.push_back(
+        {numbers.newOf[voronoi.edges[e].source], numbers.newOf[voronoi.edges[e].target]});
+  return links;
+}
+
+std::vector<std::uint32_t> degreesOf(const std::vector<Link>& links, std::size_t vertexCount) {
+  std::vector<std::uint32_t> degrees(vertexCount);
+  for (const Link& link : links) {
+    ++degrees[link.source];
+    ++degrees[link.target];
+  }
+  return degrees;
+}
+
+VertexKind kindOf(std::uint32_t degree) {
+  if (degree == 1) return VertexKind::deadEnd;
+  return degree == 2 ? VertexKind::ring : VertexKind::junction;
+}
+
 }  // namespace
 
 TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept) {
   const Renumbering numbers = renumber(voronoi, kept);
-  std::vector<Link> links;
-  links.reserve(kept.size());
-  std::vector<std::uint32_t> degree(numbers.oldOf.size());
-  for (const auto e : kept) {
-    const VoronoiEdge& edge = voronoi.edges[e];
-    links.push_back({numbers.newOf[edge.source], numbers.newOf[edge.target]});
-    ++degree[links.back().source];
-    ++degree[links.back().target];
-  }
-  std::vector<bool> isNode(degree.size());
-  for (std::size_t v = 0; v < degree.size(); ++v) isNode[v] = degree[v] != 2;
+  const std::vector<Link> links = linksOf(voronoi, kept, numbers);
+  const std::vector<std::uint32_t> degrees = degreesOf(links, numbers.oldOf.size());
+  std::vector<bool> isNode(degrees.size());
+  for (std::size_t v = 0; v < degrees.size(); ++v) isNode[v] = degrees[v] != 2;
   const auto vertexOf = [&](std::uint32_t v) { return voronoi.vertices[numbers.oldOf[v]]; };
-  const Chains chains =
-      findChains(degree.size(), links, isNode, [&](std::uint32_t a, std::uint32_t b) {
-        const VoronoiVertex va = vertexOf(a), vb = vertexOf(b);
-        return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.at < vb.at);
-      });
+  const auto isWider = [&](std::uint32_t a, std::uint32_t b) {
+    const VoronoiVertex va = vertexOf(a), vb = vertexOf(b);
+    return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.at < vb.at);
+  };
+  const Chains chains = findChains(degrees.size(), links, isNode, isWider);
   for (const auto v : chains.ringNodes) isNode[v] = true;
 
-  std::vector<VertexId> idOf(degree.size());
+  std::vector<VertexId> idOf(degrees.size());
   std::vector<Vertex> vertices;
-  for (std::uint32_t v = 0; v < degree.size(); ++v) {
+  for (std::uint32_t v = 0; v < degrees.size(); ++v) {
     if (!isNode[v]) continue;
     idOf[v] = VertexId(vertices.size());
-    const VertexKind kind = degree[v] == 1   ? VertexKind::deadEnd
-                            : degree[v] == 2 ? VertexKind::ring
-                                             : VertexKind::junction;
-    vertices.push_back({vertexOf(v).at, vertexOf(v).clearance, kind, RoomId::none()});
+    vertices.push_back({vertexOf(v).at, vertexOf(v).clearance, kindOf(degrees[v]), RoomId::none()});
   }
   std::vector<Edge> edges;
   edges.reserve(chains.count());

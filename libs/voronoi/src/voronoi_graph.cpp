@@ -12,7 +12,7 @@ struct boost::polygon::geometry_concept<roomgraph::Cell> {
 template <>
 struct boost::polygon::point_traits<roomgraph::Cell> {
   using coordinate_type = int;
-  static int get(const roomgraph::Cell& cell, boost::polygon::orientation_2d axis) {
+  static int get(const roomgraph::Cell& cell, const boost::polygon::orientation_2d& axis) {
     return axis == boost::polygon::HORIZONTAL ? cell.x : cell.y;
   }
 };
