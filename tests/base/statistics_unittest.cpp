@@ -50,5 +50,11 @@ TEST(WeightedMedian, isTheMedianWhereAllWeightsAreTheSame) {
   EXPECT_EQ(weightedMedian({{3, 5}, {1, 1}, {2, 1}}), 3);
 }
 
+TEST(LowerWeightedMedian, isAlwaysOneOfTheValues) {
+  EXPECT_EQ(lowerWeightedMedian({{4, 1}, {1, 1}}), 1);
+  EXPECT_EQ(lowerWeightedMedian({{4, 2}, {1, 1}}), 4);
+  EXPECT_FALSE(lowerWeightedMedian({{4, 0}}));
+}
+
 }  // namespace
 }  // namespace roomgraph

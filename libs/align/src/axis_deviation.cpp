@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "roomgraph/base/statistics.h"
+
 namespace roomgraph {
 namespace {
 
@@ -75,9 +77,7 @@ std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
   const double axis = std::atan2(sine, cosine) / 4;
   for (double& direction : directions)
     direction = std::abs(std::remainder(direction - axis, M_PI / 2));
-  const auto middle = directions.begin() + std::ptrdiff_t(directions.size() / 2);
-  std::nth_element(directions.begin(), middle, directions.end());
-  return *middle;
+  return median(std::move(directions));
 }
 
 }  // namespace roomgraph

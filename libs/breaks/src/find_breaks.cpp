@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -37,9 +38,7 @@ std::vector<Jump> stepsOf(const std::vector<ScanWalls>& scans, const ScanTrack& 
 double usual(const std::vector<Jump>& steps, double (*size)(const Jump&)) {
   std::vector<double> sizes;
   for (const Jump& step : steps) sizes.push_back(size(step));
-  const auto at = sizes.begin() + std::ptrdiff_t(0.95 * double(sizes.size()));
-  std::nth_element(sizes.begin(), at, sizes.end());
-  return *at;
+  return quantile(std::move(sizes), 0.95);
 }
 
 double rotationOf(const Jump& step) { return std::abs(step.rotation); }

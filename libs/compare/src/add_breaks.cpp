@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {

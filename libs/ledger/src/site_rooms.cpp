@@ -5,10 +5,12 @@
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "consensus_rooms.h"
 #include "room_doors.h"
 #include "room_outlines.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -21,20 +23,6 @@ constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can
 constexpr std::size_t kMaxJudges = 12;  // so that the cost grows with the runs, not their pairs
 constexpr double kNear = 0.15;          // of two outlines that agree [m]
 constexpr double kTolerance = 0.05;     // of the outlines in the result [m]
-
-/** The middle of the values by weight; the mean of two where both are. None for no weight. */
-std::optional<double> weightedMedian(std::vector<std::pair<double, double>> values) {
-  std::sort(values.begin(), values.end());
-  double all = 0, before = 0;
-  for (const auto& [value, weight] : values) all += weight;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    before += values[i].second;
-    if (before > 0.5 * all * (1 + 1e-12)) return values[i].first;
-    if (before >= 0.5 * all * (1 - 1e-12) && i + 1 < values.size())
-      return 0.5 * (values[i].first + values[i + 1].first);
-  }
-  return std::nullopt;
-}
 
 /** How all rooms lie in one run, and their outlines there. */
 struct MeasuredRun {
@@ -125,10 +113,10 @@ class Ledger {
   }
 
   double areaMedian() const {
-    std::vector<std::pair<double, double>> areas;
+    std::vector<WeightedValue> areas;
     for (std::size_t i = 0; i < site_.runs.size(); ++i)
-      if (const auto area = areaIn(i)) areas.emplace_back(*area, site_.runs[i].weight);
-    return weightedMedian(areas).value_or(shape_.area);
+      if (const auto area = areaIn(i)) areas.push_back({*area, site_.runs[i].weight});
+    return weightedMedian(std::move(areas)).value_or(shape_.area);
   }
 
   RoomInRun inRun(std::size_t run) const {
@@ -164,11 +152,11 @@ class Ledger {
   }
 
   void addShifts(SiteRoom& result) const {
-    std::vector<std::pair<double, double>> xs, ys;
+    std::vector<WeightedValue> xs, ys;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {
       if (!isClean(i)) continue;
-      xs.emplace_back(moveIn(i).shift.x, site_.runs[i].weight);
-      ys.emplace_back(moveIn(i).shift.y, site_.runs[i].weight);
+      xs.push_back({moveIn(i).shift.x, site_.runs[i].weight});
+      ys.push_back({moveIn(i).shift.y, site_.runs[i].weight});
     }
     if (xs.size() < 2) return;
     const Point consensus{*weightedMedian(xs), *weightedMedian(ys)};
@@ -180,11 +168,11 @@ class Ledger {
   void addLengths(SiteRoom& result) const {
     if (!result.isCorridor) return;
     std::vector<double> lengths(site_.runs.size());
-    std::vector<std::pair<double, double>> all;
+    std::vector<WeightedValue> all;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {
       if (!isClean(i)) continue;
       lengths[i] = lengthOf(site_.runs[i].shapes[matchIn(i).areas[0]].polygon);
-      all.emplace_back(lengths[i], site_.runs[i].weight);
+      all.push_back({lengths[i], site_.runs[i].weight});
     }
     if (all.size() < 2) return;
     const double consensus = *weightedMedian(all);

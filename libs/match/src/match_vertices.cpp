@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
+
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -35,13 +38,11 @@ std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const Topol
   return pairs;
 }
 
-/** Between the two values that it falls between; `pairs` must be ordered. */
 std::optional<double> percentile(const std::vector<MatchedVertices>& pairs, double share) {
   if (pairs.empty()) return std::nullopt;
-  const double place = share * double(pairs.size() - 1);
-  const auto low = std::size_t(std::floor(place));
-  const std::size_t high = std::min(low + 1, pairs.size() - 1);
-  return pairs[low].distance + (place - double(low)) * (pairs[high].distance - pairs[low].distance);
+  std::vector<double> distances;
+  for (const MatchedVertices& pair : pairs) distances.push_back(pair.distance);
+  return quantile(std::move(distances), share);
 }
 
 std::optional<double> unmatched(std::size_t pairs, std::size_t count) {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "path_frechet.h"
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/match/nearest_vertices.h"
 

@@ -4,7 +4,7 @@
 
 #include "measure_over_others.h"
 #include "roomgraph/align/wall_doubling.h"
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/rigid_pieces.h"
 #include "roomgraph/relate/place_runs.h"
 #include "scan_disagreement.h"
@@ -33,7 +33,7 @@ std::optional<double> medianPieces(const std::vector<Witness>& witnesses, std::s
   std::vector<WeightedValue> pieces;
   for (std::size_t j = 0; j < witnesses.size(); ++j)
     if (j != but) pieces.push_back({witnesses[j].pieces, witnesses[j].trust});
-  return weightedMedian(std::move(pieces));
+  return lowerWeightedMedian(std::move(pieces));
 }
 
 /** Whether run `in` has enough of the walls of `run` to tell of its pieces. */

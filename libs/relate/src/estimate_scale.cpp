@@ -7,7 +7,7 @@
 #include "by_straightness.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -34,13 +34,11 @@ struct Sizes {
   double walls = 0;  ///< root mean square distance of the walls from their middle
 
   explicit Sizes(const MapForAlignment& map) : free(std::sqrt(map.freeArea)) {
-    std::vector<float> depths;
+    std::vector<double> depths;
     for (std::size_t i = 0; i < map.depths.size(); ++i)
       if (map.states[i] == State::free) depths.push_back(map.depths[i]);
     if (depths.empty() || map.walls.empty()) return;
-    const auto half = depths.begin() + std::ptrdiff_t(depths.size() / 2);
-    std::nth_element(depths.begin(), half, depths.end());
-    width = *half;
+    width = median(std::move(depths));
     Point middle;
     for (const WallPoint& wall : map.walls)
       middle = middle + (1 / double(map.walls.size())) * wall.place;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -23,12 +26,10 @@ void WallDistances::add(const WallDistances& other, double weight) {
 }
 
 double WallDistances::quantile(double share) const {
-  double below = 0;
-  for (std::size_t i = 0; i < histogram.size(); ++i) {
-    below += histogram[i];
-    if (below > 0 && below >= share * count) return double(i) * kStep;
-  }
-  return 0;
+  std::vector<WeightedValue> distances;
+  for (std::size_t i = 0; i < histogram.size(); ++i)
+    distances.push_back({double(i) * kStep, histogram[i]});
+  return weightedQuantile(std::move(distances), share).value_or(0);
 }
 
 WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "most_share.h"
-#include "roomgraph/base/median.h"
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {

@@ -6,7 +6,7 @@ namespace roomgraph {
 
 /** The value with `share` of the others below it, 0 to 1: between two neighbours in size on the
  *  straight line (type 7 of Hyndman and Fan, as numpy and R have it), so 0 is the least, 1 the
- *  largest, and quantile({1, 2, 4}, 0.75) is 3. `values` must not be empty. O(n log n). */
+ *  largest, and quantile({1, 2, 4}, 0.75) is 3. `values` must not be empty. O(n). */
 double quantile(std::vector<double> values, double share);
 
 /** The quantile of one half: the middle value, or the mean of the two in the middle. */
@@ -24,5 +24,8 @@ std::optional<double> weightedQuantile(std::vector<WeightedValue> values, double
 
 /** The weighted quantile of one half: the median where all weights are the same. */
 std::optional<double> weightedMedian(std::vector<WeightedValue> values);
+
+/** The lower of the two values where that is the mean of two: for counts, which have no halves. */
+std::optional<double> lowerWeightedMedian(std::vector<WeightedValue> values);
 
 }  // namespace roomgraph

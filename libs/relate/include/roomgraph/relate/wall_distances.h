@@ -23,7 +23,7 @@ struct WallDistances {
   double mean() const { return count > 0 ? sum / count : 0; }
   /** Counts `other` in, `weight` times. */
   void add(const WallDistances& other, double weight = 1);
-  /** The distance that a share of the points does not exceed, to kStep; 0 without points. */
+  /** The distance that a share of the points does not exceed, to half a kStep; 0 without points. */
   double quantile(double share) const;
 };
 
