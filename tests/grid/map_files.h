@@ -24,7 +24,8 @@ class TempDir {
   std::filesystem::path path_;
 };
 
-/** The full name of a file of other projects beside the source tree; empty where it is not there. */
+/** The full name of a file of other projects beside the source tree; empty where it is not
+ *  there. */
 std::string sharedFile(const std::string& name);
 
 std::string gzipped(const std::string& bytes);

@@ -15,7 +15,7 @@ namespace roomgraph {
  *  at right angles [rad]. Every pose error turns some walls, so of several maps of one building the
  *  most rectangular one bends least; of different buildings it says nothing. Each wall point takes
  *  its direction from those within 1.5 m that face the same way; places that are not straight do
- * not count. None where fewer than 100 points do. O(walls * walls within 1.5 m). */
+ *  not count. None where fewer than 100 points do. O(walls * walls within 1.5 m). */
 std::optional<double> axisDeviation(const std::vector<WallPoint>& walls);
 
 }  // namespace roomgraph

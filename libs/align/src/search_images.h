@@ -33,13 +33,13 @@ struct SearchPoint {
 };
 
 /** The walls of the map, turned by `angle`; every so manyth, so that there are at most `maxCount`.
- * With `sign` -1, mirrored through the origin. */
+ *  With `sign` -1, mirrored through the origin. */
 std::vector<SearchPoint> searchPoints(const CentredMap& map, double angle, double cell,
                                       std::size_t maxCount, int sign);
 
 /** What the map, turned by `angle` and mirrored as above, says about wall points: more than 0
- * beside a wall that faces their way, less in free space, 0 where nothing is known. The map must
- * have walls. */
+ *  beside a wall that faces their way, less in free space, 0 where nothing is known. The map must
+ *  have walls. */
 SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign);
 
 }  // namespace roomgraph

@@ -21,7 +21,8 @@ void checkPng(ByteReader in, const PngHeader& header);
 /** Decodes a checked png into one grey level per pixel, the highest row first. Gamma and colour
  *  profiles are not applied, as map servers do not. */
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file);
-/** Decodes a checked png into 1 for each pixel that is not opaque, else 0, the highest row first. */
+/** Decodes a checked png into 1 for each pixel that is not opaque, else 0, the highest row
+ *  first. */
 std::vector<std::uint8_t> decodePngClear(ByteView png, const std::string& file);
 /** Decodes a checked png into one label per pixel as readLabels() has them, the highest row first.
  *  Must not be called for colours of 16 bits per channel. */

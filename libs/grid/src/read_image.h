@@ -12,8 +12,8 @@ bool isImage(ByteView head);
 void checkPictureSize(std::uint64_t width, std::uint64_t height, const std::string& file);
 
 /** Reads a png, pgm, bmp or jpeg into the map's size and grey levels, row 0 lowest. Colours are
- *  averaged, transparent pixels show a background of 128. Throws DataError where it is damaged (checksums,
- *  missing pixels), followed by something else, or larger than kMostCells. */
+ *  averaged, transparent pixels show a background of 128. Throws DataError where it is damaged
+ *  (checksums, missing pixels), followed by something else, or larger than kMostCells. */
 void readImage(CheckedFile& file, GreyMap& map);
 
 /** 1 for each pixel that is not opaque, else 0, in the order of readImage(), which must have read

@@ -26,9 +26,9 @@ struct ConsensusRooms {
  *  for it with its weight. The candidate with most votes becomes a room; those that overlap it do
  *  not; and so on. A candidate needs the votes of two runs or of half of all weight. Then all runs
  *  are matched, and what areas are left become rooms, too, where they overlap none and the runs
- * that have them are not much less trusted than the others: a bent map adds none. Narrow ends of
- * corridors that lead nowhere are no candidates. Does not depend
- * on the order of the runs but in exact ties. O(runs * rooms * samples). */
+ *  that have them are not much less trusted than the others: a bent map adds none. Narrow ends of
+ *  corridors that lead nowhere are no candidates. Does not depend on the order of the runs but in
+ *  exact ties. O(runs * rooms * samples). */
 ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options,
                               const ForEach& forEach);
 

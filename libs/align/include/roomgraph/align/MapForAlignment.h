@@ -50,7 +50,7 @@ struct AlignmentMapOptions {
 MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options);
 
 /** The same without what it takes to look walls up in it (`nearest`, `depths`, `axisDeviation`):
- * enough to be looked for in another map. */
+ *  enough to be looked for in another map. */
 MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options);
 
 }  // namespace roomgraph

@@ -16,13 +16,13 @@ double alignmentScore(const AlignmentEvidence& evidence);
 /** The log odds that two maps show the same building, from the evidence for the best pose; between
  *  -6 and 6. Fitted by logistic regression (inputs scaled to unit variance, L2 penalty 10) on the
  *  781 pairs that benchmarks/alignment_accuracy writes with --features: 268 of runs of one
- * building, 165 of these cut to overlaps of 40, 25 and 15 %, and 348 of different buildings. */
+ *  building, 165 of these cut to overlaps of 40, 25 and 15 %, and 348 of different buildings. */
 double sameSiteLogOdds(const AlignmentEvidence& evidence);
 
 /** The probability that the best pose is right, from the log odds of the best pose and of the
  *  runner-up, from how much the scores differ (0 or more), and from how many metres of wall hold
- * the best pose in its weakest direction: along a hall without ends it slides, however well its
- * walls fit. Fitted on the same pairs. A pair without a runner-up is one with a very bad one. */
+ *  the best pose in its weakest direction: along a hall without ends it slides, however well its
+ *  walls fit. Fitted on the same pairs. A pair without a runner-up is one with a very bad one. */
 double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMargin,
                       double weakest);
 

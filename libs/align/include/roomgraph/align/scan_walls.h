@@ -18,7 +18,7 @@ struct ScanWalls {
 };
 
 /** At most `maxWalls` walls of each scan, evenly; beams that meet nothing near their neighbours'
- * are left out. */
+ *  are left out. */
 std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls = 90);
 
 }  // namespace roomgraph

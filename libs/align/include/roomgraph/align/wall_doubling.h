@@ -8,13 +8,13 @@ namespace roomgraph {
 // Ours: what a map tells of itself, without any other
 // In:   MapForAlignment
 // Out:  the share of its walls that are there twice
-// Next: mapMeasuresOf
+// Next: ownMeasuresOf
 
 /** The share of the wall points, 0 to 1, that have another wall 0.15 to 0.8 m straight in front of
  *  or behind them that faces the same way (within 20 degrees). The two sides of a wall face
- * opposite ways, so they are no such pair: it takes a wall that was mapped in two places, or two
- * things one of which hides the other, like a row of posts before a wall. None without walls.
- * O(walls). */
+ *  opposite ways, so they are no such pair: it takes a wall that was mapped in two places, or two
+ *  things one of which hides the other, like a row of posts before a wall. None without walls.
+ *  O(walls). */
 std::optional<double> wallDoubling(const MapForAlignment& map);
 
 }  // namespace roomgraph

@@ -33,10 +33,9 @@ struct FindBreaksOptions {
 };
 
 /** Where the poses of a run's scans jump against their poses in other maps, from one scan to the
- *  next, while they are steady before and after. A drift is no break. A break must show in
- *  tracks of more than half of all `weights`, as another map may be broken itself: rotation and
- *  shift are medians over these. By scan. None within two scans of either end. O(tracks * scans *
- * window). */
+ *  next, while they are steady before and after. A drift is no break. A break must show in tracks
+ *  of more than half of all `weights`, as another map may be broken itself: rotation and shift are
+ *  medians over these. By scan. None within two scans of either end. O(tracks * scans * window). */
 std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans,
                                   const std::vector<ScanTrack>& tracks,
                                   const std::vector<double>& weights,

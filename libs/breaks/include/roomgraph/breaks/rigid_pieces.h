@@ -8,7 +8,7 @@ namespace roomgraph {
 // After Schwertfeger and Birk (2015), "brokenness"; how the pieces are found is ours
 // In:   FollowedWalls
 // Out:  in how many rigid pieces a map lies in another
-// Next: mapMeasuresOf
+// Next: brokennessOf
 
 struct RigidPiecesOptions {
   double reach = 4.5;      ///< between patches that may hold each other [m]

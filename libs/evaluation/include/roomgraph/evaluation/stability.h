@@ -13,6 +13,7 @@ namespace roomgraph {
 // In:   GreyMap
 // Out:  Stability
 // Next: stabilityCsv, stabilityJson, stabilityText
+//
 // In parts, for those who run them side by side: stabilityRuns -> stabilityBase -> measureRun ->
 // summarizeStability. All distances are in metres, whatever the files say.
 

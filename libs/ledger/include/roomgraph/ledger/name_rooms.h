@@ -14,10 +14,10 @@ namespace roomgraph {
 /** Gives each room that the file knows its id and name, and each other a new id, which it adds to
  *  the file. What the file knows and the comparison does not have stays. Of a known room the file
  *  keeps the shape as long as half of it is the same, so that small errors do not add up. The way
- * from the one frame to the other: none, if most rooms lie where they lay; else alignMaps of maps
- * drawn from the rooms. Rooms are then matched as the areas of a run are: matchAreas. Sorts `rooms`
- * by their new ids. `name` of the file, for messages. Without rooms nothing happens. O(rooms), or
- * 0.2 s where frames differ.
+ *  from the one frame to the other: none, if most rooms lie where they lay; else alignMaps of maps
+ *  drawn from the rooms. Rooms are then matched as the areas of a run are: matchAreas. Sorts
+ *  `rooms` by their new ids. `name` of the file, for messages. Without rooms nothing happens.
+ *  O(rooms), or 0.2 s where frames differ.
  *  @throws DataError where the site cannot be found in the file, or in several ways, as in a
  *  symmetric building; nothing is changed then. */
 void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& name);

@@ -28,7 +28,7 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Map
                        const MapForAlignment& b);
 
 /** The same for two maps whose frames are said to be the same: their pose is nothing, and sure.
- * Maps that contradict each other there are not of the same site. */
+ *  Maps that contradict each other there are not of the same site. */
 MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b);
 
 /** The same pair with b named first. */

@@ -39,8 +39,8 @@ struct KeptPairs {
 /** What relateMaps gives for each pair of pairsOf(runs.size()), in that order: first those with the
  *  hub, then the others by relateMapsOver, which saves nearly all of the search. With `areAligned`
  *  by relateAlignedMaps. Pairs that are kept are not worked out again, so that one more run costs
- * its own pairs only, unless it becomes the hub. The same for any order of the jobs, and with or
- * without kept pairs. */
+ *  its own pairs only, unless it becomes the hub. The same for any order of the jobs, and with or
+ *  without kept pairs. */
 std::vector<MapPair> relateRuns(const std::vector<PreparedRun>& runs, bool areAligned,
                                 const ForEach& forEach, const KeptPairs& kept = {});
 

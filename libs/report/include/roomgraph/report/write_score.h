@@ -7,6 +7,7 @@ namespace roomgraph {
 
 // In:   RoomScore
 // Out:  text for people, and for programs
+//
 // Shares are in percent, mcc is not; both rounded.
 
 /** One number per line, with its name before it and what it is behind it; "-" where it has no

@@ -8,6 +8,7 @@ namespace roomgraph {
 // Paper, tables 1 to 5
 // In:   Stability
 // Out:  the text of files, and of a table for people
+//
 // Distances are in cells, as in the paper; shares in percent.
 
 /** Columns distance_px, percent, room, no_room, ratio_percent as in the paper, then the sound

@@ -43,10 +43,10 @@ struct RunScoreOptions {
  *  estimateMapErrors. Identical maps count as one, and as others only where there is no other map.
  *  With `reference`, that run is taken for the truth and gets no score itself. Trust falls with the
  *  fourth power of trustFloor plus the map error; that of the most trusted run, or of the
- * reference, is 1, that of a run without minShare 0, unless all are so. Runs that share no walls
- * with any other have no score. Intervals are wider by the noise floor on both sides. Meaningful
- * with minOthers other runs (one reference), minWalls wall points and minShare. `bends` is square
- * and symmetric; its diagonal must have no share. Cost: that of estimateMapErrors.
+ *  reference, is 1, that of a run without minShare 0, unless all are so. Runs that share no walls
+ *  with any other have no score. Intervals are wider by the noise floor on both sides. Meaningful
+ *  with minOthers other runs (one reference), minWalls wall points and minShare. `bends` is square
+ *  and symmetric; its diagonal must have no share. Cost: that of estimateMapErrors.
  *  @throws UsageError where `reference` is none of the runs. */
 std::vector<std::optional<RunScore>> scoreRuns(const std::vector<std::vector<PairBend>>& bends,
                                                const std::vector<OwnEvidence>& own,
