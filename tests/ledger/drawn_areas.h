@@ -1,0 +1,80 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "SiteAreas.h"
+
+namespace roomgraph::test {
+
+/** A door between two areas of a drawing, by their letters. */
+struct DrawnDoor {
+  char a, b;
+  Point place;  ///< [m]
+};
+
+constexpr double kDrawnCell = 0.5;  ///< side of what a letter stands for [m]
+
+/** The frame of a drawing: cells of 0.1 m, the lower left corner at the origin. */
+inline GridFrame frameOf(const std::vector<std::string>& rows) {
+  return {int(rows[0].size()) * 5, int(rows.size()) * 5, kDrawnCell / 5, {}};
+}
+
+/** The areas of a run as they are drawn, rows from the top: each letter is an area that is an
+ *  upright box, in the order of the alphabet, then a small one, which is a corridor; '#' is wall, '.' is free and
+ *  in no area, ' ' is unknown. */
+inline RunAreas drawnAreas(const std::vector<std::string>& rows,
+                           const std::vector<DrawnDoor>& doors = {}, double weight = 1) {
+  const GridFrame frame = frameOf(rows);
+  const auto letterAt = [&](Cell c) {
+    return rows[rows.size() - 1 - std::size_t(c.y / 5)][std::size_t(c.x / 5)];
+  };
+  std::map<char, Box> boxes;
+  for (std::size_t i = 0; i < frame.cellCount(); ++i) {
+    const Cell cell{int(i) % frame.width, int(i) / frame.width};
+    if (!std::isalpha(letterAt(cell))) continue;
+    const Point half{frame.resolution / 2, frame.resolution / 2}, at = frame.center(cell);
+    Box& box = boxes.emplace(letterAt(cell), Box{at - half, at + half}).first->second;
+    box = boundingBox({box.low, box.high, at - half, at + half});
+  }
+  AreaGraph areas;
+  std::map<char, AreaId> idOf;
+  for (const auto& [letter, box] : boxes) {
+    Area area;
+    area.polygon.outer = {box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}};
+    if (std::isupper(letter)) area.room = RoomId(areas.areas.size());
+    idOf[letter] = AreaId(areas.areas.size());
+    areas.areas.push_back(area);
+  }
+  for (const DrawnDoor& door : doors)
+    areas.passages.push_back({idOf.at(door.a), idOf.at(door.b), door.place - Point{0.5, 0},
+                              door.place + Point{0.5, 0}, 1});
+  RunAreas run = areasIn(areas, frame);
+  run.weight = weight;
+  for (std::size_t i = 0; i < frame.cellCount(); ++i) {
+    const char letter = letterAt({int(i) % frame.width, int(i) / frame.width});
+    if (letter == '#') run.labels[i] = RunAreas::kOccupied;
+    if (letter == '.') run.labels[i] = RunAreas::kFree;
+    if (letter == ' ') run.labels[i] = RunAreas::kUnknown;
+  }
+  return run;
+}
+
+/** A corridor with a room on the left and two on the right. */
+inline const std::vector<std::string>& threeRooms() {
+  static const std::vector<std::string> rows{
+      "######################", "#AAAAAAAA##BBBBBBBBBB#", "#AAAAAAAA##BBBBBBBBBB#",
+      "#AAAAAAAA##BBBBBBBBBB#", "#AAAAAAAA##BBBBBBBBBB#", "#AAAAAAAA#############",
+      "##########dddddddddddd", "##########dddddddddddd", "##########dddddddddddd",
+      "##########dddddddddddd", "######################", "##########CCCCCCCC####",
+      "##########CCCCCCCC####", "##########CCCCCCCC####", "##########CCCCCCCC####",
+      "######################"};
+  return rows;
+}
+
+/** The doors of these rooms. */
+inline std::vector<DrawnDoor> threeDoors() {
+  return {{'B', 'd', {8, 5.25}}, {'C', 'd', {7, 2.75}}, {'A', 'B', {4.75, 6.5}}};
+}
+
+}  // namespace roomgraph::test

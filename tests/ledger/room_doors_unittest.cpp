@@ -1,0 +1,93 @@
+#include "room_doors.h"
+
+#include <gtest/gtest.h>
+
+#include "drawn_areas.h"
+
+namespace roomgraph::test {
+namespace {
+
+/** The doors of the upper room, by what each run says of them. */
+RoomDoors doorsOfUpperRoom(const std::vector<RunAreas>& runs, bool isLastClean = true) {
+  const SiteAreas site{frameOf(threeRooms()), runs};
+  const ConsensusRooms consensus = consensusRooms(site, {}, oneByOne);
+  std::vector<RoomsInRun> inRuns;
+  for (const auto& matches : consensus.matches) {
+    inRuns.push_back({std::vector<bool>(matches.size(), true), {}});
+    for (const AreaMatch& match : matches) inRuns.back().moves.push_back(match.move);
+  }
+  std::size_t upper = 0;
+  while (sideOf(consensus.rooms.shapes[upper].polygon, {8, 6.5}) != Side::inside) ++upper;
+  inRuns.back().isClean[upper] = isLastClean;
+  return roomDoors(site, consensus, upper, inRuns);
+}
+
+RunAreas withDoors(const std::vector<DrawnDoor>& doors, double weight = 1) {
+  return drawnAreas(threeRooms(), doors, weight);
+}
+
+const DrawnDoor kDown{'B', 'd', {8, 5.25}}, kAside{'A', 'B', {4.75, 6.5}};
+using Counts = std::vector<int>;
+
+TEST(RoomDoors, areThoseThatTheRunsAgreeOn) {
+  const RunAreas run = withDoors({kDown, kAside});
+  const RoomDoors doors = doorsOfUpperRoom({run, run, run});
+  ASSERT_EQ(doors.doors.size(), 2u);
+  for (const RoomDoors::Door& door : doors.doors) {
+    EXPECT_TRUE(door.to);
+    EXPECT_DOUBLE_EQ(door.width, 1);
+    EXPECT_TRUE(door.place == kDown.place || door.place == kAside.place);
+  }
+  EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
+  EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
+}
+
+TEST(RoomDoors, whatOneOfThreeLacksItHasLost) {
+  const RunAreas both = withDoors({kDown, kAside});
+  const RoomDoors doors = doorsOfUpperRoom({both, withDoors({kDown}), both});
+  EXPECT_EQ(doors.doors.size(), 2u);
+  EXPECT_EQ(doors.lost, (Counts{0, 1, 0}));
+  EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
+}
+
+TEST(RoomDoors, whatOneOfThreeHasAloneItHasGained) {
+  const RunAreas one = withDoors({kDown});
+  const RoomDoors doors = doorsOfUpperRoom({one, one, withDoors({kDown, kAside})});
+  EXPECT_EQ(doors.doors.size(), 1u);
+  EXPECT_EQ(doors.gained, (Counts{0, 0, 1}));
+}
+
+TEST(RoomDoors, weightDecidesNotTheNumberOfRuns) {
+  const RunAreas both = withDoors({kDown, kAside}, 3), one = withDoors({kDown});
+  EXPECT_EQ(doorsOfUpperRoom({both, one, one}).doors.size(), 2u);
+}
+
+TEST(RoomDoors, aDoorToTheSameRoomIsTheSameWithinOneAndAHalfMetres) {
+  const RunAreas here = withDoors({kDown});
+  const auto beside = [&](double x) {
+    return doorsOfUpperRoom({here, here, withDoors({{'B', 'd', {8 + x, 5.25}}})});
+  };
+  EXPECT_EQ(beside(1.4).gained, (Counts{0, 0, 0}));
+  EXPECT_EQ(beside(1.4).lost, (Counts{0, 0, 0}));
+  EXPECT_EQ(beside(1.6).gained, (Counts{0, 0, 1}));
+  EXPECT_EQ(beside(1.6).lost, (Counts{0, 0, 1}));
+}
+
+TEST(RoomDoors, aRunThatHasNotLookedThereHasLostNothing) {
+  std::vector<std::string> rows = threeRooms();
+  for (std::size_t y = 1; y < 6; ++y) rows[y].replace(0, 11, std::string(11, ' '));
+  const RunAreas both = withDoors({kDown, kAside});
+  const RoomDoors doors = doorsOfUpperRoom({both, both, drawnAreas(rows, {kDown})});
+  EXPECT_EQ(doors.doors.size(), 2u);
+  EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
+}
+
+TEST(RoomDoors, aRunInWhichTheRoomIsNoAreaOfItsOwnSaysNothing) {
+  const RunAreas both = withDoors({kDown, kAside});
+  const RoomDoors doors = doorsOfUpperRoom({both, both, withDoors({})}, false);
+  EXPECT_EQ(doors.doors.size(), 2u);
+  EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace roomgraph::test
