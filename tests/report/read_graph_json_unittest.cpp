@@ -181,7 +181,7 @@ TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {
 TEST(ReadGraphJson, otherJsonIsRefused) {
   for (const char* text : {"", "null", "[]", "{}", "42", "{\"format\": 1}", "{\"format\"}"})
     expectOneLine(refusal(text));
-  EXPECT_NE(refusal("{}").find("has no 'format'"), std::string::npos);
+  EXPECT_NE(refusal("{}").find("roomgraph/graph"), std::string::npos);
 }
 
 TEST(ReadGraphJson, readsFilesAndNamesTheOnesItCannotRead) {

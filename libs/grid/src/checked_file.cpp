@@ -4,12 +4,9 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <filesystem>
 
 namespace roomgraph {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kHeadSize = 1 << 16;
 constexpr std::uint64_t kLargestFile = 2'000'000'000;
@@ -45,14 +42,6 @@ class Inflater {
 
 }  // namespace
 
-void refuse(const std::string& file, const std::string& problem, const std::string& remedy) {
-  std::string line = file + ": " + problem + ": " + remedy;
-  // A file name may hold anything; the message must stay one line.
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  throw DataError(line);
-}
-
 std::string sha256Of(ByteView first, ByteView second) {
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(),
                                                                    EVP_MD_CTX_free);
@@ -71,45 +60,31 @@ std::string sha256Of(ByteView first, ByteView second) {
   return hex;
 }
 
-CheckedFile::CheckedFile(const std::string& name) : name_(name) {
-  std::error_code error;
-  const fs::file_status status = fs::status(name, error);
-  if (status.type() == fs::file_type::not_found)
-    refuse(name, "there is no such file", "check the name");
-  if (fs::is_directory(status)) refuse(name, "is a directory", "name the map file in it");
-  if (!fs::is_regular_file(status)) refuse(name, "is no regular file", "give a map file");
-  storedSize_ = fs::file_size(name, error);
-  if (error) refuse(name, "its size cannot be read", "check its permissions");
-  in_.open(name, std::ios::binary);
-  if (!in_) refuse(name, "cannot be opened", "check its permissions");
-  if (storedSize_ == 0) refuse(name, "is empty", "copy or save the map again");
-  if (storedSize_ > kLargestFile) refuse(name, "is larger than 2 GB", "give a smaller map");
+CheckedFile::CheckedFile(const std::string& name) : file_(name, kLargestFile) {
+  if (file_.size() == 0) refuse(name, "is empty", "copy or save the map again");
   readHead();
 }
 
 void CheckedFile::readHead() {
-  head_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(storedSize_, kHeadSize)));
-  in_.read(reinterpret_cast<char*>(head_.data()), std::streamsize(head_.size()));
-  if (!in_) refuse(name_, "cannot be read", "check the disk and the permissions");
-  claimedSize_ = storedSize_;
+  head_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(file_.size(), kHeadSize)));
+  file_.read(0, head_.data(), head_.size());
+  claimedSize_ = file_.size();
   isGzip_ = head_.size() >= 2 && head_[0] == 0x1f && head_[1] == 0x8b;
   if (!isGzip_) return;
 
   // 18 bytes are the shortest frame of a gzip member; its last four say how long the content is.
-  if (storedSize_ < 18) refuseGzip(name_);
+  if (file_.size() < 18) refuseGzip(name());
   std::uint8_t tail[4];
-  in_.seekg(-4, std::ios::end);
-  in_.read(reinterpret_cast<char*>(tail), sizeof tail);
-  if (!in_) refuse(name_, "cannot be read", "check the disk and the permissions");
-  claimedSize_ = ByteReader({tail, sizeof tail}, name_).get<std::uint32_t>();
-  if (claimedSize_ / kMostInflation > storedSize_) refuseGzip(name_);
+  file_.read(file_.size() - sizeof tail, tail, sizeof tail);
+  claimedSize_ = ByteReader({tail, sizeof tail}, name()).get<std::uint32_t>();
+  if (claimedSize_ / kMostInflation > file_.size()) refuseGzip(name());
   if (claimedSize_ > kLargestFile)
-    refuse(name_, "claims to inflate to more than 2 GB", "give a smaller map");
+    refuse(name(), "claims to inflate to more than 2 GB", "give a smaller map");
 
   std::vector<std::uint8_t> inflated(kHeadSize);
   Inflater inflater(head_.data(), head_.size(), inflated.data(), inflated.size());
   const int result = inflater.run(Z_SYNC_FLUSH);
-  if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR) refuseGzip(name_);
+  if (result != Z_OK && result != Z_STREAM_END && result != Z_BUF_ERROR) refuseGzip(name());
   inflated.resize(inflated.size() - inflater.outputLeft());
   head_ = std::move(inflated);
 }
@@ -120,28 +95,26 @@ ByteView CheckedFile::content() {
     if (isGzip_) inflateAll();
   }
   if (isGzip_) return {content_.get(), static_cast<std::size_t>(claimedSize_)};
-  return {stored_.get(), static_cast<std::size_t>(storedSize_)};
+  return {stored_.get(), static_cast<std::size_t>(file_.size())};
 }
 
 void CheckedFile::readStored() {
-  const auto size = static_cast<std::size_t>(storedSize_);
+  const auto size = static_cast<std::size_t>(file_.size());
   stored_.reset(new std::uint8_t[size]);
-  in_.clear();
-  in_.seekg(0);
-  in_.read(reinterpret_cast<char*>(stored_.get()), std::streamsize(size));
-  if (!in_) refuse(name_, "cannot be read to its end", "check the disk, or copy it again");
+  file_.read(0, stored_.get(), size);
   sha256_ = sha256Of({stored_.get(), size});
 }
 
 void CheckedFile::inflateAll() {
   const auto size = static_cast<std::size_t>(claimedSize_);
   content_.reset(new std::uint8_t[size + 1]);  // one more: zlib refuses an empty output
-  Inflater inflater(stored_.get(), static_cast<std::size_t>(storedSize_), content_.get(), size + 1);
+  Inflater inflater(stored_.get(), static_cast<std::size_t>(file_.size()), content_.get(),
+                    size + 1);
   const bool isWhole = inflater.run(Z_FINISH) == Z_STREAM_END;
   if (isWhole && inflater.inputLeft() > 0)
-    refuse(name_, "something follows its gzip data", "remove what was appended");
-  if (!isWhole || inflater.outputLeft() != 1) refuseGzip(name_);
-  if (size == 0) refuse(name_, "is empty", "copy or save the map again");
+    refuse(name(), "something follows its gzip data", "remove what was appended");
+  if (!isWhole || inflater.outputLeft() != 1) refuseGzip(name());
+  if (size == 0) refuse(name(), "is empty", "copy or save the map again");
 }
 
 }  // namespace roomgraph

@@ -1,13 +1,13 @@
 #include "roomgraph/report/read_graph_json.h"
 
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "JsonNode.h"
 #include "read_areas.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/json_fault.h"
 #include "roomgraph/report/names.h"
 
 namespace roomgraph {
@@ -137,6 +137,8 @@ GraphFile readFile(const JsonNode& top) {
 
 GraphFile parseGraphJson(const std::string& text, const std::string& name) {
   constexpr const char* kRemedy = "; write it anew with 'roomgraph extract'";
+  const std::string fault = jsonFault(text, "roomgraph/graph");
+  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
   try {
@@ -147,14 +149,6 @@ GraphFile parseGraphJson(const std::string& text, const std::string& name) {
   }
 }
 
-GraphFile readGraphJson(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  // A folder opens, too, and fails only when read.
-  if (!stream.is_open() || !(text << stream.rdbuf()))
-    throw DataError(path + ": cannot be read, or is empty; name a .json file that 'roomgraph " +
-                    "extract' wrote");
-  return parseGraphJson(text.str(), path);
-}
+GraphFile readGraphJson(const std::string& path) { return parseGraphJson(readFile(path), path); }
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #pragma once
 #include <stdexcept>
+#include <string>
 
 namespace roomgraph {
 
@@ -15,5 +16,9 @@ class UsageError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/** Throws the DataError "file: problem: remedy" as one printable line. */
+[[noreturn]] void refuse(const std::string& file, const std::string& problem,
+                         const std::string& remedy);
 
 }  // namespace roomgraph

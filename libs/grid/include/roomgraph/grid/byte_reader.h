@@ -8,10 +8,6 @@
 
 namespace roomgraph {
 
-/** Throws the DataError "file: problem: remedy" as one printable line. */
-[[noreturn]] void refuse(const std::string& file, const std::string& problem,
-                         const std::string& remedy);
-
 /** Bytes that somebody else owns. */
 struct ByteView {
   const std::uint8_t* data = nullptr;

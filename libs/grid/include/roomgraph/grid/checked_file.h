@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/grid/byte_reader.h"
 
 namespace roomgraph {
@@ -20,7 +20,7 @@ class CheckedFile {
   /** Opens the file and reads its first bytes. Throws DataError where that is impossible. */
   explicit CheckedFile(const std::string& name);
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return file_.name(); }
   /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
   ByteView head() const { return {head_.data(), head_.size()}; }
   /** How long the content claims to be. */
@@ -37,9 +37,8 @@ class CheckedFile {
   void readStored();
   void inflateAll();
 
-  std::string name_;
-  std::ifstream in_;
-  std::uint64_t storedSize_ = 0, claimedSize_ = 0;
+  InputFile file_;
+  std::uint64_t claimedSize_ = 0;
   bool isGzip_ = false;
   std::vector<std::uint8_t> head_;
   // Plain arrays: a vector would write to every byte before the first one is read.
