@@ -1,12 +1,11 @@
 #include "PairFolder.h"
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <utility>
 
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
@@ -17,10 +16,11 @@ PairFolder::PairFolder(std::string folder) : folder_(std::move(folder)) {
 
 KeptPairs PairFolder::kept() {
   return {[this](const std::string& name) -> std::optional<std::string> {
-            std::ifstream file(fileOf(name), std::ios::binary);
-            std::ostringstream bytes;
-            if (!file.is_open() || !(bytes << file.rdbuf())) return {};
-            return bytes.str();
+            try {
+              return readFile(fileOf(name));
+            } catch (const DataError&) {
+              return {};  // not there yet, or no file of ours
+            }
           },
           [this](const std::string& name, const std::string& bytes) { write(name, bytes); }};
 }

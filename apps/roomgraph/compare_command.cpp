@@ -13,11 +13,13 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
 #include "roomgraph/report/site_json.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -191,8 +193,8 @@ int run(const CompareArguments& arguments) {
     if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
   if (!task.isQuiet) {
     std::string text = comparisonText(comparison) + comparison.verdict + "\n";
-    for (const std::string& file : files.all()) text += "  " + file + "\n";
-    std::fputs(text.c_str(), stdout);
+    for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
+    print(text);
   }
   if (struck.empty()) return result.exitCode;
   std::fputs(struck.c_str(), stderr);

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "Command.h"
 #include "PairFolder.h"
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/relate/noise_floor.h"
@@ -48,18 +48,14 @@ PreparedRun preparedRun(const std::string& name, const GreyMap& map,
 SiteFile readSite(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return {};
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  // A folder opens, too, and fails only when read.
-  if (!stream.is_open() || !(text << stream.rdbuf()))
-    throw DataError(file + ": cannot be read, or is empty: name another file with --names");
-  return parseSiteJson(text.str(), file);
+  return parseSiteJson(readFile(file), file);
 }
 
 /** The part of an error line behind "roomgraph: FILE: ". */
 std::string reasonIn(const std::string& line, const std::string& file) {
-  const std::size_t at = line.find(file + ": ");
-  std::string reason = at == std::string::npos ? line : line.substr(at + file.size() + 2);
+  const std::size_t at = line.find(printable(file) + ": ");
+  std::string reason =
+      at == std::string::npos ? line : line.substr(at + printable(file).size() + 2);
   while (!reason.empty() && reason.back() == '\n') reason.pop_back();
   return reason;
 }

@@ -1,10 +1,10 @@
 #include "config_command.h"
 
-#include <cstdio>
 #include <memory>
 
 #include "Command.h"
 #include "option_arguments.h"
+#include "terminal.h"
 
 namespace roomgraph {
 
@@ -13,7 +13,7 @@ std::function<int()> configCommand(CLI::App& app) {
   declareConfig(*arguments, app);
   return [arguments] {
     ExtractOptions options = toOptions(*arguments);
-    std::fputs(toIni(describe(options)).c_str(), stdout);
+    print(toIni(describe(options)));
     return int(kDone);
   };
 }

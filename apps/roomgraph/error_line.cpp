@@ -4,6 +4,7 @@
 
 #include "Command.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
 
 namespace roomgraph {
 namespace {
@@ -17,10 +18,8 @@ std::string firstLine(const std::string& text) {
 }  // namespace
 
 std::string errorLine(const std::string& text) {
-  std::string line = "roomgraph: " + text;
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = ' ';
-  return line + "\n";
+  constexpr std::size_t kMost = 10000;  // bytes; a name has at most 4096
+  return "roomgraph: " + printable(text.substr(0, kMost)) + "\n";
 }
 
 Failure currentFailure(const std::string& file) {

@@ -3,7 +3,7 @@
 
 namespace roomgraph {
 
-/** "roomgraph: text" and a line end; control characters become spaces, so it is one line. */
+/** "roomgraph: text" and a line end; one printable line. */
 std::string errorLine(const std::string& text);
 
 /** What the user is told of an exception. */

@@ -7,10 +7,10 @@
 
 #include "error_line.h"
 #include "output_names.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/grid/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/draw_stages.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {
@@ -29,7 +29,7 @@ std::string counted(std::size_t count, const char* one, const char* many) {
 }
 
 std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
-  return mapFile + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
+  return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
          counted(result.graph.vertices().size(), "vertex", "vertices") + ", " +
          counted(result.graph.edges().size(), "edge", "edges") + "\n";
 }
@@ -65,7 +65,7 @@ std::string verboseLine(const std::string& mapFile, const Stages& stages) {
 }
 
 std::string timingTable(const std::string& mapFile, const std::vector<StageTiming>& timings) {
-  std::string table = mapFile + ":\n";
+  std::string table = printable(mapFile) + ":\n";
   double total = 0;
   for (const StageTiming& timing : timings) {
     table += formatted("  %-20s %10.2f ms\n", timing.stage.c_str(), 1e3 * timing.seconds);
@@ -102,6 +102,7 @@ class Extraction {
   }
 
   void writeResults(const Stages& stages) {
+    StagedFiles staged;
     std::vector<std::string> contents;
     for (const OutputFormat& format : task_.formats) {
       contents.push_back(format.bytes(stages));
@@ -109,15 +110,16 @@ class Extraction {
     }
     if (!task_.stagesFolder.empty()) {
       const auto folder = std::filesystem::path(task_.stagesFolder) / outputStem(mapFile_);
-      writeStages(stages, folder.string());
+      drawStages(stages, folder.string(), staged);
       files_.push_back(folder.string() + "/");
       lap("stages");
     }
     for (std::size_t i = 0; i < contents.size(); ++i) {
       const std::string file = outputFile(task_.folder, mapFile_, task_.formats[i].extension);
-      writeFileAtomically(file, contents[i]);
+      staged.add(file, contents[i]);
       files_.push_back(file);
     }
+    staged.commit();
     lap("write_files");
   }
 
@@ -127,7 +129,7 @@ class Extraction {
     if (task_.verbosity == Verbosity::verbose) report_.err += verboseLine(mapFile_, stages);
     report_.err += noteLines(mapFile_, stages.notes, task_.verbosity);
     report_.out += summaryLine(mapFile_, stages.result);
-    for (const std::string& file : files_) report_.out += "  " + file + "\n";
+    for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
   }
 
   const std::string& mapFile_;

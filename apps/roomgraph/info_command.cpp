@@ -1,7 +1,6 @@
 #include "info_command.h"
 
-#include <zlib.h>
-
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
@@ -9,10 +8,13 @@
 #include "Command.h"
 #include "error_line.h"
 #include "option_arguments.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/checked_file.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/report/read_graph_json.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -22,13 +24,12 @@ struct InfoArguments {
   OptionArguments options;
 };
 
-/** The first bytes of a file, unpacked where it is gzipped; empty where it cannot be read. */
+/** The first bytes of a file, unpacked. */
 std::string firstBytes(const std::string& file) {
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
-  if (!in) return {};
-  std::array<char, 64> bytes{};
-  const int count = gzread(in.get(), bytes.data(), unsigned(bytes.size()));
-  return count > 0 ? std::string(bytes.data(), std::size_t(count)) : std::string();
+  const CheckedFile opened(file);
+  constexpr std::size_t kEnough = 64;
+  const ByteView head = opened.head();
+  return {reinterpret_cast<const char*>(head.data), std::min(head.size, kEnough)};
 }
 
 std::string mapText(const std::string& file, const ExtractOptions& options) {
@@ -66,11 +67,10 @@ int run(const InfoArguments& arguments) {
   for (const std::string& file : arguments.files) {
     try {
       const std::string text = infoText(file, options);
-      std::printf("%s%s:\n%s", &file == &arguments.files.front() ? "" : "\n", file.c_str(),
-                  text.c_str());
+      const std::string gap = &file == &arguments.files.front() ? "" : "\n";
+      print(gap + printable(file) + ":\n" + text);
     } catch (...) {
       const Failure failure = currentFailure(file);
-      std::fflush(stdout);
       std::fputs(failure.line.c_str(), stderr);
       exitCode = std::max(exitCode, failure.exitCode);
     }

@@ -6,9 +6,11 @@
 #include "error_line.h"
 #include "extract_command.h"
 #include "info_command.h"
+#include "interruption.h"
 #include "roomgraph/base/version.h"
 #include "score_rooms_command.h"
 #include "stability_command.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -52,7 +54,10 @@ int run(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   try {
-    return roomgraph::run(count, arguments);
+    roomgraph::finishResultsBeforeEnding();
+    const int exitCode = roomgraph::run(count, arguments);
+    roomgraph::checkPrinted();
+    return exitCode;
   } catch (...) {
     const roomgraph::Failure failure = roomgraph::currentFailure("");
     std::fputs(failure.line.c_str(), stderr);

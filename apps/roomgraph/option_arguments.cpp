@@ -1,10 +1,9 @@
 #include "option_arguments.h"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/report/read_graph_json.h"
 
 namespace roomgraph {
@@ -21,11 +20,11 @@ std::string help(const char* section, const char* key) {
 }
 
 std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in || !text) throw UsageError(file + ": cannot be read: --config takes an ini or json file");
-  return text.str();
+  try {
+    return readFile(file);
+  } catch (const DataError& error) {
+    throw UsageError(std::string("--config ") + error.what());
+  }
 }
 
 /** An ini file, or the options that an earlier result was made with. */
@@ -33,6 +32,10 @@ void readConfig(const std::string& file, FieldTable& table) {
   const std::string text = textOf(file);
   const auto first = text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string::npos && text[first] == '{';
+  constexpr std::size_t kLargestIni = 1'000'000;
+  if (!isJson && text.size() > kLargestIni)
+    throw UsageError("--config " + file + ": is no ini file, which is shorter: see 'roomgraph " +
+                     "config'");
   fromIni(isJson ? optionsIni(parseGraphJson(text, file)) : text, file, table);
 }
 
@@ -84,14 +87,14 @@ ExtractOptions toOptions(const OptionArguments& arguments) {
   FieldTable table = describe(options);
   const double assumed = options.loadGrid.resolution;
   options.loadGrid.resolution = NAN;  // no text can set that
-  if (!arguments.configFile.empty()) readConfig(arguments.configFile, table);
+  if (arguments.configFile) readConfig(*arguments.configFile, table);
   for (const std::string& setting : arguments.settings) applySetting(setting, table);
-  if (!arguments.resolution.empty()) table.set("load_grid", "resolution", arguments.resolution);
-  if (!arguments.roomWidth.empty()) {
-    table.set("find_rooms", "min_width", arguments.roomWidth);
+  if (arguments.resolution) table.set("load_grid", "resolution", *arguments.resolution);
+  if (arguments.roomWidth) {
+    table.set("find_rooms", "min_width", *arguments.roomWidth);
     table.set("find_rooms", "alpha_px2", "0");
   }
-  if (!arguments.alphaPx2.empty()) table.set("find_rooms", "alpha_px2", arguments.alphaPx2);
+  if (arguments.alphaPx2) table.set("find_rooms", "alpha_px2", *arguments.alphaPx2);
   if (arguments.allComponents) table.set("keep_largest", "all_components", "true");
   options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
   if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;

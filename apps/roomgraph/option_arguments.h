@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@ namespace roomgraph {
 /** The arguments that set options of the pipeline, the same in every subcommand. */
 struct OptionArguments {
   std::string preset = "default";
-  std::string configFile;
-  std::vector<std::string> settings;            ///< SECTION.KEY=VALUE
-  std::string resolution, roomWidth, alphaPx2;  ///< empty where not given
+  std::optional<std::string> configFile;
+  std::vector<std::string> settings;  ///< SECTION.KEY=VALUE
+  std::optional<std::string> resolution, roomWidth, alphaPx2;
   bool allComponents = false;
 };
 

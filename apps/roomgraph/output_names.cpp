@@ -1,14 +1,19 @@
 #include "output_names.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/grid/checked_file.h"
 #include "roomgraph/grid/map_formats.h"
 
 namespace roomgraph {
@@ -23,13 +28,23 @@ bool endsWith(const std::string& name, const std::string& end) {
          });
 }
 
+/** The first lines of a file; none where it cannot be read, which its reader will say. */
+std::string firstLines(const std::string& file) {
+  try {
+    const CheckedFile opened(file);
+    const ByteView head = opened.head();
+    return {reinterpret_cast<const char*>(head.data), head.size};
+  } catch (const DataError&) {
+    return {};
+  }
+}
+
 /** The picture that a ROS map's yaml names; empty for any other file. */
 std::string pictureOf(const std::string& mapFile) {
   if (!endsWith(mapFile, ".yaml") && !endsWith(mapFile, ".yml")) return {};
-  std::ifstream in(mapFile);
+  std::istringstream in(firstLines(mapFile));
   std::string line;
-  constexpr int kMostLines = 100;
-  for (int i = 0; i < kMostLines && std::getline(in, line); ++i) {
+  while (std::getline(in, line)) {
     if (line.rfind("image:", 0) != 0) continue;
     const auto first = line.find_first_not_of(" \t\"'", 6);
     if (first == std::string::npos) return {};
@@ -37,6 +52,15 @@ std::string pictureOf(const std::string& mapFile) {
     return (fs::path(mapFile).parent_path() / line.substr(first, last + 1 - first)).string();
   }
   return {};
+}
+
+/** What tells a file from all others, whatever its name; none where there is no such file. */
+using Identity = std::pair<dev_t, ino_t>;
+
+std::optional<Identity> identityOf(const std::string& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0) return {};
+  return Identity(status.st_dev, status.st_ino);
 }
 
 /** From the root, with the links that are there followed. */
@@ -47,17 +71,30 @@ fs::path normalised(const std::string& file) {
   return error ? whole : followed;
 }
 
-void checkNotReplaced(const std::string& result, const std::string& input) {
-  if (areSameFile(result, input))
-    throw UsageError(result + ": would replace the map it is made from: choose another folder " +
-                     "with --output, or other formats with --format");
+/** The result of each map by its name. Throws where two maps have one of the same name. */
+std::map<std::string, std::string> mapsByResult(const std::vector<std::string>& mapFiles,
+                                                const std::string& folder,
+                                                const std::vector<std::string>& extensions) {
+  // Two maps of one X meet in any result; X.areas.png may be the labels of X or a picture of
+  // X.areas.
+  std::map<std::string, std::string> mapOfResult;
+  for (const std::string& file : mapFiles)
+    for (const std::string& extension : extensions) {
+      const std::string result = outputFile(folder, file, extension);
+      const auto [known, isNew] = mapOfResult.emplace(result, file);
+      if (isNew) continue;
+      std::string text = known->second;
+      text.append(" and ").append(file).append(" would both be written as ").append(result);
+      throw UsageError(text + ": rename one, or extract them into different folders");
+    }
+  return mapOfResult;
 }
 
 }  // namespace
 
 bool areSameFile(const std::string& one, const std::string& other) {
-  std::error_code error;  // where one of them does not exist they are not the same
-  return fs::equivalent(one, other, error) && !error;
+  const auto identity = identityOf(one);
+  return identity && identity == identityOf(other);
 }
 
 bool wouldBeSameFile(const std::string& one, const std::string& other) {
@@ -80,24 +117,16 @@ std::string outputFile(const std::string& folder, const std::string& mapFile,
 
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
                       const std::vector<std::string>& extensions) {
-  // Two maps of one X meet in any result; X.areas.png may be the labels of X or a picture of
-  // X.areas.
-  std::map<std::string, std::string> mapOfResult;
-  std::vector<std::string> inputs = mapFiles;
-  for (const std::string& file : mapFiles) {
-    for (const std::string& extension : extensions) {
-      const std::string result = outputFile(folder, file, extension);
-      const auto [known, isNew] = mapOfResult.emplace(result, file);
-      if (isNew) continue;
-      std::string text = known->second;
-      text.append(" and ").append(file).append(" would both be written as ").append(result);
-      throw UsageError(text + ": rename one, or extract them into different folders");
-    }
-    const std::string picture = pictureOf(file);
-    if (!picture.empty()) inputs.push_back(picture);
+  std::set<Identity> inputs;
+  for (const std::string& file : mapFiles)
+    for (const std::string& input : {file, pictureOf(file)})
+      if (const auto identity = identityOf(input)) inputs.insert(*identity);
+  for (const auto& [result, file] : mapsByResult(mapFiles, folder, extensions)) {
+    const auto identity = identityOf(result);
+    if (identity && inputs.count(*identity) > 0)
+      throw UsageError(result + ": would replace a map that is read: choose another folder with " +
+                       "--output, or other formats with --format");
   }
-  for (const auto& [result, file] : mapOfResult)
-    for (const std::string& input : inputs) checkNotReplaced(result, input);
 }
 
 void makeWritableFolder(const std::string& folder) {

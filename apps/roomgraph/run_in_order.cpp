@@ -4,12 +4,15 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdio>
+#include <exception>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 #include <vector>
 
 #include "ProgressBar.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -22,10 +25,11 @@ class Board {
   /** What each worker does: takes the next job until none is left. */
   void work() {
     for (std::size_t i = next_++; i < jobs_.count; i = next_++) {
-      JobReport report = jobs_.run(i, [this] { ++stepsDone_; });
-      const std::lock_guard<std::mutex> lock(mutex_);
-      reports_[i] = std::move(report);
-      changed_.notify_all();
+      try {
+        set(i, jobs_.run(i, [this] { ++stepsDone_; }));
+      } catch (...) {
+        stop(i, std::current_exception());
+      }
     }
   }
 
@@ -40,33 +44,65 @@ class Board {
     return report;
   }
 
+  /** What the first of the jobs that threw has thrown. To be called when no worker is left. */
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
  private:
+  void set(std::size_t index, JobReport report) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    reports_[index] = std::move(report);
+    changed_.notify_all();
+  }
+
+  /** All jobs that no worker has taken yet stay undone. */
+  void stop(std::size_t index, const std::exception_ptr& failure) {
+    for (std::size_t i = next_.exchange(jobs_.count); i < jobs_.count; ++i) set(i, {});
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!failure_ || index < failed_) failure_ = failure, failed_ = index;
+    }
+    set(index, {});
+  }
+
   const JobList& jobs_;
   std::vector<std::optional<JobReport>> reports_;
   std::atomic<std::size_t> next_{0}, stepsDone_{0};
+  std::exception_ptr failure_;
+  std::size_t failed_ = 0;  ///< the job that threw it
   std::mutex mutex_;
   std::condition_variable changed_;
 };
+
+/** As many as asked for, or as the system has left. */
+std::vector<std::thread> startWorkers(Board& board, std::size_t count) {
+  std::vector<std::thread> workers;
+  try {
+    for (std::size_t i = 0; i < count; ++i) workers.emplace_back([&board] { board.work(); });
+  } catch (const std::system_error&) {
+    if (workers.empty()) throw;
+  }
+  return workers;
+}
 
 }  // namespace
 
 int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress) {
   if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   Board board(jobs);
-  std::vector<std::thread> workers;
-  for (std::size_t i = 0; i < std::min(threads, jobs.count); ++i)
-    workers.emplace_back([&board] { board.work(); });
+  std::vector<std::thread> workers = startWorkers(board, std::min(threads, jobs.count));
   ProgressBar bar(jobs.count * jobs.stepsPerJob, showProgress);
   int exitCode = 0;
   for (std::size_t i = 0; i < jobs.count; ++i) {
     const JobReport report = board.take(i, bar);
     bar.clear();
     std::fputs(report.err.c_str(), stderr);
-    std::fputs(report.out.c_str(), stdout);
-    std::fflush(stdout);
+    print(report.out);
     exitCode = std::max(exitCode, report.exitCode);
   }
   for (std::thread& worker : workers) worker.join();
+  board.rethrow();
   return exitCode;
 }
 

@@ -1,12 +1,12 @@
 #include "score_rooms_command.h"
 
-#include <cstdio>
 #include <memory>
 
 #include "Command.h"
 #include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/grid/read_labels.h"
 #include "roomgraph/report/write_score.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -19,8 +19,7 @@ struct ScoreArguments {
 int run(const ScoreArguments& arguments) {
   const LabelMap labels = readLabels(arguments.labels), truth = readLabels(arguments.truth);
   const RoomScore score = scoreRooms(labels, truth);
-  const std::string text = arguments.isJson ? roomScoreJson(score) : roomScoreText(score);
-  std::fputs(text.c_str(), stdout);
+  print(arguments.isJson ? roomScoreJson(score) : roomScoreText(score));
   return kDone;
 }
 

@@ -1,13 +1,13 @@
 #include "stability_command.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "Command.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "stability_map.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -66,7 +66,7 @@ int run(const StabilityArguments& arguments) {
   for (const std::string& map : arguments.maps)
     exitCode = std::max(exitCode, stabilityOfMap(map, task));
   if (!task.isQuiet)
-    std::puts(
+    print(
         "The distances of the paper's text are 1, 2, 3 and 5, those of its tables are "
         "labelled 1 to 4.");
   return exitCode;

@@ -3,28 +3,31 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <mutex>
-#include <sstream>
 
 #include "Command.h"
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/grid/load_grid.h"
+#include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/stability_progress.h"
 #include "roomgraph/report/write_file.h"
 #include "roomgraph/report/write_stability.h"
 #include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
 
 std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();  // empty where there is none
+  try {
+    return readFile(file);
+  } catch (const DataError&) {
+    return {};  // the runs are done anew
+  }
 }
 
 /** The runs that are done, in memory and on the disk. Used by all threads. */
@@ -93,13 +96,10 @@ int measurePending(const StabilityBase& base, Progress& progress, const std::str
   return runInOrder(jobs, task.threads, !task.isQuiet);
 }
 
-void print(const Stability& result, const std::string& mapFile, const std::string& csv,
-           const std::string& json) {
-  std::printf("%s: %zu rows of %d noisy maps, seed %llu; the base map has %zu rooms\n%s%s\n%s\n",
-              mapFile.c_str(), result.rows.size(), result.options.repeats,
-              static_cast<unsigned long long>(result.options.seed), result.baseRooms,
-              stabilityText(result).c_str(), csv.c_str(), json.c_str());
-  std::fflush(stdout);
+std::string summary(const Stability& result) {
+  return std::to_string(result.rows.size()) + " rows of " + std::to_string(result.options.repeats) +
+         " noisy maps, seed " + std::to_string(result.options.seed) + "; the base map has " +
+         std::to_string(result.baseRooms) + " rooms\n" + stabilityText(result);
 }
 
 int measureMap(const std::string& mapFile, const StabilityTask& task) {
@@ -113,11 +113,15 @@ int measureMap(const std::string& mapFile, const StabilityTask& task) {
   const int exitCode = measurePending(base, progress, mapFile, task);
   if (exitCode != kDone) return exitCode;
   const Stability result = summarizeStability(map, base, task.options, progress.all());
-  writeFileAtomically(csv, stabilityCsv(result));
-  writeFileAtomically(json, stabilityJson(result));
+  StagedFiles files;
+  files.add(csv, stabilityCsv(result));
+  files.add(json, stabilityJson(result));
+  files.commit();
   std::error_code gone;  // a file that is left does no harm
   std::filesystem::remove(partial, gone);
-  if (!task.isQuiet) print(result, mapFile, csv, json);
+  if (!task.isQuiet)
+    print(printable(mapFile) + ": " + summary(result) + printable(csv) + "\n" + printable(json) +
+          "\n");
   return kDone;
 }
 

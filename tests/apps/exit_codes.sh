@@ -34,3 +34,7 @@ one_line err missing.ini
 touch file
 expect 1 "$roomgraph" extract a.pgm -o file/below
 one_line err file/below
+for option in --resolution --room-width --alpha-px2 --config; do
+  expect 2 "$roomgraph" extract a.pgm "$option" '' -o o
+  one_line err "roomgraph:"
+done

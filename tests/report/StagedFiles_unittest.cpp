@@ -1,6 +1,8 @@
 #include "roomgraph/report/StagedFiles.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -76,6 +78,55 @@ TEST(StagedFiles, whatCannotTakeItsPlaceIsRemoved) {
   }
   older.expectUntouched();
   EXPECT_EQ(older.folder.names(), (Names{"a", "b", "c"}));
+}
+
+/** Does the work in a process of its own, which then stops without any destructor. */
+template <class Work>
+void stopAfter(const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  ASSERT_EQ(status, 0);
+}
+
+TEST(StagedFiles, whatAKilledProcessLeftGoesWithTheNextOne) {
+  const Older older;
+  StagedFiles held;  // another writer, who is at work
+  held.add(older.folder / "a", "held");
+  stopAfter([&] { (new StagedFiles)->add(older.folder / "a", "killed"); });
+  EXPECT_EQ(older.folder.names().size(), 4u) << "two parts";
+  StagedFiles files;
+  files.add(older.folder / "a", "new a");
+  EXPECT_EQ(older.folder.names().size(), 4u) << "that of the killed one is gone";
+  files.commit();
+  EXPECT_EQ(readAll(older.folder / "a"), "new a");
+  held.commit();
+  EXPECT_EQ(readAll(older.folder / "a"), "held");
+  EXPECT_EQ(older.folder.names(), (Names{"a", "b"}));
+}
+
+TEST(StagedFiles, aThousandNamesThatAreTakenBlockNoOther) {
+  const TestFolder folder;
+  for (int i = 0; i < 1000; ++i)
+    std::filesystem::create_directory(folder / ("a.roomgraph-part" + std::to_string(i)));
+  writeFileAtomically(folder / "a", "text");
+  EXPECT_EQ(readAll(folder / "a"), "text");
+}
+
+TEST(StagedFiles, aProcessThatEndsEarlyTakesItsPartsAlong) {
+  const Older older;
+  stopAfter([&] {
+    auto* files = new StagedFiles;  // never destroyed, as all calls wait from now on
+    files->add(older.folder / "a", "new a");
+    files->add(older.folder / "c", "new c");
+    StagedFiles::abandonAll();
+  });
+  older.expectUntouched();
+  EXPECT_EQ(older.folder.names(), (Names{"a", "b"}));
 }
 
 }  // namespace

@@ -14,6 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+void writeStages(const Stages& stages, const std::string& folder) {
+  StagedFiles files;
+  drawStages(stages, folder, files);
+  files.commit();
+}
+
 TEST(DrawStages, writesOnePictureForEachStepAndTheCounts) {
   const TestFolder folder;
   const Stages stages = extractedStages();

@@ -27,15 +27,6 @@ TEST(WriteFile, replacesAnOlderFile) {
   EXPECT_EQ(readAll(folder / "file"), "short");
 }
 
-TEST(WriteFile, goesRoundWhatAStoppedProgramLeft) {
-  const TestFolder folder;
-  writeFileAtomically(folder / "file.part0", "not ours");
-  writeFileAtomically(folder / "file", "text");
-  EXPECT_EQ(readAll(folder / "file"), "text");
-  EXPECT_EQ(readAll(folder / "file.part0"), "not ours");
-  EXPECT_EQ(folder.names(), (Names{"file", "file.part0"}));
-}
-
 TEST(WriteFile, followsALinkAndKeepsIt) {
   const TestFolder folder;
   writeFileAtomically(folder / "real", "old");

@@ -1,13 +1,16 @@
 #include "roomgraph/report/StagedFiles.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include "roomgraph/base/Error.h"
@@ -22,6 +25,48 @@ namespace fs = std::filesystem;
                   "): choose a folder that exists, may be written and has room");
 }
 
+/** The parts of all StagedFiles of this process. Whoever holds the mutex sees none half made, and no
+ *  commit half done. */
+struct AllParts {
+  std::mutex mutex;
+  std::set<std::string> names;
+};
+
+AllParts& allParts() {
+  static AllParts parts;
+  return parts;
+}
+
+/** Whether the name is still that of the open file. */
+bool isNameOf(const std::string& name, int descriptor) {
+  struct stat named {
+  }, open{};
+  return stat(name.c_str(), &named) == 0 && fstat(descriptor, &open) == 0 &&
+         named.st_dev == open.st_dev && named.st_ino == open.st_ino;
+}
+
+/** Removes a part whose writer was stopped: one that nobody has locked. */
+void removeLeftover(const std::string& name) {
+  const int descriptor = open(name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor < 0) return;
+  if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 && isNameOf(name, descriptor)) unlink(name.c_str());
+  close(descriptor);
+}
+
+/** A new file, locked; -1 with errno where there is none, which is EEXIST for a name that another
+ *  writer has. */
+int makePart(const std::string& name, mode_t mode) {
+  removeLeftover(name);
+  const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  if (descriptor < 0) return -1;
+  // A file system without locks has leftovers, but works.
+  const bool isTaken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  if (!isTaken && isNameOf(name, descriptor)) return descriptor;
+  close(descriptor);  // another writer took it for a leftover before it was locked
+  errno = EEXIST;
+  return -1;
+}
+
 }  // namespace
 
 /** A new file beside the target that goes away again unless it is renamed. */
@@ -30,21 +75,25 @@ class StagedFiles::Part {
   /** With these permissions; those of any new file where there are none. */
   Part(const std::string& path, const std::optional<fs::perms>& permissions) : path_(path) {
     const mode_t mode = permissions ? mode_t(*permissions) & 0777 : 0666;
-    // Names that are taken belong to another writer, or to one that was stopped.
-    for (int attempt = 0; attempt < 1000 && descriptor_ < 0; ++attempt) {
-      name_ = path + ".part" + std::to_string(attempt);
-      descriptor_ = open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    const std::lock_guard<std::mutex> lock(allParts().mutex);
+    for (unsigned long attempt = 0; descriptor_ < 0; ++attempt) {
+      name_ = path + ".roomgraph-part" + std::to_string(attempt);
+      descriptor_ = makePart(name_, mode);
       if (descriptor_ < 0 && errno != EEXIST) fail(path, errno);
     }
-    if (descriptor_ < 0) fail(path, EEXIST);
+    allParts().names.insert(name_);
     // What the umask took; not every file system can, and the bytes are worth more.
     if (permissions) (void)fchmod(descriptor_, mode);
   }
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
   ~Part() {
-    if (descriptor_ >= 0) close(descriptor_);
-    if (!isDone_) unlink(name_.c_str());
+    if (!isDone_) {
+      const std::lock_guard<std::mutex> lock(allParts().mutex);
+      unlink(name_.c_str());
+      allParts().names.erase(name_);
+    }
+    close(descriptor_);
   }
 
   /** To the disk, so that all that can fail for want of room has failed. */
@@ -56,14 +105,13 @@ class StagedFiles::Part {
       if (count > 0) done += std::size_t(count);
     }
     if (fsync(descriptor_) != 0) fail(path_, errno);
-    const int toClose = descriptor_;
-    descriptor_ = -1;
-    if (close(toClose) != 0) fail(path_, errno);
   }
 
+  /** The caller holds the mutex. */
   void becomeTarget() {
     if (std::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, errno);
     isDone_ = true;
+    allParts().names.erase(name_);
   }
 
  private:
@@ -94,8 +142,16 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
 }
 
 void StagedFiles::commit() {
-  for (const std::unique_ptr<Part>& part : parts_) part->becomeTarget();
+  {
+    const std::lock_guard<std::mutex> lock(allParts().mutex);
+    for (const std::unique_ptr<Part>& part : parts_) part->becomeTarget();
+  }
   parts_.clear();
+}
+
+void StagedFiles::abandonAll() {
+  allParts().mutex.lock();  // for ever: the process is about to end
+  for (const std::string& name : allParts().names) unlink(name.c_str());
 }
 
 }  // namespace roomgraph

@@ -10,7 +10,6 @@
 #include "result_scene.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/report/names.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {
@@ -223,7 +222,7 @@ void makeFolder(const std::string& folder) {
 
 }  // namespace
 
-void writeStages(const Stages& stages, const std::string& folder) {
+void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeFolder(folder);
   const std::string map = std::filesystem::path(stages.source.file).filename().string();
   std::string list;
@@ -233,14 +232,14 @@ void writeStages(const Stages& stages, const std::string& folder) {
     const std::string file = twoDigits(number) + "_" + picture.name + ".png";
     picture.scene.title = heading + "  ·  " + picture.paper + "  ·  " + picture.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
-    writeFileAtomically(folder + "/" + file, renderPng(stages.grid, picture.scene));
+    files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
     const Json entry{{"file", file},
                      {"paper", picture.paper},
                      {"title", picture.title},
                      {"counts", picture.counts}};
     list += (list.empty() ? "\n" : ",\n") + entry.dump();
   }
-  writeFileAtomically(
+  files.add(
       folder + "/stages.json",
       "{\n\"format\": \"roomgraph/stages\",\n\"version\": 1,\n\"stages\": [" + list + "\n]\n}\n");
 }

@@ -7,7 +7,8 @@ namespace roomgraph {
 
 /** Files that take the place of older ones together. add() writes each under another name in its
  *  folder and flushes it to the disk; commit() renames them all, which needs no more room. Whatever
- *  fails or stops before, a full disk or a damaged input, leaves all older files as they were. */
+ *  fails or stops before, a full disk or a damaged input, leaves all older files as they were. What
+ *  a process that was killed leaves behind, X.roomgraph-part0, goes when X is written again. */
 class StagedFiles {
  public:
   StagedFiles();
@@ -24,6 +25,10 @@ class StagedFiles {
   /** In the order in which they were added, each in one step. @throws DataError like add(); the
    *  files before the one that fails are new then, the others old. */
   void commit();
+
+  /** For a process that is about to end: waits for commits that have begun, then removes all that
+   *  any StagedFiles has added and not renamed. No other call returns after it. */
+  static void abandonAll();
 
  private:
   class Part;

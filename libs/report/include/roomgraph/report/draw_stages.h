@@ -2,6 +2,7 @@
 #include <string>
 
 #include "roomgraph/pipeline/Stages.h"
+#include "roomgraph/report/StagedFiles.h"
 
 namespace roomgraph {
 
@@ -9,11 +10,11 @@ namespace roomgraph {
 // In:   Stages
 // Out:  a folder with a picture of each step
 
-/** Writes one PNG for each step into `folder`, which is made if it is not there: 01_grid.png to
- *  16_areas.png in the order of the pipeline, each with the section of the paper in its title; and
+/** Adds to `files` one PNG for each step in `folder`, which is made if it is not there: 01_grid.png
+ *  to 16_areas.png in the order of the pipeline, each with the section of the paper in its title; and
  *  stages.json with the counts: {"format": "roomgraph/stages", "version": 1, "stages": [{"file",
  *  "paper", "title", "counts": {name: number}}]}. Same stages, same bytes.
  *  @throws DataError where a file or the folder cannot be written. */
-void writeStages(const Stages& stages, const std::string& folder);
+void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files);
 
 }  // namespace roomgraph
