@@ -35,17 +35,18 @@ bool isFreeIn(const MapForAlignment& map, Point p) {
   return cell < map.states.size() && map.states[cell] == State::free;
 }
 
-/** Cells by who has seen them free; of runs with the same map only the first counts. */
+/** Cells by who has seen them free. */
 struct SeenCells {
-  std::vector<std::uint16_t> count;
-  std::vector<std::uint32_t> sum;  ///< of the indices of the runs that have seen it
+  /** Of runs with the same map, which may be placed apart, only the first is a witness. */
+  struct Witnesses {
+    std::uint32_t count = 0, first = 0, last = 0;
+  };
+  std::vector<Witnesses> witnesses;
   std::vector<std::vector<bool>> by;
 };
 
 SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame, const DistinctMaps& maps) {
-  SeenCells seen{std::vector<std::uint16_t>(frame.cellCount()),
-                 std::vector<std::uint32_t>(frame.cellCount()),
-                 {}};
+  SeenCells seen{std::vector<SeenCells::Witnesses>(frame.cellCount()), {}};
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     std::vector<bool> by(frame.cellCount());
     const Motion2D back(site.poses[i].inverse());
@@ -55,8 +56,9 @@ SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame, const Distin
         const std::size_t cell = frame.index({x, y});
         by[cell] = true;
         if (!maps.isFirst(i)) continue;
-        ++seen.count[cell];
-        seen.sum[cell] += std::uint32_t(i);
+        SeenCells::Witnesses& witnesses = seen.witnesses[cell];
+        if (witnesses.count++ == 0) witnesses.first = std::uint32_t(i);
+        witnesses.last = std::uint32_t(i);
       }
     seen.by.push_back(std::move(by));
   }
@@ -145,17 +147,17 @@ std::vector<Measure> coverageOf(const PlacedRuns& site,
   const SeenCells seen = seenCells(site, frame, maps);
   const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
   double all = 0;
-  std::vector<double> mine(n), onlyTwo(n);  // cells; those that only one more run has seen
-  std::vector<std::vector<double>> onlyThese(n, std::vector<double>(n));
-  for (std::size_t cell = 0; cell < seen.count.size(); ++cell) {
-    if (seen.count[cell] < enough) continue;
+  std::vector<double> mine(n), lost(n);  // cells; those that do not count without this witness
+  std::vector<std::vector<double>> lostToMe(n, std::vector<double>(n));  // of mine, without another
+  for (std::size_t cell = 0; cell < seen.witnesses.size(); ++cell) {
+    const SeenCells::Witnesses& witnesses = seen.witnesses[cell];
+    if (witnesses.count < enough) continue;
     ++all;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!seen.by[i][cell]) continue;
-      ++mine[i];
-      if (seen.count[cell] != 2) continue;
-      ++onlyTwo[i];
-      ++onlyThese[i][seen.sum[cell] - maps.firstOf(i)];
+    for (std::size_t i = 0; i < n; ++i) mine[i] += seen.by[i][cell] ? 1 : 0;
+    if (witnesses.count != 2) continue;
+    for (const std::uint32_t j : {witnesses.first, witnesses.last}) {
+      ++lost[j];
+      for (std::size_t i = 0; i < n; ++i) lostToMe[i][j] += seen.by[i][cell] ? 1 : 0;
     }
   }
   std::vector<Measure> measures(n);
@@ -168,8 +170,8 @@ std::vector<Measure> coverageOf(const PlacedRuns& site,
         maps.count() >= kMinRuns && all * frame.resolution * frame.resolution >= kMinArea;
     if (maps.count() > 2) measures[i].low = measures[i].high = measures[i].value;
     for (std::size_t j = 0; measures[i].low && j < n; ++j)
-      if (maps.isMeasuredAgainst(i, j) && all > onlyTwo[j])
-        widen(measures[i], (mine[i] - onlyThese[i][j]) / (all - onlyTwo[j]));
+      if (maps.isMeasuredAgainst(i, j) && all > lost[j])
+        widen(measures[i], (mine[i] - lostToMe[i][j]) / (all - lost[j]));
   }
   return measures;
 }
