@@ -1,6 +1,10 @@
 #include "pair_bytes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
+#include <type_traits>
 
 #include "roomgraph/grid/checked_file.h"
 
@@ -22,6 +26,7 @@ class Writer {
     std::memcpy(raw, &wide, sizeof wide);
     bytes_.append(raw, sizeof wide);
   }
+  void coordinate(double value) { number(value); }
   template <typename T>
   std::size_t count(const T& of) {
     number(of.size());
@@ -38,7 +43,16 @@ class Writer {
   std::string bytes_;
 };
 
-/** Once the bytes have run out, all that is read is 0. */
+/** Whether a T can have the value. */
+template <typename T>
+bool holds(double wide) {
+  if constexpr (std::is_floating_point_v<T>) return !std::isnan(wide);
+  // As doubles, the limits of the larger types are powers of two, which are too large.
+  return wide >= double(std::numeric_limits<T>::min()) &&
+         wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
+}
+
+/** Once the bytes have run out, or hold what cannot be, all that is read is 0. */
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -51,7 +65,12 @@ class Reader {
       std::memcpy(&wide, bytes_.data(), sizeof wide);
       bytes_.remove_prefix(sizeof wide);
     }
-    value = T(wide);
+    isWhole_ = isWhole_ && holds<T>(wide);
+    value = isWhole_ ? T(wide) : T();
+  }
+  void coordinate(double& value) {
+    number(value);
+    isWhole_ = isWhole_ && std::isfinite(value);
   }
   template <typename T>
   std::size_t count(T& of) {
@@ -79,7 +98,7 @@ class Reader {
 
 template <typename Archive, typename Pose>
 void visitPose(Archive& archive, Pose& pose) {
-  archive.number(pose.x), archive.number(pose.y), archive.number(pose.phi);
+  archive.coordinate(pose.x), archive.coordinate(pose.y), archive.coordinate(pose.phi);
 }
 
 template <typename Archive, typename Candidate>
@@ -126,6 +145,13 @@ void visitPair(Archive& archive, Pair& pair) {
   visitWalls(archive, pair.aInB);
 }
 
+bool areOf(const FollowedWalls& walls, const MapForAlignment& map) {
+  return std::all_of(walls.patches.begin(), walls.patches.end(),
+                     [&](const FollowedPatch& followed) {
+                       return followed.patch < map.patches.size() && followed.layer >= 0;
+                     });
+}
+
 ByteView viewOf(std::string_view bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
@@ -154,7 +180,8 @@ std::string pairBytes(const MapPair& pair) {
   return std::string(kVersion) + sha256Of(viewOf(body)) + body;
 }
 
-std::optional<MapPair> pairOfBytes(std::string_view bytes) {
+std::optional<MapPair> pairOfBytes(std::string_view bytes, const MapForAlignment& a,
+                                   const MapForAlignment& b) {
   if (bytes.substr(0, kVersion.size()) != kVersion) return {};
   bytes.remove_prefix(kVersion.size());
   if (bytes.size() < kChecksum) return {};
@@ -163,7 +190,7 @@ std::optional<MapPair> pairOfBytes(std::string_view bytes) {
   MapPair pair;
   Reader reader(body);
   visitPair(reader, pair);
-  if (!reader.isAtEnd()) return {};
+  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
   return pair;
 }
 

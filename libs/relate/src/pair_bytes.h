@@ -19,7 +19,9 @@ std::string fingerprint(const MapForAlignment& map);
 /** All of the pair, exactly, behind a checksum; for machines of one byte order. */
 std::string pairBytes(const MapPair& pair);
 
-/** The pair of pairBytes. Nothing for bytes that are damaged or of another version. */
-std::optional<MapPair> pairOfBytes(std::string_view bytes);
+/** The pair of pairBytes, of the maps a and b. Nothing for bytes that are damaged, of another
+ *  version or of other maps, whatever their checksum says. */
+std::optional<MapPair> pairOfBytes(std::string_view bytes, const MapForAlignment& a,
+                                   const MapForAlignment& b);
 
 }  // namespace roomgraph

@@ -64,7 +64,8 @@ class Relating {
     const std::string name =
         sha256Of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()});
     if (const auto bytes = kept_.read(name))
-      if (std::optional<MapPair> pair = pairOfBytes(*bytes)) return std::move(*pair);
+      if (std::optional<MapPair> pair = pairOfBytes(*bytes, mapOf(maps[0]), mapOf(maps[1])))
+        return std::move(*pair);
     MapPair pair = work();
     kept_.write(name, pairBytes(pair));
     return pair;
