@@ -200,10 +200,10 @@ TEST(SiteFile, whatIsBrokenIsNamed) {
   const auto says = [](const std::string& line, const std::string& what) {
     return line.rfind("site.json: " + what, 0) == 0 && line.find('\n') == std::string::npos;
   };
-  EXPECT_TRUE(says(complaint(""), "is no JSON"));
+  EXPECT_TRUE(says(complaint(""), "is empty"));
   EXPECT_TRUE(says(complaint(good.substr(0, good.size() / 2)), "is no JSON"));
-  EXPECT_TRUE(says(complaint("[]"), "the file is no object"));
-  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"), "format "));
+  EXPECT_TRUE(says(complaint("[]"), "is no JSON"));
+  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"), "is not of format roomgraph/site"));
   EXPECT_TRUE(says(with("\"version\": 1", "\"version\": 2"), "version "));
   EXPECT_TRUE(says(with("\"room\":2", "\"room\":0"), "next.room "));
   EXPECT_TRUE(says(with("\"kind\":\"room\"", "\"kind\":\"hall\""), "rooms[0].kind "));
@@ -216,6 +216,13 @@ TEST(SiteFile, whatIsBrokenIsNamed) {
   SiteFile twice = sampleFile();
   twice.rooms.push_back(twice.rooms[0]);
   EXPECT_TRUE(says(complaint(siteJson(twice)), "rooms[1].id is that of another room"));
+}
+
+TEST(SiteFile, holdsRoomsAnywhereOnEarth) {
+  SiteFile file = sampleFile();
+  for (Point& p : file.rooms[0].polygon.outer) p = p + Point{500000, 5400000};  // UTM
+  EXPECT_EQ(parseSiteJson(siteJson(file), "site.json").rooms[0].polygon.outer,
+            file.rooms[0].polygon.outer);
 }
 
 TEST(SiteFile, aRoomWithoutANameIsNamedByItsId) {

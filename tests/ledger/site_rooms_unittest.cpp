@@ -247,5 +247,18 @@ TEST(SiteRooms, theirTableHasALineForEachRoomAndRun) {
   EXPECT_NE(csv.find("\nR1,\"Kitchen, \"\"old\"\"\",room,"), std::string::npos);
 }
 
+TEST(SiteRooms, noNameIsAFormulaInTheirTable) {
+  Comparison comparison;
+  comparison.rooms = ledger({{house(), {}}, {house(), kOther}});
+  for (const std::string name : {"=1+1", "+1", "-1", "@a", "\t=1"}) {
+    comparison.rooms[0].name = name;
+    EXPECT_NE(comparisonRoomsCsv(comparison).find("\nR1,'" + name + ","), std::string::npos)
+        << name;
+  }
+  comparison.rooms[0].name = "=HYPERLINK(\"x\")";
+  EXPECT_NE(comparisonRoomsCsv(comparison).find("\nR1,\"'=HYPERLINK(\"\"x\"\")\","),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -131,7 +131,10 @@ std::string lines(const char* name, const Things& things, const ToJson& toJson) 
   return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
-std::string csvField(const std::string& text) {
+/** Spreadsheets take a cell that begins like a formula for one, unless an apostrophe stands first. */
+std::string csvField(const std::string& given) {
+  const bool isFormula = given.find_first_of("=+-@\t\r") == 0;
+  const std::string text = isFormula ? "'" + given : given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

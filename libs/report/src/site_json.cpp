@@ -5,12 +5,13 @@
 
 #include "json_places.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/json_fault.h"
 #include "roomgraph/base/version.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthest = 1e5;  // of a place that can be one of a building [m]
+constexpr double kFarthest = 1e11;  // beyond any place of a map that can be read [m]
 
 /** What is wrong, and where. */
 struct Fault {
@@ -112,6 +113,8 @@ SiteFile site(const Json& json) {
 
 SiteFile parseSiteJson(const std::string& content, const std::string& name) {
   constexpr const char* kRemedy = ": repair it, or name another file with --names";
+  const std::string fault = jsonFault(content, "roomgraph/site");
+  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
   const Json json = Json::parse(content, nullptr, false);
   if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
   try {
