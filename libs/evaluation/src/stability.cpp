@@ -46,8 +46,10 @@ void checkList(const std::vector<Number>& list, double low, double high, const c
 void check(const StabilityOptions& options) {
   checkList(options.distances, 1, 1000, "distances", " cells");
   checkList(options.percents, 0, 100, "percents", " percent");
-  if (options.repeats < 1)
-    throw UsageError("repeats: " + std::to_string(options.repeats) + ": use 1 or more");
+  constexpr int kMostRepeats = 10000;
+  if (options.repeats < 1 || options.repeats > kMostRepeats)
+    throw UsageError("repeats: " + std::to_string(options.repeats) + ": use 1 to " +
+                     std::to_string(kMostRepeats));
 }
 
 /** The thresholded map as one to extract from: three greys, and options that tell them apart. */

@@ -7,7 +7,7 @@ namespace roomgraph {
 
 template <class Visit>
 void RoomIndex::Buckets::forEach(Point p, Point q, const Visit& visit) const {
-  const auto bucket = [&](double x) { return std::int32_t(std::floor(x / size)); };
+  const auto bucket = [&](double x) { return std::int64_t(std::floor(x / size)); };
   const auto lastX = bucket(std::max(p.x, q.x)), lastY = bucket(std::max(p.y, q.y));
   for (auto x = bucket(std::min(p.x, q.x)); x <= lastX; ++x)
     for (auto y = bucket(std::min(p.y, q.y)); y <= lastY; ++y) visit(Bucket{x, y});

@@ -25,10 +25,10 @@ class RoomIndex {
   RoomId roomAt(Point p) const;
 
  private:
-  using Bucket = std::pair<std::int32_t, std::int32_t>;
+  using Bucket = std::pair<std::int64_t, std::int64_t>;
   struct BucketHash {
     std::size_t operator()(Bucket b) const {
-      return std::size_t(b.first) * 0x9E3779B97F4A7C15u ^ std::size_t(std::uint32_t(b.second));
+      return std::size_t(b.first) * 0x9E3779B97F4A7C15u ^ std::size_t(b.second);
     }
   };
   /** Which things lie near a place: a lattice of squares, each with the things that touch it. */
