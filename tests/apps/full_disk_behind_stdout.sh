@@ -9,7 +9,8 @@ unwritten() {
     code=0
     eval '"$roomgraph" "$@" 2> err >'"$stdout" || code=$?
     [ "$code" -eq 1 ] || fail "exit code $code with stdout on $stdout: $*"
-    one_line err "standard output"
+    tail -n 1 err > last   # behind what is said of the map
+    one_line last "standard output"
   done
 }
 unwritten config
