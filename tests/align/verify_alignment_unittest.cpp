@@ -4,7 +4,6 @@
 
 #include "drawn_building.h"
 #include "roomgraph/align/alignment_confidence.h"
-#include "roomgraph/align/refine_alignment.h"
 
 namespace roomgraph {
 namespace {
@@ -43,33 +42,6 @@ TEST(VerifyAlignment, mapsThatDoNotTouchSayNothing) {
   EXPECT_EQ(e.loose, 0);
   EXPECT_EQ(e.contradicted, 0);
   EXPECT_EQ(e.overlap, 0);
-}
-
-TEST(RefineAlignment, pullsANearPoseIn) {
-  const Pair pair;
-  const Transform2D near = Transform2D{0.3, -0.25, 0.02} * kBFromA.inverse();
-  const Transform2D found = refineAlignment(pair.a, pair.b, near, {});
-  const Point middle = kBFromA({12, 8});
-  EXPECT_LT(distance(found(middle), Point{12, 8}), 0.06);
-  EXPECT_NEAR(wrappedAngle(found.phi + kBFromA.phi), 0, 0.005);
-}
-
-TEST(AlignmentConfidence, neverFallsWithTheMargin) {
-  for (const double other : {-4.0, 0.0, 2.0, 6.0})
-    for (double margin = 0; margin < 6; margin += 0.1)
-      EXPECT_LE(poseConfidence(3, other, margin, 30), poseConfidence(3, other, margin + 0.1, 30));
-}
-
-TEST(AlignmentConfidence, anAmbiguousPoseIsNotTrusted) {
-  EXPECT_TRUE(isAmbiguousPose(5, 0.1));
-  EXPECT_LT(poseConfidence(6, 5, 0.1, 30), 0.7);
-  EXPECT_FALSE(isAmbiguousPose(-3, 0.1));
-  EXPECT_FALSE(isAmbiguousPose(5, 5));
-}
-
-TEST(AlignmentConfidence, aPoseThatSlidesAlongAHallIsNeverSure) {
-  EXPECT_GT(poseConfidence(6, -4, 6, 10), 0.95);
-  EXPECT_LT(poseConfidence(6, -4, 6, 2), 0.7);
 }
 
 }  // namespace

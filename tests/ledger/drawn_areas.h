@@ -21,8 +21,8 @@ inline GridFrame frameOf(const std::vector<std::string>& rows) {
 }
 
 /** The areas of a run as they are drawn, rows from the top: each letter is an area that is an
- *  upright box, in the order of the alphabet, then a small one, which is a corridor; '#' is wall, '.' is free and
- *  in no area, ' ' is unknown. */
+ *  upright box, in the order of the alphabet, small letters, which are corridors, last; '#' is
+ *  wall, '.' is free and in no area, ' ' is unknown. */
 inline RunAreas drawnAreas(const std::vector<std::string>& rows,
                            const std::vector<DrawnDoor>& doors = {}, double weight = 1) {
   const GridFrame frame = frameOf(rows);
