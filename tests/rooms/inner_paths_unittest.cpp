@@ -28,6 +28,18 @@ TEST(InnerPaths, doNotStartInADoor) {
   EXPECT_EQ(inner.center, (Point{3, 0}));
 }
 
+TEST(InnerPaths, doNotStartInADoorEvenWhereThereIsNoOtherPoint) {
+  const TopologyGraph graph(
+      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
+      {{VertexId(0), VertexId(1), straight({{0, 0}, {8, 0}}), RoomId(0)}});
+  const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0), VertexId(1)}, {0, 0}, 0.5);
+  EXPECT_EQ(inner.center, (Point{4, 0}));
+  for (const Path& path : inner.paths) {
+    EXPECT_EQ(path.points.size(), 2u);
+    EXPECT_DOUBLE_EQ(path.length, 4);
+  }
+}
+
 TEST(InnerPaths, takeTheShortestWay) {
   // From (0, 0) to (8, 0) straight on, or round by (4, 9).
   const TopologyGraph graph(

@@ -25,6 +25,10 @@ TEST(Invariants, nameWhatIsWrong) {
   EXPECT_EQ(broken(straight({{0, 0}, {3, 0}}), 0), 1u);
   vertices[1].at.x = std::nan("");
   EXPECT_GE(broken(good, 0), 1u);
+  vertices[1].at = {0, 0};
+  Path point;
+  point.points = {{0, 0}};
+  EXPECT_EQ(broken(point, 0), 1u);
 }
 
 TEST(Invariants, seePathsThatCross) {

@@ -1,5 +1,6 @@
 #include "roomgraph/rooms/inner_paths.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <queue>
@@ -15,8 +16,8 @@ struct PlaceOnPath {
   double offset = std::numeric_limits<double>::infinity();  // from the place that was asked for
 };
 
-/** Of the points of the paths with at least `minClearance`. The edge is none where there is none.
- */
+/** Of the points of the paths with at least `minClearance`, but border vertices: the room's own
+ *  vertex is not one of those. The edge is none where there is none. */
 PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p,
                          double minClearance) {
   PlaceOnPath best;
@@ -32,12 +33,20 @@ PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& 
       const double clearance = distance(points[i], obstacles[i > 0 ? i - 1 : 0]);
       const bool isRoomEnd = (i == 0 && isBorder(graph.edge(e).source)) ||
                              (i + 1 == points.size() && isBorder(graph.edge(e).target));
-      if (isRoomEnd && minClearance > 0) continue;
+      if (isRoomEnd) continue;
       if (clearance >= minClearance && distance(points[i], p) < best.offset)
         best = {e, here, distance(points[i], p)};
     }
   }
   return best;
+}
+
+/** Halfway on the longest of the paths. */
+PlaceOnPath middleOfLongest(const TopologyGraph& graph, const std::vector<EdgeId>& edges) {
+  const auto lengthOf = [&](EdgeId e) { return graph.edge(e).path.length; };
+  const EdgeId longest = *std::max_element(
+      edges.begin(), edges.end(), [&](EdgeId l, EdgeId r) { return lengthOf(l) < lengthOf(r); });
+  return {longest, lengthOf(longest) / 2, 0};
 }
 
 /** Distance to the nearest obstacle of a place on a path [m]. */
@@ -111,6 +120,7 @@ InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edg
                       const std::vector<VertexId>& ends, Point center, double minClearance) {
   PlaceOnPath start = nearestPlace(graph, edges, center, minClearance);
   if (!start.edge) start = nearestPlace(graph, edges, center, 0);
+  if (!start.edge) start = middleOfLongest(graph, edges);
   const Path& startPath = graph.edge(start.edge).path;
   const ShortestWays ways(graph, edges, start);
   InnerPaths result;

@@ -38,6 +38,7 @@ class Checker {
   void checkEdge(EdgeId e) {
     const Edge& edge = graph_.edge(e);
     const Path& path = edge.path;
+    expect(path.points.size() >= 2, "path has fewer than two points", e.index());
     expect(!path.points.empty() && path.points.front() == graph_.vertex(edge.source).at,
            "path does not start at its source", e.index());
     expect(!path.points.empty() && path.points.back() == graph_.vertex(edge.target).at,

@@ -12,8 +12,9 @@ struct InnerPaths {
   std::vector<Path> paths;  ///< to each of the asked vertices, in their order
 };
 
-/** Starts at the place nearest to `center` on the given edges with at least `minClearance`, or
- *  anywhere on them where there is none, and follows them on the shortest way to each of `ends`. An
+/** Starts at the place nearest to `center` on the given edges with at least `minClearance`, or with
+ *  any where there is none, and follows them on the shortest way to each of `ends`. That place is a
+ *  point of a path, but no border vertex; where there is no other, halfway on the longest path. An
  *  end that they do not reach gets a straight path with clearance 0. There must be at least one
  *  edge. O(n log n). */
 InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
