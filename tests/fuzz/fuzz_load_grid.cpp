@@ -1,0 +1,35 @@
+// Any bytes as a map: as they are, packed, or as a png with the right checksums.
+#include "ByteSource.h"
+#include "as_file.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/grid/read_labels.h"
+
+namespace {
+
+/** What a reader may do with a bad file: refuse it in one line. */
+template <class Read>
+void orRefused(const Read& read) {
+  try {
+    read();
+  } catch (const roomgraph::DataError& error) {
+    if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace roomgraph;
+  test::ByteSource bytes(data, size);
+  const unsigned wrapping = bytes.byte() % 3;
+  std::string content = bytes.rest();
+  if (wrapping == 1) content = test::inGzip(content);
+  if (wrapping == 2) content = test::withPngChecksums(std::move(content));
+  const std::string& file = test::asFile(content);
+  orRefused([&] { loadGrid(file, {}); });
+  orRefused([&] { readLabels(file); });
+  orRefused([&] { loadKeyframes(file, 30); });
+  return 0;
+}

@@ -1,0 +1,106 @@
+// Writes what the fuzz targets start from, one small file of each kind that roomgraph reads:
+//   write_seeds FOLDER
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <mrpt/serialization/CArchive.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "MapText.h"
+#include "as_file.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "roomgraph/pipeline/extract.h"
+#include "roomgraph/report/area_labels_png.h"
+#include "roomgraph/report/graph_json.h"
+#include "roomgraph/report/site_json.h"
+
+namespace {
+
+using namespace roomgraph;
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& file, const std::string& bytes) {
+  fs::create_directories(file.parent_path());
+  std::ofstream out(file, std::ios::binary);
+  out << bytes;
+}
+
+std::string streamed(const mrpt::serialization::CSerializable& object) {
+  mrpt::io::CMemoryStream stream;
+  mrpt::serialization::archiveFrom(stream) << object;
+  return {static_cast<const char*>(stream.getRawBufferData()),
+          std::size_t(stream.getTotalBytesCount())};
+}
+
+std::string gridmap() {
+  mrpt::maps::COccupancyGridMap2D grid(0, 0.5, 0, 0.4, 0.1f);
+  for (int i = 0; i < 20; ++i) grid.setCell(i % 5, i / 5, float(i) / 20);
+  return streamed(grid);
+}
+
+/** Two key frames with a scan of 20 beams each. */
+std::string simplemap() {
+  mrpt::maps::CSimpleMap map;
+  for (const double x : {-0.5, 0.5}) {
+    auto scan = mrpt::obs::CObservation2DRangeScan::Create();
+    scan->aperture = 3;
+    scan->maxRange = 10;
+    scan->resizeScan(20);
+    for (std::size_t i = 0; i < 20; ++i) {
+      scan->setScanRange(i, 2);
+      scan->setScanRangeValidity(i, i != 7);
+    }
+    mrpt::obs::CSensoryFrame frame;
+    frame.insert(scan);
+    map.insert(mrpt::poses::CPose3DPDFGaussian(mrpt::poses::CPose3D(x, 0, 0)), frame);
+  }
+  return streamed(map);
+}
+
+void writeMaps(const fs::path& folder, const Stages& stages) {
+  const std::string raw(1, '\0'), packed(1, '\1'), png(1, '\2');
+  write(folder / "gridmap", raw + gridmap());
+  write(folder / "gridmap_gz", packed + gridmap());
+  write(folder / "simplemap", raw + simplemap());
+  write(folder / "simplemap_gz", packed + simplemap());
+  write(folder / "pgm", raw + "P5 # a comment\n5 4\n255\n" + std::string(20, '\xfe'));
+  write(folder / "png", png + areaLabelsPng(stages.areas, stages.grid.frame));
+  write(folder / "yaml", raw +
+                             "image: none.pgm\nresolution: 0.05\norigin: [0, 0, 0.1]\nnegate: 0\n"
+                             "mode: scale\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+void writeTexts(const fs::path& folder, const Stages& stages) {
+  SiteFile site;
+  site.rooms.push_back({"R1", "Kitchen", false, {1, 1}, 4, {{{0, 0}, {2, 0}, {2, 2}}, {}}, {}});
+  site.rooms[0].doors.push_back({{2, 1}, 0.9, ""});
+  ExtractOptions options;
+  write(folder / "graph", std::string(1, '\0') + graphJson(stages));
+  write(folder / "site", std::string(1, '\1') + siteJson(site));
+  write(folder / "ini", std::string(1, '\2') + toIni(describe(options)));
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+  const fs::path folder = arguments[1];
+  const Stages stages = extract(test::greyMap(test::readMapText("door_in_thick_wall")), {});
+  writeMaps(folder / "load_grid", stages);
+  writeTexts(folder / "text", stages);
+  const std::string packed = roomGraphBytes(CRoomGraph(stages));
+  write(folder / "extract" / "zeros", std::string(40, '\0'));
+  // Unpacked, as the target packs it.
+  const std::string& file = test::asFile(packed);
+  std::string bytes(1 << 20, '\0');
+  const gzFile in = gzopen(file.c_str(), "rb");
+  bytes.resize(std::size_t(gzread(in, bytes.data(), unsigned(bytes.size()))));
+  gzclose(in);
+  write(folder / "room_graph" / "small", bytes);
+  return 0;
+}
