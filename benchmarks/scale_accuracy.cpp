@@ -24,7 +24,7 @@ struct PlannedSite {
 /** Which runs tell the scale. */
 struct Tellers {
   std::string name;
-  std::vector<PreparedRun> runs;
+  std::vector<Run> runs;
 };
 
 /** All runs; the half with the least errors; the three with the largest. */

@@ -111,11 +111,10 @@ Accuracy accuracyOf(const Comparison& found, const SimulatedSite& site,
 }
 
 Accuracy compareDrawn(const SimulatedSite& site, const std::vector<std::size_t>& drawn) {
-  std::vector<PreparedRun> runs;
+  std::vector<Run> runs;
   for (const std::size_t i : drawn) runs.push_back(site.runs[i]);
-  std::vector<MapPair> related;
-  for (const auto& [a, b] : pairsOf(drawn.size()))
-    related.push_back(site.related[pairIndex(drawn[a], drawn[b], site.runs.size())]);
+  MapPairs related(drawn.size());
+  for (const auto& [a, b] : related.pairs()) related(a, b) = site.related(drawn[a], drawn[b]);
   return accuracyOf(compareRuns(runs, related, {}), site, drawn);
 }
 

@@ -7,27 +7,12 @@
 
 #include "CsvTable.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/pipeline/extract.h"
-#include "roomgraph/relate/noise_floor.h"
+#include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {
 namespace {
 
 namespace fs = std::filesystem;
-
-PreparedRun readRun(const std::string& name, const std::string& file) {
-  const ExtractOptions options;
-  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
-  PreparedRun run;
-  run.name = name, run.file = file, run.sha256 = stages.source.sha256;
-  run.map = mapForAlignment(stages.grid, {});
-  run.noiseFloor = noiseFloor(stages.grid, run.map, {});
-  run.rooms = stages.result.rooms;
-  run.areas = stages.areas;
-  run.graph = stages.result.graph;
-  run.scans = scanWalls(loadKeyframes(file, options.loadGrid.maxDistanceInsertion));
-  return run;
-}
 
 std::optional<MapBreak> breakIn(const CsvTable& table, std::size_t row) {
   if (table.text(row, "cut_x").empty()) return std::nullopt;
@@ -66,13 +51,15 @@ SimulatedSite readSite(const std::string& folder, const std::string& extension) 
   site.name = fs::path(folder).filename().string();
   const CsvTable table((fs::path(folder) / "truth.csv").string());
   std::map<std::string, std::size_t> rowOf;
+  std::vector<std::string> files;
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const std::string& name = table.text(i, "run");
-    rowOf[name] = i;
-    site.runs.push_back(readRun(name, (fs::path(folder) / (name + extension)).string()));
+    rowOf[table.text(i, "run")] = i;
+    files.push_back((fs::path(folder) / (table.text(i, "run") + extension)).string());
   }
-  sortRuns(site.runs);
-  for (const PreparedRun& run : site.runs) {
+  CompareMapsOptions options;
+  options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
+  site.runs = readRuns(files, options).runs;
+  for (const Run& run : site.runs) {
     const std::size_t row = rowOf.at(run.name);
     site.truth.push_back(table.number(row, "map_rms_m"));
     site.toTruth.push_back(

@@ -10,12 +10,12 @@ namespace roomgraph {
 /** All runs of a site, related once; any subset of them can then be compared. */
 struct SimulatedSite {
   std::string name;
-  std::vector<PreparedRun> runs;
+  std::vector<Run> runs;
   std::vector<double> truth;                    ///< map_rms_m of each run
   std::vector<Transform2D> toTruth;             ///< true frame <- run, for each run
   std::vector<std::optional<MapBreak>> breaks;  ///< that each run was given, in the true frame
   std::vector<std::string> settings;            ///< of each run; runs with the same differ in seed
-  std::vector<MapPair> related;                 ///< of pairsOf(runs.size())
+  MapPairs related;                             ///< of all runs
 };
 
 /** The folders in `data` that have a truth.csv and `only` in their name, by name.

@@ -1,33 +1,20 @@
-// How two maps of one site lie in each other: 03_compare MAP MAP prints the pose of the second map
-// in the first, how sure it is, and how far the two bend apart.
+// Which of several maps of one site is the best: 03_compare MAP MAP... prints the maps by rank, with
+// the estimate of their error, and what speaks against each.
 #include <cstdio>
 #include <exception>
 
-#include "roomgraph/grid/binarize.h"
-#include "roomgraph/grid/load_grid.h"
-#include "roomgraph/relate/relate_maps.h"
-
-namespace {
-
-roomgraph::MapForAlignment prepared(const char* file) {
-  const roomgraph::GreyMap map = roomgraph::loadGrid(file, {});
-  return roomgraph::mapForAlignment(roomgraph::binarize(map, {}), {});
-}
-
-}  // namespace
+#include "roomgraph/compare/compare_maps.h"
 
 int main(int count, char** arguments) try {
-  if (count != 3) return std::fprintf(stderr, "usage: 03_compare MAP MAP\n"), 2;
-  const roomgraph::MapForAlignment a = prepared(arguments[1]), b = prepared(arguments[2]);
+  const std::vector<std::string> files(arguments + 1, arguments + count);
+  const roomgraph::Comparison comparison = roomgraph::compareMaps(files, {});
 
-  const roomgraph::MapPair pair = roomgraph::relateMaps(a, b);
-
-  const roomgraph::Alignment& found = pair.alignment;
-  if (!found.isSameSite) return std::printf("not of the same site\n"), 0;
-  std::printf("pose of the second in the first: %.2f m, %.2f m, %.1f degrees\n", found.pose.x,
-              found.pose.y, found.pose.phi * 180 / 3.14159265);
-  std::printf("probability that it is right: %.2f\n", found.confidence);
-  std::printf("bend: %.2f m, over %.0f %% of the walls\n", pair.bInA.bend, 100 * pair.bInA.share);
+  for (const roomgraph::ComparedRun& run : comparison.runs)
+    std::printf("%zu. %s: %.2f m, %s\n", run.rank, run.name.c_str(),
+                run.score ? run.score->mapError : 0.0, run.reason.c_str());
+  for (const roomgraph::LeftOutRun& run : comparison.leftOut)
+    std::printf("-. %s: %s\n", run.name.c_str(), run.reason.c_str());
+  std::puts(comparison.verdict.c_str());
 } catch (const std::exception& error) {
   return std::fprintf(stderr, "%s\n", error.what()), 1;
 }

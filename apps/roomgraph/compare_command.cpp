@@ -6,36 +6,45 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "Command.h"
-#include "compare_maps.h"
 #include "error_line.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/compare/gate.h"
+#include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
 #include "roomgraph/report/site_json.h"
+#include "roomgraph/report/write_file.h"
+#include "run_in_order.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kMinCoverage = 0.7;
-
 struct CompareArguments {
-  CompareTask task;
+  CompareMapsOptions compare;
+  GateOptions gate;
   OptionArguments options;
+  std::vector<std::string> files, failOn;
   std::string folder = ".";
-  std::optional<double> failBelow;
-  std::vector<std::string> failOn;
+  std::string names;     ///< file of the site's rooms; empty for none
+  std::string cache;     ///< folder that keeps pairs from call to call; empty for none
+  unsigned threads = 0;  ///< 0 for one per core
+  bool isQuiet = false;
 };
 
 void declareGate(CompareArguments& arguments, CLI::App& app) {
-  app.add_option("--fail-below", arguments.failBelow,
+  app.add_option("--fail-below", arguments.gate.minScore,
                  "Exit with 3 where a run has a score below this (0 to 100), or none.")
       ->type_name("SCORE")
       ->check(CLI::Range(0.0, 100.0));
@@ -57,65 +66,31 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   CLI::Option* aligned =
-      app.add_flag("--aligned", arguments.task.isAligned,
+      app.add_flag("--aligned", arguments.compare.compare.areAligned,
                    "All maps are in one frame already [m]: do not look for their poses.");
-  app.add_flag("--estimate-scale", arguments.task.estimatesScale,
+  app.add_flag("--estimate-scale", arguments.compare.estimatesScale,
                "Read bare pictures, such as floor plans, at the scale at which they fit the other "
                "maps, which must have one; --resolution is only the first guess.")
       ->excludes(aligned);
-  app.add_option("--reference", arguments.task.reference,
+  app.add_option("--reference", arguments.compare.reference,
                  "A map to measure all runs against, instead of against each other.")
       ->type_name("MAP");
   app.add_option(
-         "--names", arguments.task.names,
+         "--names", arguments.names,
          "JSON file that keeps the ids and names of the site's rooms from call to call; made "
          "if it is not there, else brought up to date, but not where --fail-below or --fail-on "
          "strikes. Names in it may be edited.")
       ->type_name("FILE");
-  app.add_option("--cache", arguments.task.cache,
+  app.add_option("--cache", arguments.cache,
                  "Folder that keeps what is found of each pair of maps from call to call, made if "
                  "it is not there: one more run then costs its own pairs only. Changes no result; "
                  "its files may be deleted.")
       ->type_name("DIR");
-  app.add_option("--threads", arguments.task.threads,
+  app.add_option("--threads", arguments.threads,
                  "How many maps or pairs are worked on at the same time; 0 for one per core.")
       ->type_name("N")
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.task.isQuiet, "Print nothing but errors.");
-}
-
-std::string whereBroken(const MapBreak& found) {
-  char text[100];
-  std::snprintf(text, sizeof text, "at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
-                found.place.y, found.rotation * 180 / M_PI, found.shift);
-  return text;
-}
-
-/** What --fail-below and --fail-on have to say, a line each; empty where nothing strikes. */
-std::string complaints(const Comparison& comparison, const CompareArguments& arguments) {
-  std::string lines;
-  const auto isAsked = [&](const char* what) {
-    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
-  };
-  for (const ComparedRun& run : comparison.runs) {
-    if (run.name == comparison.reference) continue;
-    if (arguments.failBelow && !run.score)
-      lines += errorLine(run.name + ": has no score");
-    else if (arguments.failBelow && run.score->score < *arguments.failBelow)
-      lines += errorLine(run.name + ": its score is below --fail-below");
-    for (const Measure& measure : run.measures)
-      if (isAsked("coverage") && measure.name == "coverage" &&
-          measure.value.value_or(0) < kMinCoverage)
-        lines += errorLine(run.name + ": has seen less than 70 % of what two runs have seen");
-  }
-  for (const MapBreak& found : comparison.breaks)
-    if (isAsked("broken")) lines += errorLine(found.run + ": is broken " + whereBroken(found));
-  for (const LeftOutRun& run : comparison.leftOut) {
-    if (arguments.failBelow) lines += errorLine(run.name + ": has no score");
-    if (run.isOtherSite && isAsked("not-same-site"))
-      lines += errorLine(run.name + ": is not of the same site");
-  }
-  return lines;
+  app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
 }
 
 /** The names of all that is written to the folder. */
@@ -132,14 +107,14 @@ struct ResultFiles {
   std::string report, json, runs, rooms, scene;
 };
 
-void checkNotReplaced(const CompareTask& task, const ResultFiles& files) {
-  std::vector<std::string> inputs = task.files, results = files.all();
+void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& files) {
+  std::vector<std::string> inputs = arguments.files, results = files.all();
   for (const std::string& result : results)
-    if (!task.names.empty() && wouldBeSameFile(task.names, result))
-      throw UsageError(task.names + ": would be replaced by a result: choose another file with " +
-                       "--names");
-  results.push_back(task.names);
-  inputs.push_back(task.reference);
+    if (!arguments.names.empty() && wouldBeSameFile(arguments.names, result))
+      throw UsageError(arguments.names + ": would be replaced by a result: choose another file " +
+                       "with --names");
+  results.push_back(arguments.names);
+  inputs.push_back(arguments.compare.reference);
   for (const std::string& result : results)
     for (const std::string& input : inputs)
       if (areSameFile(result, input))
@@ -147,67 +122,120 @@ void checkNotReplaced(const CompareTask& task, const ResultFiles& files) {
 }
 
 /** What report.html says of the options, in the order of the work. */
-std::vector<UsedOption> optionsOf(const CompareTask& task) {
-  ExtractOptions extract = task.extract;
+std::vector<UsedOption> optionsOf(const CompareMapsOptions& used) {
+  ExtractOptions extract = used.extract;
   std::vector<UsedOption> options = usedOptions(describe(extract));
-  options.push_back({"compare", "aligned", task.isAligned ? "true" : "false", "",
+  options.push_back({"compare", "aligned", used.compare.areAligned ? "true" : "false", "",
                      "All maps are in one frame already."});
-  options.push_back({"compare", "estimate_scale", task.estimatesScale ? "true" : "false", "",
+  options.push_back({"compare", "estimate_scale", used.estimatesScale ? "true" : "false", "",
                      "Bare pictures are read at the scale at which they fit the other maps."});
   options.push_back({"compare", "reference",
-                     std::filesystem::path(task.reference).filename().string(), "",
+                     std::filesystem::path(used.reference).filename().string(), "",
                      "The map that all runs are measured against; empty for none."});
   return options;
 }
 
+/** The rooms of the site as they are known; nothing where there is no such file. */
+SiteFile readSite(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  return parseSiteJson(readFile(file), file);
+}
+
 /** All of them, or none where one cannot be written. */
-void writeResults(const ComparedMaps& maps, const CompareTask& task, const ResultFiles& files,
-                  bool keepsNames) {
-  const Comparison& comparison = maps.comparison;
-  StagedFiles staged;
-  if (maps.site && keepsNames) staged.add(task.names, siteJson(*maps.site));
+void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
+                  const std::vector<UsedOption>& options, const ResultFiles& files,
+                  StagedFiles& staged) {
   staged.add(files.json, comparisonJson(comparison));
   staged.add(files.runs, comparisonRunsCsv(comparison));
   staged.add(files.rooms, comparisonRoomsCsv(comparison));
-  staged.add(files.scene, comparisonSceneBytes(comparison, maps.runs));
-  staged.add(files.report, comparisonReport(comparison, maps.runs, optionsOf(task)));
+  staged.add(files.scene, comparisonSceneBytes(comparison, runs));
+  staged.add(files.report, comparisonReport(comparison, runs, options));
   staged.commit();
 }
 
-int run(const CompareArguments& arguments) {
-  if (arguments.failBelow && std::isnan(*arguments.failBelow))
+/** Jobs on the threads that were asked for, with a bar of their progress. */
+ForEach onThreads(const CompareArguments& arguments) {
+  return [&arguments](std::size_t count, const std::function<void(std::size_t)>& job) {
+    JobList jobs;
+    jobs.count = count;
+    jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
+      job(i);
+      stepDone();
+      return JobReport();
+    };
+    runInOrder(jobs, arguments.threads, !arguments.isQuiet);
+  };
+}
+
+void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
+
+void printResults(const Comparison& comparison, const ResultFiles& files) {
+  std::string text = comparisonText(comparison) + comparison.verdict + "\n";
+  for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
+  print(text);
+}
+
+/** Reads and compares; a file that cannot be used is a line on stderr. */
+std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
+  CompareMapsOptions options = arguments.compare;
+  options.extract = toOptions(arguments.options);
+  options.compare.forEach = onThreads(arguments);
+  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
+  ReadRuns read = readRuns(arguments.files, options);
+  std::optional<PairFolder> cache;
+  if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();
+  Comparison comparison = compareMaps(read, options);
+  if (cache && !cache->failure().empty()) printError(cache->failure());
+  return {std::move(read), std::move(comparison)};
+}
+
+void check(const CompareArguments& arguments) {
+  if (arguments.gate.minScore && std::isnan(*arguments.gate.minScore))
     throw UsageError("--fail-below: nan is no score: give one from 0 to 100");
-  CompareTask task = arguments.task;
-  task.extract = toOptions(arguments.options);
-  if (task.files.size() + (task.reference.empty() ? 0 : 1) < 2)
+  if (arguments.files.size() + (arguments.compare.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
+}
+
+GateOptions gateOf(const CompareArguments& arguments) {
+  const auto isAsked = [&](const char* what) {
+    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
+  };
+  return {arguments.gate.minScore, isAsked("coverage"), isAsked("broken"),
+          isAsked("not-same-site")};
+}
+
+int run(const CompareArguments& arguments) {
+  check(arguments);
   const ResultFiles files(arguments.folder);
-  checkNotReplaced(task, files);
+  checkNotReplaced(arguments, files);
   makeWritableFolder(arguments.folder);
-  const ComparedMaps result = compareMaps(task);
-  const Comparison& comparison = result.comparison;
+  std::optional<SiteFile> site;
+  if (!arguments.names.empty()) site = readSite(arguments.names);
+  auto [read, comparison] = compared(arguments);
+  if (site) nameRooms(comparison.rooms, *site, arguments.names);
+  const std::vector<std::string> struck = complaints(comparison, gateOf(arguments));
+  StagedFiles staged;
   // The rooms of a bad run are not to be remembered.
-  const std::string struck = complaints(comparison, arguments);
-  writeResults(result, task, files, struck.empty());
-  for (const LeftOutRun& run : comparison.leftOut)
-    if (run.isOtherSite) std::fputs(errorLine(run.file + ": " + run.reason).c_str(), stderr);
-  if (!task.isQuiet) {
-    std::string text = comparisonText(comparison) + comparison.verdict + "\n";
-    for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
-    print(text);
-  }
-  if (struck.empty()) return result.exitCode;
-  std::fputs(struck.c_str(), stderr);
-  if (result.site)
-    std::fputs(errorLine(task.names + ": left as it was, as the gate strikes").c_str(), stderr);
-  return kStruck;
+  if (site && struck.empty()) staged.add(arguments.names, siteJson(*site));
+  CompareMapsOptions used = arguments.compare;
+  used.extract = toOptions(arguments.options);
+  writeResults(comparison, read.runs, optionsOf(used), files, staged);
+  bool isUnread = false;
+  for (const LeftOutRun& left : comparison.leftOut)
+    left.isOtherSite ? printError(left.file + ": " + left.reason) : void(isUnread = true);
+  if (!arguments.isQuiet) printResults(comparison, files);
+  for (const std::string& line : struck) printError(line);
+  if (site && !struck.empty())
+    printError(arguments.names + ": left as it was, as the gate strikes");
+  return !struck.empty() ? kStruck : isUnread ? kBadData : kDone;
 }
 
 }  // namespace
 
 std::function<int()> compareCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
-  app.add_option("RUN", arguments->task.files,
+  app.add_option("RUN", arguments->files,
                  "Maps of one site, as for 'roomgraph extract'; their frames may differ.")
       ->type_name("")
       ->required();

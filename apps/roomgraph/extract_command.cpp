@@ -7,6 +7,7 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/grid/map_formats.h"
+#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {

@@ -9,6 +9,7 @@
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/grid/load_grid.h"
+#include "roomgraph/grid/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/draw_stages.h"
 
@@ -109,7 +110,7 @@ class Extraction {
       lap(format.name);
     }
     if (!task_.stagesFolder.empty()) {
-      const auto folder = std::filesystem::path(task_.stagesFolder) / outputStem(mapFile_);
+      const auto folder = std::filesystem::path(task_.stagesFolder) / mapStem(mapFile_);
       drawStages(stages, folder.string(), staged);
       files_.push_back(folder.string() + "/");
       lap("stages");

@@ -101,18 +101,9 @@ bool wouldBeSameFile(const std::string& one, const std::string& other) {
   return areSameFile(one, other) || normalised(one) == normalised(other);
 }
 
-std::string outputStem(const std::string& mapFile) {
-  std::string name = fs::path(mapFile).filename().string();
-  if (endsWith(name, ".gz")) name.resize(name.size() - 3);
-  for (const MapFormat& format : mapFormats())
-    for (const std::string end : format.extensions)
-      if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
-  return name;
-}
-
 std::string outputFile(const std::string& folder, const std::string& mapFile,
                        const std::string& extension) {
-  return (fs::path(folder) / (outputStem(mapFile) + "." + extension)).string();
+  return (fs::path(folder) / (mapStem(mapFile) + "." + extension)).string();
 }
 
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
@@ -127,15 +118,6 @@ void checkOutputNames(const std::vector<std::string>& mapFiles, const std::strin
       throw UsageError(result + ": would replace a map that is read: choose another folder with " +
                        "--output, or other formats with --format");
   }
-}
-
-void makeWritableFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0)
-    throw DataError(folder + ": cannot be written to" +
-                    (error ? " (" + error.message() + ")" : std::string()) +
-                    ": choose another folder with --output");
 }
 
 }  // namespace roomgraph

@@ -4,11 +4,7 @@
 
 namespace roomgraph {
 
-/** The X of the output files: the file's name without its folder, ".gz" and then the extension of a
- *  map: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat" stays. */
-std::string outputStem(const std::string& mapFile);
-
-/** Where a map's results go: folder/X.extension. */
+/** Where a map's results go: folder/X.extension, see mapStem. */
 std::string outputFile(const std::string& folder, const std::string& mapFile,
                        const std::string& extension);
 
@@ -22,8 +18,5 @@ bool wouldBeSameFile(const std::string& one, const std::string& other);
  *  one of the maps, or the picture that a ROS map names. */
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
                       const std::vector<std::string>& extensions);
-
-/** Makes the folder if it is not there. Throws DataError where files cannot be written to it. */
-void makeWritableFolder(const std::string& folder);
 
 }  // namespace roomgraph

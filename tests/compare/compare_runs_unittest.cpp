@@ -20,19 +20,19 @@ namespace {
 using test::bent;
 using test::drawnBuilding;
 
-PreparedRun run(const std::string& name, const Grid& grid) {
-  PreparedRun run;
+roomgraph::Run run(const std::string& name, const Grid& grid) {
+  roomgraph::Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
   run.map = mapForAlignment(grid, {});
   return run;
 }
 
-Comparison compared(std::vector<PreparedRun> runs, CompareRunsOptions options = {}) {
-  sortRuns(runs);
-  return compareRuns(runs, test::related(runs), options);
+Comparison compared(const std::vector<roomgraph::Run>& runs,
+                    const CompareRunsOptions& options = {}) {
+  return compareRuns(runs, options);
 }
 
-std::vector<PreparedRun> threeGoodAndABentRun() {
+std::vector<roomgraph::Run> threeGoodAndABentRun() {
   const Grid turnedMap = drawnBuilding(1, {3, -4, 0.4});
   return {run("c", drawnBuilding(1, {})), run("bent", bent(turnedMap, 0.08)),
           run("a", drawnBuilding(1, {-7, 2, 2.5})), run("b", drawnBuilding(1, {0, 1, -1.2}))};
@@ -63,8 +63,8 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
 
 TEST(CompareRuns, aCopyChangesNoCoverageAndNoMeaning) {
   const Grid half = drawnBuilding(1, {1, 2, 0.3}, {-1e9, 14});
-  const std::vector<PreparedRun> two{run("half", half), run("whole", drawnBuilding(1, {}))};
-  std::vector<PreparedRun> three = two;
+  const std::vector<roomgraph::Run> two{run("half", half), run("whole", drawnBuilding(1, {}))};
+  std::vector<roomgraph::Run> three = two;
   three.push_back(run("copy", drawnBuilding(1, {})));
   const Comparison before = compared(two), after = compared(three);
   ASSERT_EQ(after.runs.size(), 3u);
@@ -93,8 +93,8 @@ TEST(CompareRuns, theBestRunThatHasSeenLittleIsSaidToHaveDoneSo) {
 }
 
 TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
-  std::vector<PreparedRun> runs = threeGoodAndABentRun();
-  for (PreparedRun& one : runs) one.graph = test::drawnGraph();  // anywhere in the map
+  std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
+  for (roomgraph::Run& one : runs) one.graph = test::drawnGraph();  // anywhere in the map
   const Comparison result = compared(runs);
   for (const ComparedRun& one : result.runs) {
     EXPECT_TRUE(measureOf(one, "path_coverage").value);
@@ -106,14 +106,14 @@ TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
 }
 
 TEST(CompareRuns, aPairThatContradictsTheSiteIsFollowedAgain) {
-  std::vector<PreparedRun> runs{run("a", drawnBuilding(1, {})),
-                                run("b", drawnBuilding(1, {0, 0, 0.01})),
-                                run("c", drawnBuilding(1, {0, 0, -0.01}))};
-  for (PreparedRun& one : runs) one.graph = test::drawnGraph();
-  std::vector<MapPair> related = test::related(runs);
+  std::vector<roomgraph::Run> runs{run("a", drawnBuilding(1, {})),
+                                   run("b", drawnBuilding(1, {0, 0, 0.01})),
+                                   run("c", drawnBuilding(1, {0, 0, -0.01}))};
+  for (roomgraph::Run& one : runs) one.graph = test::drawnGraph();
+  MapPairs related = test::related(runs);
   const Transform2D halfTurn{20, 30, M_PI};
-  related[0].alignment.confidence = 0.1;
-  for (FollowedWalls* walls : {&related[0].bInA, &related[0].aInB}) {
+  related(0, 1).alignment.confidence = 0.1;
+  for (FollowedWalls* walls : {&related(0, 1).bInA, &related(0, 1).aInB}) {
     walls->pose = halfTurn * walls->pose;
     for (FollowedPatch& patch : walls->patches) patch.pose = halfTurn * patch.pose;
   }
@@ -134,7 +134,7 @@ TEST(CompareRuns, aBentRunRanksLast) {
 }
 
 TEST(CompareRuns, theOrderOfTheRunsChangesNothing) {
-  std::vector<PreparedRun> runs = threeGoodAndABentRun();
+  std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
   const Comparison one = compared(runs);
   std::reverse(runs.begin(), runs.end());
   EXPECT_EQ(comparisonJson(one), comparisonJson(compared(runs)));
@@ -152,18 +152,18 @@ TEST(CompareRuns, aRunOfAnotherBuildingIsLeftOut) {
 }
 
 TEST(CompareRuns, aRunThatLiesInOneOfTwoTurnsIsOfTheSite) {
-  const std::vector<PreparedRun> runs{run("a", drawnBuilding(1, {})),
-                                      run("b", drawnBuilding(1, {0, 0, 0.5}))};
-  std::vector<MapPair> related = test::related(runs);
-  related[0].alignment.confidence = 0.4, related[0].alignment.runnerUpConfidence = 0.35;
+  const std::vector<roomgraph::Run> runs{run("a", drawnBuilding(1, {})),
+                                         run("b", drawnBuilding(1, {0, 0, 0.5}))};
+  MapPairs related = test::related(runs);
+  related(0, 1).alignment.confidence = 0.4, related(0, 1).alignment.runnerUpConfidence = 0.35;
   EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 2u);
-  related[0].alignment.runnerUpConfidence = 0.05;
+  related(0, 1).alignment.runnerUpConfidence = 0.05;
   EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
 }
 
 TEST(CompareRuns, aReferenceIsWhatAllAreMeasuredAgainst) {
   CompareRunsOptions options;
-  options.reference = 1;  // "hash of b"
+  options.reference = 1;
   const Comparison result = compared(
       {run("a", bent(drawnBuilding(1, {}), 0.08)), run("b", drawnBuilding(1, {2, 3, 1}))}, options);
   EXPECT_EQ(result.reference, "b");
@@ -184,10 +184,10 @@ TEST(CompareRuns, nothingToCompareIsSaid) {
 }
 
 TEST(CompareRuns, refusesAWrongNumberOfPairs) {
-  EXPECT_THROW(compareRuns(threeGoodAndABentRun(), {}, {}), UsageError);
+  EXPECT_THROW(compareRuns(threeGoodAndABentRun(), MapPairs(), {}), UsageError);
   CompareRunsOptions options;
   options.reference = 3;
-  EXPECT_THROW(compareRuns({}, {}, options), UsageError);
+  EXPECT_THROW(compareRuns({}, options), UsageError);
 }
 
 std::string schemaComplaint(const std::string& text) {

@@ -22,8 +22,8 @@ using test::runOf;
 
 /** The rooms of two equal runs of a house whose first run, and so the site, lies at `pose`. */
 std::vector<SiteRoom> roomsOf(const House& drawn, const Transform2D& pose) {
-  const PreparedRun a = runOf(drawn, "a", pose), b = runOf(drawn, "b", {});
-  return siteRooms({{&a, &b}, {{}, pose}, {1, 1}, {}}, {"a", "b"});
+  const roomgraph::Run a = runOf(drawn, "a", pose), b = runOf(drawn, "b", {});
+  return siteRooms({{&a, &b}, {{}, pose}, {0, 1}, {}}, {1, 1});
 }
 
 const SiteRoom* roomAt(const std::vector<SiteRoom>& rooms, Point p) {

@@ -24,20 +24,21 @@ struct Drawn {
 
 /** The ledger of these runs, named a, b, c, ... */
 std::vector<SiteRoom> ledger(const std::vector<Drawn>& all, bool isBackwards = false) {
-  std::vector<PreparedRun> runs;
-  std::vector<std::string> order;
-  for (std::size_t i = 0; i < all.size(); ++i) {
+  std::vector<roomgraph::Run> runs;
+  for (std::size_t i = 0; i < all.size(); ++i)
     runs.push_back(runOf(all[i].house, std::string(1, char('a' + i)), all[i].pose));
-    order.push_back(runs.back().name);
-  }
-  PlacedRuns site;
+  Site site;
+  Trust trust;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t k = isBackwards ? all.size() - 1 - i : i;
     site.runs.push_back(&runs[k]);
     site.poses.push_back(all[k].pose.inverse());
-    site.trust.push_back(all[k].trust);
+    trust.push_back(all[k].trust);
   }
-  return siteRooms(site, order);
+  std::vector<SiteRoom> rooms = siteRooms(site, trust);
+  for (SiteRoom& room : rooms)
+    if (isBackwards) std::reverse(room.runs.begin(), room.runs.end());
+  return rooms;
 }
 
 /** The room that holds a place of the house. */
@@ -152,22 +153,17 @@ TEST(SiteRooms, unknownCellsTellUnvisitedFromGone) {
   for (auto& door : unvisited.doors) door.b -= door.b > 5;
   notReached.rooms[5].isArea = false;
   walledUp.rooms[5].isArea = false;
-  std::vector<PreparedRun> runs{runOf(house(), "a", {}), runOf(house(), "b", {}),
-                                runOf(unvisited, "c", {}), runOf(walledUp, "d", {}),
-                                runOf(notReached, "e", {})};
+  std::vector<roomgraph::Run> runs{runOf(house(), "a", {}), runOf(house(), "b", {}),
+                                   runOf(unvisited, "c", {}), runOf(walledUp, "d", {}),
+                                   runOf(notReached, "e", {})};
   for (std::size_t i = 0; i < runs[3].map.states.size(); ++i) {  // shelves from wall to wall
     const GridFrame& f = runs[3].map.frame;
     const Point p = f.center({int(i) % f.width, int(i) / f.width});
     if (p.x > 16 && p.x < 20 && p.y > 0 && p.y < 3.8) runs[3].map.states[i] = State::occupied;
   }
-  PlacedRuns site;
-  std::vector<std::string> order;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    site.runs.push_back(&runs[i]);
-    site.poses.push_back({}), site.trust.push_back(1);
-    order.push_back(runs[i].name);
-  }
-  const auto rooms = siteRooms(site, order);
+  Site site;
+  for (const roomgraph::Run& run : runs) site.runs.push_back(&run), site.poses.push_back({});
+  const auto rooms = siteRooms(site, Trust(runs.size(), 1));
   const SiteRoom& room = roomAt(rooms, kRight);
   EXPECT_EQ(room.runs[0].sighting, RoomSighting::seen);
   EXPECT_EQ(room.runs[2].sighting, RoomSighting::unvisited);

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/compare_graphs.h"
+#include "compare_graphs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/map_measures.h"
+#include "map_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "drawn_graph.h"
-#include "roomgraph/measures/graph_measures.h"
+#include "graph_measures.h"
 
 namespace roomgraph {
 namespace {
@@ -20,9 +20,10 @@ using test::patchesOver;
 
 /** Runs with graphs and patches only, placed where they lie; equal trust. */
 struct PlacedGraphs {
-  std::vector<PreparedRun> runs;
-  PlacedRuns site;
-  std::vector<std::vector<MapPair>> pairs;
+  std::vector<roomgraph::Run> runs;
+  Site site;
+  Trust trust;
+  MapPairs pairs;
 
   explicit PlacedGraphs(const std::vector<TopologyGraph>& graphs) {
     for (const TopologyGraph& graph : graphs) {
@@ -30,17 +31,18 @@ struct PlacedGraphs {
       runs.back().graph = graph;
       runs.back().map.patches = patchesOver({});
     }
-    for (const PreparedRun& run : runs) site.runs.push_back(&run);
+    for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
     site.poses.assign(runs.size(), {});
-    site.trust.assign(runs.size(), 1);
+    trust.assign(runs.size(), 1);
     MapPair pair;
     pair.bInA = pair.aInB = everywhere(patchesOver({}), {});
-    pairs.assign(runs.size(), std::vector<MapPair>(runs.size(), pair));
+    pairs = MapPairs(runs.size());
+    for (const auto& [i, j] : pairs.pairs()) pairs(i, j) = pair;
   }
   PlacedGraphs(const PlacedGraphs&) = delete;
 
   Measure measure(std::size_t run, const std::string& name) const {
-    const auto measures = graphMeasuresOf(comparedGraphs(site, pairs), site, run);
+    const auto measures = graphMeasuresOf(comparedGraphs(site, pairs), trust, run);
     return *std::find_if(measures.begin(), measures.end(),
                          [&](const Measure& m) { return m.name == name; });
   }
@@ -70,7 +72,7 @@ TEST(GraphMeasures, theRangeIsThatWithAnyOtherRunLeftOut) {
 TEST(GraphMeasures, aRunWithoutTrustHasNoVoice) {
   const TopologyGraph graph = drawnGraph();
   PlacedGraphs graphs({graph, graph, moved(graph, {0.6, 0, 0})});
-  graphs.site.trust = {1, 1, 0};
+  graphs.trust = {1, 1, 0};
   EXPECT_NEAR(graphs.measure(0, "global_accuracy").value.value(), 0, 1e-9);
   EXPECT_FALSE(graphs.measure(0, "global_accuracy").isMeaningful) << "a single other run";
   EXPECT_FALSE(graphs.measure(0, "global_accuracy").low);
@@ -88,7 +90,7 @@ TEST(GraphMeasures, coverageIsThatOfTheOthers) {
   EXPECT_LT(graphs.measure(1, "path_coverage").value.value(), 0.6);
   EXPECT_NEAR(graphs.measure(1, "path_coverage").high.value(),
               graphs.measure(1, "path_coverage").low.value(), 1e-9);
-  const auto pair = graphMeasuresOfPair(comparedGraphs(graphs.site, graphs.pairs)[0][1]);
+  const auto pair = graphMeasuresOfPair(comparedGraphs(graphs.site, graphs.pairs)(0, 1));
   EXPECT_EQ(pair.front().name, "path_coverage");
   EXPECT_GT(pair.front().value.value(), graphs.measure(1, "path_coverage").value.value());
   EXPECT_LT(pair.front().value.value(), 1);
@@ -97,7 +99,7 @@ TEST(GraphMeasures, coverageIsThatOfTheOthers) {
 TEST(GraphMeasures, runsWithoutAGraphHaveNone) {
   const PlacedGraphs graphs(std::vector<TopologyGraph>(3));
   for (const Measure& measure :
-       graphMeasuresOf(comparedGraphs(graphs.site, graphs.pairs), graphs.site, 0)) {
+       graphMeasuresOf(comparedGraphs(graphs.site, graphs.pairs), graphs.trust, 0)) {
     EXPECT_FALSE(measure.value) << measure.name;
     EXPECT_FALSE(measure.isMeaningful) << measure.name;
     EXPECT_EQ(measure.support, 0) << measure.name;
@@ -107,7 +109,7 @@ TEST(GraphMeasures, runsWithoutAGraphHaveNone) {
 TEST(Brokenness, isTheNumberOfBreaksWhereThereAreScans) {
   PlacedGraphs graphs(std::vector<TopologyGraph>(3));
   graphs.runs[1].scans.resize(40);
-  const Measure found = brokennessOf(graphs.site, graphs.pairs, 1, 2);
+  const Measure found = brokennessOf(graphs.site, graphs.pairs, graphs.trust, 1, 2);
   EXPECT_EQ(found.value, 2);
   EXPECT_EQ(found.support, 40);
   EXPECT_TRUE(found.isMeaningful);
@@ -120,23 +122,23 @@ TEST(Brokenness, isWhatMostTrustSaysWhereThereAreNone) {
     for (FollowedPatch& f : followed.patches)
       if (patches[f.patch].middle.x > 10) f.pose = {0, 0.7, 0};
   };
-  breakIn(graphs.pairs[0][2].bInA), breakIn(graphs.pairs[1][2].bInA);
-  const Measure found = brokennessOf(graphs.site, graphs.pairs, 2, 0);
+  breakIn(graphs.pairs(0, 2).bInA), breakIn(graphs.pairs(1, 2).bInA);
+  const Measure found = brokennessOf(graphs.site, graphs.pairs, graphs.trust, 2, 0);
   EXPECT_EQ(found.value, 1);
   EXPECT_EQ(found.low, 0);
   EXPECT_EQ(found.high, 1);
   EXPECT_STREQ(found.unit, "pieces");
-  EXPECT_EQ(brokennessOf(graphs.site, graphs.pairs, 3, 0).value, 0);
+  EXPECT_EQ(brokennessOf(graphs.site, graphs.pairs, graphs.trust, 3, 0).value, 0);
 }
 
 TEST(Brokenness, oneRunAloneHasNone) {
   PlacedGraphs graphs(std::vector<TopologyGraph>(1));
-  EXPECT_FALSE(brokennessOf(graphs.site, graphs.pairs, 0, 0).value);
+  EXPECT_FALSE(brokennessOf(graphs.site, graphs.pairs, graphs.trust, 0, 0).value);
 }
 
 TEST(OwnMeasures, areOfTheMapAlone) {
   const Grid grid = test::drawnBuilding(4, {});
-  PreparedRun run;
+  roomgraph::Run run;
   run.map = mapForAlignment(grid, {});
   const std::vector<Measure> without = ownMeasuresOf(run);
   ASSERT_EQ(without.size(), 3u);

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/run_measures.h"
+#include "run_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@ namespace roomgraph {
 namespace {
 
 /** A run that has seen a square of 10 m free, as far as `seen` is left of it [m]. */
-PreparedRun square(double seen) {
-  PreparedRun run;
+roomgraph::Run square(double seen) {
+  roomgraph::Run run;
   run.map.frame = {100, 100, 0.1, {}};
   run.map.states.assign(run.map.frame.cellCount(), State::unknown);
   for (int y = 0; y < 100; ++y)
@@ -17,22 +17,17 @@ PreparedRun square(double seen) {
   return run;
 }
 
-std::vector<Measure> coverage(const std::vector<PreparedRun>& runs,
-                              const std::vector<Transform2D>& poses,
-                              const std::vector<std::vector<PairBend>>& bends) {
-  PlacedRuns site;
-  for (const PreparedRun& run : runs) site.runs.push_back(&run);
+std::vector<Measure> coverage(const std::vector<roomgraph::Run>& runs,
+                              const std::vector<Transform2D>& poses, const PairBends& bends) {
+  Site site;
+  for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
   site.poses = poses;
   return coverageOf(site, bends);
 }
 
-std::vector<std::vector<PairBend>> noneIdentical(std::size_t runs) {
-  return std::vector<std::vector<PairBend>>(runs, std::vector<PairBend>(runs));
-}
-
 TEST(RunMeasures, coverageIsTheShareOfWhatTwoHaveSeen) {
-  const std::vector<PreparedRun> runs{square(10), square(10), square(5)};
-  const auto measures = coverage(runs, {{}, {}, {}}, noneIdentical(3));
+  const std::vector<roomgraph::Run> runs{square(10), square(10), square(5)};
+  const auto measures = coverage(runs, {{}, {}, {}}, PairBends(3));
   EXPECT_NEAR(measures[0].value.value(), 1, 1e-9);
   EXPECT_NEAR(measures[2].value.value(), 0.5, 0.02);
   EXPECT_NEAR(measures[2].high.value(), 1, 0.02) << "without one of the others";
@@ -40,9 +35,9 @@ TEST(RunMeasures, coverageIsTheShareOfWhatTwoHaveSeen) {
 
 TEST(RunMeasures, copiesThatArePlacedApartAreNoOtherWitnesses) {
   // Run 1 is a copy of run 0, and lies where runs 2 and 3 have seen something that run 0 has not.
-  const std::vector<PreparedRun> runs{square(10), square(10), square(10), square(10)};
-  auto bends = noneIdentical(4);
-  bends[0][1].areIdentical = bends[1][0].areIdentical = true;
+  const std::vector<roomgraph::Run> runs{square(10), square(10), square(10), square(10)};
+  PairBends bends(4);
+  bends(0, 1).areIdentical = true;
   const auto measures = coverage(runs, {{}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}}, bends);
   EXPECT_NEAR(measures[0].value.value(), 0.5, 0.02);
   for (const std::size_t i : {1, 2, 3}) EXPECT_NEAR(measures[i].value.value(), 1, 1e-9) << i;

@@ -11,13 +11,13 @@ namespace roomgraph {
 namespace {
 
 /** A room of 4 m, its lower left corner in the origin. */
-PreparedRun makeRun(const std::string& name) {
+Run makeRun(const std::string& name) {
   Grid grid;
   grid.frame = {80, 80, 0.05, {0, 0}};
   for (int y = 0; y < 80; ++y)
     for (int x = 0; x < 80; ++x)
       grid.cells.push_back(x < 4 || y < 4 || x >= 76 || y >= 76 ? State::occupied : State::free);
-  PreparedRun run;
+  Run run;
   run.name = name, run.file = name + ".gridmap", run.map = mapForAlignment(grid, {});
   return run;
 }
@@ -30,8 +30,8 @@ Comparison twoRuns() {
   return result;
 }
 
-const std::vector<PreparedRun>& runs() {
-  static const std::vector<PreparedRun> both = {makeRun("b"), makeRun("a")};
+const std::vector<Run>& runs() {
+  static const std::vector<Run> both = {makeRun("b"), makeRun("a")};
   return both;
 }
 

@@ -13,8 +13,8 @@ using test::drawnBuilding;
 
 constexpr double kCell = 0.05;  // of drawnBuilding [m]
 
-PreparedRun run(const Grid& grid) {
-  PreparedRun run;
+roomgraph::Run run(const Grid& grid) {
+  roomgraph::Run run;
   run.map = mapForAlignment(grid, {});
   return run;
 }
@@ -28,7 +28,7 @@ EstimateScaleOptions fewScales() {
   return options;
 }
 
-std::optional<ScaleEstimate> estimated(const Grid& picture, const std::vector<PreparedRun>& runs,
+std::optional<ScaleEstimate> estimated(const Grid& picture, const std::vector<roomgraph::Run>& runs,
                                        const EstimateScaleOptions& options = fewScales()) {
   return estimateScale(picture, runs, options, oneByOne);
 }
@@ -45,7 +45,7 @@ void expectScale(const std::optional<ScaleEstimate>& found, double resolution, d
 }
 
 TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
-  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
   const Transform2D expected = Transform2D{3, -4, 0.4} * Transform2D{0, 0, 1.1}.inverse();
   const Point middle = Transform2D{0, 0, 1.1}({12, 8});
   std::vector<double> scales;
@@ -62,18 +62,18 @@ TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
 
 TEST(EstimateScale, theRunsTellHowLargeTheBuildingIs) {
   const double factor = 0.65;
-  const std::vector<PreparedRun> runs{
+  const std::vector<roomgraph::Run> runs{
       run(rescaled(drawnBuilding(2, {3, -4, 0.4}), factor * kCell))};
   expectScale(estimated(pictureOf(2, kCell), runs), factor * kCell, 0.005);
 }
 
 TEST(EstimateScale, aRunThatHasSeenAPartIsEnough) {
-  const std::vector<PreparedRun> runs{run(drawnBuilding(4, {3, -4, 0.4}, {-1e9, 15}))};
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(4, {3, -4, 0.4}, {-1e9, 15}))};
   expectScale(estimated(pictureOf(4, 0.03), runs), kCell, 0.007);
 }
 
 TEST(EstimateScale, aDrawingMayBeFreeAllRound) {
-  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
   Grid picture = pictureOf(1, 0.03);
   std::replace(picture.cells.begin(), picture.cells.end(), State::unknown, State::free);
   expectScale(estimated(picture, runs), kCell, 0.005);
@@ -84,7 +84,7 @@ TEST(EstimateScale, anotherBuildingFitsAtNoScale) {
 }
 
 TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
-  const std::vector<PreparedRun> runs{run(drawnBuilding(1, {}))};
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {}))};
   const Grid part = pictureOf(1, kCell, {-1e9, 15});
   expectScale(estimated(part, runs), kCell, 0.007);
   EstimateScaleOptions demanding = fewScales();
@@ -93,7 +93,7 @@ TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
 }
 
 TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
-  std::vector<PreparedRun> runs{run(drawnBuilding(1, {0, 0, 2})), run(drawnBuilding(11, {}))};
+  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {0, 0, 2})), run(drawnBuilding(11, {}))};
   runs[1].map.axisDeviation = 0;  // it is looked in first
   const auto found = estimated(pictureOf(1, 0.04), runs);
   expectScale(found, kCell, 0.005);
@@ -103,9 +103,9 @@ TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
 }
 
 TEST(EstimateScale, oneStretchedRunIsOutvoted) {
-  std::vector<PreparedRun> runs{run(rescaled(drawnBuilding(1, {1, 2, 0.1}), 1.02 * kCell)),
-                                run(drawnBuilding(1, {0, 1, -1.2})),
-                                run(drawnBuilding(1, {3, -4, 0.4}))};
+  std::vector<roomgraph::Run> runs{run(rescaled(drawnBuilding(1, {1, 2, 0.1}), 1.02 * kCell)),
+                                   run(drawnBuilding(1, {0, 1, -1.2})),
+                                   run(drawnBuilding(1, {3, -4, 0.4}))};
   runs[0].map.axisDeviation = 0;  // it is looked in first
   const auto found = estimated(pictureOf(1, 0.05), runs);
   expectScale(found, kCell, 0.005);
@@ -115,8 +115,8 @@ TEST(EstimateScale, oneStretchedRunIsOutvoted) {
 }
 
 TEST(EstimateScale, theOrderOfRunsAndJobsChangesNothing) {
-  std::vector<PreparedRun> runs{run(drawnBuilding(1, {1, 2, 0.1})),
-                                run(drawnBuilding(1, {0, 1, -1.2}))};
+  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {1, 2, 0.1})),
+                                   run(drawnBuilding(1, {0, 1, -1.2}))};
   const Grid picture = pictureOf(1, 0.03);
   const auto one = estimated(picture, runs);
   std::swap(runs[0], runs[1]);

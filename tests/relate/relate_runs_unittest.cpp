@@ -17,13 +17,13 @@ namespace {
 using test::bent;
 using test::drawnBuilding;
 
-PreparedRun run(const Grid& grid) {
-  PreparedRun run;
+roomgraph::Run run(const Grid& grid) {
+  roomgraph::Run run;
   run.map = mapForAlignment(grid, {});
   return run;
 }
 
-std::vector<PreparedRun> fourRuns() {
+std::vector<roomgraph::Run> fourRuns() {
   return {run(bent(drawnBuilding(1, {3, -4, 0.4}), 0.08)), run(drawnBuilding(1, {-7, 2, 2.5})),
           run(drawnBuilding(1, {0, 1, -1.2})), run(drawnBuilding(11, {}))};
 }
@@ -33,7 +33,7 @@ bool areAlike(const Transform2D& l, const Transform2D& r) {
 }
 
 TEST(RelateRuns, theHubIsTheStraightestOfTheLargeRuns) {
-  std::vector<PreparedRun> runs = fourRuns();
+  std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(3);
   const std::size_t hub = hubOf(runs);
   EXPECT_NE(hub, 0u) << "it is bent";
@@ -43,10 +43,10 @@ TEST(RelateRuns, theHubIsTheStraightestOfTheLargeRuns) {
 }
 
 TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
-  const std::vector<PreparedRun> runs = fourRuns();
-  const std::vector<MapPair> related = test::related(runs);
+  const std::vector<roomgraph::Run> runs = fourRuns();
+  const MapPairs related = test::related(runs);
   for (const auto& [a, b] : pairsOf(runs.size())) {
-    const MapPair& over = related[pairIndex(a, b, runs.size())];
+    const MapPair& over = related(a, b);
     const MapPair searched = relateMaps(runs[a].map, runs[b].map);
     EXPECT_EQ(over.alignment.isSameSite, searched.alignment.isSameSite) << a << ' ' << b;
     EXPECT_EQ(over.alignment.isSameSite, b < 3);
@@ -58,7 +58,7 @@ TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
 }
 
 TEST(RelateRuns, ofAnUnsureHubAllAnswersAreTried) {
-  const std::vector<PreparedRun> runs = fourRuns();
+  const std::vector<roomgraph::Run> runs = fourRuns();
   const MapPair hubAndA = relateMaps(runs[2].map, runs[0].map);
   MapPair hubAndB = relateMaps(runs[2].map, runs[1].map);
   Alignment& unsure = hubAndB.alignment;
@@ -74,7 +74,7 @@ TEST(RelateRuns, ofAnUnsureHubAllAnswersAreTried) {
 }
 
 TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
-  const std::vector<PreparedRun> runs = fourRuns();
+  const std::vector<roomgraph::Run> runs = fourRuns();
   const MapPair one = relateMaps(runs[0].map, runs[1].map);
   const MapPair back = swapped(relateMaps(runs[1].map, runs[0].map));
   EXPECT_TRUE(areAlike(one.alignment.pose, back.alignment.pose));
@@ -91,8 +91,8 @@ TEST(RelateRuns, framesThatContradictEachOtherAreNotTakenForOne) {
 }
 
 TEST(RelateRuns, copiesHaveNoBend) {
-  const std::vector<PreparedRun> runs{run(drawnBuilding(2, {})), run(drawnBuilding(2, {}))};
-  const MapPair pair = test::related(runs)[0];
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(2, {})), run(drawnBuilding(2, {}))};
+  const MapPair pair = test::related(runs)(0, 1);
   EXPECT_TRUE(pair.areIdentical);
   EXPECT_EQ(pair.bInA.bend, 0);
   EXPECT_EQ(pair.aInB.share, 1);
@@ -116,14 +116,14 @@ struct Shelf {
   }
 };
 
-std::vector<std::string> bytesOf(const std::vector<MapPair>& pairs) {
+std::vector<std::string> bytesOf(const MapPairs& pairs) {
   std::vector<std::string> bytes;
-  for (const MapPair& pair : pairs) bytes.push_back(pairBytes(pair));
+  for (const MapPair& pair : pairs.values()) bytes.push_back(pairBytes(pair));
   return bytes;
 }
 
 TEST(RelateRuns, keptPairsChangeNothingAndAreNotWorkedOutAgain) {
-  const std::vector<PreparedRun> runs = fourRuns();
+  const std::vector<roomgraph::Run> runs = fourRuns();
   const auto without = bytesOf(test::related(runs));
   Shelf shelf;
   EXPECT_EQ(bytesOf(test::related(runs, shelf.kept())), without);
@@ -133,10 +133,10 @@ TEST(RelateRuns, keptPairsChangeNothingAndAreNotWorkedOutAgain) {
 }
 
 TEST(RelateRuns, oneMoreRunCostsItsOwnPairsOnly) {
-  std::vector<PreparedRun> runs = fourRuns();
+  std::vector<roomgraph::Run> runs = fourRuns();
   const auto all = bytesOf(test::related(runs));
   const std::size_t hub = hubOf(runs), added = hub == 0 ? 1 : 0;
-  std::vector<PreparedRun> before = runs;
+  std::vector<roomgraph::Run> before = runs;
   before.erase(before.begin() + std::ptrdiff_t(added));
   Shelf shelf;
   test::related(before, shelf.kept());
@@ -146,7 +146,7 @@ TEST(RelateRuns, oneMoreRunCostsItsOwnPairsOnly) {
 }
 
 TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
-  std::vector<PreparedRun> runs = fourRuns();
+  std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
   Shelf shelf;
   const auto whole = bytesOf(test::related(runs, shelf.kept()));
@@ -164,7 +164,7 @@ TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
 }
 
 TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
-  std::vector<PreparedRun> runs = fourRuns();
+  std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
   const MapForAlignment &a = runs[0].map, &b = runs[1].map;
   const MapPair good = test::related(runs)[0];
@@ -186,7 +186,7 @@ TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
 }
 
 TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {
-  std::vector<PreparedRun> runs = fourRuns();
+  std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
   const std::string good = pairBytes(test::related(runs)[0]);
   const std::size_t checksum = good.find('\n') + 1, body = checksum + 64;
@@ -209,12 +209,6 @@ TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {
   EXPECT_EQ(fingerprint(map), fingerprint(mapForAlignment(drawnBuilding(1, {}), {})));
   EXPECT_NE(fingerprint(map), fingerprint(moved));
   EXPECT_NE(fingerprint(map), fingerprint(opened));
-}
-
-TEST(RelateRuns, thePairsAreNumberedInTheirOrder) {
-  const auto pairs = pairsOf(6);
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    EXPECT_EQ(pairIndex(pairs[k].first, pairs[k].second, 6), k);
 }
 
 }  // namespace

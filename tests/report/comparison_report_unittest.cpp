@@ -47,7 +47,7 @@ TEST(ComparisonReport, holdsVerdictRunsRoomsBreaksPairsAndWhatWasLeftOut) {
 
 TEST(ComparisonReport, countsThePairsOfTheSiteOnly) {
   SampleComparison more = sample();
-  for (const PreparedRun& run : sample().runs) {
+  for (const roomgraph::Run& run : sample().runs) {
     ComparedPair pair;
     pair.a = "garage", pair.b = run.name;
     more.comparison.pairs.push_back(pair);

@@ -26,7 +26,7 @@ State truthAt(Point p) {
 
 /** The building as a run sees it from `pose` (run <- building). */
 template <class Seen>
-PreparedRun makeRun(const std::string& name, const Transform2D& pose, const Seen& seen) {
+Run makeRun(const std::string& name, const Transform2D& pose, const Seen& seen) {
   Grid grid;
   grid.frame.resolution = 0.05;
   grid.frame.width = grid.frame.height = 900;
@@ -35,15 +35,14 @@ PreparedRun makeRun(const std::string& name, const Transform2D& pose, const Seen
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x)
       grid.cells.push_back(seen(back(grid.frame.center({x, y}))));
-  PreparedRun run;
+  Run run;
   run.name = name, run.file = "runs/" + name + ".gridmap";
   run.sha256 = "0123456789abcdef of " + name;
   run.map = mapForAlignment(grid, {});
   return run;
 }
 
-ComparedRun compared(const PreparedRun& run, const Transform2D& pose, std::size_t rank,
-                     double error) {
+ComparedRun compared(const Run& run, const Transform2D& pose, std::size_t rank, double error) {
   ComparedRun result;
   result.name = run.name, result.file = run.file, result.pose = pose, result.rank = rank;
   RunScore score;
@@ -69,7 +68,7 @@ SiteRoom room(const std::string& id, const Rect& r) {
   return result;
 }
 
-std::vector<SiteRoom> rooms(const std::vector<PreparedRun>& runs) {
+std::vector<SiteRoom> rooms(const std::vector<Run>& runs) {
   std::vector<SiteRoom> result = {room("R1", kFree[0]), room("R2", kFree[1]), room("R3", kFree[2]),
                                   room("R4", kFree[3]), room("C1", kFree[4])};
   result[0].name = "Kitchen <b>&amp;</b>";

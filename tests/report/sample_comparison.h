@@ -14,7 +14,7 @@ extern const char* const kHostileName;
 /** What a report is made of. */
 struct SampleComparison {
   Comparison comparison;
-  std::vector<PreparedRun> runs;
+  std::vector<Run> runs;
   std::vector<UsedOption> options;
 };
 

@@ -7,15 +7,13 @@
 namespace roomgraph {
 namespace {
 
-using Bends = std::vector<std::vector<PairBend>>;
 using Deviations = std::vector<std::optional<double>>;
 
 /** The bends of maps that each err in their own way. */
-Bends bendsOf(const std::vector<double>& errors) {
-  Bends bends(errors.size(), std::vector<PairBend>(errors.size()));
-  for (std::size_t i = 0; i < errors.size(); ++i)
-    for (std::size_t j = 0; j < errors.size(); ++j)
-      bends[i][j] = {std::hypot(errors[i], errors[j]), 1, 1000, false};
+PairBends bendsOf(const std::vector<double>& errors) {
+  PairBends bends(errors.size());
+  for (const auto& [i, j] : bends.pairs())
+    bends(i, j) = {std::hypot(errors[i], errors[j]), 1, 1000, false};
   return bends;
 }
 
@@ -40,27 +38,27 @@ TEST(EstimateMapErrors, oneOutlierMovesLittle) {
 }
 
 TEST(EstimateMapErrors, oneWrongPairMovesLittle) {
-  Bends bends = bendsOf({0.1, 0.1, 0.2, 0.2, 0.3, 0.3});
+  PairBends bends = bendsOf({0.1, 0.1, 0.2, 0.2, 0.3, 0.3});
   const auto before = estimateMapErrors(bends, untold(6), {}, {});
-  bends[0][1].bend = bends[1][0].bend = 5;
+  bends(0, 1).bend = 5;
   const auto after = estimateMapErrors(bends, untold(6), {}, {});
   for (std::size_t i = 2; i < 6; ++i) EXPECT_NEAR(after[i]->error, before[i]->error, 0.03);
   EXPECT_LT(after[0]->error, 0.25);
 }
 
 TEST(EstimateMapErrors, twoMapsAreToldApartByTheirDeviations) {
-  const Bends bends = bendsOf({0.3, 0.3});
+  const PairBends bends = bendsOf({0.3, 0.3});
   const auto alike = estimateMapErrors(bends, untold(2), {}, {});
   EXPECT_NEAR(alike[0]->error, alike[1]->error, 1e-6);
   const auto told = estimateMapErrors(bends, {0.01, 0.05}, {}, {});
   EXPECT_LT(told[0]->error, 0.5 * told[1]->error);
-  EXPECT_NEAR(std::hypot(told[0]->error, told[1]->error), bends[0][1].bend, 0.1);
+  EXPECT_NEAR(std::hypot(told[0]->error, told[1]->error), bends(0, 1).bend, 0.1);
 }
 
 TEST(EstimateMapErrors, onlyTheRatioOfTheDeviationsCounts) {
   MapErrorOptions options;
   options.deviationNoise = 0;
-  const Bends bends = bendsOf({0.1, 0.4, 0.2});
+  const PairBends bends = bendsOf({0.1, 0.4, 0.2});
   const auto one = estimateMapErrors(bends, {0.01, 0.03, 0.02}, {}, options);
   const auto other = estimateMapErrors(bends, {0.1, 0.3, 0.2}, {}, options);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(one[i]->error, other[i]->error, 1e-4);
@@ -68,9 +66,8 @@ TEST(EstimateMapErrors, onlyTheRatioOfTheDeviationsCounts) {
 
 TEST(EstimateMapErrors, thatASmallPieceIsStraightSaysLittleAndThatItIsBentSaysAll) {
   const auto errorOf = [](double share, double deviation) {
-    Bends bends = bendsOf({0.2, 0.2, 0.2, 0.2});
-    for (std::size_t i = 0; i < 3; ++i) bends[i][3].share = bends[3][i].share = share;
-    for (std::size_t i = 0; i < 4; ++i) bends[i][i] = {};
+    PairBends bends = bendsOf({0.2, 0.2, 0.2, 0.2});
+    for (std::size_t i = 0; i < 3; ++i) bends(i, 3).share = share;
     return estimateMapErrors(bends, {0.02, 0.02, 0.02, deviation}, {}, {})[3]->error;
   };
   EXPECT_GT(errorOf(0.3, 0.005), 1.3 * errorOf(1, 0.005));
@@ -96,8 +93,8 @@ TEST(EstimateMapErrors, moreMapsMakeItSurer) {
 }
 
 TEST(EstimateMapErrors, againstTheTruthTheBendIsTheError) {
-  Bends bends = bendsOf({0.5, 0.5, 0});
-  bends[0][2].bend = bends[2][0].bend = 0.1, bends[1][2].bend = bends[2][1].bend = 0.7;
+  PairBends bends = bendsOf({0.5, 0.5, 0});
+  bends(0, 2).bend = 0.1, bends(1, 2).bend = 0.7;
   const auto found = estimateMapErrors(bends, untold(3), 2, {});
   EXPECT_FALSE(found[2]);
   EXPECT_NEAR(found[0]->error, 0.1, 0.05);
@@ -105,19 +102,19 @@ TEST(EstimateMapErrors, againstTheTruthTheBendIsTheError) {
 }
 
 TEST(EstimateMapErrors, whereTheTruthHasLittleOfAMapTheOthersTell) {
-  Bends bends = bendsOf({0.1, 1.0, 0});
-  bends[1][2] = bends[2][1] = {0.1, 0.1, 100, false};  // only the part that fits was found
+  PairBends bends = bendsOf({0.1, 1.0, 0});
+  bends(1, 2) = {0.1, 0.1, 100, false};  // only the part that fits was found
   const auto found = estimateMapErrors(bends, untold(3), 2, {});
   EXPECT_GT(found[1]->error, 0.6);
 }
 
 TEST(EstimateMapErrors, aMapWithoutAPairHasNone) {
-  Bends bends = bendsOf({0.1, 0.2, 0.3});
-  for (std::size_t i = 0; i < 2; ++i) bends[i][2] = bends[2][i] = {};
+  PairBends bends = bendsOf({0.1, 0.2, 0.3});
+  for (std::size_t i = 0; i < 2; ++i) bends(i, 2) = {};
   const auto found = estimateMapErrors(bends, untold(3), {}, {});
   EXPECT_TRUE(found[0] && found[1]);
   EXPECT_FALSE(found[2]);
-  EXPECT_TRUE(estimateMapErrors({}, {}, {}, {}).empty());
+  EXPECT_TRUE(estimateMapErrors(PairBends(), {}, {}, {}).empty());
   EXPECT_FALSE(estimateMapErrors(bendsOf({0.1}), untold(1), {}, {})[0]);
 }
 

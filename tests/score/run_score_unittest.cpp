@@ -7,10 +7,10 @@
 namespace roomgraph {
 namespace {
 
-using Bends = std::vector<std::vector<PairBend>>;
-
-Bends allBends(std::size_t n, double bend, double walls = 1000) {
-  return Bends(n, std::vector<PairBend>(n, {bend, 1, walls, false}));
+PairBends allBends(std::size_t n, double bend, double walls = 1000) {
+  PairBends bends(n);
+  for (const auto& [i, j] : bends.pairs()) bends(i, j) = {bend, 1, walls, false};
+  return bends;
 }
 
 TEST(ScoreRuns, aLargerBendIsALowerScore) {
@@ -25,17 +25,17 @@ TEST(ScoreRuns, aLargerBendIsALowerScore) {
 }
 
 TEST(ScoreRuns, copiesOfOneMapCountAsOne) {
-  Bends bends = allBends(4, 0.3);
+  PairBends bends = allBends(4, 0.3);
   const auto three = scoreRuns(allBends(3, 0.3), {{}, {}, {}}, {}, {});
-  bends[0][3] = bends[3][0] = {0, 1, 1000, true};
+  bends(0, 3) = {0, 1, 1000, true};
   const auto four = scoreRuns(bends, {{}, {}, {}, {}}, {}, {});
   EXPECT_NEAR(four[0]->score, three[0]->score, 1e-6);
   EXPECT_EQ(four[0]->score, four[3]->score);
 }
 
 TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
-  Bends bends = allBends(3, 0.3);
-  bends[0][2] = bends[2][0] = {0, 1, 1000, true};
+  PairBends bends = allBends(3, 0.3);
+  bends(0, 2) = {0, 1, 1000, true};
   for (const auto& score : scoreRuns(bends, {{}, {}, {}}, {}, {})) {
     EXPECT_EQ(score->others, 1u);
     EXPECT_EQ(score->bend, 0.3);
@@ -44,9 +44,8 @@ TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
 }
 
 TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
-  Bends bends = allBends(4, 0.35);
-  for (std::size_t i = 0; i < 4; ++i) bends[i][i] = {};
-  for (std::size_t i = 0; i < 3; ++i) bends[i][3].share = bends[3][i].share = 0.05;
+  PairBends bends = allBends(4, 0.35);
+  for (std::size_t i = 0; i < 3; ++i) bends(i, 3).share = 0.05;
   const auto scores = scoreRuns(bends, {{0.02, 0}, {0.02, 0}, {0.02, 0}, {0.0005, 0}}, {}, {});
   EXPECT_FALSE(scores[3]->isMeaningful);
   EXPECT_EQ(scores[3]->trust, 0);
@@ -58,21 +57,22 @@ TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
 }
 
 TEST(ScoreRuns, onlyCopiesScore100) {
-  const auto scores = scoreRuns(Bends(2, std::vector<PairBend>(2, {0, 1, 1000, true})),
-                                {{0.01, 0}, {0.01, 0}}, {}, {});
+  PairBends bends(2);
+  bends(0, 1) = {0, 1, 1000, true};
+  const auto scores = scoreRuns(bends, {{0.01, 0}, {0.01, 0}}, {}, {});
   for (const auto& score : scores) EXPECT_EQ(score->score, 100);
 }
 
 TEST(ScoreRuns, aReferenceIsTheTruth) {
-  Bends bends = allBends(3, 0.6);
-  bends[0][2].bend = bends[2][0].bend = 0.1;
+  PairBends bends = allBends(3, 0.6);
+  bends(0, 2).bend = 0.1;
   const auto scores = scoreRuns(bends, {{}, {}, {}}, 2, {});
   EXPECT_NEAR(scores[0]->mapError, 0.1, 0.03);
   EXPECT_NEAR(scores[1]->mapError, 0.6, 0.05);
   EXPECT_FALSE(scores[2]);
   EXPECT_TRUE(scores[0]->isMeaningful) << "one reference is enough";
   EXPECT_THROW(scoreRuns(bends, {{}, {}, {}}, 3, {}), UsageError);
-  bends[0][2] = bends[2][0] = {0, 1, 1000, true};
+  bends(0, 2) = {0, 1, 1000, true};
   EXPECT_EQ(scoreRuns(bends, {{}, {}, {}}, 2, {})[0]->score, 100) << "a copy of the reference";
 }
 
@@ -83,8 +83,8 @@ TEST(ScoreRuns, twoRunsOrFewWallsAreNotEnough) {
 }
 
 TEST(ScoreRuns, theBestRunHasTheMostTrust) {
-  Bends bends = allBends(4, 0.1);
-  for (std::size_t i = 0; i < 3; ++i) bends[i][3].bend = bends[3][i].bend = 1;
+  PairBends bends = allBends(4, 0.1);
+  for (std::size_t i = 0; i < 3; ++i) bends(i, 3).bend = 1;
   const auto scores = scoreRuns(bends, {{}, {}, {}, {}}, {}, {});
   EXPECT_NEAR(scores[0]->trust, 1, 1e-6);
   EXPECT_LT(scores[3]->trust, 0.05);

@@ -105,7 +105,7 @@ Grid bent(const Grid& grid, double angle) {
   return result;
 }
 
-std::vector<MapPair> related(const std::vector<PreparedRun>& runs, const KeptPairs& kept) {
+MapPairs related(const std::vector<Run>& runs, const KeptPairs& kept) {
   return relateRuns(runs, false, oneByOne, kept);
 }
 

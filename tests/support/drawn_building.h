@@ -25,6 +25,6 @@ Grid squareHall(const Transform2D& pose);
 Grid bent(const Grid& grid, double angle);
 
 /** relateRuns, one pair after the other. */
-std::vector<MapPair> related(const std::vector<PreparedRun>& runs, const KeptPairs& kept = {});
+MapPairs related(const std::vector<Run>& runs, const KeptPairs& kept = {});
 
 }  // namespace roomgraph::test

@@ -85,7 +85,7 @@ House house() {
   return h;
 }
 
-PreparedRun runOf(const House& house, const std::string& name, const Transform2D& pose) {
+Run runOf(const House& house, const std::string& name, const Transform2D& pose) {
   const Point middle = pose({10, 5});
   Grid grid;
   const double half = 18;  // all of it, however it is turned
@@ -94,7 +94,7 @@ PreparedRun runOf(const House& house, const std::string& name, const Transform2D
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x)
       grid.cells.push_back(stateAt(house, undrawn(house, back(grid.frame.center({x, y})))));
-  PreparedRun run;
+  Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
   run.map = mapForAlignment(grid, {});
   run.areas = areasOf(house, pose);

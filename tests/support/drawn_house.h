@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/relate/PreparedRun.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph::test {
 
@@ -31,6 +31,6 @@ struct House {
 House house();
 
 /** A run that draws the house, in a frame of its own: `pose` is run <- house. */
-PreparedRun runOf(const House& house, const std::string& name, const Transform2D& pose);
+Run runOf(const House& house, const std::string& name, const Transform2D& pose);
 
 }  // namespace roomgraph::test

@@ -7,8 +7,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLittle = 0.6;   // share of the walls below which a bend tells little
-constexpr double kPartial = 0.7;  // coverage below which a map is no map of the whole site
+constexpr double kLittle = 0.6;  // share of the walls below which a bend tells little
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -18,7 +17,7 @@ std::string formatted(const char* format, Values... values) {
 }
 
 /** What speaks against a run, in the order of its weight in the score. */
-std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks) {
+std::string against(const ComparedRun& run, const std::vector<MapBreak>& breaks) {
   const RunScore& score = *run.score;
   std::string text = formatted("bends %.2f m away from the %zu other %s", score.bend, score.others,
                                score.others == 1 ? "run" : "runs");
@@ -27,29 +26,26 @@ std::string reasonOf(const ComparedRun& run, const std::vector<MapBreak>& breaks
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
   if (const auto count = std::count_if(breaks.begin(), breaks.end(), isOfRun))
     text += formatted(", breaks in %ld place%s", long(count), count == 1 ? "" : "s");
-  for (const Measure& measure : run.measures)
-    if (measure.name == "axis_deviation" && measure.value)
-      text += formatted(", walls %.1f degrees off right angles", *measure.value);
+  if (const Measure* deviation = find(run.measures, "axis_deviation");
+      deviation && deviation->value)
+    text += formatted(", walls %.1f degrees off right angles", *deviation->value);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
 
 std::optional<double> coverageOf(const ComparedRun& run) {
-  for (const Measure& measure : run.measures)
-    if (measure.name == "coverage" && measure.isMeaningful) return measure.value;
-  return std::nullopt;
+  const Measure* coverage = find(run.measures, "coverage");
+  return coverage && coverage->isMeaningful ? coverage->value : std::nullopt;
 }
 
 }  // namespace
 
-void addReasons(Comparison& result) {
-  for (ComparedRun& run : result.runs)
-    run.reason = run.score                      ? reasonOf(run, result.breaks)
-                 : result.reference == run.name ? "the others are measured against it"
-                                                : "no other run to compare it with";
-  for (ComparedRun& run : result.runs)
-    if (run.isScaleEstimated)
-      run.reason += formatted("; %.4f m per cell, estimated", run.resolution);
+std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
+  std::string reason = run.score                          ? against(run, comparison.breaks)
+                       : comparison.reference == run.name ? "the others are measured against it"
+                                                          : "no other run to compare it with";
+  if (run.isScaleEstimated) reason += formatted("; %.4f m per cell, estimated", run.resolution);
+  return reason;
 }
 
 std::string verdictOf(const Comparison& result) {
@@ -67,7 +63,7 @@ std::string verdictOf(const Comparison& result) {
                       best.score->score, best.score->low, best.score->high, best.score->mapError);
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
-  if (const auto coverage = coverageOf(best); coverage && *coverage < kPartial)
+  if (const auto coverage = coverageOf(best); coverage && *coverage < kPartialCoverage)
     text += formatted("; it has seen %.0f %% of what two runs have seen", 100 * *coverage);
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";

@@ -5,8 +5,8 @@
 
 namespace roomgraph {
 
-/** Sets the reason of each run: what speaks against it, one line. */
-void addReasons(Comparison& comparison);
+/** What speaks against a run, one line. */
+std::string reasonOf(const ComparedRun& run, const Comparison& comparison);
 
 /** One line on all runs, ranked. */
 std::string verdictOf(const Comparison& comparison);

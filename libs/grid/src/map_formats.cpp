@@ -1,5 +1,9 @@
 #include "roomgraph/grid/map_formats.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
 #include "read_bare_image.h"
 #include "read_gridmap.h"
 #include "read_ros_map.h"
@@ -17,6 +21,13 @@ std::string listed(std::string (*textOf)(const MapFormat&)) {
     text += textOf(format);
   }
   return text;
+}
+
+bool endsWith(const std::string& name, const std::string& end) {
+  return name.size() > end.size() &&
+         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
+           return a == std::tolower(static_cast<unsigned char>(b));
+         });
 }
 
 }  // namespace
@@ -43,6 +54,15 @@ std::string mapFormatsText() {
       text += separator + std::string(extension), separator = ", ";
     return text + ")";
   });
+}
+
+std::string mapStem(const std::string& mapFile) {
+  std::string name = std::filesystem::path(mapFile).filename().string();
+  if (endsWith(name, ".gz")) name.resize(name.size() - 3);
+  for (const MapFormat& format : mapFormats())
+    for (const std::string end : format.extensions)
+      if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
+  return name;
 }
 
 }  // namespace roomgraph

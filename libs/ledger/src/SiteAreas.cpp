@@ -87,7 +87,7 @@ GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
   return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
 }
 
-SiteAreas siteAreas(const PlacedRuns& site) {
+SiteAreas siteAreas(const Site& site, const Trust& trust) {
   std::vector<AreaGraph> areas;
   std::vector<const Polygon*> polygons;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
@@ -96,11 +96,10 @@ SiteAreas siteAreas(const PlacedRuns& site) {
     for (const Area& area : graph.areas) polygons.push_back(&area.polygon);
   SiteAreas result;
   result.frame = frameRound(polygons);
-  const bool isTrusted =
-      std::any_of(site.trust.begin(), site.trust.end(), [](double trust) { return trust > 0; });
+  const bool isTrusted = std::any_of(trust.begin(), trust.end(), [](double of) { return of > 0; });
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     RunAreas run;
-    run.weight = isTrusted ? std::max(kLeastWeight, std::sqrt(std::sqrt(site.trust[i]))) : 1;
+    run.weight = isTrusted ? std::max(kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
     run.labels.assign(result.frame.cellCount(), RunAreas::kUnknown);
     markKnown(site.runs[i]->map, site.poses[i], result.frame, run);
     addShapes(areas[i], result.frame, run);

@@ -5,7 +5,7 @@
 #include "roomgraph/areas/AreaGraph.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
-#include "roomgraph/relate/PlacedRuns.h"
+#include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 
@@ -46,7 +46,7 @@ struct SiteAreas {
 /** Lays down the areas of all runs. Weights are the fourth root of the runs' trust, and at
  *  least 0.1: good walls do not make good rooms, so several fair runs have a say against the best.
  *  All 1 where no run has any trust. O(runs * cells of the site). */
-SiteAreas siteAreas(const PlacedRuns& site);
+SiteAreas siteAreas(const Site& site, const Trust& trust);
 
 /** The same for one run whose areas are in the site's frame and which knows all there is. */
 RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame);

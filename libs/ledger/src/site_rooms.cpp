@@ -232,9 +232,8 @@ std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const C
 
 }  // namespace
 
-std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::string>& order,
-                                const ForEach& forEach) {
-  const SiteAreas areas = siteAreas(site);
+std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForEach& forEach) {
+  const SiteAreas areas = siteAreas(site, trust);
   const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
   std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
   std::vector<RoomDoors> doors(rooms.size());
@@ -246,15 +245,10 @@ std::vector<SiteRoom> siteRooms(const PlacedRuns& site, const std::vector<std::s
     rooms[s] = Ledger(areas, consensus, runs, doors[s], s).room();
   });
   number(rooms);
-  std::map<std::string, std::size_t> placeOf;
-  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = i;
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     for (const RoomDoors::Door& door : doors[s].doors)
       rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : ""});
     for (std::size_t i = 0; i < site.runs.size(); ++i) rooms[s].runs[i].run = site.runs[i]->name;
-    std::sort(
-        rooms[s].runs.begin(), rooms[s].runs.end(),
-        [&](const RoomInRun& l, const RoomInRun& r) { return placeOf[l.run] < placeOf[r.run]; });
   }
   sortRooms(rooms);
   return rooms;

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/graph_measures.h"
+#include "graph_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +72,7 @@ class Mean {
   double sum_ = 0, weights_ = 0;
 };
 
-Measure measureOf(const Kind& kind, const std::vector<Figure>& figures,
-                  const std::vector<double>& trust) {
+Measure measureOf(const Kind& kind, const std::vector<Figure>& figures, const Trust& trust) {
   Measure measure;
   measure.name = kind.name, measure.unit = kind.unit;
   std::vector<double> supports;
@@ -90,30 +89,28 @@ Measure measureOf(const Kind& kind, const std::vector<Figure>& figures,
 
 }  // namespace
 
-ComparedGraphs comparedGraphs(const PlacedRuns& site,
-                              const std::vector<std::vector<MapPair>>& pairs,
-                              const ForEach& forEach) {
-  const std::size_t n = site.runs.size();
-  ComparedGraphs graphs(n, std::vector<GraphComparison>(n));
-  forEach(n, [&](std::size_t i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const PreparedRun &a = *site.runs[i], &b = *site.runs[j];
-      const GraphMatch match = matchGraphs({a.graph, a.map.patches, pairs[i][j].aInB},
-                                           {b.graph, b.map.patches, pairs[i][j].bInA}, {});
-      graphs[i][j] = compareGraphs(a.graph, b.graph, match, {site.poses[i], site.poses[j]});
-    }
+ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
+  ComparedGraphs graphs(site.runs.size());
+  const auto all = graphs.pairs();
+  forEach(all.size(), [&](std::size_t k) {
+    const auto [i, j] = all[k];
+    const Run &a = *site.runs[i], &b = *site.runs[j];
+    const MapPair& pair = pairs(i, j);
+    const GraphMatch match =
+        matchGraphs({a.graph, a.map.patches, pair.aInB}, {b.graph, b.map.patches, pair.bInA}, {});
+    graphs(i, j) = compareGraphs(a.graph, b.graph, match, {site.poses[i], site.poses[j]});
   });
   return graphs;
 }
 
-std::vector<Measure> graphMeasuresOf(const ComparedGraphs& graphs, const PlacedRuns& site,
+std::vector<Measure> graphMeasuresOf(const ComparedGraphs& graphs, const Trust& trust,
                                      std::size_t run) {
   std::vector<Measure> measures;
   for (const Kind& kind : kinds()) {
-    std::vector<Figure> figures(graphs.size());
-    for (std::size_t j = 0; j < graphs.size(); ++j)
-      if (j != run) figures[j] = kind.figure(graphs[std::min(run, j)][std::max(run, j)], run < j);
-    measures.push_back(measureOf(kind, figures, site.trust));
+    std::vector<Figure> figures(graphs.things());
+    for (std::size_t j = 0; j < figures.size(); ++j)
+      if (j != run) figures[j] = kind.figure(graphs(run, j), run < j);
+    measures.push_back(measureOf(kind, figures, trust));
   }
   return measures;
 }

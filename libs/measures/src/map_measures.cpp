@@ -1,4 +1,4 @@
-#include "roomgraph/measures/map_measures.h"
+#include "map_measures.h"
 
 #include <utility>
 
@@ -37,31 +37,29 @@ std::optional<double> medianPieces(const std::vector<Witness>& witnesses, std::s
 }
 
 /** Whether run `in` has enough of the walls of `run` to tell of its pieces. */
-bool canTell(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
-             std::size_t run, std::size_t in) {
-  return in != run && site.trust[in] > 0 && followedIn(pairs, run, in).share >= kMinShare;
+bool canTell(const MapPairs& pairs, const Trust& trust, std::size_t run, std::size_t in) {
+  return in != run && trust[in] > 0 && followedIn(pairs, run, in).share >= kMinShare;
 }
 
 /** Of all runs, by their number. */
-std::vector<Witness> witnessesOf(const PlacedRuns& site,
-                                 const std::vector<std::vector<MapPair>>& pairs, std::size_t run) {
+std::vector<Witness> witnessesOf(const Site& site, const MapPairs& pairs, const Trust& trust,
+                                 std::size_t run) {
   std::vector<Witness> witnesses(site.runs.size());
   for (std::size_t j = 0; j < site.runs.size(); ++j) {
-    if (!canTell(site, pairs, run, j)) continue;
+    if (!canTell(pairs, trust, run, j)) continue;
     const FollowedWalls& followed = followedIn(pairs, run, j);
     witnesses[j].pieces = double(rigidPieces(site.runs[run]->map.patches, followed, {}));
-    witnesses[j].trust = site.trust[j];
+    witnesses[j].trust = trust[j];
     for (const FollowedPatch& f : followed.patches) witnesses[j].walls += f.walls;
   }
   return witnesses;
 }
 
 /** Scans tell where a run breaks, so that its pieces need not be guessed from its walls. */
-void countBreaks(Measure& measure, const PlacedRuns& site,
-                 const std::vector<std::vector<MapPair>>& pairs, std::size_t run,
-                 std::size_t breaks) {
+void countBreaks(Measure& measure, const Site& site, const MapPairs& pairs, const Trust& trust,
+                 std::size_t run, std::size_t breaks) {
   std::size_t others = 0;
-  for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(site, pairs, run, j);
+  for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(pairs, trust, run, j);
   if (others == 0) return;
   measure.value = double(breaks), measure.support = double(site.runs[run]->scans.size());
   measure.isMeaningful = others >= 2 && measure.support >= kMinScans;
@@ -69,22 +67,22 @@ void countBreaks(Measure& measure, const PlacedRuns& site,
 
 }  // namespace
 
-std::vector<Measure> ownMeasuresOf(const PreparedRun& run) {
+std::vector<Measure> ownMeasuresOf(const Run& run) {
   const double walls = double(run.map.walls.size());
   return {measure("wall_doubling", "1", {wallDoubling(run.map), walls}, kMinPoints),
           measure("wall_sharpness", "1", {run.map.wallSharpness, walls}, kMinPoints),
           measure("scan_disagreement", "m", scanDisagreement(run.scans, {}), kMinScans)};
 }
 
-Measure brokennessOf(const PlacedRuns& site, const std::vector<std::vector<MapPair>>& pairs,
-                     std::size_t run, std::size_t breaks) {
+Measure brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust, std::size_t run,
+                     std::size_t breaks) {
   Measure result;
   result.name = "brokenness", result.unit = "pieces";
   if (!site.runs[run]->scans.empty()) {
-    countBreaks(result, site, pairs, run, breaks);
+    countBreaks(result, site, pairs, trust, run, breaks);
     return result;
   }
-  const std::vector<Witness> witnesses = witnessesOf(site, pairs, run);
+  const std::vector<Witness> witnesses = witnessesOf(site, pairs, trust, run);
   std::vector<double> supports;
   for (const Witness& witness : witnesses) supports.push_back(witness.walls);
   measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/match_graphs.h"
+#include "match_graphs.h"
 
 #include <algorithm>
 #include <cmath>

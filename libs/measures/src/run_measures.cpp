@@ -1,4 +1,4 @@
-#include "roomgraph/measures/run_measures.h"
+#include "run_measures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double kMinPoints = 300, kMinRooms = 3;
 constexpr std::size_t kMinRuns = 3;
 
 /** A frame around all placed runs. */
-GridFrame siteFrame(const PlacedRuns& site) {
+GridFrame siteFrame(const Site& site) {
   Point low{1e30, 1e30}, high{-1e30, -1e30};
   double cell = 0.1;
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
@@ -45,7 +45,7 @@ struct SeenCells {
   std::vector<std::vector<bool>> by;
 };
 
-SeenCells seenCells(const PlacedRuns& site, const GridFrame& frame, const DistinctMaps& maps) {
+SeenCells seenCells(const Site& site, const GridFrame& frame, const DistinctMaps& maps) {
   SeenCells seen{std::vector<SeenCells::Witnesses>(frame.cellCount()), {}};
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     std::vector<bool> by(frame.cellCount());
@@ -69,24 +69,24 @@ void widen(Measure& measure, double value) {
   measure.low = std::min(*measure.low, value), measure.high = std::max(*measure.high, value);
 }
 
-Measure wallMeasure(const PlacedRuns& site, std::size_t run, const char* name, double share) {
+Measure wallMeasure(const DistanceTable& distances, const Trust& trust, std::size_t run,
+                    const char* name, double share) {
   Measure measure;
   measure.name = name, measure.unit = "m";
-  const std::vector<WallDistances>& distances = site.distances[run];
   std::vector<double> supports;
-  for (std::size_t j = 0; j < distances.size(); ++j)
-    supports.push_back(j != run && site.trust[j] > 0 ? distances[j].count : 0);
+  for (std::size_t j = 0; j < trust.size(); ++j)
+    supports.push_back(j != run && trust[j] > 0 ? distances(run, j).count : 0);
   measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) {
     WallDistances all;
-    for (std::size_t j = 0; j < distances.size(); ++j)
-      if (j != run && j != but) all.add(distances[j], site.trust[j]);
+    for (std::size_t j = 0; j < trust.size(); ++j)
+      if (j != run && j != but) all.add(distances(run, j), trust[j]);
     return all.quantile(share);
   });
   return measure;
 }
 
 /** The rooms of a run, in the frame of the site. */
-std::vector<GraphRoom> roomsInSite(const PreparedRun& run, const Transform2D& pose) {
+std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
   std::vector<GraphRoom> rooms = run.rooms;
   for (GraphRoom& room : rooms) {
     room.center = pose(room.center);
@@ -117,20 +117,20 @@ RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isM
 }
 
 /** The share `part` of `all` in the rooms of the others. */
-Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<RoomCount>& counts,
+Measure roomMeasure(const DirectedTable<RoomCount>& counts, const Trust& trust, std::size_t run,
                     const char* name, double RoomCount::*part, double RoomCount::*all,
                     double minSupport) {
   Measure measure;
   measure.name = name;
   std::vector<double> supports;
-  for (std::size_t j = 0; j < counts.size(); ++j)
-    supports.push_back(j != run && site.trust[j] > 0 ? counts[j].*all : 0);
+  for (std::size_t j = 0; j < trust.size(); ++j)
+    supports.push_back(j != run && trust[j] > 0 ? counts(run, j).*all : 0);
   measureOverOthers(measure, supports, minSupport, [&](std::size_t but) -> std::optional<double> {
     RoomCount sum;
-    for (std::size_t j = 0; j < counts.size(); ++j) {
+    for (std::size_t j = 0; j < trust.size(); ++j) {
       if (j == run || j == but) continue;
-      sum.*all += site.trust[j] * counts[j].*all;
-      sum.*part += site.trust[j] * counts[j].*part;
+      sum.*all += trust[j] * counts(run, j).*all;
+      sum.*part += trust[j] * counts(run, j).*part;
     }
     if (sum.*all <= 0) return std::nullopt;
     return sum.*part / sum.*all;
@@ -140,15 +140,14 @@ Measure roomMeasure(const PlacedRuns& site, std::size_t run, const std::vector<R
 
 }  // namespace
 
-std::vector<Measure> coverageOf(const PlacedRuns& site,
-                                const std::vector<std::vector<PairBend>>& bends) {
+std::vector<Measure> coverageOf(const Site& site, const PairBends& bends) {
   const GridFrame frame = siteFrame(site);
   const DistinctMaps maps(bends);
   const SeenCells seen = seenCells(site, frame, maps);
   const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
   double all = 0;
   std::vector<double> mine(n), lost(n);  // cells; those that do not count without this witness
-  std::vector<std::vector<double>> lostToMe(n, std::vector<double>(n));  // of mine, without another
+  DirectedTable<double> lostToMe(n);     // of mine, without another
   for (std::size_t cell = 0; cell < seen.witnesses.size(); ++cell) {
     const SeenCells::Witnesses& witnesses = seen.witnesses[cell];
     if (witnesses.count < enough) continue;
@@ -157,7 +156,7 @@ std::vector<Measure> coverageOf(const PlacedRuns& site,
     if (witnesses.count != 2) continue;
     for (const std::uint32_t j : {witnesses.first, witnesses.last}) {
       ++lost[j];
-      for (std::size_t i = 0; i < n; ++i) lostToMe[i][j] += seen.by[i][cell] ? 1 : 0;
+      for (std::size_t i = 0; i < n; ++i) lostToMe(i, j) += seen.by[i][cell] ? 1 : 0;
     }
   }
   std::vector<Measure> measures(n);
@@ -171,27 +170,26 @@ std::vector<Measure> coverageOf(const PlacedRuns& site,
     if (maps.count() > 2) measures[i].low = measures[i].high = measures[i].value;
     for (std::size_t j = 0; measures[i].low && j < n; ++j)
       if (maps.isMeasuredAgainst(i, j) && all > lost[j])
-        widen(measures[i], (mine[i] - lostToMe[i][j]) / (all - lost[j]));
+        widen(measures[i], (mine[i] - lostToMe(i, j)) / (all - lost[j]));
   }
   return measures;
 }
 
-Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vector<double>& trust,
-               std::size_t run) {
+Measure bendOf(const PairBends& bends, const Trust& trust, std::size_t run) {
   Measure measure;
   measure.name = "bend", measure.unit = "m";
   const DistinctMaps maps(bends);
   const auto weightOf = [&](std::size_t j) {
-    return maps.isMeasuredAgainst(run, j) ? trust[j] * bends[run][j].share : 0;
+    return maps.isMeasuredAgainst(run, j) ? trust[j] * bends(run, j).share : 0.0;
   };
   std::vector<double> supports;
-  for (std::size_t j = 0; j < bends.size(); ++j)
-    supports.push_back(weightOf(j) > 0 ? bends[run][j].walls : 0);
+  for (std::size_t j = 0; j < trust.size(); ++j)
+    supports.push_back(weightOf(j) > 0 ? bends(run, j).walls : 0);
   measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) -> std::optional<double> {
     double sum = 0, weights = 0;
-    for (std::size_t j = 0; j < bends.size(); ++j) {
-      if (j == but) continue;
-      sum += weightOf(j) * bends[run][j].bend, weights += weightOf(j);
+    for (std::size_t j = 0; j < trust.size(); ++j) {
+      if (j == but || j == run) continue;
+      sum += weightOf(j) * bends(run, j).bend, weights += weightOf(j);
     }
     if (weights <= 0) return std::nullopt;
     return sum / weights;
@@ -199,7 +197,7 @@ Measure bendOf(const std::vector<std::vector<PairBend>>& bends, const std::vecto
   return measure;
 }
 
-Measure axisDeviationOf(const PreparedRun& run) {
+Measure axisDeviationOf(const Run& run) {
   Measure measure;
   measure.name = "axis_deviation", measure.unit = "deg";
   measure.support = double(run.map.walls.size());
@@ -208,17 +206,52 @@ Measure axisDeviationOf(const PreparedRun& run) {
   return measure;
 }
 
-std::vector<Measure> wallMeasuresOf(const PlacedRuns& site, std::size_t run) {
-  return {wallMeasure(site, run, "wall_distance", 0.5),
-          wallMeasure(site, run, "wall_distance_p90", 0.9)};
+DistanceTable distancesOf(const Site& site, const ForEach& forEach) {
+  const std::size_t n = site.runs.size();
+  DistanceTable distances(n);
+  forEach(n, [&](std::size_t i) {
+    for (std::size_t j = 0; j < n; ++j)
+      if (i != j)
+        distances(i, j) = wallDistances(site.runs[i]->map, site.runs[j]->map,
+                                        site.poses[j].inverse() * site.poses[i]);
+  });
+  return distances;
 }
 
-std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site, const ForEach& forEach) {
+std::vector<Measure> wallMeasuresOf(const DistanceTable& distances, const Trust& trust,
+                                    std::size_t run) {
+  return {wallMeasure(distances, trust, run, "wall_distance", 0.5),
+          wallMeasure(distances, trust, run, "wall_distance_p90", 0.9)};
+}
+
+std::vector<Measure> wallMeasuresOfPair(const PairBend& bend, const DistanceTable& distances,
+                                        std::size_t a, std::size_t b) {
+  const auto measure = [](const char* name, const char* unit, std::optional<double> value,
+                          double support) {
+    Measure result;
+    result.name = name, result.unit = unit, result.value = value, result.support = support;
+    result.isMeaningful = support >= kMinPoints;
+    return result;
+  };
+  WallDistances both = distances(a, b);
+  both.add(distances(b, a));
+  const auto distance = [&](const char* name, double value) {
+    return measure(name, "m", both.count > 0 ? std::optional(value) : std::nullopt, both.count);
+  };
+  return {
+      measure("bend", "m", bend.share > 0 ? std::optional(bend.bend) : std::nullopt, bend.walls),
+      measure("followed", "1", bend.share, bend.walls), distance("wall_distance_mean", both.mean()),
+      distance("wall_distance", both.quantile(0.5)),
+      distance("wall_distance_p90", both.quantile(0.9))};
+}
+
+std::vector<std::vector<Measure>> roomMeasuresOf(const Site& site, const Trust& trust,
+                                                 const ForEach& forEach) {
   const GridFrame frame = siteFrame(site);
   const std::size_t n = site.runs.size();
   std::vector<std::vector<GraphRoom>> rooms;
   for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
-  std::vector<std::vector<RoomCount>> counts(n, std::vector<RoomCount>(n));
+  DirectedTable<RoomCount> counts(n);
   forEach(n, [&](std::size_t i) {
     for (std::size_t j = i + 1; j < n; ++j) {
       std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
@@ -226,15 +259,15 @@ std::vector<std::vector<Measure>> roomMeasuresOf(const PlacedRuns& site, const F
         ofI[match.base.index()] = true;
         ofJ[match.other.index()] = true;
       }
-      counts[i][j] = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
-      counts[j][i] = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
+      counts(i, j) = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
+      counts(j, i) = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
     }
   });
   std::vector<std::vector<Measure>> measures;
   for (std::size_t i = 0; i < n; ++i)
-    measures.push_back({roomMeasure(site, i, counts[i], "rooms_matched", &RoomCount::matched,
+    measures.push_back({roomMeasure(counts, trust, i, "rooms_matched", &RoomCount::matched,
                                     &RoomCount::visible, kMinRooms),
-                        roomMeasure(site, i, counts[i], "room_coverage", &RoomCount::matchedArea,
+                        roomMeasure(counts, trust, i, "room_coverage", &RoomCount::matchedArea,
                                     &RoomCount::area, kMinArea)});
   return measures;
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/measures/match_graphs.h"
+#include "match_graphs.h"
 
 namespace roomgraph {
 

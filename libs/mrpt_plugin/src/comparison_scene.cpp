@@ -100,9 +100,9 @@ Box boxOf(const std::vector<std::pair<const MapForAlignment*, Transform2D>>& pla
 
 }  // namespace
 
-MrptScene comparisonScene(const Comparison& comparison, const std::vector<PreparedRun>& runs) {
+MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs) {
   std::map<std::string, const MapForAlignment*> maps;
-  for (const PreparedRun& run : runs) maps.emplace(run.name, &run.map);
+  for (const Run& run : runs) maps.emplace(run.name, &run.map);
   std::vector<std::pair<const MapForAlignment*, Transform2D>> placed;
   for (const ComparedRun& run : comparison.runs) {
     const auto found = maps.find(run.name);
@@ -129,8 +129,7 @@ MrptScene comparisonScene(const Comparison& comparison, const std::vector<Prepar
   return scene;
 }
 
-std::string comparisonSceneBytes(const Comparison& comparison,
-                                 const std::vector<PreparedRun>& runs) {
+std::string comparisonSceneBytes(const Comparison& comparison, const std::vector<Run>& runs) {
   return gzippedObject(comparisonScene(comparison, runs));
 }
 

@@ -7,9 +7,9 @@
 
 namespace roomgraph {
 
-std::vector<std::size_t> byStraightness(const std::vector<PreparedRun>& runs) {
+std::vector<std::size_t> byStraightness(const std::vector<Run>& runs) {
   double largest = 0;
-  for (const PreparedRun& run : runs) largest = std::max(largest, run.map.freeArea);
+  for (const Run& run : runs) largest = std::max(largest, run.map.freeArea);
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto key = [&](std::size_t i) {

@@ -185,7 +185,7 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& ru
 }
 
 /** What the runs `voters` say that the picture fits at about `found`; never empty. */
-std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<PreparedRun>& runs,
+std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<Run>& runs,
                               const std::vector<std::size_t>& voters, const ScaleTrial& found,
                               std::size_t best, const EstimateScaleOptions& options,
                               const ForEach& forEach) {
@@ -235,8 +235,7 @@ Grid rescaled(Grid grid, double resolution) {
   return grid;
 }
 
-std::optional<ScaleEstimate> estimateScale(const Grid& picture,
-                                           const std::vector<PreparedRun>& runs,
+std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vector<Run>& runs,
                                            const EstimateScaleOptions& options,
                                            const ForEach& forEach) {
   std::size_t searches = 0;

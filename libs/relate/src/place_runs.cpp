@@ -25,22 +25,19 @@ bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
          alignment.confidence + alignment.runnerUpConfidence >= kJoined;
 }
 
-/** The runs of the site, see compareRuns. */
-std::vector<std::size_t> membersOf(std::size_t runs, const Pairs& pairs,
-                                   const std::vector<MapPair>& related,
-                                   const SitePosesOptions& options,
+/** The runs of the site, see placeRuns. */
+std::vector<std::size_t> membersOf(const MapPairs& related, const SitePosesOptions& options,
                                    std::optional<std::size_t> reference) {
+  const std::size_t runs = related.things();
   UnionFind sets(runs);
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(related[k], options))
-      sets.join(std::uint32_t(pairs[k].first), std::uint32_t(pairs[k].second));
+  for (const auto& [a, b] : related.pairs())
+    if (isJoined(related(a, b), options)) sets.join(std::uint32_t(a), std::uint32_t(b));
   std::vector<std::size_t> set;  // of each run the first run it is joined to
   for (std::uint32_t i = 0; i < runs; ++i) set.push_back(sets.find(i));
   std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
   for (const std::size_t s : set) ++size[s].first;
-  for (std::size_t k = 0; k < pairs.size(); ++k)
-    if (isJoined(related[k], options))
-      size[set[pairs[k].first]].second += related[k].alignment.confidence;
+  for (const auto& [a, b] : related.pairs())
+    if (isJoined(related(a, b), options)) size[set[a]].second += related(a, b).alignment.confidence;
   const std::size_t chosen =
       reference ? set[*reference]
                 : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
@@ -73,84 +70,60 @@ double sharedOf(const MapPair& pair) { return std::min(pair.bInA.share, pair.aIn
 
 }  // namespace
 
-Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
-            const std::vector<MapPair>& related, const SitePosesOptions& options,
-            std::optional<std::size_t> reference) {
+Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
+               const SitePosesOptions& options, std::optional<std::size_t> reference) {
   Site site;
-  site.runs = membersOf(runs.size(), pairs, related, options, reference);
-  const auto placeOf = [&](std::size_t run) {
-    return std::lower_bound(site.runs.begin(), site.runs.end(), run) - site.runs.begin();
-  };
-  const auto isIn = [&](std::size_t run) {
-    return std::binary_search(site.runs.begin(), site.runs.end(), run);
-  };
-  std::vector<PairPose> used;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto [a, b] = pairs[k];
-    if (!isJoined(related[k], options) || !isIn(a) || !isIn(b)) continue;
-    used.push_back({std::size_t(placeOf(a)), std::size_t(placeOf(b)), related[k].alignment.pose,
-                    related[k].alignment.confidence, middleOf(runs[b].map)});
+  if (runs.empty()) return site;
+  site.members = membersOf(related, options, reference);
+  const std::size_t n = site.members.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    site.runs.push_back(&runs[site.members[i]]);
+    if (reference == site.members[i]) site.reference = i;
   }
-  const std::size_t centre =
-      reference ? std::size_t(placeOf(*reference)) : centreOf(site.runs.size(), used);
-  for (const SitePose& placed : sitePoses(site.runs.size(), used, centre, options).runs)
+  std::vector<PairPose> used;
+  for (const auto& [i, j] : pairsOf(n)) {
+    const MapPair& pair = related(site.members[i], site.members[j]);
+    if (isJoined(pair, options))
+      used.push_back(
+          {i, j, pair.alignment.pose, pair.alignment.confidence, middleOf(site.runs[j]->map)});
+  }
+  const std::size_t centre = site.reference ? *site.reference : centreOf(n, used);
+  for (const SitePose& placed : sitePoses(n, used, centre, options).runs)
     site.poses.push_back(placed.pose);
   return site;
 }
 
-PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site, const ForEach& forEach) {
-  PlacedRuns result;
-  result.poses = site.poses;
-  for (const std::size_t run : site.runs) result.runs.push_back(&runs[run]);
-  const std::size_t n = site.runs.size();
-  result.distances.assign(n, std::vector<WallDistances>(n));
-  forEach(n, [&](std::size_t i) {
-    for (std::size_t j = 0; j < n; ++j)
-      if (i != j)
-        result.distances[i][j] = wallDistances(result.runs[i]->map, result.runs[j]->map,
-                                               site.poses[j].inverse() * site.poses[i]);
-  });
-  return result;
-}
-
-std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
-                                          std::size_t runs, const std::vector<MapPair>& related,
-                                          const ForEach& forEach) {
-  const std::size_t n = members.runs.size();
-  std::vector<std::vector<MapPair>> pairs(n, std::vector<MapPair>(n));
-  forEach(n, [&](std::size_t i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
-      const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
-      MapPair& pair = pairs[i][j];
-      pair = related[pairIndex(members.runs[i], members.runs[j], runs)];
-      if (!contradicts(pair, inSite, middleOf(b))) continue;
-      MapPair again = pair;
-      follow(again, a, b, {inSite});
-      if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
-    }
+MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& forEach) {
+  MapPairs pairs(site.runs.size());
+  const auto all = pairs.pairs();
+  forEach(all.size(), [&](std::size_t k) {
+    const auto [i, j] = all[k];
+    const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
+    const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
+    MapPair& pair = pairs(i, j);
+    pair = related(site.members[i], site.members[j]);
+    if (!contradicts(pair, inSite, middleOf(b))) return;
+    MapPair again = pair;
+    follow(again, a, b, {inSite});
+    if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
   });
   return pairs;
 }
 
-const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
-                                std::size_t in) {
-  return of < in ? pairs[of][in].aInB : pairs[in][of].bInA;
+const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size_t in) {
+  return of < in ? pairs(of, in).aInB : pairs(in, of).bInA;
 }
 
-std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs) {
-  const std::size_t n = pairs.size();
-  std::vector<std::vector<PairBend>> bends(n, std::vector<PairBend>(n));
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = i + 1; j < n; ++j) {
-      const MapPair& pair = pairs[i][j];
-      double walls = 0;
-      for (const FollowedWalls* way : {&pair.bInA, &pair.aInB})
-        for (const FollowedPatch& patch : way->patches) walls += patch.walls;
-      bends[i][j] = {std::max(pair.bInA.bend, pair.aInB.bend),
-                     std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical};
-      bends[j][i] = bends[i][j];
-    }
+PairBends bendsOf(const MapPairs& pairs) {
+  PairBends bends(pairs.things());
+  for (const auto& [i, j] : pairs.pairs()) {
+    const MapPair& pair = pairs(i, j);
+    double walls = 0;
+    for (const FollowedWalls* way : {&pair.bInA, &pair.aInB})
+      for (const FollowedPatch& patch : way->patches) walls += patch.walls;
+    bends(i, j) = {std::max(pair.bInA.bend, pair.aInB.bend),
+                   std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical};
+  }
   return bends;
 }
 

@@ -9,18 +9,7 @@
 
 namespace roomgraph {
 
-Pairs pairsOf(std::size_t runs) {
-  Pairs pairs;
-  for (std::size_t a = 0; a < runs; ++a)
-    for (std::size_t b = a + 1; b < runs; ++b) pairs.emplace_back(a, b);
-  return pairs;
-}
-
-std::size_t pairIndex(std::size_t a, std::size_t b, std::size_t runs) {
-  return a * runs - a * (a + 1) / 2 + b - a - 1;
-}
-
-std::size_t hubOf(const std::vector<PreparedRun>& runs) {
+std::size_t hubOf(const std::vector<Run>& runs) {
   return runs.empty() ? 0 : byStraightness(runs).front();
 }
 
@@ -29,32 +18,31 @@ namespace {
 /** The pairs of some runs, worked out one by one or taken from where they are kept. */
 class Relating {
  public:
-  Relating(const std::vector<PreparedRun>& runs, bool areAligned, const KeptPairs& kept)
-      : runs_(runs), areAligned_(areAligned), kept_(kept), related_(pairsOf(runs.size()).size()) {
+  Relating(const std::vector<Run>& runs, bool areAligned, const KeptPairs& kept)
+      : runs_(runs), areAligned_(areAligned), kept_(kept), related_(runs.size()) {
     if (!kept.read) return;
-    for (const PreparedRun& run : runs) prints_.push_back(fingerprint(run.map));
+    for (const Run& run : runs) prints_.push_back(fingerprint(run.map));
   }
 
   void search(std::size_t a, std::size_t b) {
-    related_[pairIndex(a, b, runs_.size())] = keptOr({a, b}, [&] {
+    related_(a, b) = keptOr({a, b}, [&] {
       return areAligned_ ? relateAlignedMaps(mapOf(a), mapOf(b)) : relateMaps(mapOf(a), mapOf(b));
     });
   }
   /** To be called when both runs have been related to the hub. */
   void relateOver(std::size_t hub, std::size_t a, std::size_t b) {
     if (areAligned_) return search(a, b);
-    related_[pairIndex(a, b, runs_.size())] = keptOr({a, b, hub}, [&] {
+    related_(a, b) = keptOr({a, b, hub}, [&] {
       return relateMapsOver(between(hub, a), between(hub, b), mapOf(a), mapOf(b));
     });
   }
-  std::vector<MapPair> related() { return std::move(related_); }
+  MapPairs related() { return std::move(related_); }
 
  private:
   const MapForAlignment& mapOf(std::size_t run) const { return runs_[run].map; }
 
   MapPair between(std::size_t hub, std::size_t run) const {
-    return hub < run ? related_[pairIndex(hub, run, runs_.size())]
-                     : swapped(related_[pairIndex(run, hub, runs_.size())]);
+    return hub < run ? related_(hub, run) : swapped(related_(run, hub));
   }
 
   MapPair keptOr(const std::vector<std::size_t>& maps, const std::function<MapPair()>& work) const {
@@ -71,19 +59,19 @@ class Relating {
     return pair;
   }
 
-  const std::vector<PreparedRun>& runs_;
+  const std::vector<Run>& runs_;
   bool areAligned_;
   const KeptPairs& kept_;
   std::vector<std::string> prints_;
-  std::vector<MapPair> related_;
+  MapPairs related_;
 };
 
 }  // namespace
 
-std::vector<MapPair> relateRuns(const std::vector<PreparedRun>& runs, bool areAligned,
-                                const ForEach& forEach, const KeptPairs& kept) {
+MapPairs relateRuns(const std::vector<Run>& runs, bool areAligned, const ForEach& forEach,
+                    const KeptPairs& kept) {
   const std::size_t hub = hubOf(runs);
-  Pairs withHub, others;
+  std::vector<std::pair<std::size_t, std::size_t>> withHub, others;
   for (const auto& [a, b] : pairsOf(runs.size()))
     (a == hub || b == hub ? withHub : others).emplace_back(a, b);
   Relating relating(runs, areAligned, kept);

@@ -13,7 +13,7 @@ std::vector<UsedOption> usedOptions(const FieldTable& table) {
   return options;
 }
 
-std::string comparisonReport(const Comparison& comparison, const std::vector<PreparedRun>& runs,
+std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs,
                              const std::vector<UsedOption>& options) {
   kainjow::mustache::data page = pageTables(comparison, runs, options);
   page.set("leafletStyle", page_files::kLeafletCss);

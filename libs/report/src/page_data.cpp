@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base64.h"
+#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/report/names.h"
 #include "roomgraph/report/run_marks.h"
-#include "roomgraph/report/utf8_text.h"
 #include "site_pictures.h"
 
 namespace roomgraph {
@@ -42,10 +42,9 @@ Json pictureJson(const SitePicture& picture) {
 }
 
 /** The maps of the compared runs; without a map where there is none. */
-std::vector<PlacedMap> placedMaps(const Comparison& comparison,
-                                  const std::vector<PreparedRun>& runs) {
+std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vector<Run>& runs) {
   std::map<std::string, const MapForAlignment*> maps;
-  for (const PreparedRun& run : runs) maps.emplace(run.name, &run.map);
+  for (const Run& run : runs) maps.emplace(run.name, &run.map);
   std::vector<PlacedMap> placed;
   for (const ComparedRun& run : comparison.runs) {
     const auto found = maps.find(run.name);
@@ -159,7 +158,7 @@ std::string fixedText(std::optional<double> value, int digits) {
 
 std::string percentText(double share) { return fixedText(100 * share, 0) + " %"; }
 
-std::string pageData(const Comparison& comparison, const std::vector<PreparedRun>& runs) {
+std::string pageData(const Comparison& comparison, const std::vector<Run>& runs) {
   const std::vector<PlacedMap> placed = placedMaps(comparison, runs);
   std::vector<PlacedMap> known = placed;
   known.erase(std::remove_if(known.begin(), known.end(),

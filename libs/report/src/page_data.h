@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
 /** What the scripts of the report draw: runs with their pictures, heat map, rooms and breaks. JSON
  *  that may stand in a script element: it holds no '<', '>' or '&'. */
-std::string pageData(const Comparison& comparison, const std::vector<PreparedRun>& runs);
+std::string pageData(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** "#rrggbb". */
 std::string colourText(std::size_t run);

@@ -99,10 +99,9 @@ data measureCell(const Measure* measure) {
 
 class Tables {
  public:
-  Tables(const Comparison& comparison, const std::vector<PreparedRun>& prepared)
-      : comparison_(comparison) {
+  Tables(const Comparison& comparison, const std::vector<Run>& prepared) : comparison_(comparison) {
     for (const ComparedRun& run : comparison.runs) places_.emplace(run.name, places_.size());
-    for (const PreparedRun& run : prepared) hashes_.emplace(run.name, run.sha256);
+    for (const Run& run : prepared) hashes_.emplace(run.name, run.sha256);
   }
 
   data runs() const {
@@ -254,7 +253,7 @@ data heatRows() {
 
 }  // namespace
 
-data pageTables(const Comparison& comparison, const std::vector<PreparedRun>& runs,
+data pageTables(const Comparison& comparison, const std::vector<Run>& runs,
                 const std::vector<UsedOption>& options) {
   const Tables tables(comparison, runs);
   data page;

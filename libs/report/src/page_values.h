@@ -2,7 +2,7 @@
 #include <string>
 
 #include "kainjow/mustache.hpp"
-#include "roomgraph/report/utf8_text.h"
+#include "roomgraph/base/utf8_text.h"
 
 /** Values for the page's template. */
 namespace roomgraph::page_values {

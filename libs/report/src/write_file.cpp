@@ -1,5 +1,10 @@
 #include "roomgraph/report/write_file.h"
 
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "roomgraph/base/Error.h"
 #include "roomgraph/report/StagedFiles.h"
 
 namespace roomgraph {
@@ -8,6 +13,15 @@ void writeFileAtomically(const std::string& path, const std::string& bytes) {
   StagedFiles files;
   files.add(path, bytes);
   files.commit();
+}
+
+void makeWritableFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder) || access(folder.c_str(), W_OK | X_OK) != 0)
+    throw DataError(folder + ": cannot be written to" +
+                    (error ? " (" + error.message() + ")" : std::string()) +
+                    ": choose another folder");
 }
 
 }  // namespace roomgraph

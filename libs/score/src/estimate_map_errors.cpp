@@ -16,21 +16,20 @@ constexpr double kEightyPercent = 1.2816;  // standard deviations either way tha
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Bends = std::vector<std::vector<PairBend>>;
 
 /** What the logs of the errors, and the log of the deviations' free factor behind them, have to
  *  explain. */
 class Problem {
  public:
-  Problem(const Bends& bends, const std::vector<std::optional<double>>& deviations,
+  Problem(const PairBends& bends, const std::vector<std::optional<double>>& deviations,
           std::optional<std::size_t> truth, const MapErrorOptions& options)
-      : bends_(bends), options_(options), n_(Eigen::Index(bends.size())), truth_(truth) {
+      : bends_(bends), options_(options), n_(Eigen::Index(bends.things())), truth_(truth) {
     for (const auto& deviation : deviations)
       told_.push_back(deviation ? std::optional(options.deviationPower *
                                                 std::log(*deviation + options.deviationNoise))
                                 : std::nullopt);
     if (truth) told_[*truth].reset();
-    for (const auto& row : bends) mostShare_.push_back(mostShare(row));
+    for (std::size_t i = 0; i < bends.things(); ++i) mostShare_.push_back(mostShare(bends, i));
   }
 
   /** Half the cost, with its gradient and the normal equations of a step. */
@@ -99,7 +98,7 @@ class Problem {
   }
 
   const PairBend& of(Eigen::Index i, Eigen::Index j) const {
-    return bends_[std::size_t(i)][std::size_t(j)];
+    return bends_(std::size_t(i), std::size_t(j));
   }
 
   void addPair(Linearised& out, const VectorXd& x, Eigen::Index i, Eigen::Index j) const {
@@ -130,7 +129,7 @@ class Problem {
     out.h(i, n_) -= w * j, out.h(n_, i) -= w * j;
   }
 
-  const Bends& bends_;
+  const PairBends& bends_;
   const MapErrorOptions& options_;
   Eigen::Index n_;
   std::optional<std::size_t> truth_;
@@ -166,9 +165,9 @@ Solution solve(const Problem& problem, VectorXd x) {
   return {x, here.cost};
 }
 
-bool hasPair(const Bends& bends, std::size_t i) {
-  for (std::size_t j = 0; j < bends.size(); ++j)
-    if (j != i && bends[i][j].share > 0) return true;
+bool hasPair(const PairBends& bends, std::size_t i) {
+  for (std::size_t j = 0; j < bends.things(); ++j)
+    if (j != i && bends(i, j).share > 0) return true;
   return false;
 }
 
@@ -181,10 +180,10 @@ MapError withInterval(double error, double deviation) {
 }  // namespace
 
 std::vector<std::optional<MapError>> estimateMapErrors(
-    const Bends& bends, const std::vector<std::optional<double>>& deviations,
+    const PairBends& bends, const std::vector<std::optional<double>>& deviations,
     std::optional<std::size_t> truth, const MapErrorOptions& options) {
-  std::vector<std::optional<MapError>> errors(bends.size());
-  if (bends.size() < 2) return errors;
+  std::vector<std::optional<MapError>> errors(bends.things());
+  if (bends.things() < 2) return errors;
   const Problem problem(bends, deviations, truth, options);
   Solution best = solve(problem, problem.startFromBends());
   const Solution other = solve(problem, problem.startFromDeviations());
@@ -192,7 +191,7 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   MatrixXd h = problem.at(best.x).h;
   h.diagonal().array() += 1e-3;  // for what nothing tells
   const MatrixXd covariance = h.inverse();
-  for (std::size_t i = 0; i < bends.size(); ++i) {
+  for (std::size_t i = 0; i < bends.things(); ++i) {
     if (i == truth || !hasPair(bends, i)) continue;
     const auto k = Eigen::Index(i);
     const double variance = options.spread * options.spread * covariance(k, k) +

@@ -1,15 +1,16 @@
 #pragma once
 #include <algorithm>
-#include <vector>
+#include <cstddef>
 
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 
-/** The largest share of its walls that a run has in common with another, of its row of pairs. */
-inline double mostShare(const std::vector<PairBend>& pairs) {
+/** The largest share of its walls that a run has in common with another. */
+inline double mostShare(const PairBends& bends, std::size_t run) {
   double most = 0;
-  for (const PairBend& pair : pairs) most = std::max(most, pair.share);
+  for (std::size_t j = 0; j < bends.things(); ++j)
+    if (j != run) most = std::max(most, bends(run, j).share);
   return most;
 }
 

@@ -11,21 +11,20 @@
 namespace roomgraph {
 namespace {
 
-using Bends = std::vector<std::vector<PairBend>>;
 using Errors = std::vector<std::optional<MapError>>;
 
 /** Estimates the errors with one run for all that have the same map. */
-Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
+Errors errorsOfAll(const PairBends& bends, const std::vector<OwnEvidence>& own,
                    std::optional<std::size_t> reference, const MapErrorOptions& options) {
   const DistinctMaps maps(bends);
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < bends.size(); ++i)
+  for (std::size_t i = 0; i < bends.things(); ++i)
     if (maps.isFirst(i)) kept.push_back(i);
-  Bends some(kept.size(), std::vector<PairBend>(kept.size()));
+  PairBends some(kept.size());
   std::vector<std::optional<double>> told;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     told.push_back(own[kept[i]].axisDeviation);
-    for (std::size_t j = 0; j < kept.size(); ++j) some[i][j] = bends[kept[i]][kept[j]];
+    for (std::size_t j = i + 1; j < kept.size(); ++j) some(i, j) = bends(kept[i], kept[j]);
   }
   const auto placeOf = [&](std::size_t i) {
     const auto place = std::lower_bound(kept.begin(), kept.end(), maps.firstOf(i));
@@ -34,10 +33,10 @@ Errors errorsOfAll(const Bends& bends, const std::vector<OwnEvidence>& own,
   std::optional<std::size_t> truth;
   if (reference) truth = placeOf(*reference);
   const Errors found = estimateMapErrors(some, told, truth, options);
-  Errors errors(bends.size());
-  for (std::size_t i = 0; i < bends.size(); ++i) {
+  Errors errors(bends.things());
+  for (std::size_t i = 0; i < bends.things(); ++i) {
     errors[i] = found[placeOf(i)];
-    const bool isCopyOfAll = kept.size() == 1 && bends.size() > 1;
+    const bool isCopyOfAll = kept.size() == 1 && bends.things() > 1;
     if (isCopyOfAll || truth == placeOf(i)) errors[i] = MapError{};
     if (i == reference) errors[i].reset();
   }
@@ -50,62 +49,79 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
 }
 
-/** Sets trust, then each run's bend away from the others as their trust weighs it. */
-void weigh(std::vector<std::optional<RunScore>>& scores, const Bends& bends,
-           std::optional<std::size_t> reference, const RunScoreOptions& options) {
-  const bool areAllSmall = std::none_of(bends.begin(), bends.end(), [&](const auto& row) {
-    return mostShare(row) >= options.minShare;
-  });
+/** Falls with the error; runs that have little in common with any other are not asked. */
+void setTrust(RunScores& scores, const PairBends& bends, const RunScoreOptions& options) {
+  const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.minShare; };
+  bool areAllSmall = true;
+  for (std::size_t i = 0; i < scores.size(); ++i) areAllSmall = areAllSmall && isSmall(i);
   double most = 0;
   for (std::size_t i = 0; i < scores.size(); ++i) {
-    if (!scores[i] || (mostShare(bends[i]) < options.minShare && !areAllSmall)) continue;
+    if (!scores[i] || (isSmall(i) && !areAllSmall)) continue;
     scores[i]->trust = std::pow(options.trustFloor + scores[i]->mapError, -4);
     most = std::max(most, scores[i]->trust);
   }
   for (auto& score : scores)
     if (score && most > 0) score->trust /= most;
-  const DistinctMaps maps(bends);
-  for (std::size_t i = 0; i < scores.size(); ++i) {
-    if (!scores[i]) continue;
-    double sum = 0, weights = 0, found = 0, trust = 0;
-    for (std::size_t j = 0; j < bends.size(); ++j) {
-      if (bends[i][j].share <= 0 || (reference && j != reference)) continue;
-      if (!reference && !maps.isMeasuredAgainst(i, j)) continue;
-      const double weight = (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
-      sum += weight * bends[i][j].bend, weights += weight;
-      found += (scores[j] ? scores[j]->trust : 1) * bends[i][j].share;
-      trust += scores[j] ? scores[j]->trust : 1;
-      scores[i]->support += bends[i][j].walls;
-      ++scores[i]->others;
-    }
-    if (weights > 0) scores[i]->bend = sum / weights, scores[i]->share = found / trust;
+}
+
+/** Sets the bend of one run away from the others, as their trust weighs it. */
+void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const DistinctMaps& maps,
+           std::optional<std::size_t> reference) {
+  const auto isAsked = [&](std::size_t other) {
+    return reference ? other == *reference : maps.isMeasuredAgainst(run, other);
+  };
+  RunScore& score = *scores[run];
+  double sum = 0, weights = 0, trust = 0;
+  for (std::size_t j = 0; j < bends.things(); ++j) {
+    if (j == run || !isAsked(j) || bends(run, j).share <= 0) continue;
+    const PairBend& pair = bends(run, j);
+    const double trustOfOther = scores[j] ? scores[j]->trust : 1;
+    sum += trustOfOther * pair.share * pair.bend, weights += trustOfOther * pair.share;
+    trust += trustOfOther;
+    score.support += pair.walls;
+    ++score.others;
   }
+  if (weights > 0) score.bend = sum / weights, score.share = weights / trust;
 }
 
 }  // namespace
 
-std::vector<std::optional<RunScore>> scoreRuns(const Bends& bends,
-                                               const std::vector<OwnEvidence>& own,
-                                               std::optional<std::size_t> reference,
-                                               const RunScoreOptions& options) {
-  if (reference && *reference >= bends.size())
+RunScores scoreRuns(const PairBends& bends, const std::vector<OwnEvidence>& own,
+                    std::optional<std::size_t> reference, const RunScoreOptions& options) {
+  if (reference && *reference >= bends.things())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
   const Errors errors = errorsOfAll(bends, own, reference, options.error);
-  std::vector<std::optional<RunScore>> scores(bends.size());
-  for (std::size_t i = 0; i < bends.size(); ++i) {
+  RunScores scores(bends.things());
+  for (std::size_t i = 0; i < bends.things(); ++i) {
     if (!errors[i]) continue;
     scores[i].emplace();
     MapError error = *errors[i];
     error.low = std::max(0.0, error.low - own[i].noiseFloor), error.high += own[i].noiseFloor;
     grade(*scores[i], error, options);
   }
-  weigh(scores, bends, reference, options);
+  setTrust(scores, bends, options);
+  const DistinctMaps maps(bends);
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (scores[i]) weigh(scores, i, bends, maps, reference);
   const std::size_t minOthers = reference ? 1 : options.minOthers;
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (auto& score = scores[i])
       score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers &&
-                            mostShare(bends[i]) >= options.minShare;
+                            mostShare(bends, i) >= options.minShare;
   return scores;
+}
+
+std::vector<OwnEvidence> ownEvidenceOf(const Site& site) {
+  std::vector<OwnEvidence> own;
+  for (const Run* run : site.runs) own.push_back({run->map.axisDeviation, run->noiseFloor});
+  return own;
+}
+
+Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference) {
+  Trust trust;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    trust.push_back(reference ? double(i == *reference) : scores[i] ? scores[i]->trust : 0);
+  return trust;
 }
 
 }  // namespace roomgraph

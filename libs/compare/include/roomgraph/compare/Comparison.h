@@ -12,6 +12,9 @@
 
 namespace roomgraph {
 
+/** A run of less coverage is no map of the whole site. */
+constexpr double kPartialCoverage = 0.7;
+
 /** A run that could be placed. */
 struct ComparedRun {
   std::string name, file;

@@ -1,13 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "roomgraph/breaks/find_breaks.h"
-#include "roomgraph/breaks/find_pieces.h"
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/relate/PreparedRun.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/relate/site_poses.h"
 #include "roomgraph/score/run_score.h"
@@ -15,28 +13,36 @@
 namespace roomgraph {
 
 // Ours
-// In:   the runs, and how each pair of them lies in each other
+// In:   the runs, as prepareRun makes them
 // Out:  Comparison
-// Next: comparisonJson
+// Next: comparisonJson, comparisonReport
 
 struct CompareRunsOptions {
+  bool areAligned = false;  ///< all maps are in one frame already
   SitePosesOptions poses;
   RunScoreOptions score;
-  TrackScansOptions trackScans;
-  FindBreaksOptions findBreaks;
-  FindPiecesOptions findPieces;
+  SiteBreaksOptions breaks;
   std::optional<std::size_t> reference;  ///< the run to measure the others against
-  ForEach forEach = oneByOne;            ///< changes no number
+  KeptPairs kept;              ///< where pairs are kept from call to call; changes nothing
+  ForEach forEach = oneByOne;  ///< changes no number
 };
 
-/** Places the runs in one frame, scores and measures each, and says which is best. `related` are
- *  those of relateRuns. The site is the largest set of
- * runs that are joined by pairs of the same site (that of the reference, if any; of equal ones the
- * surest); runs outside of it are left out. The site's frame is that of its run that the others fit
- * best, or of the reference. A single run gets no score. O(runs^2 * walls).
- *  @throws UsageError where `related` are not as many as the pairs, or there is no reference.
- */
-Comparison compareRuns(const std::vector<PreparedRun>& runs, const std::vector<MapPair>& related,
+/** Relates the runs, places them in one frame, scores and measures each, and says which is best.
+ *  The site is the largest set of runs that are joined by pairs of the same site (that of the
+ *  reference, if any); runs outside of it are left out. A single run gets no score. The same for
+ *  any order of the runs.
+ *
+ *      std::vector<Run> runs{prepareRun("monday", ...), prepareRun("tuesday", ...)};
+ *      for (const ComparedRun& run : compareRuns(runs, {}).runs)
+ *        std::printf("%zu. %s\n", run.rank, run.name.c_str());
+ *
+ *  O(runs^2 * walls).
+ *  @throws UsageError where there is no such reference, or two runs have one name. */
+Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
+
+/** The same for runs that are related already, as relateRuns gives it, in the order of sortRuns.
+ *  @throws UsageError also where `related` are not those of as many runs. */
+Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
                        const CompareRunsOptions& options);
 
 }  // namespace roomgraph

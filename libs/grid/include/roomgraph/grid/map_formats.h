@@ -25,4 +25,8 @@ std::string mapFormatNames();
 /** For people: "MRPT grid map (.gridmap), ROS map (.yaml, .yml) or picture (.png)". */
 std::string mapFormatsText();
 
+/** The X of the results of a map: the file's name without its folder, ".gz" and then the extension
+ *  of a format: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat" stays. */
+std::string mapStem(const std::string& mapFile);
+
 }  // namespace roomgraph

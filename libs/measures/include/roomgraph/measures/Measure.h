@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace roomgraph {
 
@@ -15,5 +16,8 @@ struct Measure {
   std::optional<double> low, high;
   bool isMeaningful = false;  ///< enough other runs, and enough support
 };
+
+/** The measure of this name; null for none. */
+const Measure* find(const std::vector<Measure>& measures, const std::string& name);
 
 }  // namespace roomgraph

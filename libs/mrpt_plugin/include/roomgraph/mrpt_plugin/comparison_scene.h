@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
@@ -18,10 +18,9 @@ namespace roomgraph {
  *  report, the best on top, a few centimetres apart. Then "rooms" (outlines), "room names" and
  *  "breaks" (rings in the colour of the run), where there are any. The camera looks from above.
  *  `runs` are looked up by name: a run whose map is not among them is not drawn. O(cells). */
-MrptScene comparisonScene(const Comparison& comparison, const std::vector<PreparedRun>& runs);
+MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** The bytes of a `.3Dscene` file; the same comparison gives the same bytes. */
-std::string comparisonSceneBytes(const Comparison& comparison,
-                                 const std::vector<PreparedRun>& runs);
+std::string comparisonSceneBytes(const Comparison& comparison, const std::vector<Run>& runs);
 
 }  // namespace roomgraph

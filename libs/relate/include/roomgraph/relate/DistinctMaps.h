@@ -9,10 +9,10 @@ namespace roomgraph {
 /** Which runs have the same map: a copy is no further witness. */
 class DistinctMaps {
  public:
-  explicit DistinctMaps(const std::vector<std::vector<PairBend>>& bends) {
-    for (std::size_t i = 0; i < bends.size(); ++i) {
+  explicit DistinctMaps(const PairBends& bends) {
+    for (std::size_t i = 0; i < bends.things(); ++i) {
       std::size_t j = 0;
-      while (j < i && !bends[i][j].areIdentical) ++j;
+      while (j < i && !bends(i, j).areIdentical) ++j;
       first_.push_back(j);
       count_ += j == i;
     }

@@ -1,4 +1,5 @@
 #pragma once
+#include "roomgraph/base/PairTable.h"
 
 namespace roomgraph {
 
@@ -9,5 +10,7 @@ struct PairBend {
   double walls = 0;  ///< wall points it was seen on
   bool areIdentical = false;  ///< the maps are the same
 };
+
+using PairBends = PairTable<PairBend>;
 
 }  // namespace roomgraph

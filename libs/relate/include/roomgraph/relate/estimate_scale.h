@@ -4,7 +4,7 @@
 
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/grid/Grid.h"
-#include "roomgraph/relate/PreparedRun.h"
+#include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
@@ -56,8 +56,7 @@ Grid rescaled(Grid grid, double resolution);
  *  the runs' own scale is part of the result; beside it about 0.3 %. A picture that repeats itself
  *  on another scale can be taken wrongly. The same for any order of the jobs; runs that are equal
  *  in size and straightness count in their order. About 35 times alignMaps. */
-std::optional<ScaleEstimate> estimateScale(const Grid& picture,
-                                           const std::vector<PreparedRun>& runs,
+std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vector<Run>& runs,
                                            const EstimateScaleOptions& options,
                                            const ForEach& forEach);
 

@@ -4,38 +4,33 @@
 
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/relate/PairBend.h"
-#include "roomgraph/relate/PlacedRuns.h"
+#include "roomgraph/relate/Site.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/relate/site_poses.h"
 
 namespace roomgraph {
 
-/** A set of runs that lie in one frame. */
-struct Site {
-  std::vector<std::size_t> runs;   ///< ascending
-  std::vector<Transform2D> poses;  ///< site <- run
-};
+// Ours
+// In:   the runs, and how each two of them lie in each other
+// Out:  Site, and what is known of its pairs
+// Next: scoreRuns, siteBreaks, siteRooms
 
-/** The runs of the site and their poses, see compareRuns. */
-Site siteOf(const std::vector<PreparedRun>& runs, const Pairs& pairs,
-            const std::vector<MapPair>& related, const SitePosesOptions& options,
-            std::optional<std::size_t> reference);
+/** Places the runs in one frame. The site is the largest set of runs that are joined by pairs of
+ *  the same site (that of `reference`, if any; of equal ones the surest). Its frame is that of the
+ *  run that the others fit best, or of the reference. Empty for no runs. O(runs^3). */
+Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
+               const SitePosesOptions& options, std::optional<std::size_t> reference);
 
-/** The runs of the site; trust is left open. */
-PlacedRuns placed(const std::vector<PreparedRun>& runs, const Site& site, const ForEach& forEach);
-
-/** What is known of all pairs of a site, [i][j] with i < j. Pairs that have not found each other,
- * or lie otherwise than in the site, are followed from the poses in the site, if they fit there. */
-std::vector<std::vector<MapPair>> pairsIn(const PlacedRuns& site, const Site& members,
-                                          std::size_t runs, const std::vector<MapPair>& related,
-                                          const ForEach& forEach);
+/** What is known of the pairs of a site. Pairs that have not found each other, or lie otherwise
+ *  than in the site, are followed from the poses in the site, if they fit there. `related` are
+ *  those of all runs. */
+MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& forEach);
 
 /** What of these is known of run `of` in another run. */
-const FollowedWalls& followedIn(const std::vector<std::vector<MapPair>>& pairs, std::size_t of,
-                                std::size_t in);
+const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size_t in);
 
 /** The bends of these. The better map of two follows the worse one over a part of it only: so the
  *  larger bend of both ways counts. */
-std::vector<std::vector<PairBend>> bendsOf(const std::vector<std::vector<MapPair>>& pairs);
+PairBends bendsOf(const MapPairs& pairs);
 
 }  // namespace roomgraph

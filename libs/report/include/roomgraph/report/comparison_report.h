@@ -4,7 +4,7 @@
 
 #include "roomgraph/base/Options.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
@@ -27,7 +27,7 @@ std::vector<UsedOption> usedOptions(const FieldTable& table);
  *  `runs` are looked up by name: a compared run whose map is not among them is not drawn. The
  *  picture of a run has at most 2500 pixels on a side, 1200 with more than 20 runs. The same input
  *  gives the same bytes. O(pixels of all pictures). */
-std::string comparisonReport(const Comparison& comparison, const std::vector<PreparedRun>& runs,
+std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs,
                              const std::vector<UsedOption>& options);
 
 }  // namespace roomgraph

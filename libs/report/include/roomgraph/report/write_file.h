@@ -10,4 +10,8 @@ namespace roomgraph {
  *  @throws DataError with one line (file, problem, remedy). */
 void writeFileAtomically(const std::string& path, const std::string& bytes);
 
+/** Makes the folder if it is not there.
+ *  @throws DataError with one line where files cannot be written to it. */
+void makeWritableFolder(const std::string& folder);
+
 }  // namespace roomgraph

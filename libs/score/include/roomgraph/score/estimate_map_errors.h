@@ -39,13 +39,11 @@ struct MapErrorOptions {
  *  distribution, so that one outlier moves little. The deviations tell errors up to a factor that
  *  is free, as it depends on the building; one that tells less error than the bends counts by the
  *  square of the largest share of walls that its map has in common with another, as a small piece
- *  of a site is straight whatever it is worth. `bends` is square and symmetric; its diagonal must
- *  have no share. None for a map with no pair. With `truth`, that map has no error, its deviation
- *  does not count, and none is given for it. O(n^3) a step, at most 200 steps for each of two
- *  starts. */
+ *  of a site is straight whatever it is worth. None for a map with no pair. With `truth`, that map
+ *  has no error, its deviation does not count, and none is given for it. O(n^3) a step, at most
+ *  200 steps for each of two starts. */
 std::vector<std::optional<MapError>> estimateMapErrors(
-    const std::vector<std::vector<PairBend>>& bends,
-    const std::vector<std::optional<double>>& deviations, std::optional<std::size_t> truth,
-    const MapErrorOptions& options);
+    const PairBends& bends, const std::vector<std::optional<double>>& deviations,
+    std::optional<std::size_t> truth, const MapErrorOptions& options);
 
 }  // namespace roomgraph

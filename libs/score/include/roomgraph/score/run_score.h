@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/relate/Site.h"
 #include "roomgraph/score/estimate_map_errors.h"
 
 namespace roomgraph {
@@ -39,18 +40,25 @@ struct RunScoreOptions {
   double minShare = 0.2;      ///< of walls in common with another run, to be meaningful
 };
 
+/** Of each run of a site; none for a reference, and where no wall could be compared. */
+using RunScores = std::vector<std::optional<RunScore>>;
+
 /** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of
  *  estimateMapErrors. Identical maps count as one, and as others only where there is no other map.
  *  With `reference`, that run is taken for the truth and gets no score itself. Trust falls with the
  *  fourth power of trustFloor plus the map error; that of the most trusted run, or of the
  *  reference, is 1, that of a run without minShare 0, unless all are so. Runs that share no walls
  *  with any other have no score. Intervals are wider by the noise floor on both sides. Meaningful
- *  with minOthers other runs (one reference), minWalls wall points and minShare. `bends` is square
- *  and symmetric; its diagonal must have no share. Cost: that of estimateMapErrors.
+ *  with minOthers other runs (one reference), minWalls wall points and minShare. Cost: that of
+ *  estimateMapErrors.
  *  @throws UsageError where `reference` is none of the runs. */
-std::vector<std::optional<RunScore>> scoreRuns(const std::vector<std::vector<PairBend>>& bends,
-                                               const std::vector<OwnEvidence>& own,
-                                               std::optional<std::size_t> reference,
-                                               const RunScoreOptions& options);
+RunScores scoreRuns(const PairBends& bends, const std::vector<OwnEvidence>& own,
+                    std::optional<std::size_t> reference, const RunScoreOptions& options);
+
+/** What each run of the site tells of itself. */
+std::vector<OwnEvidence> ownEvidenceOf(const Site& site);
+
+/** Whom to trust: the runs as they are scored, or a reference alone. */
+Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);
 
 }  // namespace roomgraph

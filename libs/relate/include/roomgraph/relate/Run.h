@@ -10,7 +10,7 @@
 namespace roomgraph {
 
 /** What the comparison needs to know of a run. */
-struct PreparedRun {
+struct Run {
   std::string name, file, sha256;
   MapForAlignment map;            ///< must have walls
   double noiseFloor = 0;          ///< see noiseFloor [m]
@@ -24,6 +24,6 @@ struct PreparedRun {
 
 /** Brings runs into the order that all results are computed in, by content and then by name, so
  * that the order in which they are given changes no number. */
-void sortRuns(std::vector<PreparedRun>& runs);
+void sortRuns(std::vector<Run>& runs);
 
 }  // namespace roomgraph

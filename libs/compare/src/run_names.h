@@ -4,7 +4,7 @@
 
 namespace roomgraph {
 
-/** A name for each run, all different, as UTF-8: X as in outputStem; where two files have the same,
+/** A name for each run, all different, as UTF-8: X as in mapStem; where two files have the same,
  *  FOLDER/X; where that does not tell them apart, the file as it was given. A file that is given
  *  again, or whose name is taken all the same, gets the first of "#2" and so on that is free. The
  *  names of files do not depend on their order. */

@@ -5,15 +5,15 @@
 #include <map>
 #include <set>
 
-#include "output_names.h"
-#include "roomgraph/report/utf8_text.h"
+#include "roomgraph/base/utf8_text.h"
+#include "roomgraph/grid/map_formats.h"
 
 namespace roomgraph {
 namespace {
 
 std::string withFolder(const std::string& file) {
   const std::string folder = std::filesystem::path(file).parent_path().filename().string();
-  return folder.empty() ? outputStem(file) : folder + "/" + outputStem(file);
+  return folder.empty() ? mapStem(file) : folder + "/" + mapStem(file);
 }
 
 bool isUnique(const std::vector<std::string>& names, const std::string& name) {
@@ -36,7 +36,7 @@ std::vector<std::string> runNames(const std::vector<std::string>& files) {
   different.erase(std::unique(different.begin(), different.end()), different.end());
   std::vector<std::string> stems, longer;
   for (const std::string& file : different) {
-    stems.push_back(outputStem(file));
+    stems.push_back(mapStem(file));
     longer.push_back(withFolder(file));
   }
   std::set<std::string> taken;

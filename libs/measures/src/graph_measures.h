@@ -1,11 +1,11 @@
 #pragma once
 #include <vector>
 
+#include "compare_graphs.h"
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/measures/Measure.h"
-#include "roomgraph/measures/compare_graphs.h"
-#include "roomgraph/relate/PlacedRuns.h"
-#include "roomgraph/relate/relate_maps.h"
+#include "roomgraph/relate/Site.h"
+#include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
 
@@ -14,13 +14,11 @@ namespace roomgraph {
 // Out:  Measure
 // Next: compareRuns
 
-/** [i][j]: what the graphs of runs i < j say of each other; the rest is left empty. */
-using ComparedGraphs = std::vector<std::vector<GraphComparison>>;
+/** What the graphs of each two runs say of each other; a is the one with the lower index. */
+using ComparedGraphs = PairTable<GraphComparison>;
 
-/** `pairs` [i][j] with i < j: how the walls of the runs lie in each other. O(runs^2 *
- *  compareGraphs). */
-ComparedGraphs comparedGraphs(const PlacedRuns& site,
-                              const std::vector<std::vector<MapPair>>& pairs,
+/** `pairs` are those of the site. O(runs^2 * compareGraphs). */
+ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs,
                               const ForEach& forEach = oneByOne);
 
 /** Of one run against the others: `path_coverage`, `global_accuracy`, `relative_accuracy`,
@@ -28,7 +26,7 @@ ComparedGraphs comparedGraphs(const PlacedRuns& site,
  *  GraphComparison. Each is the mean over the others, weighted by trust times support; root mean
  *  square for both accuracies. Meaningful with three runs and enough support (10 vertices, paths or
  *  pairs of vertices; 20 m of paths). */
-std::vector<Measure> graphMeasuresOf(const ComparedGraphs& graphs, const PlacedRuns& site,
+std::vector<Measure> graphMeasuresOf(const ComparedGraphs& graphs, const Trust& trust,
                                      std::size_t run);
 
 /** The same figures of one pair, in the same order and without an interval: coverage and nearest

@@ -1,4 +1,4 @@
-#include "roomgraph/report/utf8_text.h"
+#include "roomgraph/base/utf8_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
+#include "match_graphs.h"
 #include "roomgraph/measures/Figure.h"
-#include "roomgraph/measures/match_graphs.h"
 
 namespace roomgraph {
 

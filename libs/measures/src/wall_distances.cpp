@@ -1,4 +1,4 @@
-#include "roomgraph/relate/wall_distances.h"
+#include "wall_distances.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,8 @@
-#include "PairFolder.h"
+#include "roomgraph/report/PairFolder.h"
 
 #include <filesystem>
 #include <utility>
 
-#include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/report/write_file.h"

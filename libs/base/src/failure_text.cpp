@@ -1,0 +1,34 @@
+#include "roomgraph/base/failure_text.h"
+
+#include <algorithm>
+#include <new>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+/** MRPT's messages carry a backtrace in further lines. */
+std::string firstLine(const std::string& text) {
+  constexpr std::size_t kMost = 200;
+  return text.substr(0, std::min(text.find('\n'), kMost));
+}
+
+}  // namespace
+
+std::string failureText(const std::string& file) {
+  const std::string prefix = file.empty() ? "" : file + ": ";
+  try {
+    throw;
+  } catch (const UsageError& error) {
+    return error.what();
+  } catch (const DataError& error) {
+    return error.what();
+  } catch (const std::bad_alloc&) {
+    return prefix + "not enough memory: use a coarser map, or --threads 1";
+  } catch (const std::exception& error) {
+    return prefix + "failed (" + firstLine(error.what()) + "): please report this";
+  }
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/relate/estimate_scale.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the names of map files
+// Out:  Comparison
+// Next: comparisonJson, comparisonReport
+
+struct CompareMapsOptions {
+  ExtractOptions extract;
+  CompareRunsOptions compare;   ///< its reference is that of the file below
+  std::string reference;        ///< map file to measure all runs against; empty for none
+  bool estimatesScale = false;  ///< of bare pictures
+  EstimateScaleOptions scale;   ///< how that is done
+  /** Told of each file that cannot be read, in the order of the files, on the calling thread. */
+  std::function<void(const LeftOutRun&)> onUnread = [](const LeftOutRun&) {};
+};
+
+/** Map files that were read. */
+struct ReadRuns {
+  std::vector<Run> runs;                 ///< in the order of sortRuns
+  std::optional<std::size_t> reference;  ///< of `runs`
+  std::vector<LeftOutRun> leftOut;       ///< files that could not be used, by name
+};
+
+/** Reads all maps, the reference behind the others, each with its scans. A file that cannot be
+ *  read, or has no walls, is left out. With estimatesScale, each bare picture is read at the scale
+ *  at which it fits the maps that have one (the reference alone, if it has one); where there is
+ *  none, it is left out as of another site. The same for any order of the files.
+ *  @throws DataError where no map at all, or the reference, cannot be used, or no map tells a scale.
+ *  @throws UsageError where scales are to be estimated and no map is a bare picture. */
+ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options);
+
+/** Compares what was read, see compareRuns; what was left out there is left out here, too. */
+Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
+
+/** Both in one:
+ *
+ *      const Comparison comparison = compareMaps({"a.simplemap", "b.simplemap", "c.yaml"}, {});
+ *      std::puts(comparison.verdict.c_str());
+ */
+Comparison compareMaps(const std::vector<std::string>& files, const CompareMapsOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/relate/Run.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   a map, and the scans that it was made from
+// Out:  Run
+// Next: compareRuns
+
+/** All that the comparison needs to know of a map: its graph and areas by extract(), its walls, and
+ *  its noise floor. `scans` are what loadKeyframes gives for a simplemap, else empty: without them
+ *  breaks are told from the walls alone. `name` is to be another one for each run. Cost: that of
+ *  extract() and of noiseFloor().
+ *  @throws DataError where no wall stands beside free space. */
+Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
+               const ExtractOptions& options);
+
+}  // namespace roomgraph

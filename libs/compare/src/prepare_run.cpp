@@ -1,0 +1,31 @@
+#include "roomgraph/compare/prepare_run.h"
+
+#include <utility>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/utf8_text.h"
+#include "roomgraph/pipeline/extract.h"
+#include "roomgraph/relate/noise_floor.h"
+
+namespace roomgraph {
+
+Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
+               const ExtractOptions& options) {
+  Stages stages = extract(map, options);
+  Run run;
+  run.name = name, run.file = utf8Text(map.source.file), run.sha256 = stages.source.sha256;
+  run.map = mapForAlignment(stages.grid, {});
+  if (run.map.walls.empty())
+    throw DataError((map.source.file.empty() ? name : map.source.file) +
+                    ": has no wall beside free space: a run must have some");
+  run.noiseFloor = noiseFloor(stages.grid, run.map, {});
+  run.rooms = std::move(stages.result.rooms);
+  run.graph = std::move(stages.result.graph);
+  run.areas = std::move(stages.areas);
+  run.areas.labels = {};  // not needed any more
+  run.resolution = map.frame.resolution;
+  run.scans = scanWalls(scans);
+  return run;
+}
+
+}  // namespace roomgraph

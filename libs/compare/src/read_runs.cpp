@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <exception>
+#include <functional>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/failure_text.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/compare/prepare_run.h"
+#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/pipeline/extract.h"
+#include "run_names.h"
+
+namespace roomgraph {
+namespace {
+
+/** A file on its way to a run. */
+struct MapFile {
+  std::string file, name;
+  std::optional<GreyMap> picture;  ///< whose scale is not known yet
+  std::optional<Run> run;
+  std::string failure;        ///< why there is none; empty while there may be one
+  bool isOtherSite = false;   ///< it could be read, but fits no other map
+  std::exception_ptr misuse;  ///< what is no fault of the file
+
+  LeftOutRun leftOut() const { return {name, file, failure, isOtherSite}; }
+};
+
+/** The text without the name of the file, which is told apart. */
+std::string withoutFile(const std::string& text, const std::string& file) {
+  return text.rfind(file + ": ", 0) == 0 ? text.substr(file.size() + 2) : text;
+}
+
+class Reader {
+ public:
+  Reader(std::vector<std::string> files, const CompareMapsOptions& options) : options_(options) {
+    if (!options.reference.empty()) files.push_back(options.reference);
+    const std::vector<std::string> names = runNames(files);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      files_.emplace_back();
+      files_.back().file = files[i], files_.back().name = names[i];
+    }
+  }
+
+  ReadRuns read() {
+    forEachFile([this](MapFile& file) { open(file); });
+    if (options_.estimatesScale) readPictures();
+    ReadRuns result;
+    result.runs = runs();
+    if (result.runs.empty())
+      throw DataError("compare: no map could be used: nothing is written, earlier results stay");
+    if (hasReference()) result.reference = placeOfReference(result.runs);
+    for (const MapFile& file : files_)
+      if (!file.failure.empty()) result.leftOut.push_back(file.leftOut());
+    std::sort(result.leftOut.begin(), result.leftOut.end(),
+              [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });
+    return result;
+  }
+
+ private:
+  void forEachFile(const std::function<void(MapFile&)>& job) {
+    std::vector<MapFile*> left;
+    for (MapFile& file : files_)
+      if (file.failure.empty() && !file.run) left.push_back(&file);
+    options_.compare.forEach(left.size(), [&](std::size_t i) {
+      MapFile& file = *left[i];
+      try {
+        job(file);
+      } catch (const UsageError&) {
+        file.misuse = std::current_exception();
+      } catch (...) {
+        file.failure = printable(withoutFile(failureText(file.file), file.file));
+      }
+    });
+    for (const MapFile* file : left) {
+      if (file->misuse) std::rethrow_exception(file->misuse);
+      if (!file->failure.empty()) options_.onUnread(file->leftOut());
+    }
+  }
+
+  void open(MapFile& file) const {
+    GreyMap map = loadGrid(file.file, options_.extract.loadGrid);
+    const bool isBare = map.source.kind == "image";
+    if (!isBare || !options_.estimatesScale) return prepare(file, map);
+    if (wallsForAlignment(binarize(map, options_.extract.binarize), {}).walls.empty())
+      throw DataError("has no wall beside free space: a run must have some");
+    file.picture = std::move(map);
+  }
+
+  void prepare(MapFile& file, const GreyMap& map) const {
+    const double range = options_.extract.loadGrid.maxDistanceInsertion;
+    file.run = prepareRun(file.name, map, loadKeyframes(file.file, range), options_.extract);
+  }
+
+  /** Reads the bare pictures at the scale at which they fit the other maps. */
+  void readPictures() {
+    checkScales();
+    const std::vector<Run> tellers = runsOfKnownScale();
+    for (MapFile& file : files_) {
+      if (!file.picture) continue;
+      const Grid grid = binarize(*file.picture, options_.extract.binarize);
+      if (const auto found = estimateScale(grid, tellers, options_.scale, options_.compare.forEach))
+        file.picture->frame = rescaled({file.picture->frame, {}}, found->resolution).frame;
+      else
+        refuse(file);
+    }
+    forEachFile([this](MapFile& file) {
+      prepare(file, *file.picture);
+      file.run->isScaleEstimated = true;
+    });
+  }
+
+  void checkScales() const {
+    const auto has = [&](const auto& what) {
+      return std::any_of(files_.begin(), files_.end(), what);
+    };
+    const bool hasPicture = has([](const MapFile& file) { return file.picture.has_value(); });
+    if (!hasPicture && !has([](const MapFile& file) { return !file.failure.empty(); }))
+      throw UsageError(
+          "compare: --estimate-scale is for bare pictures, and no map is one: leave it out");
+    if (hasPicture && !has([](const MapFile& file) { return file.run.has_value(); }))
+      throw DataError(
+          "compare: no map tells the scale of the pictures: add a gridmap, a simplemap or a yaml");
+  }
+
+  /** Leaves a picture out that fits no scale. */
+  void refuse(MapFile& file) const {
+    file.isOtherSite = true;
+    file.failure =
+        "it fits the other maps at no scale: it is not of the same site, or shows too little";
+    if (hasReference() && &file == &files_.back()) throw DataError(file.file + ": " + file.failure);
+  }
+
+  std::vector<Run> runsOfKnownScale() const {
+    if (hasReference() && files_.back().run) return {*files_.back().run};
+    return runs();
+  }
+
+  std::vector<Run> runs() const {
+    std::vector<Run> runs;
+    for (const MapFile& file : files_)
+      if (file.run) runs.push_back(*file.run);
+    sortRuns(runs);
+    return runs;
+  }
+
+  bool hasReference() const { return !options_.reference.empty(); }
+
+  std::size_t placeOfReference(const std::vector<Run>& runs) const {
+    const auto found = std::find_if(runs.begin(), runs.end(),
+                                    [&](const Run& run) { return run.name == files_.back().name; });
+    if (found == runs.end())
+      throw DataError(options_.reference + ": cannot be used as the reference: choose another one");
+    return std::size_t(found - runs.begin());
+  }
+
+  const CompareMapsOptions& options_;
+  std::vector<MapFile> files_;
+};
+
+}  // namespace
+
+ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options) {
+  return Reader(files, options).read();
+}
+
+}  // namespace roomgraph

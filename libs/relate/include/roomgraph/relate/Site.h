@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/relate/Run.h"
+
+namespace roomgraph {
+
+/** The runs of a site in one frame. */
+struct Site {
+  std::vector<const Run*> runs;
+  std::vector<Transform2D> poses;        ///< site <- run
+  std::vector<std::size_t> members;      ///< their places among all runs, ascending
+  std::optional<std::size_t> reference;  ///< of `runs`: the one that counts as the truth
+};
+
+/** How much each run of a site counts as a judge of the others: 0 to 1. */
+using Trust = std::vector<double>;
+
+}  // namespace roomgraph
