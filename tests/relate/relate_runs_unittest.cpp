@@ -167,7 +167,7 @@ TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
   std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
   const MapForAlignment &a = runs[0].map, &b = runs[1].map;
-  const MapPair good = test::related(runs)[0];
+  const MapPair good = test::related(runs)(0, 1);
   ASSERT_FALSE(good.bInA.patches.empty());
   ASSERT_TRUE(pairOfBytes(pairBytes(good), a, b));
   const auto isTaken = [&](const std::function<void(MapPair&)>& change) {
@@ -188,7 +188,7 @@ TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
 TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {
   std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
-  const std::string good = pairBytes(test::related(runs)[0]);
+  const std::string good = pairBytes(test::related(runs)(0, 1));
   const std::size_t checksum = good.find('\n') + 1, body = checksum + 64;
   for (std::size_t at = body; at < std::min(good.size(), body + 200 * sizeof(double));
        at += sizeof(double))

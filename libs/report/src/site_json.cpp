@@ -119,8 +119,8 @@ SiteFile parseSiteJson(const std::string& content, const std::string& name) {
   if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
   try {
     return site(json);
-  } catch (const Fault& fault) {
-    throw DataError(name + ": " + fault.where + " " + fault.problem + kRemedy);
+  } catch (const Fault& found) {
+    throw DataError(name + ": " + found.where + " " + found.problem + kRemedy);
   }
 }
 
