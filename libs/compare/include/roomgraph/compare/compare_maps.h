@@ -47,7 +47,7 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
 /** Both in one:
  *
  *      const Comparison comparison = compareMaps({"a.simplemap", "b.simplemap", "c.yaml"}, {});
- *      std::puts(comparison.verdict.c_str());
+ *      const std::string best = comparison.runs.front().name;
  */
 Comparison compareMaps(const std::vector<std::string>& files, const CompareMapsOptions& options);
 

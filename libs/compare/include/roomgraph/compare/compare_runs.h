@@ -33,8 +33,8 @@ struct CompareRunsOptions {
  *  any order of the runs.
  *
  *      std::vector<Run> runs{prepareRun("monday", ...), prepareRun("tuesday", ...)};
- *      for (const ComparedRun& run : compareRuns(runs, {}).runs)
- *        std::printf("%zu. %s\n", run.rank, run.name.c_str());
+ *      const Comparison comparison = compareRuns(runs, {});
+ *      const std::string best = comparison.runs.front().name;
  *
  *  O(runs^2 * walls).
  *  @throws UsageError where there is no such reference, or two runs have one name. */
