@@ -1,0 +1,29 @@
+#include "roomgraph/base/Error.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+std::string refusal(const std::string& file, const std::string& problem) {
+  try {
+    refuse(file, problem, "choose another");
+  } catch (const DataError& error) {
+    return error.what();
+  }
+}
+
+TEST(Refuse, tellsFileProblemAndRemedy) {
+  EXPECT_EQ(refusal("a.png", "it is no map"), "a.png: it is no map: choose another");
+}
+
+TEST(Refuse, aFileWithoutANameIsStillNamed) {
+  EXPECT_EQ(refusal("", "it is no map"), "'': it is no map: choose another");
+}
+
+TEST(Refuse, isOneLineWhateverTheFileIsCalled) {
+  EXPECT_EQ(refusal("a\nb\x1b[2J.png", "x"), "a?b?[2J.png: x: choose another");
+}
+
+}  // namespace
+}  // namespace roomgraph
