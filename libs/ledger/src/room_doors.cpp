@@ -81,31 +81,50 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
   }
 }
 
-}  // namespace
-
-RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
-                    const std::vector<RoomsInRun>& inRuns) {
+/** All doors of the room in all runs; that of the room's own drawing gives the places. */
+std::vector<Group> groupsOf(const SiteAreas& site, const ConsensusRooms& consensus,
+                            std::size_t room, const std::vector<RoomsInRun>& inRuns) {
   const std::size_t n = site.runs.size();
-  std::vector<std::size_t> order{consensus.sources[room].run};  // it gives the places
+  std::vector<std::size_t> order{consensus.sources[room].run};
   for (std::size_t i = 0; i < n; ++i)
     if (i != order[0]) order.push_back(i);
   std::vector<Group> groups;
   for (const std::size_t i : order)
     if (inRuns[i].isClean[room])
       join(doorsIn(site.runs[i], consensus, consensus.matches[i], room, inRuns[i]), i, n, groups);
+  return groups;
+}
+
+/** The runs that have the door, or know its place and do not. */
+std::vector<bool> whoKnows(const Group& group, const SiteAreas& site,
+                           const ConsensusRooms& consensus, std::size_t room,
+                           const std::vector<RoomsInRun>& inRuns) {
+  std::vector<bool> isKnown(site.runs.size());
+  for (std::size_t i = 0; i < isKnown.size(); ++i) {
+    if (!inRuns[i].isClean[room]) continue;
+    const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
+    isKnown[i] = group.isIn[i] || knows(site.runs[i], site.frame, move(group.door.place));
+  }
+  return isKnown;
+}
+
+double weightOf(const std::vector<bool>& isCounted, const SiteAreas& site) {
+  double sum = 0;
+  for (std::size_t i = 0; i < isCounted.size(); ++i)
+    if (isCounted[i]) sum += site.runs[i].weight;
+  return sum;
+}
+
+}  // namespace
+
+RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std::size_t room,
+                    const std::vector<RoomsInRun>& inRuns) {
+  const std::size_t n = site.runs.size();
   RoomDoors result;
   result.gained.assign(n, 0), result.lost.assign(n, 0);
-  for (const Group& group : groups) {
-    double with = 0, all = 0;
-    std::vector<bool> isKnown(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!inRuns[i].isClean[room]) continue;
-      const Transform2D move = moveAt(consensus.rooms, inRuns[i], room, group.door.to);
-      isKnown[i] = group.isIn[i] || knows(site.runs[i], site.frame, move(group.door.place));
-      if (isKnown[i]) all += site.runs[i].weight;
-      if (group.isIn[i]) with += site.runs[i].weight;
-    }
-    const bool isDoor = with > 0.5 * all;
+  for (const Group& group : groupsOf(site, consensus, room, inRuns)) {
+    const std::vector<bool> isKnown = whoKnows(group, site, consensus, room, inRuns);
+    const bool isDoor = weightOf(group.isIn, site) > 0.5 * weightOf(isKnown, site);
     if (isDoor) result.doors.push_back(group.door);
     for (std::size_t i = 0; i < n; ++i) {
       if (isDoor && isKnown[i] && !group.isIn[i]) ++result.lost[i];
