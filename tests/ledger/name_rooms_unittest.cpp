@@ -1,12 +1,8 @@
 #include "roomgraph/ledger/name_rooms.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "drawn_house.h"
 #include "roomgraph/base/Error.h"
@@ -47,15 +43,6 @@ House symmetricHouse() {
     h.doors.push_back({0, h.rooms.size() - 1, {4.0 * i + 2, 6.1}});
   }
   return h;
-}
-
-std::string complaint(const std::string& text) {
-  try {
-    parseSiteJson(text, "site.json");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(NameRooms, aNewFileGetsAllRooms) {
@@ -158,77 +145,6 @@ TEST(NameRooms, withoutRoomsNothingHappens) {
   std::vector<SiteRoom> rooms;
   nameRooms(rooms, file, "site.json");
   EXPECT_TRUE(file.rooms.empty());
-}
-
-/** A file with a room that has all there can be. */
-SiteFile sampleFile() {
-  SiteFile file;
-  file.nextRoom = 2;
-  file.rooms.push_back({"R1", "Kitchen \"old\"", false, {1, 1}, 4, {}, {}});
-  file.rooms[0].polygon.outer = {{0, 0}, {2, 0}, {2, 2}, {0, 2}};
-  file.rooms[0].polygon.holes = {{{0.5, 0.5}, {0.5, 1}, {1, 0.5}}};
-  file.rooms[0].doors = {{{2, 1}, 0.9, "C1"}, {{0, 1}, 0.8, ""}};
-  return file;
-}
-
-TEST(SiteFile, isReadAsItWasWritten) {
-  const std::string text = siteJson(sampleFile());
-  EXPECT_EQ(siteJson(parseSiteJson(text, "site.json")), text);
-  EXPECT_EQ(siteJson(parseSiteJson(siteJson({}), "site.json")), siteJson({}));
-}
-
-TEST(SiteFile, followsTheSchema) {
-  std::ostringstream schemaFile;
-  schemaFile << std::ifstream(ROOMGRAPH_SITE_SCHEMA).rdbuf();
-  rapidjson::Document schemaText, document;
-  schemaText.Parse(schemaFile.str().c_str());
-  ASSERT_FALSE(schemaText.HasParseError());
-  document.Parse(siteJson(sampleFile()).c_str());
-  ASSERT_FALSE(document.HasParseError());
-  const rapidjson::SchemaDocument schema(schemaText);
-  rapidjson::SchemaValidator validator(schema);
-  EXPECT_TRUE(document.Accept(validator)) << validator.GetInvalidSchemaKeyword();
-}
-
-TEST(SiteFile, whatIsBrokenIsNamed) {
-  const std::string good = siteJson(sampleFile());
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string text = good;
-    text.replace(text.find(from), from.size(), to);
-    return complaint(text);
-  };
-  const auto says = [](const std::string& line, const std::string& what) {
-    return line.rfind("site.json: " + what, 0) == 0 && line.find('\n') == std::string::npos;
-  };
-  EXPECT_TRUE(says(complaint(""), "is empty"));
-  EXPECT_TRUE(says(complaint(good.substr(0, good.size() / 2)), "is no JSON"));
-  EXPECT_TRUE(says(complaint("[]"), "is no JSON"));
-  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"), "is not of format roomgraph/site"));
-  EXPECT_TRUE(says(with("\"version\": 1", "\"version\": 2"), "version "));
-  EXPECT_TRUE(says(with("\"room\":2", "\"room\":0"), "next.room "));
-  EXPECT_TRUE(says(with("\"kind\":\"room\"", "\"kind\":\"hall\""), "rooms[0].kind "));
-  EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":\"\""), "rooms[0].id is empty"));
-  EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":7"), "rooms[0].id is no text"));
-  EXPECT_TRUE(says(with("\"name\":\"Kitchen", "\"name\":7,\"\":\""), "rooms[0].name "));
-  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0]"), "rooms[0].polygon "));
-  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"), "rooms[0].polygon is too large"));
-  EXPECT_TRUE(says(with("\"doors\":[", "\"doors\":[7,"), "rooms[0].doors is no object"));
-  SiteFile twice = sampleFile();
-  twice.rooms.push_back(twice.rooms[0]);
-  EXPECT_TRUE(says(complaint(siteJson(twice)), "rooms[1].id is that of another room"));
-}
-
-TEST(SiteFile, holdsRoomsAnywhereOnEarth) {
-  SiteFile file = sampleFile();
-  for (Point& p : file.rooms[0].polygon.outer) p = p + Point{500000, 5400000};  // UTM
-  EXPECT_EQ(parseSiteJson(siteJson(file), "site.json").rooms[0].polygon.outer,
-            file.rooms[0].polygon.outer);
-}
-
-TEST(SiteFile, aRoomWithoutANameIsNamedByItsId) {
-  SiteFile file = sampleFile();
-  file.rooms[0].name = "";
-  EXPECT_EQ(parseSiteJson(siteJson(file), "site.json").rooms[0].name, "R1");
 }
 
 }  // namespace
