@@ -1,5 +1,5 @@
-// Which of several maps of one site is the best: 03_compare MAP MAP... prints the maps by rank, with
-// the estimate of their error, and what speaks against each.
+// Which of several maps of one site is the best: 03_compare MAP MAP... prints the maps by rank,
+// with the estimate of their error, and what speaks against each.
 #include <cstdio>
 #include <exception>
 

@@ -19,8 +19,9 @@ struct JobList {
 };
 
 /** Runs the jobs on `threads` threads, 0 standing for one per core, and prints what each has to say
- *  in the order of the jobs, as soon as those before it are done. Returns the largest exit code. Where jobs
- *  throw, no further job begins, and what the first of them has thrown is thrown again. */
+ *  in the order of the jobs, as soon as those before it are done. Returns the largest exit code.
+ *  Where jobs throw, no further job begins, and what the first of them has thrown is thrown
+ *  again. */
 int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress);
 
 }  // namespace roomgraph

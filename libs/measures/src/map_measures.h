@@ -15,8 +15,8 @@ namespace roomgraph {
 
 /** Of one run by itself: `wall_doubling`, see wallDoubling [share]; `wall_sharpness`, see
  *  wallSharpness [cells per cell]; `scan_disagreement`, see scanDisagreement [m], without a value
- * where there are no scans. No intervals, as the others have no part in it. Meaningful with 300
- * wall points, or with 10 scans that could be compared. */
+ *  where there are no scans. No intervals, as the others have no part in it. Meaningful with 300
+ *  wall points, or with 10 scans that could be compared. */
 std::vector<Measure> ownMeasuresOf(const Run& run);
 
 /** Of one run: `brokenness`, the number of its rigid pieces less 1. With scans it is `breaks`, the

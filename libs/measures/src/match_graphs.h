@@ -8,8 +8,10 @@
 namespace roomgraph {
 
 // Ours, after Schwertfeger and Birk (2015): similar vertices first, then from neighbour to
-// neighbour In:   two TopologyGraphs, and how the walls of their maps lie in each other Out:
-// GraphMatch: which vertex is which, and which path Next: compareGraphs
+// neighbour
+// In:   two TopologyGraphs, and how the walls of their maps lie in each other
+// Out:  GraphMatch: which vertex is which, and which path
+// Next: compareGraphs
 
 /** A graph, the walls of its map, and where these lie in the other map. */
 struct FollowedGraph {

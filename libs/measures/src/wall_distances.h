@@ -28,7 +28,7 @@ struct WallDistances {
 };
 
 /** For each wall point of `of` that lies where `in` has seen free space or wall: the distance to
- * the nearest wall of `in` that faces about the same way (within 45 degrees, see nearestWall).
+ *  the nearest wall of `in` that faces about the same way (within 45 degrees, see nearestWall).
  *  `pose` is in <- of. A map against itself gives zeros. O(points). */
 WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,
                             const Transform2D& pose);

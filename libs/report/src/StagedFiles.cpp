@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
                   "): choose a folder that exists, may be written and has room");
 }
 
-/** The parts of all StagedFiles of this process. Whoever holds the mutex sees none half made, and no
- *  commit half done. */
+/** The parts of all StagedFiles of this process. Whoever holds the mutex sees none half made, and
+ *  no commit half done. */
 struct AllParts {
   std::mutex mutex;
   std::set<std::string> names;

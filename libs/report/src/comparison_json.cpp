@@ -131,7 +131,8 @@ std::string lines(const char* name, const Things& things, const ToJson& toJson) 
   return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
-/** Spreadsheets take a cell that begins like a formula for one, unless an apostrophe stands first. */
+/** Spreadsheets take a cell that begins like a formula for one, unless an apostrophe stands
+ *  first. */
 std::string csvField(const std::string& given) {
   const bool isFormula = given.find_first_of("=+-@\t\r") == 0;
   const std::string text = isFormula ? "'" + given : given;

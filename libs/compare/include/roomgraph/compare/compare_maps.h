@@ -37,7 +37,8 @@ struct ReadRuns {
  *  read, or has no walls, is left out. With estimatesScale, each bare picture is read at the scale
  *  at which it fits the maps that have one (the reference alone, if it has one); where there is
  *  none, it is left out as of another site. The same for any order of the files.
- *  @throws DataError where no map at all, or the reference, cannot be used, or no map tells a scale.
+ *  @throws DataError where no map at all, or the reference, cannot be used, or no map tells a
+ *  scale.
  *  @throws UsageError where scales are to be estimated and no map is a bare picture. */
 ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options);
 

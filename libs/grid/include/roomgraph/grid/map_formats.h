@@ -26,7 +26,8 @@ std::string mapFormatNames();
 std::string mapFormatsText();
 
 /** The X of the results of a map: the file's name without its folder, ".gz" and then the extension
- *  of a format: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat" stays. */
+ *  of a format: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat"
+ *  stays. */
 std::string mapStem(const std::string& mapFile);
 
 }  // namespace roomgraph

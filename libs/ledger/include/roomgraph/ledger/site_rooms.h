@@ -16,11 +16,10 @@ namespace roomgraph {
 /** The rooms and corridors that the runs have, and what each run says of each. Areas of several
  *  runs are one room where they overlap after a small move of the room and their neighbours behind
  *  the doors match, too. Which areas are rooms at all is put to the vote of the runs, by trust;
- * what one run alone has and the others contradict is none. Rooms get the ids R1, R2, ...,
- * corridors C1, C2, ..., largest first. SiteRoom::runs are those of the site, in that order. Does not
- * depend on the order of the jobs, nor on that of the placed runs but in exact ties. Empty where no
- * run has an area. O(runs
- * * rooms * (rooms + cells of a room)). */
+ *  what one run alone has and the others contradict is none. Rooms get the ids R1, R2, ...,
+ *  corridors C1, C2, ..., largest first. SiteRoom::runs are those of the site, in that order. Does
+ *  not depend on the order of the jobs, nor on that of the placed runs but in exact ties. Empty
+ *  where no run has an area. O(runs * rooms * (rooms + cells of a room)). */
 std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust,
                                 const ForEach& forEach = oneByOne);
 

@@ -23,7 +23,7 @@ struct Run {
 };
 
 /** Brings runs into the order that all results are computed in, by content and then by name, so
- * that the order in which they are given changes no number. */
+ *  that the order in which they are given changes no number. */
 void sortRuns(std::vector<Run>& runs);
 
 }  // namespace roomgraph

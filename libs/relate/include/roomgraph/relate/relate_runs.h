@@ -30,11 +30,11 @@ struct KeptPairs {
   std::function<void(const std::string& name, const std::string& bytes)> write;
 };
 
-/** What relateMaps gives for each two runs: first those with the
- *  hub, then the others by relateMapsOver, which saves nearly all of the search. With `areAligned`
- *  by relateAlignedMaps. Pairs that are kept are not worked out again, so that one more run costs
- *  its own pairs only, unless it becomes the hub. The same for any order of the jobs, and with or
- *  without kept pairs. */
+/** What relateMaps gives for each two runs: first those with the hub, then the others by
+ *  relateMapsOver, which saves nearly all of the search. With `areAligned` by relateAlignedMaps.
+ *  Pairs that are kept are not worked out again, so that one more run costs its own pairs only,
+ *  unless it becomes the hub. The same for any order of the jobs, and with or without kept
+ *  pairs. */
 MapPairs relateRuns(const std::vector<Run>& runs, bool areAligned, const ForEach& forEach,
                     const KeptPairs& kept = {});
 
