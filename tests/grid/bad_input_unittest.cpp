@@ -63,7 +63,7 @@ TEST_F(BadInput, missingFileIsRefused) {
 
 TEST_F(BadInput, directoryIsRefused) { expectError(dir_.path("."), "is a directory"); }
 
-TEST_F(BadInput, deviceIsRefused) { expectError("/dev/null", "is no regular file"); }
+TEST_F(BadInput, deviceIsRefused) { expectError("/dev/null", "is a pipe or a device"); }
 
 TEST_F(BadInput, emptyFileIsRefused) {
   expectRefused("", "is empty");

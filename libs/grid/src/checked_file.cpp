@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "whole_stream.h"
+
 namespace roomgraph {
 namespace {
 
@@ -107,6 +109,8 @@ void CheckedFile::readStored() {
 
 void CheckedFile::inflateAll() {
   const auto size = static_cast<std::size_t>(claimedSize_);
+  const ByteView stored{stored_.get(), static_cast<std::size_t>(file_.size())};
+  if (size >= kProveFrom && !isWholeStream({stored}, Deflated::asGzip, size)) refuseGzip(name());
   content_.reset(new std::uint8_t[size + 1]);  // one more: zlib refuses an empty output
   Inflater inflater(stored_.get(), static_cast<std::size_t>(file_.size()), content_.get(),
                     size + 1);

@@ -42,6 +42,12 @@ std::uint32_t readPixel(ByteReader& in, const PgmHeader& header) {
   return value;
 }
 
+void expectEnd(ByteReader& in) {
+  while (in.left() > 0)
+    if (!std::isspace(*in.take(1)))
+      refuse(in.file(), "something follows the picture in it", "remove what was appended");
+}
+
 }  // namespace
 
 PgmHeader readPgmHeader(ByteReader in) {
@@ -57,11 +63,15 @@ PgmHeader readPgmHeader(ByteReader in) {
   return header;
 }
 
-void checkPgm(const CheckedFile& file, const PgmHeader& header) {
+void checkPgm(CheckedFile& file, const PgmHeader& header) {
   const std::uint64_t pixelBytes = header.width * header.height * bytesPerPixel(header);
   // The last number of a text may end with the file.
   if (file.claimedSize() + 1 < header.size + pixelBytes)
     refuse(file.name(), "it is cut short: pixels are missing", kSaveAgain);
+  ByteReader in(file.content(), file.name());
+  if (header.isText) return;  // its pixels tell where they end
+  in.skip(header.size + pixelBytes);
+  expectEnd(in);
 }
 
 void decodePgm(
@@ -74,9 +84,7 @@ void decodePgm(
     for (std::uint32_t& value : values) value = readPixel(in, header);
     take(row, values);
   }
-  while (in.left() > 0)
-    if (!std::isspace(*in.take(1)))
-      refuse(file.name(), "something follows the picture in it", "remove what was appended");
+  expectEnd(in);
 }
 
 }  // namespace roomgraph

@@ -16,8 +16,9 @@ struct PgmHeader {
 
 /** Reads the size from the first bytes of a pgm (P2, P5). Throws DataError where it is damaged. */
 PgmHeader readPgmHeader(ByteReader in);
-/** Throws DataError where the file is too short for its pixels. The size must be a sane one. */
-void checkPgm(const CheckedFile& file, const PgmHeader& header);
+/** Throws DataError where the file is damaged, too short for its pixels, or goes on behind them, as
+ *  far as that can be told without reading them. The size must be a sane one. */
+void checkPgm(CheckedFile& file, const PgmHeader& header);
 /** Hands out the pixels of a checked pgm as they are stored, row by row from the top; `row` counts
  *  from the lowest. Values may be above `brightest`. Throws DataError where pixels are missing or
  *  something follows them. */

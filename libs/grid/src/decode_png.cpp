@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "pixel_grey.h"
+#include "whole_stream.h"
 
 namespace roomgraph {
 namespace {
@@ -112,6 +113,9 @@ struct Conversion {
 template <class Pixel>
 bool decode(Decoder& d, const Conversion<Pixel>& conversion, std::vector<Pixel>& pixels) {
   if (setjmp(png_jmpbuf(d.png))) return false;
+  // Texts, profiles and the like may be packed, too, and are of no use here.
+  constexpr int kAllButPixels = -1;
+  png_set_keep_unknown_chunks(d.png, PNG_HANDLE_CHUNK_NEVER, nullptr, kAllButPixels);
   RowFormat format;
   png_read_info(d.png, d.info);
   conversion.prepare(d, format);
@@ -168,21 +172,46 @@ PngHeader readPngHeader(ByteReader in) {
   header.bitsPerChannel = chunk[16];
   header.bitsPerPixel = type <= 6 ? chunk[16] * channelsByType[type] : 0;
   header.isColour = type == 2 || type == 6;
+  header.isInterlaced = chunk[20] != 0;
   if (header.bitsPerPixel == 0)
     refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSaveAgain);
   return header;
 }
 
+/** What the rows of the picture are before they are packed, each with a byte for its filter. */
+std::uint64_t scanlineBytes(const PngHeader& header) {
+  struct Pass {
+    std::uint32_t x, y, stepX, stepY;
+  };
+  constexpr Pass kWhole[] = {{0, 0, 1, 1}};
+  constexpr Pass kInterlaced[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                                  {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+  const auto bytesOf = [&](const Pass& pass) -> std::uint64_t {
+    if (header.width <= pass.x || header.height <= pass.y) return 0;
+    const std::uint64_t columns = (header.width - pass.x + pass.stepX - 1) / pass.stepX;
+    const std::uint64_t rows = (header.height - pass.y + pass.stepY - 1) / pass.stepY;
+    return rows * (1 + (columns * std::uint64_t(header.bitsPerPixel) + 7) / 8);
+  };
+  std::uint64_t sum = 0;
+  if (!header.isInterlaced) return bytesOf(kWhole[0]);
+  for (const Pass& pass : kInterlaced) sum += bytesOf(pass);
+  return sum;
+}
+
 void checkPng(ByteReader in, const PngHeader& header) {
   in.skip(kSignatureSize);
   std::uint64_t dataBytes = 0;
+  std::vector<ByteView> data;
   for (bool isEnd = false; !isEnd;) {
     const std::uint32_t length = bigEndian(in.take(4));
     const std::uint8_t* chunk = in.take(std::uint64_t(length) + 4);
     const std::uint32_t stored = bigEndian(in.take(4));
     if (crc32_z(0, chunk, std::size_t(length) + 4) != stored)
       refuse(in.file(), "it is damaged: a checksum in it is wrong", kSaveAgain);
-    if (std::memcmp(chunk, "IDAT", 4) == 0) dataBytes += length;
+    if (std::memcmp(chunk, "IDAT", 4) == 0) {
+      dataBytes += length;
+      data.push_back({chunk + 4, length});
+    }
     isEnd = std::memcmp(chunk, "IEND", 4) == 0;
   }
   if (in.left() > 0)
@@ -192,6 +221,8 @@ void checkPng(ByteReader in, const PngHeader& header) {
       std::uint64_t(header.width) * header.height * std::uint64_t(header.bitsPerPixel) / 8;
   if (pixelBytes / mostInflation > dataBytes)
     refuse(in.file(), "it is damaged: it holds fewer pixels than it says", kSaveAgain);
+  if (pixelBytes >= kProveFrom && !isWholeStream(data, Deflated::asZlib, scanlineBytes(header)))
+    refuse(in.file(), "it is damaged: its pixels cannot be read", kSaveAgain);
 }
 
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {

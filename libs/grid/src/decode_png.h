@@ -10,13 +10,15 @@ namespace roomgraph {
 struct PngHeader {
   std::uint32_t width = 0, height = 0;
   int bitsPerPixel = 0, bitsPerChannel = 0;
-  bool isColour = false;  ///< three colours in each pixel, and no palette
+  bool isColour = false;      ///< three colours in each pixel, and no palette
+  bool isInterlaced = false;  ///< rows come in seven pieces
 };
 
 /** Reads the size from the first bytes of a png. */
 PngHeader readPngHeader(ByteReader in);
 /** Throws DataError unless every chunk is whole, its checksum right, the last one the end of the
- *  file, and the compressed data long enough for the pixels to be in it at all. */
+ *  file, and the compressed data long enough for the pixels to be in it at all; of a large picture,
+ *  unless it is whole. */
 void checkPng(ByteReader in, const PngHeader& header);
 /** Decodes a checked png into one grey level per pixel, the highest row first. Gamma and colour
  *  profiles are not applied, as map servers do not. */
