@@ -11,6 +11,7 @@
 #include "score_rooms_command.h"
 #include "stability_command.h"
 #include "terminal.h"
+#include "usage_fault.h"
 
 namespace roomgraph {
 namespace {
@@ -43,7 +44,8 @@ int run(int count, char** arguments) {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    std::fputs(errorLine(error.what() + std::string(" (see 'roomgraph --help')")).c_str(), stderr);
+    const std::string fault = usageFault(app, {arguments + 1, arguments + count}, error);
+    std::fputs(errorLine(fault + " (see 'roomgraph --help')").c_str(), stderr);
     return kBadUsage;
   }
   return exitCode;

@@ -14,6 +14,11 @@ one_line err roomgraph
 expect 2 "$roomgraph" extract
 one_line err MAP
 expect 2 "$roomgraph" exctract a.pgm
+one_line err "'exctract'" "did you mean 'extract'?"
+expect 2 "$roomgraph" zzz
+one_line err "there is no command 'zzz'"
+expect 2 "$roomgraph" extract a.pgm --resolutoin=0.1
+one_line err "did you mean '--resolution'?"
 expect 2 "$roomgraph" extract a.pgm --no-such-option
 one_line err --no-such-option
 expect 2 "$roomgraph" extract a.pgm --format pdf
