@@ -1,0 +1,28 @@
+#!/bin/bash
+# debian.sh BUILD_DIR WORK_DIR: the Debian packages hold all that is installed, each file once, and
+# the program runs out of its own.
+set -euo pipefail
+build=$1 work=$2
+if ! command -v dpkg-deb dpkg-shlibdeps > /dev/null; then
+  echo "skipped: dpkg-deb and dpkg-shlibdeps (dpkg-dev) are not here"
+  exit 77
+fi
+rm -rf "$work"
+mkdir -p "$work"
+(cd "$build" && cpack -B "$work/packages" > "$work/cpack.log") || { cat "$work/cpack.log"; exit 1; }
+
+for package in roomgraph roomgraph-mrpt libroomgraph-dev; do
+  mkdir "$work/$package"
+  dpkg-deb -x "$work"/packages/"${package}"_*.deb "$work/$package"
+  test -f "$work/$package/usr/share/doc/$package/copyright"
+  (cd "$work/$package/usr" && find . -type f) >> "$work/packed"
+done
+cmake --install "$build" --prefix "$work/installed" > /dev/null
+(cd "$work/installed" && find . -type f) | sort > "$work/all"
+sort "$work/packed" | diff - "$work/all"
+
+roomgraph=$work/roomgraph/usr/bin/roomgraph
+"$roomgraph" --version
+"$roomgraph" extract "$work/roomgraph/usr/share/roomgraph/maps/office.yaml" -o "$work/results" -q
+test -s "$work/results/office.json"
+dpkg-deb -f "$work"/packages/roomgraph_*.deb Depends | grep -q libmrpt-maps
