@@ -1,7 +1,5 @@
 #include "compare_command.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -9,55 +7,34 @@
 #include <utility>
 
 #include "Command.h"
+#include "comparison_results.h"
 #include "error_line.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
-#include "roomgraph/base/printable.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/compare/gate.h"
 #include "roomgraph/ledger/name_rooms.h"
-#include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/StagedFiles.h"
-#include "roomgraph/report/comparison_json.h"
-#include "roomgraph/report/comparison_report.h"
 #include "roomgraph/report/site_json.h"
 #include "roomgraph/report/write_file.h"
 #include "run_in_order.h"
-#include "terminal.h"
 
 namespace roomgraph {
 namespace {
 
 struct CompareArguments {
   CompareMapsOptions compare;
-  GateOptions gate;
+  GateArguments gate;
   OptionArguments options;
-  std::vector<std::string> files, failOn;
+  std::vector<std::string> files;
   std::string folder = ".";
   std::string names;     ///< file of the site's rooms; empty for none
   std::string cache;     ///< folder that keeps pairs from call to call; empty for none
   unsigned threads = 0;  ///< 0 for one per core
   bool isQuiet = false;
 };
-
-void declareGate(CompareArguments& arguments, CLI::App& app) {
-  app.add_option("--fail-below", arguments.gate.minScore,
-                 "Exit with 3 where a run has a score below this (0 to 100), or none.")
-      ->type_name("SCORE")
-      ->check(CLI::Range(0.0, 100.0));
-  app.add_option(
-         "--fail-on", arguments.failOn,
-         "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen less "
-         "than 70 % of what two runs have seen), 'broken' (a run has a break), "
-         "'not-same-site' (a run is of another site).")
-      ->type_name("LIST")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
-}
 
 void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("-o,--output", arguments.folder,
@@ -93,20 +70,6 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
 }
 
-/** The names of all that is written to the folder. */
-struct ResultFiles {
-  explicit ResultFiles(const std::filesystem::path& folder)
-      : report((folder / "report.html").string()),
-        json((folder / "comparison.json").string()),
-        runs((folder / "comparison.runs.csv").string()),
-        rooms((folder / "comparison.rooms.csv").string()),
-        scene((folder / "comparison.3Dscene").string()) {}
-
-  std::vector<std::string> all() const { return {report, json, runs, rooms, scene}; }
-
-  std::string report, json, runs, rooms, scene;
-};
-
 void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& files) {
   std::vector<std::string> inputs = arguments.files, results = files.all();
   for (const std::string& result : results)
@@ -121,37 +84,11 @@ void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& file
         throw UsageError(result + ": would replace a map: choose another folder with --output");
 }
 
-/** What report.html says of the options, in the order of the work. */
-std::vector<UsedOption> optionsOf(const CompareMapsOptions& used) {
-  ExtractOptions extract = used.extract;
-  std::vector<UsedOption> options = usedOptions(describe(extract));
-  options.push_back({"compare", "aligned", used.compare.areAligned ? "true" : "false", "",
-                     "All maps are in one frame already."});
-  options.push_back({"compare", "estimate_scale", used.estimatesScale ? "true" : "false", "",
-                     "Bare pictures are read at the scale at which they fit the other maps."});
-  options.push_back({"compare", "reference",
-                     std::filesystem::path(used.reference).filename().string(), "",
-                     "The map that all runs are measured against; empty for none."});
-  return options;
-}
-
 /** The rooms of the site as they are known; nothing where there is no such file. */
 SiteFile readSite(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return {};
   return parseSiteJson(readFile(file), file);
-}
-
-/** All of them, or none where one cannot be written. */
-void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
-                  const std::vector<UsedOption>& options, const ResultFiles& files,
-                  StagedFiles& staged) {
-  staged.add(files.json, comparisonJson(comparison));
-  staged.add(files.runs, comparisonRunsCsv(comparison));
-  staged.add(files.rooms, comparisonRoomsCsv(comparison));
-  staged.add(files.scene, comparisonSceneBytes(comparison, runs));
-  staged.add(files.report, comparisonReport(comparison, runs, options));
-  staged.commit();
 }
 
 /** Jobs on the threads that were asked for, with a bar of their progress. */
@@ -166,14 +103,6 @@ ForEach onThreads(const CompareArguments& arguments) {
     };
     runInOrder(jobs, arguments.threads, !arguments.isQuiet);
   };
-}
-
-void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
-
-void printResults(const Comparison& comparison, const ResultFiles& files) {
-  std::string text = comparisonText(comparison) + comparison.verdict + "\n";
-  for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
-  print(text);
 }
 
 /** Reads and compares; a file that cannot be used is a line on stderr. */
@@ -191,22 +120,24 @@ std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
 }
 
 void check(const CompareArguments& arguments) {
-  if (arguments.gate.minScore && std::isnan(*arguments.gate.minScore))
-    throw UsageError("--fail-below: nan is no score: give one from 0 to 100");
   if (arguments.files.size() + (arguments.compare.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
 }
 
-GateOptions gateOf(const CompareArguments& arguments) {
-  const auto isAsked = [&](const char* what) {
-    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
-  };
-  return {arguments.gate.minScore, isAsked("coverage"), isAsked("broken"),
-          isAsked("not-same-site")};
+/** What could be read, but is of another site. Says whether anything could not be read at all. */
+bool printLeftOut(const Comparison& comparison) {
+  bool isUnread = false;
+  for (const LeftOutRun& left : comparison.leftOut)
+    if (left.isOtherSite)
+      printError(left.file + ": " + left.reason);
+    else
+      isUnread = true;
+  return isUnread;
 }
 
 int run(const CompareArguments& arguments) {
   check(arguments);
+  const GateOptions gate = gateOf(arguments.gate);
   const ResultFiles files(arguments.folder);
   checkNotReplaced(arguments, files);
   makeWritableFolder(arguments.folder);
@@ -214,21 +145,18 @@ int run(const CompareArguments& arguments) {
   if (!arguments.names.empty()) site = readSite(arguments.names);
   auto [read, comparison] = compared(arguments);
   if (site) nameRooms(comparison.rooms, *site, arguments.names);
-  const std::vector<std::string> struck = complaints(comparison, gateOf(arguments));
   StagedFiles staged;
+  const bool isStruck = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
-  if (site && struck.empty()) staged.add(arguments.names, siteJson(*site));
-  CompareMapsOptions used = arguments.compare;
-  used.extract = toOptions(arguments.options);
-  writeResults(comparison, read.runs, optionsOf(used), files, staged);
-  bool isUnread = false;
-  for (const LeftOutRun& left : comparison.leftOut)
-    left.isOtherSite ? printError(left.file + ": " + left.reason) : void(isUnread = true);
+  if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
+  addResults(comparison, read.runs, files, staged);
+  staged.commit();
+  const bool isUnread = printLeftOut(comparison);
   if (!arguments.isQuiet) printResults(comparison, files);
-  for (const std::string& line : struck) printError(line);
-  if (site && !struck.empty())
-    printError(arguments.names + ": left as it was, as the gate strikes");
-  return !struck.empty() ? kStruck : isUnread ? kBadData : kDone;
+  if (!isStruck) return isUnread ? kBadData : kDone;
+  printComplaints(comparison);
+  if (site) printError(arguments.names + ": left as it was, as the gate strikes");
+  return kStruck;
 }
 
 }  // namespace
@@ -240,7 +168,7 @@ std::function<int()> compareCommand(CLI::App& app) {
       ->type_name("")
       ->required();
   declareRunning(*arguments, app);
-  declareGate(*arguments, app);
+  declareGate(arguments->gate, app);
   declareConfig(arguments->options, app);
   declareResolution(arguments->options, app);
   return [arguments] { return run(*arguments); };

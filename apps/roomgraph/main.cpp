@@ -7,6 +7,7 @@
 #include "extract_command.h"
 #include "info_command.h"
 #include "interruption.h"
+#include "report_command.h"
 #include "roomgraph/base/version.h"
 #include "score_rooms_command.h"
 #include "stability_command.h"
@@ -21,6 +22,7 @@ constexpr Command kCommands[] = {
     {"compare",
      "Say which of several maps of one site is the best, and how far each is from the others.",
      compareCommand},
+    {"report", "Write the results of a comparison anew, and ask a gate again.", reportCommand},
     {"stability",
      "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
      stabilityCommand},

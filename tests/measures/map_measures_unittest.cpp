@@ -127,7 +127,7 @@ TEST(Brokenness, isWhatMostTrustSaysWhereThereAreNone) {
   EXPECT_EQ(found.value, 1);
   EXPECT_EQ(found.low, 0);
   EXPECT_EQ(found.high, 1);
-  EXPECT_STREQ(found.unit, "pieces");
+  EXPECT_EQ(found.unit, "pieces");
   EXPECT_EQ(brokennessOf(graphs.site, graphs.pairs, graphs.trust, 3, 0).value, 0);
 }
 

@@ -128,8 +128,7 @@ SampleComparison sampleComparison() {
   c.leftOut = {{"garage", "garage.gridmap", "does not lie in the same site as the others", true}};
   c.verdict =
       "morning is the best map, with score 90.5 (78 to 95) and a map error of about 0.05 m.";
-  ExtractOptions options;
-  sample.options = usedOptions(describe(options));
+  c.options = {{"split_at_doors", "max_width", "1.5", "m", "How wide a door may be."}};
   return sample;
 }
 

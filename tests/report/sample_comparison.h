@@ -15,7 +15,6 @@ extern const char* const kHostileName;
 struct SampleComparison {
   Comparison comparison;
   std::vector<Run> runs;
-  std::vector<UsedOption> options;
 };
 
 /** Four runs of a building with four rooms and a corridor, each in its own frame: the third has a

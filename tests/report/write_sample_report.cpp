@@ -5,6 +5,6 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const auto sample = roomgraph::test::sampleComparison();
-  roomgraph::writeFileAtomically(
-      argv[1], roomgraph::comparisonReport(sample.comparison, sample.runs, sample.options));
+  roomgraph::writeFileAtomically(argv[1],
+                                 roomgraph::comparisonReport(sample.comparison, sample.runs));
 }

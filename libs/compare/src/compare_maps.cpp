@@ -1,8 +1,48 @@
 #include "roomgraph/compare/compare_maps.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/load_grid.h"
 
 namespace roomgraph {
+
+namespace {
+
+/** The options of a comparison, as far as this version knows them. */
+CompareMapsOptions optionsOf(const Comparison& comparison) {
+  CompareMapsOptions options;
+  FieldTable table = describe(options);
+  for (const UsedOption& used : comparison.options)
+    for (const Field& field : table.fields())
+      if (field.section == used.section && field.name == used.name)
+        table.set(used.section, used.name, used.value);
+  return options;
+}
+
+}  // namespace
+
+FieldTable describe(CompareMapsOptions& options) {
+  FieldTable table = describe(options.extract);
+  table.flag("compare", "aligned", options.compare.areAligned,
+             "All maps are in one frame already.");
+  table.flag("compare", "estimate_scale", options.estimatesScale,
+             "Bare pictures are read at the scale at which they fit the other maps.");
+  return table;
+}
+
+std::vector<UsedOption> usedOptions(CompareMapsOptions options) {
+  std::vector<UsedOption> used;
+  const FieldTable table = describe(options);
+  for (const Field& field : table.fields())
+    used.push_back({field.section, field.name, valueText(field), field.unit, field.sentence});
+  used.push_back({"compare", "reference",
+                  std::filesystem::path(options.reference).filename().string(), "",
+                  "The map that all runs are measured against; empty for none."});
+  return used;
+}
 
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) {
   CompareRunsOptions compare = options.compare;
@@ -12,7 +52,26 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) 
   result.leftOut.insert(result.leftOut.end(), read.leftOut.begin(), read.leftOut.end());
   std::sort(result.leftOut.begin(), result.leftOut.end(),
             [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });
+  result.options = usedOptions(options);
   return result;
+}
+
+std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files) {
+  const ExtractOptions options = optionsOf(comparison).extract;
+  std::vector<Run> runs;
+  for (const std::string& file : files) {
+    GreyMap map = loadGrid(file, options.loadGrid);
+    for (const ComparedRun& compared : comparison.runs) {
+      if (compared.sha256 != map.source.sha256) continue;
+      if (compared.isScaleEstimated)
+        map.frame = rescaled({map.frame, {}}, compared.resolution).frame;
+      Run run;
+      run.name = compared.name, run.file = compared.file, run.sha256 = compared.sha256;
+      run.map = mapForAlignment(binarize(map, options.binarize), {});
+      runs.push_back(std::move(run));
+    }
+  }
+  return runs;
 }
 
 Comparison compareMaps(const std::vector<std::string>& files, const CompareMapsOptions& options) {

@@ -20,7 +20,7 @@ std::string coverageText() {
 
 }  // namespace
 
-std::vector<std::string> complaints(const Comparison& comparison, const GateOptions& options) {
+GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options) {
   std::vector<std::string> lines;
   for (const ComparedRun& run : comparison.runs) {
     if (run.name == comparison.reference) continue;
@@ -38,7 +38,7 @@ std::vector<std::string> complaints(const Comparison& comparison, const GateOpti
     if (run.isOtherSite && options.failsOnOtherSites)
       lines.push_back(run.name + ": is not of the same site");
   }
-  return lines;
+  return {lines};
 }
 
 }  // namespace roomgraph

@@ -17,7 +17,7 @@ std::vector<ComparedRun> runsOf(const Findings& found) {
   for (std::size_t i = 0; i < found.site.runs.size(); ++i) {
     const Run& run = *found.site.runs[i];
     ComparedRun compared;
-    compared.name = run.name, compared.file = run.file;
+    compared.name = run.name, compared.file = run.file, compared.sha256 = run.sha256;
     compared.pose = found.site.poses[i];
     compared.score = found.scores[i];
     compared.measures = found.measures.runs[i];

@@ -10,40 +10,34 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kMinCount = 10, kMinLength = 20;  // vertices, paths or pairs; [m]
-
 /** A figure of a run against one other, and how it is told. */
 struct Kind {
   std::string name;
-  const char* unit = "1";
-  double minSupport = kMinCount;
   bool isSquared = false;  ///< means are taken of its square
   /** Of the first of both, or of the second. */
   std::function<Figure(const GraphComparison&, bool isFirst)> figure;
 };
 
-Kind plain(const std::string& name, const char* unit, Figure GraphComparison::*figure,
-           bool isSquared = false) {
-  return {name, unit, kMinCount, isSquared,
+Kind plain(const std::string& name, Figure GraphComparison::*figure, bool isSquared = false) {
+  return {name, isSquared,
           [figure](const GraphComparison& graphs, bool) { return graphs.*figure; }};
 }
 
 std::vector<Kind> allKinds() {
-  std::vector<Kind> kinds{
-      {"path_coverage", "1", kMinLength, false,
-       [](const GraphComparison& g, bool isFirst) {
-         return isFirst ? g.coverageOfA : g.coverageOfB;
-       }},
-      plain("global_accuracy", "m", &GraphComparison::globalAccuracy, true),
-      plain("relative_accuracy", "m", &GraphComparison::relativeAccuracy, true)};
+  std::vector<Kind> kinds{{"path_coverage", false,
+                           [](const GraphComparison& g, bool isFirst) {
+                             return isFirst ? g.coverageOfA : g.coverageOfB;
+                           }},
+                          plain("global_accuracy", &GraphComparison::globalAccuracy, true),
+                          plain("relative_accuracy", &GraphComparison::relativeAccuracy, true)};
   for (std::size_t k = 0; k < kConsistencyHops.size(); ++k)
-    kinds.push_back({"consistency_" + std::to_string(kConsistencyHops[k]), "1", kMinCount, false,
+    kinds.push_back({"consistency_" + std::to_string(kConsistencyHops[k]), false,
                      [k](const GraphComparison& g, bool) { return g.consistency[k]; }});
-  kinds.push_back(plain("path_length_error", "1", &GraphComparison::lengthError));
-  kinds.push_back(plain("path_frechet", "m", &GraphComparison::frechet));
-  kinds.push_back(
-      {"nearest_vertex", "m", kMinCount, false,
-       [](const GraphComparison& g, bool isFirst) { return isFirst ? g.nearestA : g.nearestB; }});
+  kinds.push_back(plain("path_length_error", &GraphComparison::lengthError));
+  kinds.push_back(plain("path_frechet", &GraphComparison::frechet));
+  kinds.push_back({"nearest_vertex", false, [](const GraphComparison& g, bool isFirst) {
+                     return isFirst ? g.nearestA : g.nearestB;
+                   }});
   return kinds;
 }
 
@@ -73,12 +67,11 @@ class Mean {
 };
 
 Measure measureOf(const Kind& kind, const std::vector<Figure>& figures, const Trust& trust) {
-  Measure measure;
-  measure.name = kind.name, measure.unit = kind.unit;
+  Measure measure = measureNamed(kind.name);
   std::vector<double> supports;
   for (std::size_t j = 0; j < figures.size(); ++j)
     supports.push_back(figures[j].value && trust[j] > 0 ? figures[j].support : 0);
-  measureOverOthers(measure, supports, kind.minSupport, [&](std::size_t but) {
+  measureOverOthers(measure, supports, [&](std::size_t but) {
     Mean mean(kind.isSquared);
     for (std::size_t j = 0; j < figures.size(); ++j)
       if (j != but) mean.add(figures[j], trust[j]);
@@ -121,13 +114,10 @@ std::vector<Measure> graphMeasuresOfPair(const GraphComparison& graphs) {
     const Figure first = kind.figure(graphs, true), second = kind.figure(graphs, false);
     Mean mean(kind.isSquared);
     mean.add(first, 1), mean.add(second, 1);
-    Measure measure;
-    measure.name = kind.name, measure.unit = kind.unit, measure.value = mean.value();
     // The two ways are the same things but for coverage and nearest vertices.
     const bool isOneThing = first.support == second.support && first.value == second.value;
-    measure.support = isOneThing ? first.support : first.support + second.support;
-    measure.isMeaningful = measure.value && measure.support >= kind.minSupport;
-    measures.push_back(std::move(measure));
+    measures.push_back(measureNamed(kind.name, mean.value(),
+                                    isOneThing ? first.support : first.support + second.support));
   }
   return measures;
 }

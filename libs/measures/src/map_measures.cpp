@@ -12,16 +12,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kMinPoints = 300, kMinScans = 10;
+constexpr double kMinScans = 10;   // that tell where a run breaks
 constexpr double kMinShare = 0.3;  // of the walls found, for pieces that can be counted
-
-Measure measure(const char* name, const char* unit, const Figure& figure, double minSupport) {
-  Measure result;
-  result.name = name, result.unit = unit;
-  result.value = figure.value, result.support = figure.support;
-  result.isMeaningful = figure.value && figure.support >= minSupport;
-  return result;
-}
 
 /** What one other run says of the pieces of a run; without trust where it says nothing. */
 struct Witness {
@@ -69,15 +61,15 @@ void countBreaks(Measure& measure, const Site& site, const MapPairs& pairs, cons
 
 std::vector<Measure> ownMeasuresOf(const Run& run) {
   const double walls = double(run.map.walls.size());
-  return {measure("wall_doubling", "1", {wallDoubling(run.map), walls}, kMinPoints),
-          measure("wall_sharpness", "1", {run.map.wallSharpness, walls}, kMinPoints),
-          measure("scan_disagreement", "m", scanDisagreement(run.scans, {}), kMinScans)};
+  const Figure scans = scanDisagreement(run.scans, {});
+  return {measureNamed("wall_doubling", wallDoubling(run.map), walls),
+          measureNamed("wall_sharpness", run.map.wallSharpness, walls),
+          measureNamed("scan_disagreement", scans.value, scans.support)};
 }
 
 Measure brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust, std::size_t run,
                      std::size_t breaks) {
-  Measure result;
-  result.name = "brokenness", result.unit = "pieces";
+  Measure result = measureNamed("brokenness");
   if (!site.runs[run]->scans.empty()) {
     countBreaks(result, site, pairs, trust, run, breaks);
     return result;
@@ -85,7 +77,7 @@ Measure brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust
   const std::vector<Witness> witnesses = witnessesOf(site, pairs, trust, run);
   std::vector<double> supports;
   for (const Witness& witness : witnesses) supports.push_back(witness.walls);
-  measureOverOthers(result, supports, kMinPoints, [&](std::size_t but) {
+  measureOverOthers(result, supports, [&](std::size_t but) {
     auto value = medianPieces(witnesses, but);
     if (value) --*value;
     return value;

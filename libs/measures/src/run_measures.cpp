@@ -12,7 +12,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kMinArea = 10;  // of the site, for a coverage that means something [m2]
-constexpr double kMinPoints = 300, kMinRooms = 3;
 constexpr std::size_t kMinRuns = 3;
 
 /** A frame around all placed runs. */
@@ -71,12 +70,11 @@ void widen(Measure& measure, double value) {
 
 Measure wallMeasure(const DistanceTable& distances, const Trust& trust, std::size_t run,
                     const char* name, double share) {
-  Measure measure;
-  measure.name = name, measure.unit = "m";
+  Measure measure = measureNamed(name);
   std::vector<double> supports;
   for (std::size_t j = 0; j < trust.size(); ++j)
     supports.push_back(j != run && trust[j] > 0 ? distances(run, j).count : 0);
-  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) {
+  measureOverOthers(measure, supports, [&](std::size_t but) {
     WallDistances all;
     for (std::size_t j = 0; j < trust.size(); ++j)
       if (j != run && j != but) all.add(distances(run, j), trust[j]);
@@ -118,14 +116,12 @@ RoomCount countRooms(const std::vector<GraphRoom>& others, std::vector<bool> isM
 
 /** The share `part` of `all` in the rooms of the others. */
 Measure roomMeasure(const DirectedTable<RoomCount>& counts, const Trust& trust, std::size_t run,
-                    const char* name, double RoomCount::*part, double RoomCount::*all,
-                    double minSupport) {
-  Measure measure;
-  measure.name = name;
+                    const char* name, double RoomCount::*part, double RoomCount::*all) {
+  Measure measure = measureNamed(name);
   std::vector<double> supports;
   for (std::size_t j = 0; j < trust.size(); ++j)
     supports.push_back(j != run && trust[j] > 0 ? counts(run, j).*all : 0);
-  measureOverOthers(measure, supports, minSupport, [&](std::size_t but) -> std::optional<double> {
+  measureOverOthers(measure, supports, [&](std::size_t but) -> std::optional<double> {
     RoomCount sum;
     for (std::size_t j = 0; j < trust.size(); ++j) {
       if (j == run || j == but) continue;
@@ -159,9 +155,8 @@ std::vector<Measure> coverageOf(const Site& site, const PairBends& bends) {
       for (std::size_t i = 0; i < n; ++i) lostToMe(i, j) += seen.by[i][cell] ? 1 : 0;
     }
   }
-  std::vector<Measure> measures(n);
+  std::vector<Measure> measures(n, measureNamed("coverage"));
   for (std::size_t i = 0; i < n; ++i) {
-    measures[i].name = "coverage";
     measures[i].support = all;
     if (all == 0) continue;
     measures[i].value = mine[i] / all;
@@ -176,8 +171,7 @@ std::vector<Measure> coverageOf(const Site& site, const PairBends& bends) {
 }
 
 Measure bendOf(const PairBends& bends, const Trust& trust, std::size_t run) {
-  Measure measure;
-  measure.name = "bend", measure.unit = "m";
+  Measure measure = measureNamed("bend");
   const DistinctMaps maps(bends);
   const auto weightOf = [&](std::size_t j) {
     return maps.isMeasuredAgainst(run, j) ? trust[j] * bends(run, j).share : 0.0;
@@ -185,7 +179,7 @@ Measure bendOf(const PairBends& bends, const Trust& trust, std::size_t run) {
   std::vector<double> supports;
   for (std::size_t j = 0; j < trust.size(); ++j)
     supports.push_back(weightOf(j) > 0 ? bends(run, j).walls : 0);
-  measureOverOthers(measure, supports, kMinPoints, [&](std::size_t but) -> std::optional<double> {
+  measureOverOthers(measure, supports, [&](std::size_t but) -> std::optional<double> {
     double sum = 0, weights = 0;
     for (std::size_t j = 0; j < trust.size(); ++j) {
       if (j == but || j == run) continue;
@@ -198,12 +192,9 @@ Measure bendOf(const PairBends& bends, const Trust& trust, std::size_t run) {
 }
 
 Measure axisDeviationOf(const Run& run) {
-  Measure measure;
-  measure.name = "axis_deviation", measure.unit = "deg";
-  measure.support = double(run.map.walls.size());
-  if (run.map.axisDeviation) measure.value = *run.map.axisDeviation * 180 / M_PI;
-  measure.isMeaningful = bool(measure.value);
-  return measure;
+  std::optional<double> degrees;
+  if (run.map.axisDeviation) degrees = *run.map.axisDeviation * 180 / M_PI;
+  return measureNamed("axis_deviation", degrees, double(run.map.walls.size()));
 }
 
 DistanceTable distancesOf(const Site& site, const ForEach& forEach) {
@@ -226,23 +217,16 @@ std::vector<Measure> wallMeasuresOf(const DistanceTable& distances, const Trust&
 
 std::vector<Measure> wallMeasuresOfPair(const PairBend& bend, const DistanceTable& distances,
                                         std::size_t a, std::size_t b) {
-  const auto measure = [](const char* name, const char* unit, std::optional<double> value,
-                          double support) {
-    Measure result;
-    result.name = name, result.unit = unit, result.value = value, result.support = support;
-    result.isMeaningful = support >= kMinPoints;
-    return result;
-  };
   WallDistances both = distances(a, b);
   both.add(distances(b, a));
   const auto distance = [&](const char* name, double value) {
-    return measure(name, "m", both.count > 0 ? std::optional(value) : std::nullopt, both.count);
+    return measureNamed(name, both.count > 0 ? std::optional(value) : std::nullopt, both.count);
   };
-  return {
-      measure("bend", "m", bend.share > 0 ? std::optional(bend.bend) : std::nullopt, bend.walls),
-      measure("followed", "1", bend.share, bend.walls), distance("wall_distance_mean", both.mean()),
-      distance("wall_distance", both.quantile(0.5)),
-      distance("wall_distance_p90", both.quantile(0.9))};
+  const auto apart = bend.share > 0 ? std::optional(bend.bend) : std::nullopt;
+  return {measureNamed("bend", apart, bend.walls), measureNamed("followed", bend.share, bend.walls),
+          distance("wall_distance_mean", both.mean()),
+          distance("wall_distance", both.quantile(0.5)),
+          distance("wall_distance_p90", both.quantile(0.9))};
 }
 
 std::vector<std::vector<Measure>> roomMeasuresOf(const Site& site, const Trust& trust,
@@ -265,10 +249,10 @@ std::vector<std::vector<Measure>> roomMeasuresOf(const Site& site, const Trust& 
   });
   std::vector<std::vector<Measure>> measures;
   for (std::size_t i = 0; i < n; ++i)
-    measures.push_back({roomMeasure(counts, trust, i, "rooms_matched", &RoomCount::matched,
-                                    &RoomCount::visible, kMinRooms),
-                        roomMeasure(counts, trust, i, "room_coverage", &RoomCount::matchedArea,
-                                    &RoomCount::area, kMinArea)});
+    measures.push_back(
+        {roomMeasure(counts, trust, i, "rooms_matched", &RoomCount::matched, &RoomCount::visible),
+         roomMeasure(counts, trust, i, "room_coverage", &RoomCount::matchedArea,
+                     &RoomCount::area)});
   return measures;
 }
 

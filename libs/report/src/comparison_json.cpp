@@ -8,6 +8,7 @@
 #include "json_places.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/measures/measure_kinds.h"
 
 namespace roomgraph {
 namespace {
@@ -46,6 +47,7 @@ Json runJson(const ComparedRun& run) {
   };
   return {{"name", run.name},
           {"file", fileName(run.file)},
+          {"sha256", run.sha256},
           {"score", of(&RunScore::score)},
           {"score_low", of(&RunScore::low)},
           {"score_high", of(&RunScore::high)},
@@ -56,6 +58,9 @@ Json runJson(const ComparedRun& run) {
           {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
           {"reason", run.reason},
           {"bend_m", of(&RunScore::bend)},
+          {"shared_walls", of(&RunScore::share)},
+          {"compared_walls", of(&RunScore::support)},
+          {"others", run.score ? Json(run.score->others) : Json(nullptr)},
           {"trust", of(&RunScore::trust)},
           {"pose", poseJson(run.pose)},
           {"resolution", std::round(run.resolution * 1e6) / 1e6},
@@ -119,6 +124,22 @@ Json roomJson(const SiteRoom& room) {
           {"runs", runs}};
 }
 
+/** Sections of keys, as in the file of a graph: numbers and switches as such. */
+Json optionsJson(const std::vector<UsedOption>& options) {
+  Json json = Json::object();
+  for (const UsedOption& option : options) {
+    const Json value = Json::parse(option.value, nullptr, false);
+    json[option.section][option.name] =
+        value.is_number() || value.is_boolean() ? value : Json(option.value);
+  }
+  return json;
+}
+
+Json gateJson(const std::optional<GateVerdict>& gate) {
+  if (!gate) return nullptr;
+  return {{"passed", gate->isPassed()}, {"complaints", gate->complaints}};
+}
+
 /** A list with one entry per line. */
 template <class Things, class ToJson>
 std::string lines(const char* name, const Things& things, const ToJson& toJson) {
@@ -159,21 +180,24 @@ std::string comparisonJson(const Comparison& comparison) {
   text += lines("runs", comparison.runs, runJson);
   text += lines("pairs", comparison.pairs, pairJson);
   text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
-    return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
+    return Json{{"name", run.name},
+                {"file", fileName(run.file)},
+                {"reason", run.reason},
+                {"other_site", run.isOtherSite}};
   });
   text += lines("rooms", comparison.rooms, roomJson);
   text += lines("breaks", comparison.breaks, breakJson);
+  text += "\"options\": " + lineOf(optionsJson(comparison.options)) + ",\n";
+  text += "\"gate\": " + lineOf(gateJson(comparison.gate)) + ",\n";
   return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
 }
 
 std::string comparisonRunsCsv(const Comparison& comparison) {
   std::string text =
       "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
-      "meaningful,x,y,phi,coverage,bend,axis_deviation,wall_distance,wall_distance_p90,rooms_"
-      "matched,room_coverage,path_coverage,global_accuracy,relative_accuracy,consistency_1,"
-      "consistency_2,"
-      "consistency_4,consistency_8,path_length_error,path_frechet,nearest_vertex,brokenness,"
-      "wall_doubling,wall_sharpness,scan_disagreement\n";
+      "meaningful,x,y,phi";
+  for (const MeasureKind& kind : runMeasureKinds()) text += std::string(",") + kind.name;
+  text += "\n";
   for (const ComparedRun& run : comparison.runs) {
     text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
             csvField(fileName(run.file));
@@ -185,7 +209,10 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
     text += run.score && run.score->isMeaningful ? ",1" : ",0";
     for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
       text += "," + csvNumber(value);
-    for (const Measure& measure : run.measures) text += "," + csvNumber(measure.value);
+    for (const MeasureKind& kind : runMeasureKinds()) {
+      const Measure* measure = find(run.measures, kind.name);
+      text += "," + csvNumber(measure ? measure->value : std::nullopt);
+    }
     text += "\n";
   }
   return text;
@@ -217,7 +244,8 @@ std::string comparisonText(const Comparison& comparison) {
   std::string text = "rank  run" + std::string(width - 3, ' ') +
                      "  score         (80 %)  map error [m]          (80 %)  coverage\n";
   for (const ComparedRun& run : comparison.runs) {
-    const double seen = run.measures.empty() ? -1 : run.measures.front().value.value_or(-1);
+    const Measure* coverage = find(run.measures, "coverage");
+    const double seen = coverage ? coverage->value.value_or(-1) : -1;
     const std::string name = run.name + std::string(width - run.name.size(), ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
     char line[120];

@@ -6,16 +6,8 @@
 
 namespace roomgraph {
 
-std::vector<UsedOption> usedOptions(const FieldTable& table) {
-  std::vector<UsedOption> options;
-  for (const Field& field : table.fields())
-    options.push_back({field.section, field.name, valueText(field), field.unit, field.sentence});
-  return options;
-}
-
-std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs,
-                             const std::vector<UsedOption>& options) {
-  kainjow::mustache::data page = pageTables(comparison, runs, options);
+std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs) {
+  kainjow::mustache::data page = pageTables(comparison);
   page.set("leafletStyle", page_files::kLeafletCss);
   page.set("leaflet", page_files::kLeafletJs);
   page.set("d3", page_files::kD3Js);

@@ -10,6 +10,7 @@
 #include "page_values.h"
 #include "room_rows.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/run_marks.h"
 #include "site_pictures.h"
 
@@ -43,50 +44,16 @@ std::string unitText(const std::string& unit) {
   return unit == "1" || unit == "pieces" ? "" : "[" + unit + "]";
 }
 
-/** "wall_distance_p90" for people. */
-std::string measureName(const std::string& name) {
-  static const std::map<std::string, std::string> names = {
-      {"coverage", "Coverage"},
-      {"bend", "Bend away from the others"},
-      {"followed", "Walls found again"},
-      {"axis_deviation", "Walls off right angles, median"},
-      {"wall_distance", "Wall distance, median"},
-      {"wall_distance_mean", "Wall distance, mean"},
-      {"wall_distance_p90", "Wall distance, 9 of 10 below"},
-      {"rooms_matched", "Rooms found again"},
-      {"room_coverage", "Room area of the others that it has"},
-      {"path_coverage", "Paths of the others that it has"},
-      {"global_accuracy", "Vertices off, RMS"},
-      {"relative_accuracy", "Vertices off after the best fit, RMS"},
-      {"consistency_1", "Distances off, 1 hop"},
-      {"consistency_2", "Distances off, 2 hops"},
-      {"consistency_4", "Distances off, 4 hops"},
-      {"consistency_8", "Distances off, 8 hops"},
-      {"path_length_error", "Path lengths off, median"},
-      {"path_frechet", "Paths apart (Fréchet), median"},
-      {"nearest_vertex", "Nearest vertex, mean"},
-      {"brokenness", "Extra pieces"},
-      {"wall_doubling", "Walls drawn twice"},
-      {"wall_sharpness", "Wall at the edge of free space"},
-      {"scan_disagreement", "Scans off another visit, 9 of 10 below"}};
-  const auto known = names.find(name);
-  if (known != names.end()) return known->second;
-  std::string words = name;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = char(words[0] - 'a' + 'A');
-  return words;
-}
-
-const Measure* measureOf(const std::vector<Measure>& measures, const std::string& name) {
-  for (const Measure& measure : measures)
-    if (measure.name == name) return &measure;
-  return nullptr;
+/** "wall_distance_p90" for people. A file of a later version may have measures unknown here. */
+std::string labelOf(const Measure& measure) {
+  const MeasureKind* kind = findMeasureKind(measure.name);
+  return kind ? kind->label : measure.name;
 }
 
 data measureCell(const Measure* measure) {
   data cell;
   cell.set("value", measure ? valueText(measure->value, measure->unit) : "–");
-  const bool isShare = measure && std::string(measure->unit) == "1";
+  const bool isShare = measure && measure->unit == "1";
   const auto scaled = [&](std::optional<double> value) -> std::optional<double> {
     if (!value) return std::nullopt;
     return isShare ? 100 * *value : *value;
@@ -99,9 +66,8 @@ data measureCell(const Measure* measure) {
 
 class Tables {
  public:
-  Tables(const Comparison& comparison, const std::vector<Run>& prepared) : comparison_(comparison) {
+  explicit Tables(const Comparison& comparison) : comparison_(comparison) {
     for (const ComparedRun& run : comparison.runs) places_.emplace(run.name, places_.size());
-    for (const Run& run : prepared) hashes_.emplace(run.name, run.sha256);
   }
 
   data runs() const {
@@ -114,7 +80,7 @@ class Tables {
     data names = list();
     for (const Measure& measure : allMeasures()) {
       data one;
-      one.set("name", text(measureName(measure.name)));
+      one.set("name", text(labelOf(measure)));
       one.set("unit", unitText(measure.unit));
       names << one;
     }
@@ -145,7 +111,7 @@ class Tables {
       row.set("same", flag(pair.isSameSite));
       row.set("confidence", fixedText(pair.confidence, 2));
       row.set("overlap", pair.transform ? percentText(pair.overlap) : "–");
-      const Measure* distance = measureOf(pair.measures, "wall_distance");
+      const Measure* distance = find(pair.measures, "wall_distance");
       row.set("distance", distance ? valueText(distance->value, "m") : "–");
       row.set("runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–");
       rows << row;
@@ -184,8 +150,7 @@ class Tables {
     row.set("rank", run.rank ? std::to_string(run.rank) : "–");
     row.set("isReference", flag(comparison_.reference == run.name));
     row.set("file", text(fileName(run.file)));
-    const auto hash = hashes_.find(run.name);
-    row.set("hash", text(hash == hashes_.end() ? "" : hash->second));
+    row.set("hash", text(run.sha256));
     row.set("reason", text(run.reason));
     row.set("weak", flag(run.score && !run.score->isMeaningful));
     row.set("score", run.score ? fixedText(run.score->score, 1) : "–");
@@ -195,11 +160,11 @@ class Tables {
       row.set("errorRange", rangeText(run.score->errorLow, run.score->errorHigh, 2));
     }
     row.set("breaks", std::to_string(breaksOf(run.name)));
-    const Measure* coverage = measureOf(run.measures, "coverage");
+    const Measure* coverage = find(run.measures, "coverage");
     row.set("coverage", coverage ? valueText(coverage->value, coverage->unit) : "–");
     data measures = list();
     for (const Measure& measure : allMeasures())
-      measures << measureCell(measureOf(run.measures, measure.name));
+      measures << measureCell(find(run.measures, measure.name));
     row.set("measures", measures);
     row.set("isShown", flag(i < kMostShown));
     return row;
@@ -222,7 +187,6 @@ class Tables {
 
   const Comparison& comparison_;
   std::map<std::string, std::size_t> places_;
-  std::map<std::string, std::string> hashes_;
 };
 
 data optionRows(const std::vector<UsedOption>& options) {
@@ -253,9 +217,8 @@ data heatRows() {
 
 }  // namespace
 
-data pageTables(const Comparison& comparison, const std::vector<Run>& runs,
-                const std::vector<UsedOption>& options) {
-  const Tables tables(comparison, runs);
+data pageTables(const Comparison& comparison) {
+  const Tables tables(comparison);
   data page;
   page.set("version", version());
   page.set("verdict", text(comparison.verdict));
@@ -274,7 +237,7 @@ data pageTables(const Comparison& comparison, const std::vector<Run>& runs,
   page.set("pairsAreFew", flag(comparison.pairs.size() <= kMostOpenPairs));
   page.set("hasLeftOut", flag(!comparison.leftOut.empty()));
   page.set("leftOut", tables.leftOut());
-  page.set("options", optionRows(options));
+  page.set("options", optionRows(comparison.options));
   page.set("heat", heatRows());
   return page;
 }

@@ -10,7 +10,6 @@ namespace roomgraph {
 
 /** The values that the page's template asks for, all but its styles, scripts and pictures. The
  *  template escapes them. */
-kainjow::mustache::data pageTables(const Comparison& comparison, const std::vector<Run>& runs,
-                                   const std::vector<UsedOption>& options);
+kainjow::mustache::data pageTables(const Comparison& comparison);
 
 }  // namespace roomgraph

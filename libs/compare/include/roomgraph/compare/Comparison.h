@@ -17,7 +17,7 @@ constexpr double kPartialCoverage = 0.7;
 
 /** A run that could be placed. */
 struct ComparedRun {
-  std::string name, file;
+  std::string name, file, sha256;
   Transform2D pose;               ///< site <- run
   std::optional<RunScore> score;  ///< none for the reference, and where no wall could be compared
   std::size_t rank = 0;           ///< 1 is best, equal errors share a rank; 0 without a score
@@ -45,7 +45,20 @@ struct LeftOutRun {
   bool isOtherSite = false;  ///< it could be read, but does not lie in the site of the others
 };
 
-/** What is known of several runs of one site. */
+/** An option and its value, as text for people. */
+struct UsedOption {
+  std::string section, name, value, unit, sentence;
+};
+
+/** What a gate says of a comparison. */
+struct GateVerdict {
+  std::vector<std::string> complaints;  ///< a line for each thing that must not be
+
+  bool isPassed() const { return complaints.empty(); }
+};
+
+/** What is known of several runs of one site. A saved thing: comparisonJson writes all of it, and
+ *  parseComparisonJson reads it back. */
 struct Comparison {
   std::vector<ComparedRun> runs;         ///< best first, then by name; those without a rank last
   std::vector<ComparedPair> pairs;       ///< of all runs that have walls, by name
@@ -54,6 +67,8 @@ struct Comparison {
   std::vector<MapBreak> breaks;          ///< by run, then along it
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
   std::string verdict;                   ///< one line
+  std::vector<UsedOption> options;       ///< all that were used, in the order of the work
+  std::optional<GateVerdict> gate;       ///< none where nothing was asked
 };
 
 }  // namespace roomgraph

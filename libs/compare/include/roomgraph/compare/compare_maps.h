@@ -26,6 +26,12 @@ struct CompareMapsOptions {
   std::function<void(const LeftOutRun&)> onUnread = [](const LeftOutRun&) {};
 };
 
+/** What a user may set by name; points into `options`. */
+FieldTable describe(CompareMapsOptions& options);
+
+/** The same as Comparison::options tells it. */
+std::vector<UsedOption> usedOptions(CompareMapsOptions options);
+
 /** Map files that were read. */
 struct ReadRuns {
   std::vector<Run> runs;                 ///< in the order of sortRuns
@@ -44,6 +50,12 @@ ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOption
 
 /** Compares what was read, see compareRuns; what was left out there is left out here, too. */
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
+
+/** The maps of a comparison that was read back: those of `files` that are maps of its runs, told by
+ *  their content, with the names of the runs and their walls. Other files are left out. They are
+ *  read with the options of the comparison.
+ *  @throws DataError where a file cannot be read. */
+std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files);
 
 /** Both in one:
  *

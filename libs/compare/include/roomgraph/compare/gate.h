@@ -18,10 +18,13 @@ struct GateOptions {
   bool failsOnCoverage = false;    ///< a run has seen less than kPartialCoverage
   bool failsOnBreaks = false;      ///< a run has a break
   bool failsOnOtherSites = false;  ///< a run is of another site
+
+  bool asksNothing() const {
+    return !minScore && !failsOnCoverage && !failsOnBreaks && !failsOnOtherSites;
+  }
 };
 
-/** A line for each thing that must not be, as "run: what is wrong"; empty where the gate is passed.
- *  Scores and coverage count as they are, meaningful or not; a reference needs neither. */
-std::vector<std::string> complaints(const Comparison& comparison, const GateOptions& options);
+/** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or not; a reference needs neither. */
+GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
 }  // namespace roomgraph

@@ -7,15 +7,22 @@ namespace roomgraph {
 
 /** One figure, and how far it can be trusted. */
 struct Measure {
-  std::string name;             ///< as in the file
+  std::string name;             ///< of a MeasureKind
   std::optional<double> value;  ///< none where nothing supports it
-  const char* unit = "1";       ///< "m", "deg" or "1", a share of 1
+  std::string unit = "1";       ///< see MeasureKind
   double support = 0;           ///< how many things were counted: wall points, cells or rooms
   /** The range of the value when any one of the other runs is left out; none without a value, or
    *  with a single other run. */
   std::optional<double> low, high;
   bool isMeaningful = false;  ///< enough other runs, and enough support
 };
+
+/** A measure without a value yet. @throws std::logic_error where no MeasureKind has this name: each
+ *  measure must stand in the table. */
+Measure measureNamed(const std::string& name);
+
+/** The same with a value, meaningful by its support alone. */
+Measure measureNamed(const std::string& name, std::optional<double> value, double support);
 
 /** The measure of this name; null for none. */
 const Measure* find(const std::vector<Measure>& measures, const std::string& name);

@@ -15,6 +15,15 @@ namespace roomgraph {
  *  without their folder. */
 std::string comparisonJson(const Comparison& comparison);
 
+/** The comparison of such a text: comparisonJson of it is the same text again, but for the version
+ *  of the program. Fields that it does not know are skipped.
+ *  @throws DataError with one line (`name` of the file, place, problem, remedy) where it is no such
+ *  file, or damaged. */
+Comparison parseComparisonJson(const std::string& text, const std::string& name);
+
+/** The same of a file. @throws DataError also where it cannot be read. */
+Comparison readComparison(const std::string& file);
+
 /** One line per run, best first, below a line of column names: empty fields for what cannot be
  *  told. Of each measure the value alone. */
 std::string comparisonRunsCsv(const Comparison& comparison);

@@ -2,24 +2,15 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/Options.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   Comparison, the maps of its runs, the options that were used
+// In:   Comparison, and the maps of its runs
 // Out:  report.html
 // Next: a browser
-
-/** An option and its value, as text for people. */
-struct UsedOption {
-  std::string section, name, value, unit, sentence;
-};
-
-/** All options of a table. */
-std::vector<UsedOption> usedOptions(const FieldTable& table);
 
 /** One HTML file that needs no other file and no network: the verdict, the ranking with intervals,
  *  all maps laid on each other, where they disagree, the rooms, the places where maps bend, the
@@ -27,7 +18,6 @@ std::vector<UsedOption> usedOptions(const FieldTable& table);
  *  `runs` are looked up by name: a compared run whose map is not among them is not drawn. The
  *  picture of a run has at most 2500 pixels on a side, 1200 with more than 20 runs. The same input
  *  gives the same bytes. O(pixels of all pictures). */
-std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs,
-                             const std::vector<UsedOption>& options);
+std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs);
 
 }  // namespace roomgraph

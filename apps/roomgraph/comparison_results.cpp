@@ -1,0 +1,81 @@
+#include "comparison_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "error_line.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/comparison_report.h"
+#include "terminal.h"
+
+namespace roomgraph {
+
+ResultFiles::ResultFiles(const std::filesystem::path& folder)
+    : report((folder / "report.html").string()),
+      json((folder / "comparison.json").string()),
+      runs((folder / "comparison.runs.csv").string()),
+      rooms((folder / "comparison.rooms.csv").string()),
+      scene((folder / "comparison.3Dscene").string()) {}
+
+void declareGate(GateArguments& arguments, CLI::App& app) {
+  const int percent = int(std::lround(100 * kPartialCoverage));
+  app.add_option("--fail-below", arguments.failBelow,
+                 "Exit with 3 where a run has a score below this (0 to 100), or none.")
+      ->type_name("SCORE")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--fail-on", arguments.failOn,
+                 "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
+                 "less than " +
+                     std::to_string(percent) +
+                     " % of what two runs have seen), 'broken' (a run has a break), "
+                     "'not-same-site' (a run is of another site).")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
+}
+
+GateOptions gateOf(const GateArguments& arguments) {
+  if (arguments.failBelow && std::isnan(*arguments.failBelow))
+    throw UsageError("--fail-below: nan is no score: give one from 0 to 100");
+  const auto isAsked = [&](const char* what) {
+    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
+  };
+  return {arguments.failBelow, isAsked("coverage"), isAsked("broken"), isAsked("not-same-site")};
+}
+
+bool addGate(Comparison& comparison, const GateOptions& gate) {
+  if (gate.asksNothing()) return false;
+  comparison.gate = gateVerdict(comparison, gate);
+  return !comparison.gate->isPassed();
+}
+
+void addResults(const Comparison& comparison, const std::vector<Run>& runs,
+                const ResultFiles& files, StagedFiles& staged) {
+  const std::string document = comparisonJson(comparison);
+  // All else is made from what is saved, with its rounding, so that it can be made anew.
+  const Comparison saved = parseComparisonJson(document, files.json);
+  staged.add(files.json, document);
+  staged.add(files.runs, comparisonRunsCsv(saved));
+  staged.add(files.rooms, comparisonRoomsCsv(saved));
+  staged.add(files.scene, comparisonSceneBytes(saved, runs));
+  staged.add(files.report, comparisonReport(saved, runs));
+}
+
+void printResults(const Comparison& comparison, const ResultFiles& files) {
+  std::string text = comparisonText(comparison) + comparison.verdict + "\n";
+  for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
+  print(text);
+}
+
+void printComplaints(const Comparison& comparison) {
+  for (const std::string& line : comparison.gate->complaints) printError(line);
+}
+
+void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
+
+}  // namespace roomgraph

@@ -1,0 +1,45 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/gate.h"
+#include "roomgraph/relate/Run.h"
+#include "roomgraph/report/StagedFiles.h"
+
+namespace roomgraph {
+
+/** The names of all that is written of a comparison. */
+struct ResultFiles {
+  explicit ResultFiles(const std::filesystem::path& folder);
+
+  std::vector<std::string> all() const { return {report, json, runs, rooms, scene}; }
+
+  std::string report, json, runs, rooms, scene;
+};
+
+/** --fail-below and --fail-on. */
+struct GateArguments {
+  std::optional<double> failBelow;
+  std::vector<std::string> failOn;
+};
+
+void declareGate(GateArguments& arguments, CLI::App& app);
+
+/** @throws UsageError for a score that is none. */
+GateOptions gateOf(const GateArguments& arguments);
+
+/** Adds the verdict of a gate that asks for anything; whether it strikes. */
+bool addGate(Comparison& comparison, const GateOptions& gate);
+
+/** All results of a comparison. `runs` are those whose maps are drawn. */
+void addResults(const Comparison& comparison, const std::vector<Run>& runs,
+                const ResultFiles& files, StagedFiles& staged);
+
+void printResults(const Comparison& comparison, const ResultFiles& files);
+void printComplaints(const Comparison& comparison);
+void printError(const std::string& text);
+
+}  // namespace roomgraph

@@ -1,0 +1,200 @@
+#include <cmath>
+
+#include "JsonNode.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/json_fault.h"
+#include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/report/comparison_json.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool isTrue(const JsonNode& node) {
+  if (!node.json.is_boolean()) throw Broken{node.place, "is neither true nor false"};
+  return node.json.get<bool>();
+}
+
+std::optional<double> numberIfAny(const JsonNode& node) {
+  return node.json.is_null() ? std::nullopt : std::optional(node.number());
+}
+
+std::optional<std::string> textIfAny(const JsonNode& node) {
+  return node.json.is_null() ? std::nullopt : std::optional(node.text());
+}
+
+constexpr std::size_t kMostCounted = 1'000'000'000;
+
+std::size_t count(const JsonNode& node) { return node.countBelow(kMostCounted); }
+
+Transform2D pose(const JsonNode& node) {
+  const std::vector<JsonNode> numbers = node.list();
+  if (numbers.size() != 3) throw Broken{node.place, "is no pose [x, y, phi]"};
+  return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
+}
+
+std::optional<Transform2D> poseIfAny(const JsonNode& node) {
+  return node.json.is_null() ? std::nullopt : std::optional(pose(node));
+}
+
+/** "name" of each member, in the order of the file. */
+std::vector<std::pair<std::string, JsonNode>> members(const JsonNode& node) {
+  if (!node.json.is_object()) throw Broken{node.place, "is no object"};
+  std::vector<std::pair<std::string, JsonNode>> all;
+  for (const auto& item : node.json.items())
+    all.push_back({item.key(), {item.value(), node.place + "." + item.key()}});
+  return all;
+}
+
+std::vector<Measure> measures(const JsonNode& node) {
+  std::vector<Measure> all;
+  for (const auto& [name, one] : members(node))
+    all.push_back({name, numberIfAny(one["value"]), one["unit"].text(), one["support"].number(),
+                   numberIfAny(one["low"]), numberIfAny(one["high"]), isTrue(one["meaningful"])});
+  return all;
+}
+
+std::optional<RunScore> score(const JsonNode& node) {
+  if (node["score"].json.is_null()) return std::nullopt;
+  RunScore score;
+  score.score = node["score"].number();
+  score.low = node["score_low"].number(), score.high = node["score_high"].number();
+  score.mapError = node["map_error_m"].number();
+  score.errorLow = node["map_error_low"].number();
+  score.errorHigh = node["map_error_high"].number();
+  score.bend = node["bend_m"].number(), score.share = node["shared_walls"].number();
+  score.support = node["compared_walls"].number(), score.others = count(node["others"]);
+  score.trust = node["trust"].number(), score.isMeaningful = isTrue(node["meaningful"]);
+  return score;
+}
+
+ComparedRun run(const JsonNode& node) {
+  ComparedRun run;
+  run.name = node["name"].text(), run.file = node["file"].text();
+  run.sha256 = node["sha256"].text();
+  run.pose = pose(node["pose"]);
+  run.score = score(node);
+  run.rank = node["rank"].json.is_null() ? 0 : count(node["rank"]);
+  run.measures = measures(node["measures"]);
+  run.reason = node["reason"].text();
+  run.resolution = node["resolution"].number();
+  run.isScaleEstimated = isTrue(node["scale_estimated"]);
+  return run;
+}
+
+ComparedPair pair(const JsonNode& node) {
+  ComparedPair pair;
+  pair.a = node["a"].text(), pair.b = node["b"].text();
+  pair.isSameSite = isTrue(node["same_site"]);
+  pair.transform = poseIfAny(node["transform"]);
+  pair.confidence = node["confidence"].number(), pair.overlap = node["overlap"].number();
+  if (const JsonNode next = node["runner_up"]; !next.json.is_null()) {
+    pair.runnerUp = pose(next["transform"]);
+    pair.runnerUpConfidence = next["confidence"].number();
+  }
+  pair.measures = measures(node["measures"]);
+  return pair;
+}
+
+MapBreak mapBreak(const JsonNode& node) {
+  return {node["run"].text(),
+          {node["x"].number(), node["y"].number()},
+          node["rotation_deg"].number() * M_PI / 180,
+          node["shift_m"].number()};
+}
+
+RoomSighting sighting(const JsonNode& node) {
+  const std::string text = node.text();
+  if (text == "seen") return RoomSighting::seen;
+  if (text == "gone") return RoomSighting::gone;
+  if (text != "unvisited") throw Broken{node.place, "is none of seen, gone and unvisited"};
+  return RoomSighting::unvisited;
+}
+
+RoomInRun roomInRun(const JsonNode& node) {
+  RoomInRun in;
+  in.run = node["run"].text();
+  in.sighting = sighting(node["sighting"]);
+  in.pieces = int(count(node["pieces"])), in.isMerged = isTrue(node["merged"]);
+  in.shift = numberIfAny(node["shift_m"]), in.areaChange = numberIfAny(node["area_change"]);
+  in.boundaryAgreement = numberIfAny(node["boundary_agreement"]);
+  in.lengthError = numberIfAny(node["length_error_m"]);
+  in.doorsGained = int(count(node["doors_gained"])), in.doorsLost = int(count(node["doors_lost"]));
+  return in;
+}
+
+SiteRoom room(const JsonNode& node) {
+  SiteRoom room;
+  room.id = node["id"].text(), room.name = node["name"].text();
+  room.isCorridor = node["kind"].text() == "corridor";
+  room.center = {node["x"].number(), node["y"].number()};
+  room.area = node["area_m2"].number();
+  room.polygon = readPolygon(node);
+  for (const JsonNode& door : node["doors"].list())
+    room.doors.push_back({{door["x"].number(), door["y"].number()},
+                          door["width"].number(),
+                          textIfAny(door["to"]).value_or("")});
+  for (const JsonNode& in : node["runs"].list()) room.runs.push_back(roomInRun(in));
+  return room;
+}
+
+/** Unit and sentence are this version's; an option that it does not know has none. */
+UsedOption option(const std::string& section, const std::string& name, const JsonNode& node) {
+  static const std::vector<UsedOption> known = usedOptions({});
+  UsedOption used{section, name, node.json.is_string() ? node.text() : node.json.dump(), "", ""};
+  for (const UsedOption& one : known)
+    if (one.section == section && one.name == name)
+      used.unit = one.unit, used.sentence = one.sentence;
+  return used;
+}
+
+std::optional<GateVerdict> gate(const JsonNode& node) {
+  if (node.json.is_null()) return std::nullopt;
+  GateVerdict verdict;
+  for (const JsonNode& line : node["complaints"].list()) verdict.complaints.push_back(line.text());
+  return verdict;
+}
+
+Comparison comparison(const JsonNode& top) {
+  if (top["version"].json != 1)
+    throw Broken{"version", "is not 1, the only one this program reads"};
+  Comparison result;
+  result.reference = textIfAny(top["reference"]);
+  for (const JsonNode& node : top["runs"].list()) result.runs.push_back(run(node));
+  for (const JsonNode& node : top["pairs"].list()) result.pairs.push_back(pair(node));
+  for (const JsonNode& node : top["left_out"].list())
+    result.leftOut.push_back({node["name"].text(), node["file"].text(), node["reason"].text(),
+                              isTrue(node["other_site"])});
+  for (const JsonNode& node : top["rooms"].list()) result.rooms.push_back(room(node));
+  for (const JsonNode& node : top["breaks"].list()) result.breaks.push_back(mapBreak(node));
+  for (const auto& [section, keys] : members(top["options"]))
+    for (const auto& [name, node] : members(keys))
+      result.options.push_back(option(section, name, node));
+  result.gate = gate(top["gate"]);
+  result.verdict = top["verdict"].text();
+  return result;
+}
+
+}  // namespace
+
+Comparison parseComparisonJson(const std::string& text, const std::string& name) {
+  constexpr const char* kRemedy = "; write it anew with 'roomgraph compare'";
+  const std::string fault = jsonFault(text, "roomgraph/comparison");
+  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
+  try {
+    return comparison({json, ""});
+  } catch (const Broken& broken) {
+    throw DataError(name + ": " + (broken.where.empty() ? "the file" : broken.where) + " " +
+                    broken.problem + kRemedy);
+  }
+}
+
+Comparison readComparison(const std::string& file) {
+  return parseComparisonJson(readFile(file), file);
+}
+
+}  // namespace roomgraph

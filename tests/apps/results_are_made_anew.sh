@@ -1,0 +1,24 @@
+# roomgraph report makes all results of a comparison anew, byte for byte, and asks a gate again.
+. "$(dirname "$0")/common.sh"
+maps=$source_dir/share/roomgraph/maps
+
+expect 0 "$roomgraph" compare "$maps"/office_run[12].simplemap.gz -o first -q
+cp first/comparison.json .
+expect 0 "$roomgraph" report comparison.json "$maps"/office_run?.simplemap.gz -o again -q
+for file in comparison.json comparison.runs.csv comparison.rooms.csv comparison.3Dscene report.html; do
+  cmp "first/$file" "again/$file" || fail "$file is another one"
+done
+
+# Without the maps all but their pictures.
+expect 0 "$roomgraph" report again/comparison.json
+grep -q 'office_run1' out || fail "no ranking"
+cmp first/comparison.runs.csv again/comparison.runs.csv
+
+# The gate strikes, and its verdict is kept.
+expect 3 "$roomgraph" report again/comparison.json --fail-below 100
+grep -q '"gate": {"passed":false' again/comparison.json || fail "the verdict is not saved"
+grep -q 'office_run2: its score is below --fail-below' err || fail "no line on stderr"
+
+echo '{"format": "roomgraph/graph"}' > other.json
+expect 1 "$roomgraph" report other.json
+expect 2 "$roomgraph" report comparison.json --fail-below nan

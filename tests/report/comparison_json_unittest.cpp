@@ -1,0 +1,81 @@
+#include "roomgraph/report/comparison_json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/measures/measure_kinds.h"
+#include "sample_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+/** With all that can be there, or not. */
+Comparison sample() {
+  Comparison comparison = test::sampleComparison().comparison;
+  comparison.runs[1].score.reset(), comparison.runs[1].rank = 0;
+  comparison.runs[2].isScaleEstimated = true, comparison.runs[2].sha256 = "abc";
+  comparison.pairs[1].transform.reset(), comparison.pairs[2].runnerUp.reset();
+  comparison.reference = comparison.runs[1].name;
+  comparison.options.push_back({"compare", "aligned", "true", "", ""});
+  comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
+  comparison.gate = GateVerdict{{"west: has no score"}};
+  return comparison;
+}
+
+TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
+  for (const Comparison& comparison : {sample(), Comparison()}) {
+    const std::string text = comparisonJson(comparison);
+    const Comparison again = parseComparisonJson(text, "comparison.json");
+    EXPECT_EQ(comparisonJson(again), text);
+    EXPECT_EQ(comparisonRunsCsv(again), comparisonRunsCsv(comparison));
+    EXPECT_EQ(comparisonRoomsCsv(again), comparisonRoomsCsv(comparison));
+  }
+}
+
+TEST(ParseComparisonJson, knowsWhatAnOptionIs) {
+  const Comparison again = parseComparisonJson(comparisonJson(sample()), "comparison.json");
+  for (const UsedOption& option : again.options) EXPECT_NE(option.sentence, "") << option.name;
+}
+
+TEST(ParseComparisonJson, saysWhereAFileIsBroken) {
+  const std::string good = comparisonJson(sample());
+  const auto complaint = [](const std::string& text) -> std::string {
+    try {
+      parseComparisonJson(text, "c.json");
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto with = [&](const std::string& old, const std::string& replacement) {
+    std::string text = good;
+    text.replace(text.find(old), old.size(), replacement);
+    return complaint(text);
+  };
+  EXPECT_NE(with("\"meaningful\":true", "\"meaningful\":1").find("runs[0]"), std::string::npos);
+  EXPECT_NE(with("\"sighting\":\"seen\"", "\"sighting\":\"lost\"").find("rooms[0].runs[0]"),
+            std::string::npos);
+  EXPECT_NE(with("\"version\": 1,", "\"version\": 2,").find("version"), std::string::npos);
+  EXPECT_NE(with("\"gate\"", "\"gat\"").find("has no 'gate'"), std::string::npos);
+  EXPECT_NE(complaint(good.substr(0, good.size() / 2)), "");
+  EXPECT_NE(complaint("{\"format\": \"roomgraph/graph\"}"), "");
+}
+
+TEST(ComparisonRunsCsv, hasAColumnForEachKindOfMeasure) {
+  const std::string csv = comparisonRunsCsv(sample()), header = csv.substr(0, csv.find('\n'));
+  std::string names;
+  for (const MeasureKind& kind : runMeasureKinds()) names += std::string(",") + kind.name;
+  EXPECT_EQ(header.substr(header.find(",phi,") + 4), names);
+}
+
+TEST(ComparisonRunsCsv, aMeasureStandsInItsColumnWhereverItIsInTheRun) {
+  Comparison comparison = sample();
+  const std::string before = comparisonRunsCsv(comparison);
+  for (ComparedRun& run : comparison.runs) std::reverse(run.measures.begin(), run.measures.end());
+  EXPECT_EQ(comparisonRunsCsv(comparison), before);
+}
+
+}  // namespace
+}  // namespace roomgraph
