@@ -24,7 +24,8 @@ struct GateOptions {
   }
 };
 
-/** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or not; a reference needs neither. */
+/** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or
+ *  not; a reference needs neither. */
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
 }  // namespace roomgraph
