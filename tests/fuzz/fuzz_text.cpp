@@ -1,4 +1,4 @@
-// Any text as a graph, a file of names, options, or the progress of an experiment. What is taken
+// Any text as a graph, a file of names, options, a comparison, or a line to be shown. What is taken
 // must come out the same when it is written and read again.
 #include <cstdlib>
 
@@ -6,6 +6,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/graph_json.h"
 #include "roomgraph/report/read_graph_json.h"
 #include "roomgraph/report/site_json.h"
@@ -31,6 +32,9 @@ void readAs(unsigned kind, const std::string& text) {
     fromIni(text, "x.ini", table);
     fromIni(toIni(table), "x.ini", tableAgain);
     expectSame(toIni(tableAgain), toIni(table));
+  } else if (kind == 3) {
+    const std::string json = comparisonJson(parseComparisonJson(text, "comparison.json"));
+    expectSame(comparisonJson(parseComparisonJson(json, "comparison.json")), json);
   } else {
     expectSame(printable(printable(text)), printable(text));
   }
@@ -40,7 +44,7 @@ void readAs(unsigned kind, const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   test::ByteSource bytes(data, size);
-  const unsigned kind = bytes.byte() % 4;
+  const unsigned kind = bytes.byte() % 5;
   try {
     readAs(kind, bytes.rest());
   } catch (const DataError&) {

@@ -16,8 +16,10 @@
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/area_labels_png.h"
+#include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/graph_json.h"
 #include "roomgraph/report/site_json.h"
+#include "sample_comparison.h"
 
 namespace {
 
@@ -84,6 +86,8 @@ void writeTexts(const fs::path& folder, const Stages& stages) {
   write(folder / "graph", std::string(1, '\0') + graphJson(stages));
   write(folder / "site", std::string(1, '\1') + siteJson(site));
   write(folder / "ini", std::string(1, '\2') + toIni(describe(options)));
+  write(folder / "comparison",
+        std::string(1, '\3') + comparisonJson(test::sampleComparison().comparison));
 }
 
 }  // namespace
