@@ -56,7 +56,7 @@ LabelMap randomMap(unsigned seed) {
   map.height = 30;
   map.label.resize(map.pixelCount());
   for (std::size_t i = 0; i < map.label.size(); ++i)
-    map.label[i] = random() % 4 == 0 ? random() % 9 : std::uint32_t(i % 40 / 8);
+    map.label[i] = std::uint32_t(random() % 4 == 0 ? random() % 9 : i % 40 / 8);
   return map;
 }
 
