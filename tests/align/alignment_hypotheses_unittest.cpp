@@ -19,7 +19,7 @@ std::size_t rankOfTruth(const Transform2D& bFromA, const test::Seen& seen) {
   const auto found = alignmentHypotheses(a, b, {});
   const Point at = bFromA(kMiddle);
   const auto first = std::find_if(found.begin(), found.end(), [&](const AlignmentHypothesis& h) {
-    return areNear(h.pose, bFromA.inverse(), at, 0.05, 0.4);
+    return areNear(h.pose, bFromA.inverse(), at, {0.05, 0.4});
   });
   return std::size_t(first - found.begin());
 }

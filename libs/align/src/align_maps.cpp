@@ -10,9 +10,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameTurn = 0.03, kSamePlace = 0.3;  // poses worth one closer look [rad, m]
-constexpr double kNoRunnerUp = -4;                    // its log odds
-constexpr double kMuchBetter = 6;                     // the best pose's score where it is alone
+constexpr double kNoRunnerUp = -4;  // its log odds
+constexpr double kMuchBetter = 6;   // the best pose's score where it is alone
 
 void sortByScore(std::vector<AlignmentCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -40,7 +39,7 @@ std::vector<AlignmentCandidate> lookedAt(const MapForAlignment& a, const MapForA
   for (const AlignmentCandidate& c : candidates) {
     if (int(seen.size()) == count) break;
     const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
-      return areNear(pose, c.pose, middle, kSameTurn, kSamePlace);
+      return areNear(pose, c.pose, middle, kSameStart);
     });
     if (isSeen) continue;
     seen.push_back(c.pose);
@@ -88,11 +87,11 @@ Alignment alignmentOf(const MapForAlignment& a, const MapForAlignment& b,
   result.best = found.front();
   const Point middle = b.middle();
   for (const AlignmentCandidate& c : found) {
-    if (areNear(c.pose, result.best->pose, middle, kOtherTurn, kOtherPlace)) continue;
+    if (areNear(c.pose, result.best->pose, middle, kSameAnswer)) continue;
     result.runnerUp = c;
     break;
   }
-  if (cannotBeToldApart(a, b) && areNear(result.best->pose, {}, middle, kSameTurn, kSamePlace))
+  if (cannotBeToldApart(a, b) && areNear(result.best->pose, {}, middle, kSameStart))
     result.best->pose = {};
   judge(result, options);
   result.pose = result.best->pose;

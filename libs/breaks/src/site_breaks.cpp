@@ -9,7 +9,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kWitnesses = 3;  // runs in which the scans of another are tracked
-constexpr double kMinShare = 0.3;      // of a run's walls that a witness must have
 
 /** Looks for the breaks of one run. */
 class BreakSearch {
@@ -31,7 +30,7 @@ class BreakSearch {
   std::vector<std::size_t> witnesses(const Trust& trust) const {
     std::vector<std::size_t> others;
     for (std::size_t j = 0; j < site_.runs.size(); ++j)
-      if (j != run_ && followedIn(pairs_, run_, j).share >= kMinShare) others.push_back(j);
+      if (j != run_ && followedIn(pairs_, run_, j).share >= kWitnessShare) others.push_back(j);
     std::stable_sort(others.begin(), others.end(),
                      [&](std::size_t l, std::size_t r) { return trust[l] > trust[r]; });
     if (others.size() > kWitnesses) others.resize(kWitnesses);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -11,7 +12,6 @@ namespace {
 
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;  // walls that speak against each pose beforehand
-constexpr double kSameTurn = 0.01, kSamePlace = 0.1;  // poses worth one fit [rad, m]
 
 double qualityAt(const ScanWalls& scan, const MapForAlignment& in, const Transform2D& pose,
                  const TrackScansOptions& options) {
@@ -71,8 +71,7 @@ class Tracker {
     for (const FollowedPatch& f : followed_.patches) {
       if (distance(patches_[f.patch].middle, at) > options_.reach) continue;
       const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
-        return std::abs(wrappedAngle(pose.phi - f.pose.phi)) < kSameTurn &&
-               distance(pose(at), f.pose(at)) < kSamePlace;
+        return areNear(pose, f.pose, at, kSameFit);
       });
       if (!isKnown) poses.push_back(f.pose);
     }

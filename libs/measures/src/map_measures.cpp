@@ -6,14 +6,14 @@
 #include "roomgraph/align/wall_doubling.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/rigid_pieces.h"
+#include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/relate/place_runs.h"
 #include "scan_disagreement.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kMinScans = 10;   // that tell where a run breaks
-constexpr double kMinShare = 0.3;  // of the walls found, for pieces that can be counted
+constexpr double kMinScans = 10;  // that tell where a run breaks
 
 /** What one other run says of the pieces of a run; without trust where it says nothing. */
 struct Witness {
@@ -30,7 +30,7 @@ std::optional<double> medianPieces(const std::vector<Witness>& witnesses, std::s
 
 /** Whether run `in` has enough of the walls of `run` to tell of its pieces. */
 bool canTell(const MapPairs& pairs, const Trust& trust, std::size_t run, std::size_t in) {
-  return in != run && trust[in] > 0 && followedIn(pairs, run, in).share >= kMinShare;
+  return in != run && trust[in] > 0 && followedIn(pairs, run, in).share >= kWitnessShare;
 }
 
 /** Of all runs, by their number. */

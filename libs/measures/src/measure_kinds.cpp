@@ -1,10 +1,12 @@
 #include "roomgraph/measures/measure_kinds.h"
 
+#include "roomgraph/relate/PairBend.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr double kWalls = 300;  // wall points
-constexpr double kArea = 10;    // of the site [m2]
+constexpr double kWalls = kFewestWalls;
+constexpr double kArea = 10;  // of the site [m2]
 constexpr double kRooms = 3;
 constexpr double kCount = 10;   // vertices, paths, or pairs of vertices
 constexpr double kLength = 20;  // of paths [m]

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/UnionFind.h"
 
 namespace roomgraph {
@@ -54,16 +55,12 @@ std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
   return std::size_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
 }
 
-constexpr double kOtherTurn = 0.45, kOtherPlace = 6;  // more than maps bend [rad, m]
 constexpr double kAsGood = 0.8;  // of the walls found, to believe the site and not the pair
 
 /** Whether a pair lies otherwise in itself than in the site: in a symmetric building it may have
  *  found another turn than the rest, and bent maps may not have found each other at all. */
 bool contradicts(const MapPair& pair, const Transform2D& inSite, Point middleOfB) {
-  if (pair.bInA.patches.empty()) return true;
-  const Transform2D& own = pair.bInA.pose;
-  return std::abs(wrappedAngle(own.phi - inSite.phi)) > kOtherTurn ||
-         distance(own(middleOfB), inSite(middleOfB)) > kOtherPlace;
+  return pair.bInA.patches.empty() || !areNear(pair.bInA.pose, inSite, middleOfB, kAsMapsBend);
 }
 
 double sharedOf(const MapPair& pair) { return std::min(pair.bInA.share, pair.aInB.share); }

@@ -23,7 +23,6 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
 
 constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
 constexpr double kSure = 0.5;       // confidence of a pose that others may follow from
-constexpr double kSameTurn = 0.05, kSamePlace = 0.5;  // pieces with one pose [rad, m]
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
 bool isSure(const MapPair& pair) { return pair.alignment.confidence >= kSure; }
@@ -38,7 +37,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlign
   for (const FollowedPatch& f : hubAndMap.bInA.patches) {
     const Point middle = map.patches[f.patch].middle;
     const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-      return areNear(piece.pose, f.pose, middle, kSameTurn, kSamePlace);
+      return areNear(piece.pose, f.pose, middle, kSamePiece);
     });
     if (same == pieces.end())
       pieces.push_back({f.pose, f.walls});
@@ -61,7 +60,7 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignm
     for (const Transform2D& pose : hubAndMap.alignment.poses) {
       if (poses.size() == kMostAnswers) break;
       if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
-            return areNear(known, pose, map.middle(), kOtherTurn, kOtherPlace);
+            return areNear(known, pose, map.middle(), kSameAnswer);
           }))
         poses.push_back(pose);
     }

@@ -5,12 +5,24 @@
 
 namespace roomgraph {
 
-constexpr double kOtherTurn = 0.15, kOtherPlace = 1.0;  // poses that are not the same answer
+/** How far apart two poses may lie, and still count as one. */
+struct PoseTolerance {
+  double turn = 0;   ///< [rad]
+  double place = 0;  ///< of a place that both carry [m]
+};
+
+// All that the comparison takes for one pose, from the narrowest on.
+constexpr PoseTolerance kSameFit{0.01, 0.1};     ///< starts that one fit brings together
+constexpr PoseTolerance kSameStart{0.03, 0.3};   ///< candidates worth one closer look
+constexpr PoseTolerance kSamePiece{0.05, 0.5};   ///< patches of one piece of a broken map
+constexpr PoseTolerance kSameAnswer{0.15, 1.0};  ///< answers to how two maps lie in each other
+constexpr PoseTolerance kAsMapsBend{0.45, 6.0};  ///< a pair beside its poses in the site
 
 /** Whether two poses turn alike, and carry `at` to about the same place. */
-inline bool areNear(const Transform2D& l, const Transform2D& r, Point at, double turn,
-                    double place) {
-  return std::abs(wrappedAngle(l.phi - r.phi)) < turn && distance(l(at), r(at)) < place;
+inline bool areNear(const Transform2D& l, const Transform2D& r, Point at,
+                    const PoseTolerance& within) {
+  return std::abs(wrappedAngle(l.phi - r.phi)) < within.turn &&
+         distance(l(at), r(at)) < within.place;
 }
 
 }  // namespace roomgraph

@@ -5,6 +5,9 @@
 
 namespace roomgraph {
 
+/** A shift from which on a map is broken, if it hardly turns [m]. */
+constexpr double kBreakShift = 0.4;
+
 /** A place where a map bends: what lies on one side of it is turned and shifted as a whole. */
 struct MapBreak {
   std::string run;      ///< name

@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/breaks/track_scans.h"
 
 namespace roomgraph {
@@ -23,13 +24,13 @@ struct ScanBreak {
 };
 
 struct FindBreaksOptions {
-  double minRotation = 0.035;  ///< [rad]
-  double minShift = 0.4;       ///< [m]
-  double outlier = 4;          ///< times the 95th percentile of the run's other steps
-  double quiet = 0.4;          ///< share of the jump that the steps around it may reach
-  std::size_t window = 5;      ///< scans on either side that must be quiet
-  std::size_t maxGap = 3;      ///< scans from one that was found to the next
-  std::size_t sameScan = 1;    ///< how far apart two tracks show the same break [scans]
+  double minRotation = 0.035;     ///< [rad]
+  double minShift = kBreakShift;  ///< [m]
+  double outlier = 4;             ///< times the 95th percentile of the run's other steps
+  double quiet = 0.4;             ///< share of the jump that the steps around it may reach
+  std::size_t window = 5;         ///< scans on either side that must be quiet
+  std::size_t maxGap = 3;         ///< scans from one that was found to the next
+  std::size_t sameScan = 1;       ///< how far apart two tracks show the same break [scans]
 };
 
 /** Where the poses of a run's scans jump against their poses in other maps, from one scan to the

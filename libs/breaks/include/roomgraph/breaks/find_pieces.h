@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
@@ -19,12 +20,12 @@ struct PieceBreak {
 };
 
 struct FindPiecesOptions {
-  double sameTurn = 0.02;      ///< of patches in one piece [rad]
-  double samePlace = 0.15;     ///< the same, at the patch [m]
-  double minExplained = 0.7;   ///< share of the followed walls that lie in the two pieces
-  double minPiece = 0.15;      ///< and in the smaller one
-  double minRotation = 0.044;  ///< of a break [rad]; less could be a drift
-  double minShift = 0.4;       ///< of one that hardly turns [m]
+  double sameTurn = 0.02;         ///< of patches in one piece [rad]
+  double samePlace = 0.15;        ///< the same, at the patch [m]
+  double minExplained = 0.7;      ///< share of the followed walls that lie in the two pieces
+  double minPiece = 0.15;         ///< and in the smaller one
+  double minRotation = 0.044;     ///< of a break [rad]; less could be a drift
+  double minShift = kBreakShift;  ///< of one that hardly turns [m]
 };
 
 /** Whether nearly all patches have one of two poses, and how these differ. The first piece is the

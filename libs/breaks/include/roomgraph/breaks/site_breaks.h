@@ -14,6 +14,9 @@ namespace roomgraph {
 // Out:  MapBreak
 // Next: measureSite, summarize
 
+/** Share of a run's walls that another run must have, to tell where it breaks. */
+constexpr double kWitnessShare = 0.3;
+
 struct SiteBreaksOptions {
   TrackScansOptions trackScans;
   FindBreaksOptions findBreaks;

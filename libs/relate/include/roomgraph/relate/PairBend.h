@@ -3,6 +3,9 @@
 
 namespace roomgraph {
 
+/** Wall points below which what two maps have in common tells nothing for sure. */
+constexpr double kFewestWalls = 300;
+
 /** How far one map bends away from another, see FollowedWalls. */
 struct PairBend {
   double bend = 0;   ///< root mean square [m]

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "roomgraph/compare/compare_maps.h"
+
+namespace roomgraph {
+namespace {
+
+/** docs/scoring.md on one line. */
+std::string document() {
+  std::ostringstream text;
+  text << std::ifstream(ROOMGRAPH_SCORING).rdbuf();
+  std::string line = text.str();
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line.erase(
+      std::unique(line.begin(), line.end(), [](char l, char r) { return l == ' ' && r == ' '; }),
+      line.end());
+  return line;
+}
+
+void expectSaid(const char* format, double figure) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, figure);
+  EXPECT_NE(document().find(text), std::string::npos) << text;
+}
+
+double degrees(double angle) { return std::round(angle * 1800 / M_PI) / 10; }
+
+TEST(ScoringDocument, saysWhereABreakBegins) {
+  const SiteBreaksOptions breaks;
+  expectSaid("Where that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
+  expectSaid("moves by %g m from one scan to the next", breaks.findBreaks.minShift);
+  expectSaid("differ by %g degrees or ", degrees(breaks.findPieces.minRotation));
+  expectSaid(" degrees or %g m, the run breaks once", breaks.findPieces.minShift);
+}
+
+TEST(ScoringDocument, saysWhatIsMeaningful) {
+  const RunScoreOptions score;
+  expectSaid("fewer than %g wall points", score.minWalls);
+  expectSaid("%g %% of its walls in common", 100 * score.minShare);
+  expectSaid("exp(−map error / %g m)", score.scoreScale);
+  expectSaid("1 / (%g m + map error)⁴", score.trustFloor);
+}
+
+TEST(ScoringDocument, saysWhenAScaleIsFound) {
+  const EstimateScaleOptions scale;
+  expectSaid("with a probability of %g, have", scale.minConfidence);
+  expectSaid("that is 10 %% away by %g", scale.minMargin);
+  expectSaid("Every %g %%, the picture", 100 * scale.step);
+}
+
+TEST(ScoringDocument, saysWhereTheGateStrikes) {
+  expectSaid("`--fail-on coverage` strikes below %g %%", 100 * kPartialCoverage);
+}
+
+}  // namespace
+}  // namespace roomgraph
