@@ -85,7 +85,7 @@ std::function<int()> extractCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   app.add_option("MAP", arguments->maps,
                  "Maps, each a " + mapFormatsText() +
-                     "; recognised by content, gzipped or not. Several maps run in parallel.")
+                     "; recognised by content, compressed or not. Several maps run in parallel.")
       ->type_name("")
       ->required();
   declareOutput(*arguments, app);

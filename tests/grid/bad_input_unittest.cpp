@@ -176,8 +176,8 @@ TEST_F(BadInput, otherMrptObjectIsNamed) {
 
 TEST_F(BadInput, laterVersionsAreNamed) {
   std::string bytes = test::streamed(test::smallGrid());
-  bytes[1 + (bytes[0] & 0x7f)] = 7;
-  expectRefused(bytes, "version 7 of COccupancyGridMap2D");
+  bytes[1 + (bytes[0] & 0x7f)] = 8;
+  expectRefused(bytes, "version 8 of COccupancyGridMap2D, and only 0 to 7 are known");
 }
 
 class BadGridmap : public BadInput {

@@ -7,11 +7,13 @@
 #include <png.h>
 #include <stdlib.h>
 #include <zlib.h>
+#include <zstd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 // jpeglib.h uses what stands above it.
 #include <jpeglib.h>
@@ -43,6 +45,8 @@ std::string sharedFile(const std::string& name) {
   return fs::exists(file) ? file : std::string();
 }
 
+bool isFile(const std::string& name) { return fs::is_regular_file(name); }
+
 std::string gzipped(const std::string& bytes) {
   z_stream stream{};
   if (deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 9, Z_DEFAULT_STRATEGY) != Z_OK)
@@ -55,6 +59,19 @@ std::string gzipped(const std::string& bytes) {
   deflate(&stream, Z_FINISH);
   out.resize(stream.total_out);
   deflateEnd(&stream);
+  return out;
+}
+
+std::string zstd(const std::string& bytes, bool isSealed) {
+  const std::unique_ptr<ZSTD_CCtx, size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(),
+                                                                   ZSTD_freeCCtx);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, isSealed);
+  ZSTD_CCtx_setParameter(context.get(), ZSTD_c_contentSizeFlag, isSealed);
+  std::string out(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress2(context.get(), out.data(), out.size(), bytes.data(), bytes.size());
+  if (ZSTD_isError(size)) throw std::runtime_error(ZSTD_getErrorName(size));
+  out.resize(size);
   return out;
 }
 

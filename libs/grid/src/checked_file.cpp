@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "whole_stream.h"
+#include "zstd_frame.h"
 
 namespace roomgraph {
 namespace {
@@ -44,6 +45,17 @@ class Inflater {
 
 }  // namespace
 
+std::string nameOf(Compression compression) {
+  switch (compression) {
+    case Compression::gzip:
+      return "gzip";
+    case Compression::zstd:
+      return "zstd";
+    default:
+      return "none";
+  }
+}
+
 std::string sha256Of(ByteView first, ByteView second) {
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(),
                                                                    EVP_MD_CTX_free);
@@ -71,9 +83,22 @@ void CheckedFile::readHead() {
   head_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(file_.size(), kHeadSize)));
   file_.read(0, head_.data(), head_.size());
   claimedSize_ = file_.size();
-  isGzip_ = head_.size() >= 2 && head_[0] == 0x1f && head_[1] == 0x8b;
-  if (!isGzip_) return;
+  if (head_.size() >= 2 && head_[0] == 0x1f && head_[1] == 0x8b)
+    readGzipHead();
+  else if (isZstd(head()))
+    readZstdHead();
+}
 
+void CheckedFile::readZstdHead() {
+  compression_ = Compression::zstd;
+  readStored();
+  ZstdContent content = readZstd(stored(), kHeadSize, kLargestFile, name());
+  head_ = std::move(content.head);
+  claimedSize_ = content.size;
+}
+
+void CheckedFile::readGzipHead() {
+  compression_ = Compression::gzip;
   // 18 bytes are the shortest frame of a gzip member; its last four say how long the content is.
   if (file_.size() < 18) refuseGzip(name());
   std::uint8_t tail[4];
@@ -91,13 +116,20 @@ void CheckedFile::readHead() {
   head_ = std::move(inflated);
 }
 
-ByteView CheckedFile::content() {
-  if (!stored_) {
-    readStored();
-    if (isGzip_) inflateAll();
-  }
-  if (isGzip_) return {content_.get(), static_cast<std::size_t>(claimedSize_)};
+ByteView CheckedFile::stored() const {
   return {stored_.get(), static_cast<std::size_t>(file_.size())};
+}
+
+ByteView CheckedFile::content() {
+  if (!stored_) readStored();
+  if (compression_ == Compression::none) return stored();
+  if (!content_) {
+    if (compression_ == Compression::gzip)
+      inflateGzip();
+    else
+      inflateZstd();
+  }
+  return {content_.get(), static_cast<std::size_t>(claimedSize_)};
 }
 
 void CheckedFile::readStored() {
@@ -107,10 +139,14 @@ void CheckedFile::readStored() {
   sha256_ = sha256Of({stored_.get(), size});
 }
 
-void CheckedFile::inflateAll() {
+void CheckedFile::inflateZstd() {
+  content_.reset(new std::uint8_t[static_cast<std::size_t>(claimedSize_)]);
+  decompressZstd(stored(), content_.get(), claimedSize_, name());
+}
+
+void CheckedFile::inflateGzip() {
   const auto size = static_cast<std::size_t>(claimedSize_);
-  const ByteView stored{stored_.get(), static_cast<std::size_t>(file_.size())};
-  if (size >= kProveFrom && !isWholeStream({stored}, Deflated::asGzip, size)) refuseGzip(name());
+  if (size >= kProveFrom && !isWholeStream({stored()}, Deflated::asGzip, size)) refuseGzip(name());
   content_.reset(new std::uint8_t[size + 1]);  // one more: zlib refuses an empty output
   Inflater inflater(stored_.get(), static_cast<std::size_t>(file_.size()), content_.get(),
                     size + 1);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "read_scans.h"
+#include "read_entries.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/checked_file.h"
 #include "roomgraph/grid/mrpt_object.h"
@@ -48,6 +48,11 @@ Keyframe keyframeOf(const mrpt::poses::CPose3D& robot,
   return frame;
 }
 
+std::optional<Transform2D> odometryOf(const SimplemapEntry& entry) {
+  if (!entry.odometry) return std::nullopt;
+  return Transform2D{entry.odometry->x(), entry.odometry->y(), entry.odometry->phi()};
+}
+
 }  // namespace
 
 std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {
@@ -58,10 +63,13 @@ std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {
   const auto tolerance =
       double(mrpt::maps::COccupancyGridMap2D::TInsertionOptions().horizontalTolerance);
   std::vector<Keyframe> frames;
-  readScans(ByteReader(file.content(), file.name()),
-            [&](const mrpt::poses::CPose3D& robot, const mrpt::obs::CObservation2DRangeScan& scan) {
-              if (scan.isPlanarScan(tolerance)) frames.push_back(keyframeOf(robot, scan, maxRange));
-            });
+  readEntries(ByteReader(file.content(), file.name()), [&](const SimplemapEntry& entry) {
+    for (const auto& scan : entry.scans)
+      if (scan.isPlanarScan(tolerance)) {
+        frames.push_back(keyframeOf(entry.robot, scan, maxRange));
+        frames.back().odometry = odometryOf(entry);
+      }
+  });
   return frames;
 }
 

@@ -58,7 +58,8 @@ std::string mapFormatsText() {
 
 std::string mapStem(const std::string& mapFile) {
   std::string name = std::filesystem::path(mapFile).filename().string();
-  if (endsWith(name, ".gz")) name.resize(name.size() - 3);
+  for (const std::string end : {".gz", ".zst"})
+    if (endsWith(name, end)) name.resize(name.size() - end.size());
   for (const MapFormat& format : mapFormats())
     for (const std::string end : format.extensions)
       if (endsWith(name, end)) return name.substr(0, name.size() - end.size());

@@ -105,16 +105,6 @@ CPose2D readCoordinates(ByteReader& in) {
   return pose;
 }
 
-CPose2D readPose2D(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
-  if (header.className != "CPose2D")
-    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveAgain);
-  checkVersion(in, header, 1);
-  CPose2D pose = header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
-  readObjectEnd(in, header);
-  return pose;
-}
-
 std::uint32_t readParticleCount(ByteReader& in) {
   const auto count = in.get<std::uint32_t>();
   constexpr std::uint64_t smallestParticle = 8 + 3 * 4;
@@ -216,8 +206,10 @@ void readObjectEnd(ByteReader& in, const ObjectHeader& header) {
 
 void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest) {
   if (header.version < 0 || header.version > newest)
-    refuse(in.file(), "holds version " + std::to_string(header.version) + " of " + header.className,
-           "save the map with MRPT 2.5, which writes a version up to " + std::to_string(newest));
+    refuse(in.file(),
+           "holds version " + std::to_string(header.version) + " of " + header.className +
+               ", and only 0 to " + std::to_string(newest) + " are known here",
+           "get a newer roomgraph, or give the map's grid as a ROS map (yaml with png)");
 }
 
 CPose3D readPose3D(ByteReader& in) {
@@ -228,6 +220,16 @@ CPose3D readPose3D(ByteReader& in) {
   const auto matrix = readPoseMatrix(in, header.version);
   readObjectEnd(in, header);
   return poseOf(matrix, in);
+}
+
+CPose2D readPose2D(ByteReader& in) {
+  const ObjectHeader header = readObjectHeader(in);
+  if (header.className != "CPose2D")
+    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveAgain);
+  checkVersion(in, header, 1);
+  CPose2D pose = header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
+  readObjectEnd(in, header);
+  return pose;
 }
 
 CPose3D readPoseMean(ByteReader& in) {

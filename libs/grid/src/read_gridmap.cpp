@@ -13,7 +13,7 @@ namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
 
-constexpr int kNewestVersion = 6;
+constexpr int kNewestVersion = 7;  // the layout of 6, in 8 bits only
 constexpr const char* kSaveAgain = "copy or save the map again";
 
 struct GridHeader {

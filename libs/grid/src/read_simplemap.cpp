@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "read_entries.h"
 #include "read_gridmap.h"
-#include "read_scans.h"
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/mrpt_object.h"
 
@@ -57,17 +57,29 @@ void addScan(Extent& extent, const CPose3D& sensor, const CObservation2DRangeSca
   }
 }
 
-Extent extentOf(const ByteReader& in, const LoadGridOptions& options, SimplemapCounts& counts) {
+/** How many observations there are, of all classes and of those that are used. */
+struct Counts {
+  std::size_t observations = 0, scans = 0;
+};
+
+bool isHorizontal(const CObservation2DRangeScan& scan) {
+  return scan.isPlanarScan(double(COccupancyGridMap2D::TInsertionOptions().horizontalTolerance));
+}
+
+Extent extentOf(const ByteReader& in, const LoadGridOptions& options, Counts& counts) {
   Extent extent;
-  const float tolerance = COccupancyGridMap2D::TInsertionOptions().horizontalTolerance;
-  counts = readScans(in, [&](const CPose3D& robot, const CObservation2DRangeScan& scan) {
-    if (!scan.isPlanarScan(double(tolerance))) return;
-    ++extent.horizontal;
-    const CPose3D sensor = robot + scan.sensorPose;
-    if (!(std::abs(sensor.x()) < kFarthest && std::abs(sensor.y()) < kFarthest))
-      refuse(in.file(), "has a scan farther than 100 km from the origin",
-             "shift the map to near (0, 0)");
-    addScan(extent, sensor, scan, options);
+  readEntries(in, [&](const SimplemapEntry& entry) {
+    counts.observations += entry.observations;
+    counts.scans += entry.scans.size();
+    for (const CObservation2DRangeScan& scan : entry.scans) {
+      if (!isHorizontal(scan)) continue;
+      ++extent.horizontal;
+      const CPose3D sensor = entry.robot + scan.sensorPose;
+      if (!(std::abs(sensor.x()) < kFarthest && std::abs(sensor.y()) < kFarthest))
+        refuse(in.file(), "has a scan farther than 100 km from the origin",
+               "shift the map to near (0, 0)");
+      addScan(extent, sensor, scan, options);
+    }
   });
   if (extent.horizontal == 0)
     refuse(in.file(), "holds no horizontal 2D range scan to build a grid from",
@@ -143,22 +155,24 @@ GreyMap readSimplemap(CheckedFile& file, const LoadGridOptions& options) {
     refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
 
   const ByteReader in(file.content(), file.name());
-  SimplemapCounts counts;
+  Counts counts;
   const Extent extent = extentOf(in, options, counts);
   COccupancyGridMap2D grid;
   setSize(grid, extent, file.name(), options.resolution);
   setInsertion(grid, options);
-  readScans(in, [&](const CPose3D& robot, const CObservation2DRangeScan& scan) {
-    grid.insertObservation(scan, robot);
+  readEntries(in, [&](const SimplemapEntry& entry) {
+    for (const CObservation2DRangeScan& scan : entry.scans)
+      grid.insertObservation(scan, entry.robot);
   });
   file.release();
 
   GreyMap map = toGreyMap(grid, options.resolution);
   map.source.insertion = insertionText(options);
-  if (counts.others > 0)
+  const std::size_t others = counts.observations - counts.scans;
+  if (others > 0)
     map.notes.push_back(
         {"other_observations",
-         std::to_string(counts.others) + " observations that are no 2D range scans are not used",
+         std::to_string(others) + " observations that are no 2D range scans are not used",
          std::nullopt});
   return map;
 }

@@ -12,8 +12,12 @@ namespace roomgraph {
 /** A map may have at most this many cells. */
 constexpr std::uint64_t kMostCells = 400'000'000;
 
-/** A file whose bytes can be trusted to be those that were written: gzipped files are inflated with
- *  their length and checksum verified. Reads no more than it is asked for, so that a file of the
+enum class Compression { none, gzip, zstd };
+/** "none", "gzip" or "zstd". */
+std::string nameOf(Compression compression);
+
+/** A file whose bytes can be trusted to be those that were written: compressed files are inflated
+ *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more than it is asked for, so that a file of the
  *  wrong kind costs nothing. */
 class CheckedFile {
  public:
@@ -23,23 +27,28 @@ class CheckedFile {
   const std::string& name() const { return file_.name(); }
   /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
   ByteView head() const { return {head_.data(), head_.size()}; }
+  Compression compression() const { return compression_; }
   /** How long the content claims to be. */
   std::uint64_t claimedSize() const { return claimedSize_; }
   /** All of the content, verified; stays valid as long as this object, or until release(). */
   ByteView content();
   /** Gives the memory of the content back. */
   void release() { content_.reset(), stored_.reset(); }
-  /** Of the stored bytes, lower-case hex. Call content() first. */
+  /** Of the stored bytes, lower-case hex; empty before content(). */
   const std::string& sha256() const { return sha256_; }
 
  private:
   void readHead();
   void readStored();
-  void inflateAll();
+  ByteView stored() const;
+  void readGzipHead();
+  void readZstdHead();
+  void inflateGzip();
+  void inflateZstd();
 
   InputFile file_;
   std::uint64_t claimedSize_ = 0;
-  bool isGzip_ = false;
+  Compression compression_ = Compression::none;
   std::vector<std::uint8_t> head_;
   // Plain arrays: a vector would write to every byte before the first one is read.
   std::unique_ptr<std::uint8_t[]> stored_, content_;

@@ -20,11 +20,12 @@ struct LoadGridOptions {
 };
 void describe(LoadGridOptions& options, FieldTable& table);
 
-/** Reads a map, recognised by its content and never by its name. Any of these may be gzipped:
- *  - MRPT COccupancyGridMap2D (`.gridmap`), stream versions 0 to 6. The grey levels equal what
+/** Reads a map, recognised by its content and never by its name. Any of these may be
+ *  compressed with gzip or Zstandard:
+ *  - MRPT COccupancyGridMap2D (`.gridmap`), stream versions 0 to 7. The grey levels equal what
  *    MRPT's own reader gives; the frame keeps the stored bounds and resolution.
  *  - MRPT CSimpleMap (`.simplemap`; also under its old name CSensFrameProbSequence), versions 0
- *    and 1: its horizontal 2D range scans are inserted into a grid of options.resolution just large
+ *    to 2: its horizontal 2D range scans, versions 0 to 8, are inserted into a grid of options.resolution just large
  *    enough for them, in the order of the file, with the options above, which
  *    GreyMap::source.insertion records. Other observations are stepped over and noted
  *    ("other_observations").

@@ -1,4 +1,5 @@
 #pragma once
+#include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3D.h>
 
 #include <optional>
@@ -28,6 +29,8 @@ void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest);
 
 /** Reads a mrpt::poses::CPose3D object. Every number is finite, the rotation is a rotation. */
 mrpt::poses::CPose3D readPose3D(ByteReader& in);
+/** Reads a mrpt::poses::CPose2D object, of any numbers. */
+mrpt::poses::CPose2D readPose2D(ByteReader& in);
 /** Reads an object of one of MRPT's Gaussian or particle pose classes, in 2D or 3D, and returns
  *  its mean. Throws DataError for another class. */
 mrpt::poses::CPose3D readPoseMean(ByteReader& in);

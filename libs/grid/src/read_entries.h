@@ -1,0 +1,35 @@
+#pragma once
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/poses/CPose2D.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "roomgraph/grid/byte_reader.h"
+
+namespace roomgraph {
+
+/** What a simplemap keeps of one place. */
+struct SimplemapEntry {
+  mrpt::poses::CPose3D robot;
+  std::vector<mrpt::obs::CObservation2DRangeScan> scans;
+  std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
+  std::size_t observations = 0;                  ///< of all classes
+};
+
+using EntryVisitor = std::function<void(const SimplemapEntry& entry)>;
+
+/** Whether an object of this class is a CSimpleMap under one of its names. */
+bool isSimplemapClass(const std::string& className);
+
+/** Compares the number of entries that the first bytes claim with the size of the whole. */
+void checkSimplemapHead(ByteReader head, std::uint64_t size);
+
+/** Takes a whole simplemap apart and calls `visit` for every entry in it, in order. Observations of
+ *  other classes are stepped over. Throws DataError where anything contradicts the format or a
+ *  number is absurd. */
+void readEntries(ByteReader in, const EntryVisitor& visit);
+
+}  // namespace roomgraph

@@ -1,0 +1,79 @@
+#include "read_observation.h"
+
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+using mrpt::obs::CObservation2DRangeScan;
+
+constexpr const char* kSaveAgain = "copy or save the map again";
+// MRPT keeps the beams of a scan on the stack while it inserts them.
+constexpr std::uint32_t kMostBeams = 100'000;
+
+/** Fills in the beams. */
+void readBeams(ByteReader& in, int version, CObservation2DRangeScan& scan) {
+  const auto count = in.get<std::uint32_t>();
+  if (count > kMostBeams)
+    refuse(in.file(), "it is damaged: a scan in it claims " + std::to_string(count) + " beams",
+           kSaveAgain);
+  const std::uint8_t* ranges = in.take(std::uint64_t(count) * sizeof(float));
+  const std::uint8_t* validity = version >= 1 ? in.take(count) : nullptr;
+  scan.resizeScan(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    float range;
+    std::memcpy(&range, ranges + i * sizeof(float), sizeof(float));
+    const bool isValid = validity ? validity[i] != 0 : range < scan.maxRange;
+    const bool isLength = range >= 0;
+    scan.setScanRange(i, isLength ? range : 0);
+    scan.setScanRangeValidity(i, isValid && isLength);
+  }
+}
+
+/** What stands behind the beams. */
+void readScanEnd(ByteReader& in, int version, CObservation2DRangeScan& scan) {
+  if (version >= 2) in.skip(4);  // standard deviation
+  scan.timestamp = version >= 3 ? readTime(in) : INVALID_TIMESTAMP;
+  if (version >= 4) in.skip(4);  // beam aperture
+  if (version >= 5) {
+    scan.sensorLabel = readText(in);
+    in.skip(8);  // pitch
+  }
+  if (version >= 7 && in.getFlag()) in.skip(std::uint64_t(scan.getScanSize()) * 4);  // intensity
+  if (version >= 8) in.skip(4);  // how long the sweep took
+}
+
+}  // namespace
+
+void readScan(ByteReader& in, const ObjectHeader& header, CObservation2DRangeScan& scan) {
+  checkVersion(in, header, 8);
+  scan.aperture = in.get<float>();
+  scan.rightToLeft = in.getFlag();
+  scan.maxRange = in.get<float>();
+  if (!(scan.aperture >= 0 && scan.aperture < 7))
+    refuse(in.file(), "it is damaged: a scan in it has an absurd field of view", kSaveAgain);
+  scan.sensorPose = readPose3D(in);
+  if (header.version < 6) skipMatrix(in);
+  readBeams(in, header.version, scan);
+  readScanEnd(in, header.version, scan);
+  readObjectEnd(in, header);
+}
+
+mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
+  checkVersion(in, header, 2);
+  const mrpt::poses::CPose2D pose = readPose2D(in);
+  if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
+    refuse(in.file(), "it is damaged: an odometry in it is no pose", kSaveAgain);
+  return pose;
+}
+
+mrpt::Clock::time_point readTime(ByteReader& in) {
+  return mrpt::Clock::time_point(mrpt::Clock::duration(in.get<std::int64_t>()));
+}
+
+std::string readText(ByteReader& in) {
+  const auto length = in.get<std::uint32_t>();
+  return {reinterpret_cast<const char*>(in.take(length)), length};
+}
+
+}  // namespace roomgraph
