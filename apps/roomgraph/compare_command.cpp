@@ -170,7 +170,7 @@ std::function<int()> compareCommand(CLI::App& app) {
   declareRunning(*arguments, app);
   declareGate(arguments->gate, app);
   declareConfig(arguments->options, app);
-  declareResolution(arguments->options, app);
+  declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -90,7 +90,7 @@ std::function<int()> extractCommand(CLI::App& app) {
       ->required();
   declareOutput(*arguments, app);
   declareConfig(arguments->options, app);
-  declareResolution(arguments->options, app);
+  declareReading(arguments->options, app);
   declareRooms(arguments->options, app);
   declareRunning(*arguments, app);
   return [arguments] { return run(*arguments); };

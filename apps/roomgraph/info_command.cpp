@@ -87,7 +87,7 @@ std::function<int()> infoCommand(CLI::App& app) {
       ->type_name("")
       ->required();
   declareConfig(arguments->options, app);
-  declareResolution(arguments->options, app);
+  declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -67,9 +67,18 @@ void declareConfig(OptionArguments& arguments, CLI::App& app) {
       ->allow_extra_args(false);
 }
 
-void declareResolution(OptionArguments& arguments, CLI::App& app) {
+void declareReading(OptionArguments& arguments, CLI::App& app) {
   app.add_option("--resolution", arguments.resolution, help("load_grid", "resolution"))
       ->type_name("M");
+  app.add_option("--slice", arguments.slice,
+                 "Heights above the floor that point clouds are cut to, instead of those with the "
+                 "longest straight walls; in simplemaps also where there are 2D scans. (m; sets "
+                 "load_grid.slice_low and slice_high)")
+      ->type_name("LOW HIGH")
+      ->expected(2);
+  app.add_option("--layer", arguments.layer,
+                 "The layer of a metric map (.mm) to read, instead of its first grid, else points.")
+      ->type_name("NAME");
 }
 
 void declareRooms(OptionArguments& arguments, CLI::App& app) {

@@ -14,13 +14,15 @@ struct OptionArguments {
   std::optional<std::string> configFile;
   std::vector<std::string> settings;  ///< SECTION.KEY=VALUE
   std::optional<std::string> resolution, roomWidth, alphaPx2;
+  std::vector<std::string> slice;  ///< empty, or low and high
+  std::string layer;               ///< of a metric map
   bool allComponents = false;
 };
 
 /** Declares --preset, --config and --set. Help texts come from the field table. */
 void declareConfig(OptionArguments& arguments, CLI::App& app);
-/** Declares --resolution. */
-void declareResolution(OptionArguments& arguments, CLI::App& app);
+/** Declares what maps are read with: --resolution, --slice and --layer. */
+void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2 and --all-components. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 

@@ -85,7 +85,7 @@ std::function<int()> stabilityCommand(CLI::App& app) {
       ->required();
   declareExperiment(arguments->task.options, app);
   declareConfig(arguments->options, app);
-  declareResolution(arguments->options, app);
+  declareReading(arguments->options, app);
   declareRooms(arguments->options, app);
   declareRunning(arguments->task, app);
   return [arguments] { return run(*arguments); };

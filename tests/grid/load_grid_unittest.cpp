@@ -307,7 +307,7 @@ TEST(LoadGrid, optionsHaveSensibleRanges) {
   LoadGridOptions options;
   FieldTable table;
   describe(options, table);
-  EXPECT_EQ(table.fields().size(), 5u);
+  EXPECT_EQ(table.fields().size(), 7u);
   table.set("load_grid", "resolution", "0.1");
   EXPECT_EQ(options.resolution, 0.1);
   EXPECT_THROW(table.set("load_grid", "resolution", "0"), UsageError);

@@ -49,6 +49,10 @@ void describe(LoadGridOptions& options, FieldTable& table) {
              "Whether beams of a simplemap's scans without return clear the cells they pass.");
   table.flag(section, "widening_beams_with_distance", options.wideningBeamsWithDistance,
              "Whether beams of a simplemap's scans widen with distance.");
+  table.number(section, "slice_low", options.sliceLow, "m", 0, 100,
+               "Lower end of the band that point clouds are cut to, above the floor.");
+  table.number(section, "slice_high", options.sliceHigh, "m", 0, 100,
+               "Upper end of that band; 0 for the band with the longest straight walls.");
 }
 
 GreyMap loadGrid(const std::string& name, const LoadGridOptions& options) {

@@ -1,13 +1,10 @@
 #include "roomgraph/grid/load_keyframes.h"
 
 #include <mrpt/core/Clock.h>
-#include <mrpt/maps/COccupancyGridMap2D.h>
 
-#include <array>
 #include <cmath>
-#include <cstring>
 
-#include "read_entries.h"
+#include "place_scans.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/checked_file.h"
 #include "roomgraph/grid/mrpt_object.h"
@@ -15,24 +12,11 @@
 namespace roomgraph {
 namespace {
 
-/** FNV-1a over the ranges and which of them are valid. */
-std::uint64_t scanIdOf(const mrpt::obs::CObservation2DRangeScan& scan) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
-    const float range = scan.getScanRangeValidity(i) ? scan.getScanRange(i) : -1;
-    std::array<std::uint8_t, sizeof range> bytes;
-    std::memcpy(bytes.data(), &range, sizeof range);
-    for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3;
-  }
-  return hash;
-}
-
 Keyframe keyframeOf(const mrpt::poses::CPose3D& robot,
                     const mrpt::obs::CObservation2DRangeScan& scan, double maxRange) {
   Keyframe frame;
   frame.pose = {robot.x(), robot.y(), robot.yaw()};
   if (scan.timestamp != INVALID_TIMESTAMP) frame.time = mrpt::Clock::toDouble(scan.timestamp);
-  frame.scanId = scanIdOf(scan);
   const auto& sensor = scan.sensorPose;
   const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
   const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;
@@ -48,6 +32,14 @@ Keyframe keyframeOf(const mrpt::poses::CPose3D& robot,
   return frame;
 }
 
+/** Gives the ends in the frame of another pose. */
+void moveTo(const Transform2D& pose, Keyframe& frame) {
+  if (pose.x == frame.pose.x && pose.y == frame.pose.y && pose.phi == frame.pose.phi) return;
+  const Transform2D change = pose.inverse() * frame.pose;
+  for (Point& end : frame.ends) end = change(end);
+  frame.pose = pose;
+}
+
 std::optional<Transform2D> odometryOf(const SimplemapEntry& entry) {
   if (!entry.odometry) return std::nullopt;
   return Transform2D{entry.odometry->x(), entry.odometry->y(), entry.odometry->phi()};
@@ -55,22 +47,28 @@ std::optional<Transform2D> odometryOf(const SimplemapEntry& entry) {
 
 }  // namespace
 
-std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {
+std::vector<Keyframe> loadKeyframes(const std::string& name, const LoadGridOptions& options) {
   CheckedFile file(name);
   const auto object = peekObjectHeader(file.head());
   if (!object || !isSimplemapClass(object->className)) return {};
   checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
-  const auto tolerance =
-      double(mrpt::maps::COccupancyGridMap2D::TInsertionOptions().horizontalTolerance);
+  const ByteReader in(file.content(), file.name());
   std::vector<Keyframe> frames;
-  readEntries(ByteReader(file.content(), file.name()), [&](const SimplemapEntry& entry) {
-    for (const auto& scan : entry.scans)
-      if (scan.isPlanarScan(tolerance)) {
-        frames.push_back(keyframeOf(entry.robot, scan, maxRange));
-        frames.back().odometry = odometryOf(entry);
-      }
-  });
+  placeScans(in, findScans(in, options),
+             [&](const SimplemapEntry& entry, const PlacedScan& placed) {
+               Keyframe frame = keyframeOf(placed.robot, placed.scan, options.maxDistanceInsertion);
+               moveTo({entry.robot.x(), entry.robot.y(), entry.robot.yaw()}, frame);
+               frame.scanId = placed.id;
+               frame.odometry = odometryOf(entry);
+               frames.push_back(std::move(frame));
+             });
   return frames;
+}
+
+std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {
+  LoadGridOptions options;
+  options.maxDistanceInsertion = maxRange;
+  return loadKeyframes(name, options);
 }
 
 }  // namespace roomgraph

@@ -6,6 +6,7 @@
 
 #include "read_bare_image.h"
 #include "read_gridmap.h"
+#include "read_metric_map.h"
 #include "read_ros_map.h"
 #include "read_simplemap.h"
 
@@ -36,6 +37,7 @@ const std::vector<MapFormat>& mapFormats() {
   static const std::vector<MapFormat> formats = {
       {"gridmap", {".gridmap"}, "MRPT grid map", isGridmap, readGridmap},
       {"simplemap", {".simplemap"}, "MRPT simplemap", isSimplemap, readSimplemap},
+      {"metric_map", {".mm"}, "MOLA metric map", isMetricMap, readMetricMap},
       {"ros_map", {".yaml", ".yml"}, "ROS map", isRosMap, readRosMap},
       {"image", {".png", ".pgm", ".bmp", ".jpg", ".jpeg"}, "picture", isBareImage, readBareImage},
   };

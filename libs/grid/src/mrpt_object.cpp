@@ -168,6 +168,14 @@ CPose3D readInformation2D(ByteReader& in) {
 
 }  // namespace
 
+bool startsWithOptional(ByteView bytes) {
+  constexpr char text[] = "std::optional";
+  constexpr std::uint32_t length = sizeof text - 1;
+  return bytes.size >= sizeof length + length &&
+         std::memcmp(bytes.data, &length, sizeof length) == 0 &&
+         std::memcmp(bytes.data + sizeof length, text, length) == 0;
+}
+
 std::optional<ObjectHeader> peekObjectHeader(ByteView bytes) {
   if (bytes.size < 2) return std::nullopt;
   ObjectHeader header;

@@ -19,20 +19,11 @@ bool isObservationClass(const std::string& name) {
   return name.compare(0, 12, "CObservation") == 0;
 }
 
-/** What MRPT writes before a value that may be missing. */
-constexpr char kOptional[] = "std::optional";
-
-bool startsWithOptional(ByteView bytes) {
-  constexpr std::uint32_t length = sizeof kOptional - 1;
-  return bytes.size >= 4 + length && std::memcmp(bytes.data, &length, 4) == 0 &&
-         std::memcmp(bytes.data + 4, kOptional, length) == 0;
-}
-
 /** From version 2 on, an entry ends with how fast the robot was, where that is known. */
 void skipTwist(ByteReader& in) {
   if (!startsWithOptional({in.peek(), in.left()}))
     refuse(in.file(), "it is damaged: an entry in it does not end where it should", kSaveAgain);
-  in.skip(4 + sizeof kOptional - 1);
+  readText(in);
   in.skip(in.get<std::uint32_t>());  // the name of its type
   if (in.getFlag()) in.skip(6 * sizeof(double));
 }
@@ -75,6 +66,7 @@ void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int map
     readScan(in, header, entry.scans.emplace_back());
     return;
   }
+  if (isCloudClass(header.className)) entry.clouds.push_back(readCloud(in, header));
   if (header.className == "CObservationOdometry") entry.odometry = readOdometry(in, header);
   skipObservation(in, header, isLast, mapVersion);
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/grid/byte_reader.h"
+#include "read_cloud.h"
 
 namespace roomgraph {
 
@@ -15,6 +15,7 @@ namespace roomgraph {
 struct SimplemapEntry {
   mrpt::poses::CPose3D robot;
   std::vector<mrpt::obs::CObservation2DRangeScan> scans;
+  std::vector<PointCloud> clouds;
   std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
   std::size_t observations = 0;                  ///< of all classes
 };

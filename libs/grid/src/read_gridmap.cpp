@@ -117,25 +117,11 @@ bool isGridmap(CheckedFile& file) {
   return object && object->className == "COccupancyGridMap2D";
 }
 
-GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
-  // The first bytes tell an absurd map before its cells cost memory.
-  ByteReader head(file.head(), file.name());
-  const GridHeader header = readHeader(head);
-  constexpr std::uint64_t roomForOptions = 1 << 20;
-  const std::uint64_t atLeast = head.position() + header.cellBytes();
-  if (file.claimedSize() < atLeast)
-    refuse(file.name(), "it is cut short or damaged: it holds fewer cells than it says",
-           kSaveAgain);
-  if (file.claimedSize() > atLeast + roomForOptions)
-    refuse(file.name(), "it is damaged, or something follows the map in it", kSaveAgain);
-
-  ByteReader in(file.content(), file.name());
-  in.skip(head.position());
+GreyMap readGridmapObject(ByteReader& in) {
+  const GridHeader header = readHeader(in);
   const std::uint8_t* cells = in.take(header.cellBytes());
   skipOptions(in, header.object.version);
   readObjectEnd(in, header.object);
-  if (in.left() > 0)
-    refuse(file.name(), "something follows the map in it", "remove what was appended");
 
   GreyMap map;
   map.frame.width = int(header.width);
@@ -150,6 +136,25 @@ GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
     map.grey[i] = table[cells[i * stride + stride - 1]];
   map.occupiedAbove = 0.55;
   map.freeBelow = 0.45;
+  return map;
+}
+
+GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
+  // The first bytes tell an absurd map before its cells cost memory.
+  ByteReader head(file.head(), file.name());
+  const GridHeader header = readHeader(head);
+  constexpr std::uint64_t roomForOptions = 1 << 20;
+  const std::uint64_t atLeast = head.position() + header.cellBytes();
+  if (file.claimedSize() < atLeast)
+    refuse(file.name(), "it is cut short or damaged: it holds fewer cells than it says",
+           kSaveAgain);
+  if (file.claimedSize() > atLeast + roomForOptions)
+    refuse(file.name(), "it is damaged, or something follows the map in it", kSaveAgain);
+
+  ByteReader in(file.content(), file.name());
+  GreyMap map = readGridmapObject(in);
+  if (in.left() > 0)
+    refuse(file.name(), "something follows the map in it", "remove what was appended");
   return map;
 }
 

@@ -16,4 +16,7 @@ bool isGridmap(CheckedFile& file);
  *  of all the cells. Fills everything but the source's file and hash. */
 GreyMap readGridmap(CheckedFile& file, const LoadGridOptions& options);
 
+/** Reads a COccupancyGridMap2D object, from its header to its end, as readGridmap() does. */
+GreyMap readGridmapObject(ByteReader& in);
+
 }  // namespace roomgraph

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "read_entries.h"
+#include "place_scans.h"
 #include "read_gridmap.h"
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/mrpt_object.h"
@@ -26,7 +26,6 @@ constexpr double kLongestSide = 1e6;
 /** Where the scans reach, and how many there are to insert. */
 struct Extent {
   double xMin = HUGE_VAL, xMax = -HUGE_VAL, yMin = HUGE_VAL, yMax = -HUGE_VAL, longest = 0;
-  std::size_t horizontal = 0;
 
   void add(double x, double y) {
     xMin = std::min(xMin, x);
@@ -57,33 +56,15 @@ void addScan(Extent& extent, const CPose3D& sensor, const CObservation2DRangeSca
   }
 }
 
-/** How many observations there are, of all classes and of those that are used. */
-struct Counts {
-  std::size_t observations = 0, scans = 0;
-};
-
-bool isHorizontal(const CObservation2DRangeScan& scan) {
-  return scan.isPlanarScan(double(COccupancyGridMap2D::TInsertionOptions().horizontalTolerance));
-}
-
-Extent extentOf(const ByteReader& in, const LoadGridOptions& options, Counts& counts) {
+Extent extentOf(const ByteReader& in, const ScanSource& source, const LoadGridOptions& options) {
   Extent extent;
-  readEntries(in, [&](const SimplemapEntry& entry) {
-    counts.observations += entry.observations;
-    counts.scans += entry.scans.size();
-    for (const CObservation2DRangeScan& scan : entry.scans) {
-      if (!isHorizontal(scan)) continue;
-      ++extent.horizontal;
-      const CPose3D sensor = entry.robot + scan.sensorPose;
-      if (!(std::abs(sensor.x()) < kFarthest && std::abs(sensor.y()) < kFarthest))
-        refuse(in.file(), "has a scan farther than 100 km from the origin",
-               "shift the map to near (0, 0)");
-      addScan(extent, sensor, scan, options);
-    }
+  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
+    const CPose3D sensor = placed.robot + placed.scan.sensorPose;
+    if (!(std::abs(sensor.x()) < kFarthest && std::abs(sensor.y()) < kFarthest))
+      refuse(in.file(), "has a scan farther than 100 km from the origin",
+             "shift the map to near (0, 0)");
+    addScan(extent, sensor, placed.scan, options);
   });
-  if (extent.horizontal == 0)
-    refuse(in.file(), "holds no horizontal 2D range scan to build a grid from",
-           "give a simplemap with 2D laser scans, or a gridmap");
   return extent;
 }
 
@@ -155,25 +136,21 @@ GreyMap readSimplemap(CheckedFile& file, const LoadGridOptions& options) {
     refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
 
   const ByteReader in(file.content(), file.name());
-  Counts counts;
-  const Extent extent = extentOf(in, options, counts);
+  ScanSource source = findScans(in, options);
+  LoadGridOptions insertion = options;
+  // A cloud has no points where its rings see above or below the slice: that is not free.
+  if (source.slice) insertion.considerInvalidRangesAsFreeSpace = false;
   COccupancyGridMap2D grid;
-  setSize(grid, extent, file.name(), options.resolution);
-  setInsertion(grid, options);
-  readEntries(in, [&](const SimplemapEntry& entry) {
-    for (const CObservation2DRangeScan& scan : entry.scans)
-      grid.insertObservation(scan, entry.robot);
+  setSize(grid, extentOf(in, source, insertion), file.name(), options.resolution);
+  setInsertion(grid, insertion);
+  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
+    grid.insertObservation(placed.scan, placed.robot);
   });
   file.release();
 
   GreyMap map = toGreyMap(grid, options.resolution);
-  map.source.insertion = insertionText(options);
-  const std::size_t others = counts.observations - counts.scans;
-  if (others > 0)
-    map.notes.push_back(
-        {"other_observations",
-         std::to_string(others) + " observations that are no 2D range scans are not used",
-         std::nullopt});
+  map.source.insertion = insertionText(insertion);
+  map.notes = std::move(source.notes);
   return map;
 }
 

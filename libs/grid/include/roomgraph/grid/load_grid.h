@@ -17,6 +17,8 @@ struct LoadGridOptions {
   double maxOccupancyUpdateCertainty = 0.65;  ///< simplemap: how far one beam moves a cell
   bool considerInvalidRangesAsFreeSpace = true;  ///< simplemap: beams without return clear cells
   bool wideningBeamsWithDistance = false;        ///< simplemap: beams widen as they go
+  double sliceLow = 0, sliceHigh = 0;  ///< of point clouds, above the floor [m]; 0, 0 to choose
+  std::string layer;                   ///< of a metric map; empty for its first grid, else points
 };
 void describe(LoadGridOptions& options, FieldTable& table);
 
@@ -25,10 +27,14 @@ void describe(LoadGridOptions& options, FieldTable& table);
  *  - MRPT COccupancyGridMap2D (`.gridmap`), stream versions 0 to 7. The grey levels equal what
  *    MRPT's own reader gives; the frame keeps the stored bounds and resolution.
  *  - MRPT CSimpleMap (`.simplemap`; also under its old name CSensFrameProbSequence), versions 0
- *    to 2: its horizontal 2D range scans, versions 0 to 8, are inserted into a grid of options.resolution just large
- *    enough for them, in the order of the file, with the options above, which
- *    GreyMap::source.insertion records. Other observations are stepped over and noted
- *    ("other_observations").
+ *    to 2: its horizontal 2D range scans, versions 0 to 8, are inserted into a grid of
+ *    options.resolution just large enough for them, in the order of the file, with the options
+ *    above, which GreyMap::source.insertion records. Where it has none, or options ask for a slice,
+ *    its point clouds (CObservationPointCloud, 3DRangeScan, VelodyneScan, RotatingScan; also those
+ *    in files beside it) are cut to a horizontal band and inserted as scans are ("slice"). Other
+ *    observations are stepped over and noted ("other_observations").
+ *  - mp2p_icp::metric_map_t (`.mm`), versions 0 to 5: options.layer; else its first
+ *    COccupancyGridMap2D; else a slice of its points, in which cells with floor are free ("layer").
  *  - ROS map yaml with its picture, whose name counts from the yaml's directory. Modes trinary and
  *    scale use the yaml's thresholds; raw takes pixels of 0 to 100 as percent occupied, the rest as
  *    unknown, and uses the thresholds, too. Pixels that are not opaque are unknown. The cells of a

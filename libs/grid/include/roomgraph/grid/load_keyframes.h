@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/grid/load_grid.h"
 
 namespace roomgraph {
 
@@ -21,10 +22,13 @@ struct Keyframe {
   std::vector<Point> ends;
 };
 
-/** The horizontal 2D range scans of a simplemap, in the order of the file; empty for every other
- *  kind of map. Beams without return or longer than `maxRange` [m] are left out. Checks as loadGrid
+/** The horizontal 2D range scans of a simplemap, or, as loadGrid has it, the slices of its point
+ *  clouds, in the order of the file; empty for every other kind of map. Beams without return or
+ *  longer than options.maxDistanceInsertion are left out. Checks as loadGrid
  *  does. O(file).
  *  @throws DataError where the file is missing or damaged. */
+std::vector<Keyframe> loadKeyframes(const std::string& file, const LoadGridOptions& options);
+/** The same with the default options but for the longest range [m]. */
 std::vector<Keyframe> loadKeyframes(const std::string& file, double maxRange);
 
 }  // namespace roomgraph

@@ -17,6 +17,9 @@ struct ObjectHeader {
   bool isOldFormat = false;
 };
 
+/** Whether a value that may be missing begins at `bytes`: MRPT writes "std::optional" before it. */
+bool startsWithOptional(ByteView bytes);
+
 /** The header at `bytes`, if it looks like one. Moves nothing. */
 std::optional<ObjectHeader> peekObjectHeader(ByteView bytes);
 /** Reads the header. Throws DataError where there is none. */

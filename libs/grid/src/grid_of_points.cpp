@@ -1,0 +1,77 @@
+#include "grid_of_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/grid/checked_file.h"
+
+namespace roomgraph {
+namespace {
+
+using mrpt::math::TPoint3Df;
+
+constexpr double kFloorDepth = 0.15;  // above and below the floor [m]
+constexpr double kWidestGap = 0.3;    // in a floor [m]
+constexpr double kMargin = 0.5;       // around all points [m]
+constexpr std::uint8_t kOccupied = 0, kUnknown = 128, kFree = 255;
+
+GridFrame frameOf(const std::vector<TPoint3Df>& points, double resolution,
+                  const std::string& file) {
+  Point low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const TPoint3Df& p : points) {
+    low = {std::min(low.x, double(p.x)), std::min(low.y, double(p.y))};
+    high = {std::max(high.x, double(p.x)), std::max(high.y, double(p.y))};
+  }
+  const auto first = [&](double value) { return std::floor((value - kMargin) / resolution); };
+  const auto last = [&](double value) { return std::ceil((value + kMargin) / resolution); };
+  const double width = last(high.x) - first(low.x), height = last(high.y) - first(low.y);
+  if (!(width * height <= double(kMostCells)))
+    refuse(file, "its points reach over more than 400 million cells", "use a coarser resolution");
+  GridFrame frame;
+  frame.width = int(width), frame.height = int(height), frame.resolution = resolution;
+  frame.origin = {first(low.x) * resolution, first(low.y) * resolution};
+  return frame;
+}
+
+/** Fills gaps of up to `most` cells between free ones, along rows (step 1) or columns. */
+void fillGaps(std::vector<std::uint8_t>& grey, const GridFrame& frame, int most, bool isAlongRows) {
+  const int lines = isAlongRows ? frame.height : frame.width;
+  const int length = isAlongRows ? frame.width : frame.height;
+  for (int line = 0; line < lines; ++line) {
+    const auto at = [&](int i) -> std::uint8_t& {
+      return grey[frame.index(isAlongRows ? Cell{i, line} : Cell{line, i})];
+    };
+    int previous = -1;
+    for (int i = 0; i < length; ++i) {
+      if (at(i) == kOccupied) previous = -1;
+      if (at(i) != kFree) continue;
+      if (previous >= 0 && i - previous - 1 <= most)
+        for (int k = previous + 1; k < i; ++k) at(k) = kFree;
+      previous = i;
+    }
+  }
+}
+
+}  // namespace
+
+GreyMap gridOfPoints(const std::vector<TPoint3Df>& points, const Slice& slice, double resolution,
+                     const std::string& file) {
+  GreyMap map;
+  map.frame = frameOf(points, resolution, file);
+  map.grey.assign(map.frame.cellCount(), kUnknown);
+  const auto cellOf = [&](const TPoint3Df& p) -> std::uint8_t& {
+    return map.grey[map.frame.index(map.frame.cellAt({double(p.x), double(p.y)}))];
+  };
+  for (const TPoint3Df& p : points)
+    if (std::abs(double(p.z) - slice.floor) <= kFloorDepth) cellOf(p) = kFree;
+  for (const TPoint3Df& p : points)
+    if (slice.contains(double(p.z))) cellOf(p) = kOccupied;
+  const int gap = int(kWidestGap / resolution);
+  fillGaps(map.grey, map.frame, gap, true);
+  fillGaps(map.grey, map.frame, gap, false);
+  map.occupiedAbove = 0.55;
+  map.freeBelow = 0.45;
+  return map;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,19 @@
+#pragma once
+#include <mrpt/math/TPoint3D.h>
+
+#include <vector>
+
+#include "roomgraph/grid/byte_reader.h"
+
+namespace roomgraph {
+
+bool isFinite(const mrpt::math::TPoint3Df& p);
+
+/** The float of that index in an array of any alignment. */
+float floatAt(const std::uint8_t* bytes, std::size_t index);
+
+/** The points of three arrays of floats, but for those that are not finite. */
+std::vector<mrpt::math::TPoint3Df> pointsOf(const std::uint8_t* x, const std::uint8_t* y,
+                                            const std::uint8_t* z, std::size_t count);
+
+}  // namespace roomgraph

@@ -1,0 +1,155 @@
+#include "read_cloud.h"
+
+#include <cmath>
+
+#include "external_file.h"
+#include "point_bytes.h"
+#include "read_depth_scan.h"
+#include "read_observation.h"
+#include "read_velodyne.h"
+
+namespace roomgraph {
+namespace {
+
+using mrpt::math::TPoint3Df;
+
+constexpr const char* kSaveAgain = "copy or save the map again";
+
+/** The object that a CObservationPointCloud holds, or keeps in a file of its own. */
+std::vector<TPoint3Df> readPointsMap(ByteReader& in) {
+  const ObjectHeader header = readObjectHeader(in);
+  if (header.className == "nullptr") return {};
+  if (!isPointsMapClass(header.className))
+    refuse(in.file(), "keeps a point cloud as " + header.className,
+           "save it with one of MRPT's classes of points");
+  return readPoints(in);
+}
+
+void readPointCloud(ByteReader& in, PointCloud& cloud) {
+  readText(in);  // label
+  cloud.time = readTime(in);
+  cloud.sensor = readPose3D(in);
+  enum Storage : std::uint8_t { kInside = 0, kKitti = 1, kText = 2, kObject = 3 };
+  const auto storage = in.get<std::uint8_t>();
+  if (storage == kInside) {
+    cloud.points = readPointsMap(in);
+    return;
+  }
+  const std::string name = readText(in);
+  auto file = openExternalFile(in.file(), name);
+  if (!file) {
+    cloud.missingFile = name;
+    return;
+  }
+  ByteReader bytes(file->content(), file->name());
+  if (storage == kKitti)
+    cloud.points = kittiPoints(bytes);
+  else if (storage == kText)
+    cloud.points = textPoints(bytes);
+  else
+    cloud.points = readPointsMap(bytes);
+}
+
+/** The layout of MRPT 2.11 on first tells where the matrices are kept; earlier ones begin with the
+ *  size of the ranges. */
+bool saysWhereMatricesAre(ByteReader in, std::uint16_t rows, std::uint16_t columns) {
+  const auto storedColumns = in.get<std::uint16_t>(), storedRows = in.get<std::uint16_t>();
+  return storedColumns != columns || storedRows != rows;
+}
+
+/** Ranges of a scanner with one ring, which are in the sensor's plane. */
+std::vector<TPoint3Df> pointsOfRing(const std::uint8_t* ranges, std::size_t count, double unit,
+                                    double start, double span) {
+  std::vector<TPoint3Df> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint16_t stored;
+    std::memcpy(&stored, ranges + 2 * i, 2);
+    const double angle = start + span * double(i) / double(count);
+    const TPoint3Df p{float(stored * unit * std::cos(angle)),
+                      float(stored * unit * std::sin(angle)), 0.f};
+    if (stored > 0 && isFinite(p)) points.push_back(p);
+  }
+  return points;
+}
+
+/** Points in rows and columns, in the frame of the robot; those at its origin are none. */
+std::vector<TPoint3Df> readOrganizedPoints(ByteReader& in) {
+  const auto columns = in.get<std::uint16_t>(), rows = in.get<std::uint16_t>();
+  const std::size_t count = std::size_t(columns) * rows;
+  const std::uint8_t* bytes = in.take(count * 3 * sizeof(float));
+  std::vector<TPoint3Df> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const TPoint3Df p(floatAt(bytes, 3 * i), floatAt(bytes, 3 * i + 1), floatAt(bytes, 3 * i + 2));
+    if (isFinite(p) && (p.x != 0 || p.y != 0 || p.z != 0)) points.push_back(p);
+  }
+  return points;
+}
+
+void readRotatingScan(ByteReader& in, PointCloud& cloud) {
+  cloud.time = readTime(in);
+  readText(in);  // label
+  const auto rows = in.get<std::uint16_t>(), columns = in.get<std::uint16_t>();
+  const auto unit = in.get<double>(), start = in.get<double>(), span = in.get<double>();
+  in.skip(sizeof(double));      // how long it took
+  readText(in);                 // model
+  in.skip(2 * sizeof(double));  // shortest and longest range
+  cloud.sensor = readPose3D(in);
+  readTime(in);
+  in.skip(1);  // whose clock it was
+  const bool isNewer = saysWhereMatricesAre(in, rows, columns);
+  if (isNewer && in.getFlag()) {
+    cloud.missingFile = readText(in);  // a kind of file that no public program writes
+    return;
+  }
+  const auto storedColumns = in.get<std::uint16_t>(), storedRows = in.get<std::uint16_t>();
+  const std::uint8_t* ranges = in.take(std::uint64_t(storedColumns) * storedRows * 2);
+  if (storedRows == 1) cloud.points = pointsOfRing(ranges, storedColumns, unit, start, span);
+  if (!isNewer || storedRows == 1) return;
+  const auto width = in.get<std::uint16_t>();
+  in.skip(std::uint64_t(width) * in.get<std::uint16_t>());  // intensities
+  for (auto layers = in.get<std::uint16_t>(); layers > 0; --layers) {
+    readText(in);
+    in.skip(std::uint64_t(storedColumns) * storedRows * 2);
+  }
+  cloud.points = readOrganizedPoints(in);
+  cloud.sensor = {};
+}
+
+}  // namespace
+
+bool isCloudClass(const std::string& className) {
+  return className == "CObservationPointCloud" || className == "CObservation3DRangeScan" ||
+         className == "CObservationVelodyneScan" || className == "CObservationRotatingScan";
+}
+
+bool isPointsMapClass(const std::string& className) {
+  return className.find("Points") != std::string::npos && className[0] == 'C';
+}
+
+PointCloud readCloud(ByteReader& in, const ObjectHeader& header) {
+  PointCloud cloud;
+  if (header.className == "CObservation3DRangeScan") {
+    checkVersion(in, header, 10);
+    readDepthScan(in, header, cloud);
+  } else if (header.className == "CObservationVelodyneScan") {
+    checkVersion(in, header, 2);
+    readVelodyne(in, cloud);
+  } else if (header.className == "CObservationRotatingScan") {
+    checkVersion(in, header, 0);
+    readRotatingScan(in, cloud);
+  } else {
+    checkVersion(in, header, 0);
+    readPointCloud(in, cloud);
+  }
+  return cloud;
+}
+
+std::vector<TPoint3Df> readPoints(ByteReader& in) {
+  const std::uint64_t count = in.get<std::uint32_t>();
+  const std::uint8_t* x = in.take(count * sizeof(float));
+  const std::uint8_t* y = in.take(count * sizeof(float));
+  const std::uint8_t* z = in.take(count * sizeof(float));
+  return pointsOf(x, y, z, count);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,10 @@
+#pragma once
+#include "read_cloud.h"
+
+namespace roomgraph {
+
+/** Reads what follows the header of a CObservation3DRangeScan: the points that it holds, else those
+ *  that its depth image means. Lens distortion is not undone. */
+void readDepthScan(ByteReader& in, const ObjectHeader& header, PointCloud& cloud);
+
+}  // namespace roomgraph

@@ -1,0 +1,152 @@
+#include "read_metric_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "find_slice.h"
+#include "grid_of_points.h"
+#include "read_cloud.h"
+#include "read_gridmap.h"
+#include "read_observation.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr const char* kSaveAgain = "copy or save the map again";
+constexpr std::uint32_t kMostLayers = 1000;
+
+/** A layer of the map, of which only one is read. */
+struct Layer {
+  std::string name, className;
+  std::uint64_t at = 0;  ///< where its object begins
+};
+
+bool isGrid(const Layer& layer) { return layer.className == "COccupancyGridMap2D"; }
+bool isPoints(const Layer& layer) { return isPointsMapClass(layer.className); }
+
+/** Whether a name and an object begin at `bytes`, or what stands behind the last layer. */
+bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
+  if (isLast && mapVersion == 0) return bytes.size == 1 && bytes.data[0] == kObjectEnd;
+  if (isLast) return startsWithOptional(bytes);
+  constexpr std::uint32_t longest = 200;
+  std::uint32_t length;
+  if (bytes.size < sizeof length) return false;
+  std::memcpy(&length, bytes.data, sizeof length);
+  if (length > longest || bytes.size < sizeof length + length) return false;
+  const auto next =
+      peekObjectHeader({bytes.data + sizeof length + length, bytes.size - sizeof length - length});
+  return next && !next->isOldFormat && next->className.size() > 3;
+}
+
+/** Steps over what is left of a layer. */
+void skipLayer(ByteReader& in, bool isLast, int mapVersion) {
+  while (in.left() > 0) {
+    const void* end = std::memchr(in.peek(), kObjectEnd, in.left());
+    if (!end) break;
+    in.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - in.peek()) + 1);
+    if (followsLayer({in.peek(), in.left()}, isLast, mapVersion)) return;
+  }
+  refuse(in.file(), "it is cut short or damaged", kSaveAgain);
+}
+
+/** Lines and planes, which are no part of a grid. */
+void skipFeatures(ByteReader& in) {
+  const std::string container = readText(in), element = readText(in);
+  if (container != "std::vector" || element.find("TLine3D") == std::string::npos)
+    refuse(in.file(), "it is damaged: its lines are missing", kSaveAgain);
+  constexpr std::uint64_t line = 6 * sizeof(double), plane = 7 * sizeof(double);
+  for (const std::uint64_t size : {line, plane, line})
+    in.skip(std::uint64_t(in.get<std::uint32_t>()) * size);
+}
+
+std::vector<Layer> readLayers(ByteReader& in) {
+  const ObjectHeader map = readObjectHeader(in);
+  checkVersion(in, map, 5);
+  skipFeatures(in);
+  const auto count = in.get<std::uint32_t>();
+  if (count > kMostLayers)
+    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers", kSaveAgain);
+  std::vector<Layer> layers;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Layer layer;
+    layer.name = readText(in);
+    layer.at = in.position();
+    ByteReader object = in;
+    layer.className = readObjectHeader(in).className;
+    if (isGrid(layer))
+      in = object, readGridmapObject(in);
+    else {
+      if (isPoints(layer)) readPoints(in);
+      skipLayer(in, i + 1 == count, map.version);
+    }
+    layers.push_back(layer);
+  }
+  return layers;
+}
+
+std::string namesOf(const std::vector<Layer>& layers) {
+  std::string names;
+  for (const Layer& layer : layers)
+    names += (names.empty() ? "" : ", ") + layer.name + " (" + layer.className + ")";
+  return names.empty() ? "none" : names;
+}
+
+/** The one that is asked for, else the first grid, else the points. */
+Layer chosen(const std::vector<Layer>& layers, const std::string& name, const std::string& file) {
+  const auto first = [&](auto test) { return std::find_if(layers.begin(), layers.end(), test); };
+  auto found = first([&](const Layer& layer) { return layer.name == name; });
+  if (name.empty()) found = first(isGrid);
+  if (name.empty() && found == layers.end()) found = first(isPoints);
+  if (found == layers.end())
+    refuse(file,
+           name.empty() ? "has no layer with a grid or points: " + namesOf(layers)
+                        : "has no layer '" + name + "': " + namesOf(layers),
+           "give it a layer with a grid, or name one with --layer");
+  return *found;
+}
+
+GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& options) {
+  readObjectHeader(in);
+  const auto points = readPoints(in);
+  Voxels voxels;
+  for (const auto& p : points) voxels.add(double(p.x), double(p.y), double(p.z));
+  if (voxels.empty()) refuse(in.file(), "its layer '" + layer.name + "' has no points", kSaveAgain);
+  const Slice slice = findSlice(voxels, options);
+  if (slice.isFlat)
+    refuse(in.file(),
+           "its layer '" + layer.name +
+               "' has points of one height only: without a floor nothing "
+               "tells what is free",
+           "give it a layer with a grid");
+  GreyMap map = gridOfPoints(points, slice, options.resolution, in.file());
+  map.notes.push_back(
+      {"slice", "its points are cut: " + sliceText(slice) + " (see --slice)", std::nullopt});
+  return map;
+}
+
+}  // namespace
+
+bool isMetricMap(CheckedFile& file) {
+  const auto object = peekObjectHeader(file.head());
+  return object && object->className == "metric_map_t";
+}
+
+GreyMap readMetricMap(CheckedFile& file, const LoadGridOptions& options) {
+  ByteReader in(file.content(), file.name());
+  const std::vector<Layer> layers = readLayers(in);
+  const Layer layer = chosen(layers, options.layer, file.name());
+  if (!isGrid(layer) && !isPoints(layer))
+    refuse(file.name(), "its layer '" + layer.name + "' is a " + layer.className,
+           "name a layer with a grid or points with --layer");
+  ByteReader object(file.content(), file.name());
+  object.skip(layer.at);
+  GreyMap map = isGrid(layer) ? readGridmapObject(object) : slicedLayer(object, layer, options);
+  if (layers.size() > 1)
+    map.notes.push_back(
+        {"layer",
+         "its layer '" + layer.name + "' is read, of " + namesOf(layers) + " (see --layer)",
+         std::nullopt});
+  return map;
+}
+
+}  // namespace roomgraph

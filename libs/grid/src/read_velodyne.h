@@ -1,0 +1,10 @@
+#pragma once
+#include "read_cloud.h"
+
+namespace roomgraph {
+
+/** Reads what follows the header of a CObservationVelodyneScan, up to its points: those that it
+ *  holds, else those that its packets mean. */
+void readVelodyne(ByteReader& in, PointCloud& cloud);
+
+}  // namespace roomgraph

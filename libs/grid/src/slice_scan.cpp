@@ -1,0 +1,87 @@
+#include "slice_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kBeams = 3600;
+constexpr double kNearest = 0.2;  // what is nearer is the robot itself [m]
+constexpr float kNone = HUGE_VALF;
+
+/** FNV-1a. */
+class Hash {
+ public:
+  void add(float value) {
+    std::array<std::uint8_t, sizeof value> bytes;
+    std::memcpy(bytes.data(), &value, sizeof value);
+    for (const std::uint8_t byte : bytes) value_ = (value_ ^ byte) * 0x100000001b3;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+std::uint64_t pointsId(const PointCloud& cloud) {
+  Hash hash;
+  for (const auto& point : cloud.points) hash.add(point.x), hash.add(point.y), hash.add(point.z);
+  return hash.value();
+}
+
+/** Fills directions between two points of one surface: a scanner has fewer than there are here. */
+void bridgeGaps(std::vector<float>& ranges) {
+  constexpr std::size_t widest = 10;  // a degree
+  constexpr float deepest = 0.2f;     // between the points [m]
+  for (std::size_t i = 0; i < kBeams; ++i) {
+    if (ranges[i] == kNone) continue;
+    std::size_t gap = 1;
+    while (gap <= widest && ranges[(i + gap) % kBeams] == kNone) ++gap;
+    const float here = ranges[i], there = ranges[(i + gap) % kBeams];
+    if (gap == 1 || there == kNone || std::abs(here - there) > deepest) continue;
+    for (std::size_t k = 1; k < gap; ++k)
+      ranges[(i + k) % kBeams] = here + (there - here) * float(k) / float(gap);
+  }
+}
+
+}  // namespace
+
+std::uint64_t rangesId(const mrpt::obs::CObservation2DRangeScan& scan) {
+  Hash hash;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+    hash.add(scan.getScanRangeValidity(i) ? scan.getScanRange(i) : -1);
+  return hash.value();
+}
+
+PlacedScan sliceScan(const PointCloud& cloud, const mrpt::poses::CPose3D& robot,
+                     const Slice& slice) {
+  const mrpt::poses::CPose3D sensor = robot + cloud.sensor;
+  std::vector<float> ranges(kBeams, kNone);
+  for (const auto& point : cloud.points) {
+    const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
+    const double dx = p.x - sensor.x(), dy = p.y - sensor.y(), range = std::hypot(dx, dy);
+    if (range < kNearest || !slice.contains(p.z - robot.z())) continue;
+    const double turns = std::atan2(dy, dx) / (2 * M_PI) + 0.5;
+    auto& nearest = ranges[std::size_t(std::lround(turns * kBeams)) % kBeams];
+    nearest = std::min(nearest, float(range));
+  }
+  bridgeGaps(ranges);
+  PlacedScan placed;
+  placed.robot = mrpt::poses::CPose3D(sensor.x(), sensor.y(), 0);
+  auto& scan = placed.scan;
+  scan.timestamp = cloud.time;
+  placed.id = pointsId(cloud);
+  scan.aperture = float(2 * M_PI);
+  scan.rightToLeft = true;
+  scan.resizeScan(kBeams);
+  for (std::size_t i = 0; i < kBeams; ++i) {
+    scan.setScanRange(i, ranges[i] == kNone ? 0 : ranges[i]);
+    scan.setScanRangeValidity(i, ranges[i] != kNone);
+  }
+  return placed;
+}
+
+}  // namespace roomgraph
