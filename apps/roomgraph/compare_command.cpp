@@ -105,12 +105,18 @@ ForEach onThreads(const CompareArguments& arguments) {
   };
 }
 
+void printNote(const std::string& file, const Note& note) {
+  const bool isGuess = note.code == "assumed_resolution";
+  printError(file + ": note: " + note.text + (isGuess ? "; --estimate-scale finds it" : ""));
+}
+
 /** Reads and compares; a file that cannot be used is a line on stderr. */
 std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
   CompareMapsOptions options = arguments.compare;
   options.extract = toOptions(arguments.options);
   options.compare.forEach = onThreads(arguments);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
+  if (!arguments.isQuiet) options.onNote = printNote;
   ReadRuns read = readRuns(arguments.files, options);
   std::optional<PairFolder> cache;
   if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <utility>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/failure_text.h"
@@ -19,6 +20,7 @@ struct MapFile {
   std::string file, name;
   std::optional<GreyMap> picture;  ///< whose scale is not known yet
   std::optional<Run> run;
+  Notes notes;                ///< on reading it
   std::string failure;        ///< why there is none; empty while there may be one
   bool isOtherSite = false;   ///< it could be read, but fits no other map
   std::exception_ptr misuse;  ///< what is no fault of the file
@@ -75,21 +77,25 @@ class Reader {
     for (const MapFile* file : left) {
       if (file->misuse) std::rethrow_exception(file->misuse);
       if (!file->failure.empty()) options_.onUnread(file->leftOut());
+      for (const Note& note : std::exchange(file->notes, {})) options_.onNote(file->file, note);
     }
   }
 
   void open(MapFile& file) const {
     GreyMap map = loadGrid(file.file, options_.extract.loadGrid);
     const bool isBare = map.source.kind == "image";
-    if (!isBare || !options_.estimatesScale) return prepare(file, map);
+    if (!isBare || !options_.estimatesScale) {
+      file.notes = map.notes;
+      return prepare(file, map);
+    }
     if (wallsForAlignment(binarize(map, options_.extract.binarize), {}).walls.empty())
       throw DataError("has no wall beside free space: a run must have some");
     file.picture = std::move(map);
   }
 
   void prepare(MapFile& file, const GreyMap& map) const {
-    const double range = options_.extract.loadGrid.maxDistanceInsertion;
-    file.run = prepareRun(file.name, map, loadKeyframes(file.file, range), options_.extract);
+    const ExtractOptions& extract = options_.extract;
+    file.run = prepareRun(file.name, map, loadKeyframes(file.file, extract.loadGrid), extract);
   }
 
   /** Reads the bare pictures at the scale at which they fit the other maps. */

@@ -49,8 +49,7 @@ std::string missingText(const Contents& contents) {
 
 [[noreturn]] void refuseEmpty(const std::string& file, const Contents& contents) {
   if (contents.missing > 0)
-    refuse(file, missingText(contents),
-           "put them into the folder " + externalFolder(file));
+    refuse(file, missingText(contents), "put them into the folder " + externalFolder(file));
   refuse(file, "holds no horizontal 2D range scan and no point cloud to build a grid from",
          "give a simplemap with laser scans, or a gridmap");
 }

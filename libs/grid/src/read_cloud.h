@@ -12,7 +12,7 @@ namespace roomgraph {
 
 /** What a 3D sensor saw at once. */
 struct PointCloud {
-  mrpt::Clock::time_point time{};  ///< INVALID_TIMESTAMP for none
+  mrpt::Clock::time_point time{};             ///< INVALID_TIMESTAMP for none
   mrpt::poses::CPose3D sensor;                ///< robot <- sensor
   std::vector<mrpt::math::TPoint3Df> points;  ///< sensor frame, all of them finite [m]
   /** Where the points are kept in a file beside the map that is not there: its name. */

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/Notes.h"
 #include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/relate/estimate_scale.h"
@@ -24,6 +25,9 @@ struct CompareMapsOptions {
   EstimateScaleOptions scale;   ///< how that is done
   /** Told of each file that cannot be read, in the order of the files, on the calling thread. */
   std::function<void(const LeftOutRun&)> onUnread = [](const LeftOutRun&) {};
+  /** Told in the same way what is odd about a file that was read. */
+  std::function<void(const std::string& file, const Note&)> onNote = [](const std::string&,
+                                                                        const Note&) {};
 };
 
 /** What a user may set by name; points into `options`. */
