@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 #include "Command.h"
 #include "error_line.h"
@@ -11,6 +12,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/load_run_info.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/report/read_graph_json.h"
@@ -53,6 +55,23 @@ std::string mapText(const std::string& file, const ExtractOptions& options) {
   return text;
 }
 
+std::string runText(const RunInfo& info) {
+  char lines[256];
+  std::snprintf(lines, sizeof lines,
+                "key frames  %zu, %zu of them without scans\npath        %.1f m\n", info.keyframes,
+                info.keyframesWithoutScans, info.pathLength);
+  std::string text = lines;
+  if (info.start) {
+    std::snprintf(lines, sizeof lines, "duration    %.1f s, from %.3f s after 1970 (UTC)\n",
+                  *info.end - *info.start, *info.start);
+    text += lines;
+  }
+  for (const auto& [sensor, count] : info.sensors)
+    text += "sensor      " + printable(sensor) + ": " + std::to_string(count) + "\n";
+  return text + "version     CSimpleMap " + std::to_string(info.version) + ", compression " +
+         nameOf(info.compression) + "\n";
+}
+
 std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
@@ -66,9 +85,11 @@ int run(const InfoArguments& arguments) {
   int exitCode = kDone;
   for (const std::string& file : arguments.files) {
     try {
-      const std::string text = infoText(file, options);
-      const std::string gap = &file == &arguments.files.front() ? "" : "\n";
-      print(gap + printable(file) + ":\n" + text);
+      std::string heading = &file == &arguments.files.front() ? "" : "\n";
+      heading += printable(file) + ":\n";
+      // What is known of a run is worth telling even where no grid can be built from it.
+      if (const auto info = loadRunInfo(file)) print(std::exchange(heading, {}) + runText(*info));
+      print(heading + infoText(file, options));
     } catch (...) {
       const Failure failure = currentFailure(file);
       std::fputs(failure.line.c_str(), stderr);

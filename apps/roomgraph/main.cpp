@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "compare_command.h"
 #include "config_command.h"
+#include "convert_command.h"
 #include "error_line.h"
 #include "extract_command.h"
 #include "info_command.h"
@@ -28,6 +29,7 @@ constexpr Command kCommands[] = {
      stabilityCommand},
     {"score-rooms", "Measure how well the rooms of a label picture agree with the true ones.",
      scoreRoomsCommand},
+    {"convert", "Write maps as a ROS map, an MRPT grid map or a picture.", convertCommand},
     {"info", "Say what is in map files, graph files (X.json) and MRPT files (X.roomgraph).",
      infoCommand},
     {"config", "Print all options as a commented ini file, for use with --config.", configCommand},

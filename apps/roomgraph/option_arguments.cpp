@@ -99,6 +99,13 @@ ExtractOptions toOptions(const OptionArguments& arguments) {
   if (arguments.configFile) readConfig(*arguments.configFile, table);
   for (const std::string& setting : arguments.settings) applySetting(setting, table);
   if (arguments.resolution) table.set("load_grid", "resolution", *arguments.resolution);
+  if (!arguments.slice.empty()) {
+    table.set("load_grid", "slice_low", arguments.slice[0]);
+    table.set("load_grid", "slice_high", arguments.slice[1]);
+    if (!(options.loadGrid.sliceHigh > options.loadGrid.sliceLow))
+      throw UsageError("--slice: HIGH must be above LOW");
+  }
+  options.loadGrid.layer = arguments.layer;
   if (arguments.roomWidth) {
     table.set("find_rooms", "min_width", *arguments.roomWidth);
     table.set("find_rooms", "alpha_px2", "0");

@@ -31,7 +31,7 @@ std::string sharedFile(const std::string& name);
 bool isFile(const std::string& name);
 
 std::string gzipped(const std::string& bytes);
-/** One Zstandard frame, with a checksum and its size in its header, or, as MRPT writes it, without. */
+/** One Zstandard frame, with checksum and size, or, as MRPT writes it, without. */
 std::string zstd(const std::string& bytes, bool isSealed);
 /** What MRPT writes for the object. */
 std::string streamed(const mrpt::serialization::CSerializable& object);

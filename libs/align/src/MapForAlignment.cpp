@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "axis_deviation.h"
+#include "roomgraph/grid/clear_wall_rims.h"
 #include "wall_sharpness.h"
 
 namespace roomgraph {
@@ -203,8 +204,10 @@ int octantOf(Point v) {
 }
 
 MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
-  const Grid fine = coarser(grid, std::max(kFineCell, grid.frame.resolution), options.reach);
-  const Grid coarse = coarser(grid, std::max(options.cell, grid.frame.resolution), options.reach);
+  const std::optional<Grid> cleared = clearWallRims(grid);
+  const Grid& known = cleared ? *cleared : grid;
+  const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), options.reach);
+  const Grid coarse = coarser(known, std::max(options.cell, grid.frame.resolution), options.reach);
   MapForAlignment map;
   map.frame = coarse.frame;
   map.states = coarse.cells;

@@ -74,7 +74,7 @@ class Reader {
         file.failure = printable(withoutFile(failureText(file.file), file.file));
       }
     });
-    for (const MapFile* file : left) {
+    for (MapFile* file : left) {
       if (file->misuse) std::rethrow_exception(file->misuse);
       if (!file->failure.empty()) options_.onUnread(file->leftOut());
       for (const Note& note : std::exchange(file->notes, {})) options_.onNote(file->file, note);

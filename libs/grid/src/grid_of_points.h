@@ -11,7 +11,8 @@ namespace roomgraph {
 
 /** A grid of points alone, which nobody tells from where they were seen: cells with points in the
  *  slice are occupied, others where the floor is seen are free, and so are gaps in the floor of up
- *  to 0.3 m. Throws DataError, in the name of `file`, for more than kMostCells. O(points + cells). */
+ *  to 0.3 m. Throws DataError, in the name of `file`, for more than kMostCells. O(points +
+ *  cells). */
 GreyMap gridOfPoints(const std::vector<mrpt::math::TPoint3Df>& points, const Slice& slice,
                      double resolution, const std::string& file);
 

@@ -33,7 +33,7 @@ void addCloud(const PointCloud& cloud, const mrpt::poses::CPose3D& robot, Conten
 Contents contentsOf(const ByteReader& in) {
   Contents contents;
   readEntries(in, [&](const SimplemapEntry& entry) {
-    contents.observations += entry.observations;
+    contents.observations += entry.observations.size();
     contents.scans += entry.scans.size();
     for (const auto& scan : entry.scans) contents.horizontal += isHorizontal(scan);
     for (const PointCloud& cloud : entry.clouds) addCloud(cloud, entry.robot, contents);

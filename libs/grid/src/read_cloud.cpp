@@ -26,7 +26,7 @@ std::vector<TPoint3Df> readPointsMap(ByteReader& in) {
 }
 
 void readPointCloud(ByteReader& in, PointCloud& cloud) {
-  readText(in);  // label
+  cloud.label = readText(in);
   cloud.time = readTime(in);
   cloud.sensor = readPose3D(in);
   enum Storage : std::uint8_t { kInside = 0, kKitti = 1, kText = 2, kObject = 3 };
@@ -87,7 +87,7 @@ std::vector<TPoint3Df> readOrganizedPoints(ByteReader& in) {
 
 void readRotatingScan(ByteReader& in, PointCloud& cloud) {
   cloud.time = readTime(in);
-  readText(in);  // label
+  cloud.label = readText(in);
   const auto rows = in.get<std::uint16_t>(), columns = in.get<std::uint16_t>();
   const auto unit = in.get<double>(), start = in.get<double>(), span = in.get<double>();
   in.skip(sizeof(double));      // how long it took

@@ -12,6 +12,7 @@ namespace roomgraph {
 
 /** What a 3D sensor saw at once. */
 struct PointCloud {
+  std::string label;  ///< of the sensor; empty for a 3DRangeScan, whose label is not read
   mrpt::Clock::time_point time{};             ///< INVALID_TIMESTAMP for none
   mrpt::poses::CPose3D sensor;                ///< robot <- sensor
   std::vector<mrpt::math::TPoint3Df> points;  ///< sensor frame, all of them finite [m]

@@ -61,12 +61,17 @@ void skipObservation(ByteReader& in, const ObjectHeader& header, bool isLast, in
 /** One observation of those that are known, or the step over it. */
 void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int mapVersion) {
   const ObjectHeader header = readObjectHeader(in);
-  ++entry.observations;
+  ObservationKind& kind = entry.observations.emplace_back();
+  kind.className = header.className, kind.version = header.version;
   if (header.className == "CObservation2DRangeScan") {
     readScan(in, header, entry.scans.emplace_back());
+    kind.label = entry.scans.back().sensorLabel;
     return;
   }
-  if (isCloudClass(header.className)) entry.clouds.push_back(readCloud(in, header));
+  if (isCloudClass(header.className)) {
+    entry.clouds.push_back(readCloud(in, header));
+    kind.label = entry.clouds.back().label;
+  }
   if (header.className == "CObservationOdometry") entry.odometry = readOdometry(in, header);
   skipObservation(in, header, isLast, mapVersion);
 }

@@ -11,13 +11,20 @@
 
 namespace roomgraph {
 
+/** An observation, whether it is used or stepped over. */
+struct ObservationKind {
+  std::string className;
+  int version = 0;
+  std::string label;  ///< of the sensor; empty where the class is not known here
+};
+
 /** What a simplemap keeps of one place. */
 struct SimplemapEntry {
   mrpt::poses::CPose3D robot;
   std::vector<mrpt::obs::CObservation2DRangeScan> scans;
   std::vector<PointCloud> clouds;
   std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
-  std::size_t observations = 0;                  ///< of all classes
+  std::vector<ObservationKind> observations;     ///< of all classes
 };
 
 using EntryVisitor = std::function<void(const SimplemapEntry& entry)>;

@@ -57,7 +57,7 @@ void readVelodyne(ByteReader& in, PointCloud& cloud) {
       sizeof(mrpt::obs::CObservationVelodyneScan::TVelodyneRawPacket);
   constexpr std::size_t laserSize = sizeof(mrpt::obs::VelodyneCalibration::PerLaserCalib);
   cloud.time = readTime(in);
-  readText(in);  // label
+  cloud.label = readText(in);
   mrpt::obs::CObservationVelodyneScan scan;
   scan.timestamp = mrpt::Clock::now();  // any: points are placed from the packets alone
   scan.minRange = in.get<double>();

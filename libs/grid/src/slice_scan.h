@@ -9,6 +9,10 @@
 
 namespace roomgraph {
 
+// In:   PointCloud, Slice
+// Out:  PlacedScan
+// Next: placeScans
+
 /** A horizontal scan and the place that it is seen from. */
 struct PlacedScan {
   mrpt::poses::CPose3D robot;  ///< map <- robot; the scan's own pose counts from it

@@ -27,7 +27,8 @@ viz::CTexturedPlane::Ptr drawMap(const Grid& map, Point anchor) {
   const int step = (std::max(frame.width, frame.height) + kMostTexels - 1) / kMostTexels;
   const int width = (frame.width + step - 1) / step, height = (frame.height + step - 1) / step;
   mrpt::img::CImage image(unsigned(width), unsigned(height), mrpt::img::CH_GRAY);
-  image.filledRectangle(0, 0, width - 1, height - 1, mrpt::img::TColor(255, 255, 255));
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) image.at<std::uint8_t>(unsigned(x), unsigned(y)) = 255;
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
       auto& texel = image.at<std::uint8_t>(unsigned(x / step), unsigned(y / step));

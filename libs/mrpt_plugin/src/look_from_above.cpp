@@ -13,9 +13,7 @@ void lookFromAbove(MrptScene& scene, const Box& box) {
       {kBackgroundColor.r / 255.F, kBackgroundColor.g / 255.F, kBackgroundColor.b / 255.F});
   scene.enableFollowCamera(true);  // else SceneViewer3D looks from where it likes
   // Even light, so that the colours are those of the legend: the files know no unlit triangles.
-  auto& lights = view->lightParameters();
-  lights.ambient = {1, 1, 1, 1};
-  lights.diffuse = lights.specular = {0, 0, 0, 1};
+  makeEven(view->lightParameters());
   const Point middle = midpoint(box.low, box.high), size = box.high - box.low;
   auto& camera = view->getCamera();
   camera.setPointingAt(float(middle.x), float(middle.y), 0);

@@ -8,10 +8,9 @@
 #include <stdexcept>
 
 namespace roomgraph {
-namespace {
 
-std::string gzipped(const void* bytes, std::size_t size) {
-  if (size > std::numeric_limits<uInt>::max())
+std::string gzipped(const std::string& bytes) {
+  if (bytes.size() > std::numeric_limits<uInt>::max())
     throw std::length_error("the object is larger than 4 GB");
   z_stream stream{};
   // A scene compresses nearly as well at the lowest level, in a third of the time.
@@ -19,9 +18,9 @@ std::string gzipped(const void* bytes, std::size_t size) {
   if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzipFrame, memory, Z_DEFAULT_STRATEGY) !=
       Z_OK)
     throw std::bad_alloc();
-  std::string out(deflateBound(&stream, uLong(size)), '\0');
-  stream.next_in = static_cast<Bytef*>(const_cast<void*>(bytes));
-  stream.avail_in = static_cast<uInt>(size);
+  std::string out(deflateBound(&stream, uLong(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(out.data());
   stream.avail_out = static_cast<uInt>(out.size());
   deflate(&stream, Z_FINISH);  // cannot fail: there is room for all of it
@@ -30,12 +29,15 @@ std::string gzipped(const void* bytes, std::size_t size) {
   return out;
 }
 
-}  // namespace
-
-std::string gzippedObject(const mrpt::serialization::CSerializable& object) {
+std::string objectBytes(const mrpt::serialization::CSerializable& object) {
   mrpt::io::CMemoryStream stream;
   mrpt::serialization::archiveFrom(stream) << object;
-  return gzipped(stream.getRawBufferData(), std::size_t(stream.getTotalBytesCount()));
+  return {static_cast<const char*>(stream.getRawBufferData()),
+          std::size_t(stream.getTotalBytesCount())};
+}
+
+std::string gzippedObject(const mrpt::serialization::CSerializable& object) {
+  return gzipped(objectBytes(object));
 }
 
 }  // namespace roomgraph

@@ -8,4 +8,9 @@ namespace roomgraph {
 /** An object as MRPT streams it, gzipped. No time stamp: the same object gives the same bytes. */
 std::string gzippedObject(const mrpt::serialization::CSerializable& object);
 
+/** The object as MRPT streams it. */
+std::string objectBytes(const mrpt::serialization::CSerializable& object);
+/** Bytes as a gzip member without a time stamp. */
+std::string gzipped(const std::string& bytes);
+
 }  // namespace roomgraph

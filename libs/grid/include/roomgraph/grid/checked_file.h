@@ -17,8 +17,8 @@ enum class Compression { none, gzip, zstd };
 std::string nameOf(Compression compression);
 
 /** A file whose bytes can be trusted to be those that were written: compressed files are inflated
- *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more than it is asked for, so that a file of the
- *  wrong kind costs nothing. */
+ *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more
+ *  than it is asked for, so that a file of the wrong kind costs nothing. */
 class CheckedFile {
  public:
   /** Opens the file and reads its first bytes. Throws DataError where that is impossible. */

@@ -7,6 +7,10 @@
 
 namespace roomgraph {
 
+// In:   a map file
+// Out:  the entry of its format
+// Next: loadGrid
+
 /** A kind of map file. All that knows one stands in mapFormats() and in its reader; the program's
  *  help, the names of its results and the texts of errors follow from the table. */
 struct MapFormat {

@@ -1,7 +1,8 @@
 #pragma once
 
-// The only place that knows which of MRPT's names changed between its versions: MRPT 3 moved the
-// 3D objects from mrpt::opengl to mrpt::viz and calls the scene Scene.
+// The only place that knows what changed between MRPT's versions: MRPT 3 moved the 3D objects from
+// mrpt::opengl to mrpt::viz and calls the scene Scene; a viewport's light has been colours,
+// numbers, and a list of lamps.
 
 #if __has_include(<mrpt/viz/Scene.h>)
 #include <mrpt/viz/CDisk.h>
@@ -36,3 +37,29 @@ using MrptScene = viz::COpenGLScene;
 #include <mrpt/core/Stringifyable.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/CSerializable.h>
+
+#include <type_traits>
+
+namespace roomgraph {
+
+template <class Light, class = void>
+struct HasLamps : std::false_type {};
+template <class Light>
+struct HasLamps<Light, std::void_t<decltype(std::declval<Light&>().lights)>> : std::true_type {};
+
+/** Light from everywhere, in which a surface has its own colour, whichever way it faces. */
+template <class Light>
+void makeEven(Light& light) {
+  if constexpr (HasLamps<Light>::value) {  // MRPT 3
+    light.ambient = 1;
+    light.lights.clear();
+  } else if constexpr (std::is_arithmetic_v<decltype(light.ambient)>) {  // MRPT 2.10 to 2.15
+    light.ambient = 1;
+    light.diffuse = light.specular = 0;
+  } else {
+    light.ambient = {1, 1, 1, 1};
+    light.diffuse = light.specular = {0, 0, 0, 1};
+  }
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,121 @@
+#include "convert_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "Command.h"
+#include "error_line.h"
+#include "option_arguments.h"
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/report/ros_map.h"
+#include "roomgraph/report/write_file.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+struct ConvertArguments {
+  std::vector<std::string> maps;
+  OptionArguments options;
+  std::string folder = ".", format = "ros";
+};
+
+/** A kind of file that maps are written as. */
+struct MapOutput {
+  const char* name;
+  std::vector<std::string> extensions;
+  /** The bytes of each file, in the order of the extensions; X is their common name. */
+  std::vector<std::string> (*bytes)(const GreyMap& map, const Grid& grid, const std::string& x);
+};
+
+const std::vector<MapOutput>& outputs() {
+  static const std::vector<MapOutput> all = {
+      {"ros",
+       {"yaml", "pgm"},
+       [](const GreyMap&, const Grid& grid, const std::string& x) {
+         return std::vector<std::string>{rosMapYaml(grid.frame, x + ".pgm"), mapPgm(grid)};
+       }},
+      {"gridmap",
+       {"gridmap"},
+       [](const GreyMap& map, const Grid& grid, const std::string&) {
+         return std::vector<std::string>{gridmapBytes(map, grid)};
+       }},
+      {"png",
+       {"png"},
+       [](const GreyMap&, const Grid& grid, const std::string&) {
+         return std::vector<std::string>{mapPng(grid)};
+       }},
+  };
+  return all;
+}
+
+const MapOutput& outputNamed(const std::string& name) {
+  for (const MapOutput& output : outputs())
+    if (name == output.name) return output;
+  throw UsageError("there is no format '" + name + "': --format takes ros, gridmap or png");
+}
+
+/** Prints the notes of the map and the names of what is written. */
+void convert(const std::string& file, const MapOutput& output, const ExtractOptions& options,
+             const std::string& folder) {
+  const GreyMap map = loadGrid(file, options.loadGrid);
+  const auto contents = output.bytes(map, binarize(map, options.binarize), mapStem(file));
+  StagedFiles staged;
+  std::string lines;
+  for (std::size_t i = 0; i < contents.size(); ++i) {
+    const std::string name = outputFile(folder, file, output.extensions[i]);
+    staged.add(name, contents[i]);
+    lines += printable(name) + "\n";
+  }
+  staged.commit();
+  for (const Note& note : map.notes)
+    std::fputs(errorLine(file + ": note: " + note.text).c_str(), stderr);
+  print(lines);
+}
+
+int run(const ConvertArguments& arguments) {
+  const ExtractOptions options = toOptions(arguments.options);
+  const MapOutput& output = outputNamed(arguments.format);
+  checkOutputNames(arguments.maps, arguments.folder, output.extensions);
+  makeWritableFolder(arguments.folder);
+  int exitCode = kDone;
+  for (const std::string& file : arguments.maps) {
+    try {
+      convert(file, output, options, arguments.folder);
+    } catch (...) {
+      const Failure failure = currentFailure(file);
+      std::fputs(failure.line.c_str(), stderr);
+      exitCode = std::max(exitCode, failure.exitCode);
+    }
+  }
+  return exitCode;
+}
+
+}  // namespace
+
+std::function<int()> convertCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<ConvertArguments>();
+  app.add_option("MAP", arguments->maps, "Maps as for 'roomgraph extract'.")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", arguments->folder, "Folder for the maps; made if it is not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--format", arguments->format,
+                 "What to write: 'ros' (X.yaml and X.pgm, for ROS's map_server), 'gridmap' (for "
+                 "MRPT) or 'png' (a picture).")
+      ->type_name("NAME")
+      ->capture_default_str();
+  declareConfig(arguments->options, app);
+  declareReading(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

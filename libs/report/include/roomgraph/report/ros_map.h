@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/grid/Grid.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Grid
+// Out:  the bytes of a ROS map, as map_saver writes it
+// Next: writeFileAtomically, loadGrid
+
+/** A picture of the cells, the highest row on top: occupied 0, free 254, unknown 205. loadGrid()
+ *  reads the same cells from it, with the yaml or without. Same cells, same bytes. O(cells). */
+std::string mapPgm(const Grid& grid);
+/** The same as a PNG. */
+std::string mapPng(const Grid& grid);
+
+/** The yaml that places such a picture, by the name of its file, with thresholds for its greys. */
+std::string rosMapYaml(const GridFrame& frame, const std::string& picture);
+
+}  // namespace roomgraph

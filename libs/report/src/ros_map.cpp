@@ -1,0 +1,63 @@
+#include "roomgraph/report/ros_map.h"
+
+#include <charconv>
+
+#include "png_bytes.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::uint8_t kUnknown = 205, kFree = 254, kOccupied = 0;
+
+/** By State. */
+constexpr std::uint8_t kGreys[] = {kUnknown, kFree, kOccupied};
+
+std::uint8_t greyOf(State state) { return kGreys[std::size_t(state)]; }
+
+/** The shortest text that reads back equal. */
+std::string numberText(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
+/** In quotes, as a name may hold anything. */
+std::string quoted(const std::string& name) {
+  std::string text = "\"";
+  for (const char c : name) {
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
+  }
+  return text + "\"";
+}
+
+}  // namespace
+
+std::string mapPgm(const Grid& grid) {
+  const GridFrame& frame = grid.frame;
+  std::string bytes =
+      "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n";
+  bytes.reserve(bytes.size() + frame.cellCount());
+  for (int y = frame.height; y-- > 0;)
+    for (int x = 0; x < frame.width; ++x) bytes += char(greyOf(grid.at({x, y})));
+  return bytes;
+}
+
+std::string mapPng(const Grid& grid) {
+  PaletteImage image;
+  image.width = grid.frame.width, image.height = grid.frame.height;
+  for (const std::uint8_t grey : kGreys) image.palette.push_back({grey, grey, grey});
+  image.indices.reserve(grid.cells.size());
+  for (int y = image.height; y-- > 0;)
+    for (int x = 0; x < image.width; ++x) image.indices.push_back(std::uint8_t(grid.at({x, y})));
+  return pngBytes(image);
+}
+
+std::string rosMapYaml(const GridFrame& frame, const std::string& picture) {
+  return "image: " + quoted(picture) +
+         "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
+         numberText(frame.origin.x) + ", " + numberText(frame.origin.y) +
+         ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,42 @@
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+namespace roomgraph {
+namespace {
+
+// A viewport's light as MRPT has it in different versions.
+struct Light25 {
+  std::array<float, 4> diffuse{0.8f, 0.8f, 0.8f, 1}, ambient{0.2f, 0.2f, 0.2f, 1},
+      specular{1, 1, 1, 1};
+};
+struct Light215 {
+  float diffuse = 0.8f, ambient = 0.2f, specular = 0.95f;
+};
+struct Light3 {
+  std::vector<int> lights{1};
+  float ambient = 0.2f;
+};
+
+TEST(MrptCompat, lightIsEvenInEveryVersion) {
+  Light25 colours;
+  makeEven(colours);
+  EXPECT_EQ(colours.ambient, (std::array<float, 4>{1, 1, 1, 1}));
+  EXPECT_EQ(colours.diffuse, (std::array<float, 4>{0, 0, 0, 1}));
+  EXPECT_EQ(colours.specular, (std::array<float, 4>{0, 0, 0, 1}));
+  Light215 numbers;
+  makeEven(numbers);
+  EXPECT_EQ(numbers.ambient, 1);
+  EXPECT_EQ(numbers.diffuse, 0);
+  EXPECT_EQ(numbers.specular, 0);
+  Light3 lamps;
+  makeEven(lamps);
+  EXPECT_EQ(lamps.ambient, 1);
+  EXPECT_TRUE(lamps.lights.empty());
+}
+
+}  // namespace
+}  // namespace roomgraph

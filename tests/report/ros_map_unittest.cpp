@@ -1,0 +1,55 @@
+#include "roomgraph/report/ros_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/grid/load_grid.h"
+
+namespace roomgraph {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RosMapFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "roomgraph-test-XXXXXX").string();
+    ASSERT_TRUE(mkdtemp(name.data()));
+    folder_ = name;
+    grid_.frame.width = 3, grid_.frame.height = 2;
+    grid_.frame.resolution = 0.1, grid_.frame.origin = {-1.537, 1.0 / 3};
+    grid_.cells = {State::free,    State::occupied, State::unknown,
+                   State::unknown, State::free,     State::occupied};
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  Grid reread(const std::string& picture, const std::string& bytes) const {
+    std::ofstream(folder_ / picture, std::ios::binary) << bytes;
+    std::ofstream(folder_ / "map.yaml") << rosMapYaml(grid_.frame, picture);
+    return binarize(loadGrid((folder_ / "map.yaml").string(), {}), {});
+  }
+  fs::path folder_;
+  Grid grid_;
+};
+
+TEST_F(RosMapFiles, giveTheSameCellsInTheSamePlace) {
+  for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"a.pgm", mapPgm(grid_)},
+                                    {"b \"q\" #.png", mapPng(grid_)}}) {
+    const Grid again = reread(name, bytes);
+    EXPECT_EQ(again.cells, grid_.cells) << name;
+    EXPECT_EQ(again.frame.origin.x, grid_.frame.origin.x);
+    EXPECT_EQ(again.frame.origin.y, grid_.frame.origin.y);
+    EXPECT_EQ(again.frame.resolution, grid_.frame.resolution);
+  }
+}
+
+TEST_F(RosMapFiles, barePicturesGiveTheSameCells) {
+  std::ofstream(folder_ / "c.png", std::ios::binary) << mapPng(grid_);
+  EXPECT_EQ(binarize(loadGrid((folder_ / "c.png").string(), {}), {}).cells, grid_.cells);
+}
+
+}  // namespace
+}  // namespace roomgraph
