@@ -6,7 +6,6 @@
 
 #include "drawn_building.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/relate/noise_floor.h"
 
 namespace roomgraph {
 namespace {
@@ -94,17 +93,6 @@ TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
   EXPECT_TRUE(followWalls(map, map, {}, {}).patches.empty());
   EXPECT_TRUE(followWalls({}, map, {{}}, {}).patches.empty());
   EXPECT_EQ(followWalls(map, MapForAlignment(), {{}}, {}).share, 0);
-}
-
-TEST(NoiseFloor, isSmallAndGrowsWithTheNoise) {
-  const Grid drawing = drawnBuilding(4, {});
-  const MapForAlignment map = mapOf(drawing);
-  const double usual = noiseFloor(drawing, map, {});
-  EXPECT_GT(usual, 0);
-  EXPECT_LT(usual, 0.03);
-  EXPECT_GT(noiseFloor(drawing, map, {{5, 14, 1}, 3}), usual);
-  EXPECT_EQ(noiseFloor(drawing, map, {}), usual) << "the same each time";
-  EXPECT_EQ(noiseFloor(drawing, {}, {}), 0);
 }
 
 }  // namespace

@@ -124,7 +124,8 @@ SampleComparison sampleComparison() {
     for (std::size_t b = a + 1; b < 4; ++b)
       c.pairs.push_back(pair(sample.runs[a].name, sample.runs[b].name, b == 3 ? 0.4 : 0.97));
   c.rooms = rooms(sample.runs);
-  c.breaks = {{kHostileName, {8, 6}, 0.07, 0.58}, {kHostileName, {12, 9}, -0.05, 0.3}};
+  c.breaks = {{kHostileName, {8, 6}, 0.07, 0.58, 12, 1.5e9},
+              {kHostileName, {12, 9}, -0.05, 0.3, {}, {}}};
   c.leftOut = {{"garage", "garage.gridmap", "does not lie in the same site as the others", true}};
   c.verdict =
       "morning is the best map, with score 90.5 (78 to 95) and a map error of about 0.05 m.";

@@ -9,7 +9,7 @@ namespace roomgraph {
 // Ours: what a map tells of itself, without any other
 // In:   the walls of a map
 // Out:  how far its walls are from right angles
-// Next: estimateMapErrors
+// Next: siteConsensus
 
 /** The median angle between the walls of a map and the nearer of its two main directions, which are
  *  at right angles [rad]. Every pose error turns some walls, so of several maps of one building the

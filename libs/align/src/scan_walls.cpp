@@ -27,7 +27,10 @@ std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
 std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls) {
   std::vector<ScanWalls> scans;
   for (const Keyframe& frame : frames) {
-    ScanWalls scan{frame.pose.shift(), {}};
+    ScanWalls scan;
+    scan.pose = frame.pose, scan.time = frame.time, scan.scanId = frame.scanId;
+    for (const Point end : frame.ends) scan.ends.add(end);
+    scan.axes = scanAxes(frame.ends);
     const std::size_t step = std::max<std::size_t>(1, frame.ends.size() / std::size_t(maxWalls));
     for (std::size_t i = step / 2; i < frame.ends.size(); i += step)
       if (const auto wall = wallOf(frame, i)) scan.walls.push_back(*wall);

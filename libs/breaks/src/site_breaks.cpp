@@ -8,14 +8,14 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kWitnesses = 3;  // runs in which the scans of another are tracked
+constexpr std::size_t kWitnesses = 3;  // runs in which the patches of another are looked at
 
 /** Looks for the breaks of one run. */
 class BreakSearch {
  public:
-  BreakSearch(const Site& site, const MapPairs& pairs, const Trust& trust,
-              const SiteBreaksOptions& options, std::size_t run)
-      : site_(site), pairs_(pairs), options_(options), run_(run) {
+  BreakSearch(const Site& site, const MapPairs& pairs, const Consensus& consensus,
+              const Trust& trust, const SiteBreaksOptions& options, std::size_t run)
+      : site_(site), pairs_(pairs), consensus_(consensus), options_(options), run_(run) {
     witnesses_ = witnesses(trust);
     // Trust is steep: its root lets two good maps outvote a better one.
     for (const std::size_t j : witnesses_) votes_.push_back(std::sqrt(trust[j]));
@@ -39,20 +39,19 @@ class BreakSearch {
     return others;
   }
 
-  /** Of a run with scans: where their poses jump. */
+  /** Of a run with scans: where the consensus has torn it. */
   std::vector<MapBreak> jumps() const {
-    const std::vector<ScanWalls>& scans = site_.runs[run_]->scans;
-    std::vector<ScanTrack> tracks;
-    for (const std::size_t j : witnesses_)
-      tracks.push_back(trackScans(scans, site_.runs[run_]->map.patches, followedIn(pairs_, run_, j),
-                                  site_.runs[j]->map, options_.trackScans));
+    const Run& run = *site_.runs[run_];
+    ScanTrack track;  // where each scan lies in the consensus
+    for (std::size_t k = 0; k < run.scans.size(); ++k)
+      track.push_back(consensus_.poses[run_][k] * run.scans[k].pose.inverse());
     std::vector<MapBreak> breaks;
-    for (const ScanBreak& found : findBreaks(scans, tracks, votes_, options_.findBreaks)) {
-      const std::size_t track = found.seenIn.front();
-      const Transform2D inOther = tracks[track][found.scan].value_or(Transform2D{});
-      breaks.push_back({site_.runs[run_]->name,
-                        site_.poses[witnesses_[track]](inOther(scans[found.scan].at)),
-                        found.rotation, found.shift});
+    for (const ScanBreak& found : findBreaks(run.scans, {track}, {1}, options_.findBreaks)) {
+      const std::size_t k = found.scan;
+      const Transform2D step = consensus_.poses[run_][k - 1].inverse() * consensus_.poses[run_][k];
+      const Transform2D untorn = run.scans[k - 1].pose * step;
+      breaks.push_back({run.name, site_.poses[run_](untorn.shift()), found.rotation, found.shift, k,
+                        run.scans[k].time});
     }
     return breaks;
   }
@@ -73,11 +72,17 @@ class BreakSearch {
       rotations.push_back(found->rotation), shifts.push_back(found->shift);
     }
     if (2 * weight <= all || xs.empty()) return {};
-    return {{site_.runs[run_]->name, {median(xs), median(ys)}, median(rotations), median(shifts)}};
+    return {{site_.runs[run_]->name,
+             {median(xs), median(ys)},
+             median(rotations),
+             median(shifts),
+             std::nullopt,
+             std::nullopt}};
   }
 
   const Site& site_;
   const MapPairs& pairs_;
+  const Consensus& consensus_;
   const SiteBreaksOptions& options_;
   std::size_t run_;
   std::vector<std::size_t> witnesses_;
@@ -87,11 +92,13 @@ class BreakSearch {
 }  // namespace
 
 std::vector<std::vector<MapBreak>> siteBreaks(const Site& site, const MapPairs& pairs,
-                                              const Trust& trust, const SiteBreaksOptions& options,
+                                              const Consensus& consensus, const Trust& trust,
+                                              const SiteBreaksOptions& options,
                                               const ForEach& forEach) {
   std::vector<std::vector<MapBreak>> breaks(site.runs.size());
-  forEach(breaks.size(),
-          [&](std::size_t i) { breaks[i] = BreakSearch(site, pairs, trust, options, i).breaks(); });
+  forEach(breaks.size(), [&](std::size_t i) {
+    breaks[i] = BreakSearch(site, pairs, consensus, trust, options, i).breaks();
+  });
   return breaks;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/place_runs.h"
@@ -42,9 +43,10 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const Site site = placeRuns(runs, related, options.poses, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
-  const RunScores scores = scoreRuns(bends, ownEvidenceOf(site), site.reference, options.score);
+  const Consensus consensus = siteConsensus(site, pairs, forEach);
+  const RunScores scores = scoreRuns(bends, consensus.errors, site.reference, options.score);
   const Trust trust = trustOf(scores, site.reference);
-  const auto breaks = siteBreaks(site, pairs, trust, options.breaks, forEach);
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, options.breaks, forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   return summarize(runs, related, {site, scores, breaks, measures, rooms});

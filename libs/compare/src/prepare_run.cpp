@@ -5,7 +5,6 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/relate/noise_floor.h"
 
 namespace roomgraph {
 
@@ -18,7 +17,6 @@ Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Ke
   if (run.map.walls.empty())
     throw DataError((map.source.file.empty() ? name : map.source.file) +
                     ": has no wall beside free space: a run must have some");
-  run.noiseFloor = noiseFloor(stages.grid, run.map, {});
   run.rooms = std::move(stages.result.rooms);
   run.graph = std::move(stages.result.graph);
   run.areas = std::move(stages.areas);

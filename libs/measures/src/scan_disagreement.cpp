@@ -21,7 +21,7 @@ double quantileOf(std::vector<double>& values, double share) {
 std::vector<double> pathsTo(const std::vector<ScanWalls>& scans) {
   std::vector<double> paths;
   for (std::size_t i = 0; i < scans.size(); ++i)
-    paths.push_back(i == 0 ? 0 : paths.back() + distance(scans[i - 1].at, scans[i].at));
+    paths.push_back(i == 0 ? 0 : paths.back() + distance(scans[i - 1].at(), scans[i].at()));
   return paths;
 }
 
@@ -31,7 +31,7 @@ std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>
                                   const ScanDisagreementOptions& options) {
   std::vector<std::pair<double, std::size_t>> others;
   for (std::size_t j = 0; j < scans.size(); ++j) {
-    const double far = distance(scans[scan].at, scans[j].at);
+    const double far = distance(scans[scan].at(), scans[j].at());
     if (far <= options.sameView && std::abs(paths[scan] - paths[j]) >= options.minApart)
       others.push_back({far, j});
   }

@@ -21,11 +21,15 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
-constexpr double kSure = 0.5;       // confidence of a pose that others may follow from
+constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are said to be the same
+constexpr double kSure = 0.5;        // confidence of a pose that others may follow from
+constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
-bool isSure(const MapPair& pair) { return pair.alignment.confidence >= kSure; }
+/** In a symmetric building the runner-up may be right as well. */
+bool isSure(const MapPair& pair) {
+  return pair.alignment.confidence >= kSure && pair.alignment.runnerUpConfidence < kAlsoLikely;
+}
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */
 std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
@@ -52,8 +56,8 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlign
   return poses;
 }
 
-/** The pose of the whole map, the other answers to where it lies if that is not sure, and the poses
- *  of its pieces. */
+/** The pose of the whole map, the other answers to where it lies if that is not sure, and the
+ *  poses of its pieces. */
 std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
   std::vector<Transform2D> poses{hubAndMap.alignment.pose};
   if (!isSure(hubAndMap))

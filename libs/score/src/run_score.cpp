@@ -11,38 +11,6 @@
 namespace roomgraph {
 namespace {
 
-using Errors = std::vector<std::optional<MapError>>;
-
-/** Estimates the errors with one run for all that have the same map. */
-Errors errorsOfAll(const PairBends& bends, const std::vector<OwnEvidence>& own,
-                   std::optional<std::size_t> reference, const MapErrorOptions& options) {
-  const DistinctMaps maps(bends);
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < bends.things(); ++i)
-    if (maps.isFirst(i)) kept.push_back(i);
-  PairBends some(kept.size());
-  std::vector<std::optional<double>> told;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    told.push_back(own[kept[i]].axisDeviation);
-    for (std::size_t j = i + 1; j < kept.size(); ++j) some(i, j) = bends(kept[i], kept[j]);
-  }
-  const auto placeOf = [&](std::size_t i) {
-    const auto place = std::lower_bound(kept.begin(), kept.end(), maps.firstOf(i));
-    return std::size_t(place - kept.begin());
-  };
-  std::optional<std::size_t> truth;
-  if (reference) truth = placeOf(*reference);
-  const Errors found = estimateMapErrors(some, told, truth, options);
-  Errors errors(bends.things());
-  for (std::size_t i = 0; i < bends.things(); ++i) {
-    errors[i] = found[placeOf(i)];
-    const bool isCopyOfAll = kept.size() == 1 && bends.things() > 1;
-    if (isCopyOfAll || truth == placeOf(i)) errors[i] = MapError{};
-    if (i == reference) errors[i].reset();
-  }
-  return errors;
-}
-
 void grade(RunScore& score, const MapError& error, const RunScoreOptions& options) {
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
   score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
@@ -86,18 +54,18 @@ void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const Dis
 
 }  // namespace
 
-RunScores scoreRuns(const PairBends& bends, const std::vector<OwnEvidence>& own,
+RunScores scoreRuns(const PairBends& bends, const std::vector<MapError>& errors,
                     std::optional<std::size_t> reference, const RunScoreOptions& options) {
   if (reference && *reference >= bends.things())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
-  const Errors errors = errorsOfAll(bends, own, reference, options.error);
+  if (errors.size() != bends.things())
+    throw UsageError("run_score: there are " + std::to_string(bends.things()) + " runs, but " +
+                     std::to_string(errors.size()) + " errors");
   RunScores scores(bends.things());
   for (std::size_t i = 0; i < bends.things(); ++i) {
-    if (!errors[i]) continue;
+    if (i == reference || errors[i].seen <= 0) continue;
     scores[i].emplace();
-    MapError error = *errors[i];
-    error.low = std::max(0.0, error.low - own[i].noiseFloor), error.high += own[i].noiseFloor;
-    grade(*scores[i], error, options);
+    grade(*scores[i], errors[i], options);
   }
   setTrust(scores, bends, options);
   const DistinctMaps maps(bends);
@@ -109,12 +77,6 @@ RunScores scoreRuns(const PairBends& bends, const std::vector<OwnEvidence>& own,
       score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers &&
                             mostShare(bends, i) >= options.minShare;
   return scores;
-}
-
-std::vector<OwnEvidence> ownEvidenceOf(const Site& site) {
-  std::vector<OwnEvidence> own;
-  for (const Run* run : site.runs) own.push_back({run->map.axisDeviation, run->noiseFloor});
-  return own;
 }
 
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference) {

@@ -1,7 +1,11 @@
 #pragma once
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "roomgraph/align/WallPoint.h"
+#include "roomgraph/align/scan_axes.h"
+#include "roomgraph/geometry/PointSums.h"
 #include "roomgraph/grid/load_keyframes.h"
 
 namespace roomgraph {
@@ -9,12 +13,18 @@ namespace roomgraph {
 // Ours
 // In:   the scans of a run
 // Out:  ScanWalls
-// Next: trackScans, scanDisagreement
+// Next: trackScans, runSubmaps, scanDisagreement
 
 /** A scan as walls: what its neighbouring beams met. */
 struct ScanWalls {
-  Point at;                      ///< of the robot [m, frame of the run]
+  Transform2D pose;              ///< run <- robot
   std::vector<WallPoint> walls;  ///< [m, frame of the run]
+  PointSums ends;                ///< of all beams [m, robot frame]
+  std::optional<ScanAxes> axes;  ///< of those
+  std::optional<double> time;    ///< see Keyframe
+  std::uint64_t scanId = 0;      ///< see Keyframe
+
+  Point at() const { return pose.shift(); }  ///< where the robot was [m, frame of the run]
 };
 
 /** At most `maxWalls` walls of each scan, evenly; beams that meet nothing near their neighbours'

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "roomgraph/geometry/Point.h"
@@ -8,12 +9,16 @@ namespace roomgraph {
 /** A shift from which on a map is broken, if it hardly turns [m]. */
 constexpr double kBreakShift = 0.4;
 
-/** A place where a map bends: what lies on one side of it is turned and shifted as a whole. */
+/** A place where a map is torn: what lies on one side of it is turned and shifted as a whole. */
 struct MapBreak {
   std::string run;      ///< name
-  Point place;          ///< [m, site frame]
+  Point place;          ///< where the robot was, by the run's map before it [m, site frame]
   double rotation = 0;  ///< of the far side against the near one [rad]
-  double shift = 0;     ///< of the far side at `place` [m]
+  double shift = 0;     ///< of the far side at the break [m]
+  /** The first key frame behind the break, and the time of its scan [s since 1970]; none of a run
+   *  without scans. */
+  std::optional<std::size_t> keyFrame;
+  std::optional<double> time;
 };
 
 }  // namespace roomgraph

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/breaks/MapBreak.h"
-#include "roomgraph/breaks/track_scans.h"
+#include "roomgraph/consensus/track_scans.h"
 
 namespace roomgraph {
 

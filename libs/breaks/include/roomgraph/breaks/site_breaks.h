@@ -5,12 +5,13 @@
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
+#include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   the runs of a site, how each pair of them lies in each other, and whom to trust
+// In:   the runs of a site, how each two of them lie in each other, their consensus, whom to trust
 // Out:  MapBreak
 // Next: measureSite, summarize
 
@@ -18,16 +19,16 @@ namespace roomgraph {
 constexpr double kWitnessShare = 0.3;
 
 struct SiteBreaksOptions {
-  TrackScansOptions trackScans;
   FindBreaksOptions findBreaks;
   FindPiecesOptions findPieces;
 };
 
-/** The breaks of each run of the site, along it. They are looked for in the maps of the runs that
- *  are trusted most: where the scans of a run jump, or whether a run without scans has two rigid
- *  pieces. More than half of these maps must show a break. O(runs * scans * walls). */
+/** The breaks of each run of the site, along it. Of a run with scans: where the consensus has
+ *  torn it from one scan to the next. Of one without: where it has two rigid pieces in more than
+ *  half of the maps that are trusted most. O(runs * (scans + patches^2)). */
 std::vector<std::vector<MapBreak>> siteBreaks(const Site& site, const MapPairs& pairs,
-                                              const Trust& trust, const SiteBreaksOptions& options,
+                                              const Consensus& consensus, const Trust& trust,
+                                              const SiteBreaksOptions& options,
                                               const ForEach& forEach);
 
 }  // namespace roomgraph

@@ -13,10 +13,10 @@ namespace roomgraph {
 // Out:  Run
 // Next: compareRuns
 
-/** All that the comparison needs to know of a map: its graph and areas by extract(), its walls, and
- *  its noise floor. `scans` are what loadKeyframes gives for a simplemap, else empty: without them
+/** All that the comparison needs to know of a map: its graph and areas by extract(), its walls
+ *  and its scans. `scans` are what loadKeyframes gives for a simplemap, else empty: without them
  *  breaks are told from the walls alone. `name` is to be another one for each run. Cost: that of
- *  extract() and of noiseFloor().
+ *  extract().
  *  @throws DataError where no wall stands beside free space. */
 Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
                const ExtractOptions& options);

@@ -13,7 +13,6 @@ namespace roomgraph {
 struct Run {
   std::string name, file, sha256;
   MapForAlignment map;            ///< must have walls
-  double noiseFloor = 0;          ///< see noiseFloor [m]
   std::vector<GraphRoom> rooms;   ///< in the frame of the run
   std::vector<ScanWalls> scans;   ///< of a simplemap; else empty
   AreaGraph areas{};              ///< in the frame of the run; without labels

@@ -38,8 +38,8 @@ struct FollowWallsOptions {
   double fairQuality = 0.3;   ///< and where all around it has been found
   double maxStep = 0.4;       ///< between the poses of neighbours, at the patch [m]
   double maxStepTurn = 0.08;  ///< and between their turns [rad]
-  double maxBend = 6;         ///< of a piece away from the first pose, at a patch [m]
-  double maxTurn = 0.45;      ///< and its turn [rad]
+  double maxBend = 60;        ///< of a piece away from the first pose, at a patch [m]
+  double maxTurn = 3.2;       ///< and its turn [rad]
   double minPiece = 0.03;     ///< share of the walls from which on a piece counts
   int pieces = 6;             ///< at most
   int candidates = 40;        ///< poses that are tried for a piece

@@ -2,13 +2,14 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/score/estimate_map_errors.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   how far each pair of runs bends apart, and what each run tells of itself
+// In:   how far each pair of runs bends apart, and how wrong each run is
 // Out:  RunScore of each run
 // Next: compareRuns
 
@@ -24,15 +25,8 @@ struct RunScore {
   bool isMeaningful = false;  ///< see scoreRuns
 };
 
-/** What a run tells of itself, without any other. */
-struct OwnEvidence {
-  std::optional<double> axisDeviation;  ///< [rad]
-  double noiseFloor = 0;                ///< [m]
-};
-
 /** How an error becomes a score. */
 struct RunScoreOptions {
-  MapErrorOptions error;
   double scoreScale = 0.5;         ///< error at which the score is 100 / e [m]
   double trustFloor = 0.05;        ///< error below which all runs are trusted alike [m]
   double minWalls = kFewestWalls;  ///< wall points from which on a score is meaningful
@@ -43,20 +37,15 @@ struct RunScoreOptions {
 /** Of each run of a site; none for a reference, and where no wall could be compared. */
 using RunScores = std::vector<std::optional<RunScore>>;
 
-/** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of
- *  estimateMapErrors. Identical maps count as one, and as others only where there is no other map.
- *  With `reference`, that run is taken for the truth and gets no score itself. Trust falls with the
- *  fourth power of trustFloor plus the map error; that of the most trusted run, or of the
- *  reference, is 1, that of a run without minShare 0, unless all are so. Runs that share no walls
- *  with any other have no score. Intervals are wider by the noise floor on both sides. Meaningful
- *  with minOthers other runs (one reference), minWalls wall points and minShare. Cost: that of
- *  estimateMapErrors.
- *  @throws UsageError where `reference` is none of the runs. */
-RunScores scoreRuns(const PairBends& bends, const std::vector<OwnEvidence>& own,
+/** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of the
+ *  consensus. With `reference`, that run is taken for the truth and gets no score itself. Trust
+ *  falls with the fourth power of trustFloor plus the map error; that of the most trusted run, or
+ *  of the reference, is 1, that of a run without minShare 0, unless all are so. Runs of which no
+ *  other has anything have no score. Meaningful with minOthers other runs (one reference), minWalls
+ *  wall points and minShare. `errors` are by run, as `bends`. O(runs^2).
+ *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
+RunScores scoreRuns(const PairBends& bends, const std::vector<MapError>& errors,
                     std::optional<std::size_t> reference, const RunScoreOptions& options);
-
-/** What each run of the site tells of itself. */
-std::vector<OwnEvidence> ownEvidenceOf(const Site& site);
 
 /** Whom to trust: the runs as they are scored, or a reference alone. */
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);

@@ -1,0 +1,73 @@
+#include "roomgraph/align/scan_axes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/geometry/PointSums.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kPiece = 1.0;          // length of a piece of wall [m]
+constexpr double kMinPiece = 0.8;       // [m]
+constexpr double kMaxGap = 0.5;         // between the ends of neighbouring beams [m]
+constexpr std::size_t kMinSteps = 4;    // beams along a piece
+constexpr double kMaxRoughness = 0.03;  // standard deviation across a piece [m]
+constexpr double kMinSpread = 0.2;      // and along it [m]
+constexpr double kMinLength = 2;        // of all pieces together [m]
+constexpr double kFullLength = 5;       // from which on more tells no more [m]
+constexpr double kMinAgreement = 0.6;   // of the directions, 1 where all are the same
+
+/** The direction of a straight piece of wall [rad]; none where it is no line. */
+std::optional<double> directionOf(const PointSums& s) {
+  const double n = s.count;
+  const double a = s.xx / n - s.x * s.x / n / n, b = s.xy / n - s.x * s.y / n / n,
+               c = s.yy / n - s.y * s.y / n / n;
+  const double middle = (a + c) / 2, half = std::hypot((a - c) / 2, b);
+  if (middle - half >= kMaxRoughness * kMaxRoughness) return std::nullopt;
+  if (middle + half <= kMinSpread * kMinSpread) return std::nullopt;
+  return std::atan2(2 * b, a - c) / 2;
+}
+
+/** The last end of the piece of wall that starts at `first`, and its length. */
+struct Piece {
+  std::size_t last = 0;
+  double length = 0;
+};
+
+Piece pieceFrom(const std::vector<Point>& ends, std::size_t first) {
+  Piece piece{first, 0};
+  while (piece.last + 1 < ends.size() && piece.length < kPiece) {
+    const double gap = distance(ends[piece.last], ends[piece.last + 1]);
+    if (gap > kMaxGap) break;
+    piece.length += gap, ++piece.last;
+  }
+  return piece;
+}
+
+}  // namespace
+
+std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
+  double cosine = 0, sine = 0, length = 0;
+  for (std::size_t first = 0; first + 2 < ends.size();) {
+    const Piece piece = pieceFrom(ends, first);
+    if (piece.length < kMinPiece || piece.last - first < kMinSteps) {
+      first = std::max(first + 1, piece.last);
+      continue;
+    }
+    PointSums sums;
+    for (std::size_t i = first; i <= piece.last; ++i) sums.add(ends[i]);
+    if (const auto direction = directionOf(sums)) {
+      cosine += piece.length * std::cos(4 * *direction);  // all four directions as one
+      sine += piece.length * std::sin(4 * *direction);
+      length += piece.length;
+    }
+    first = piece.last;
+  }
+  if (length <= kMinLength) return std::nullopt;
+  const double agreement = std::hypot(cosine, sine) / length;
+  if (agreement <= kMinAgreement) return std::nullopt;
+  return ScanAxes{std::atan2(sine, cosine) / 4, agreement * std::min(1.0, length / kFullLength)};
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,29 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/Site.h"
+#include "roomgraph/relate/relate_runs.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the runs of a site, and how each two of them lie in each other
+// Out:  Consensus
+// Next: scoreRuns, siteBreaks
+
+/** What all runs of a site agree on, by run. Copies of one map have the same. */
+struct Consensus {
+  std::vector<RunSubmaps> submaps;
+  SubmapPoses poses;             ///< where the submaps really lie, in a frame of its own
+  std::vector<MapError> errors;  ///< of each run
+};
+
+/** Matches the submaps of all runs of a site with each other, and finds their consensus. Of
+ *  copies of one map one counts. A reference is taken for the truth. The site's poses say how
+ *  each run lies in each other as a whole. The same for any order of the jobs. Cost: that of
+ *  matchSubmaps for each run in each other, and that of findConsensus. */
+Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& forEach);
+
+}  // namespace roomgraph

@@ -1,0 +1,45 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/relate/follow_walls.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and another map
+// Out:  where each scan lies in that map
+// Next: matchSubmaps
+
+struct TrackScansOptions {
+  double firstWidth = 0.6;     ///< of the band around a wall that counts at first [m]
+  double lastWidth = 0.2;      ///< and at last [m]
+  int iterations = 6;          ///< of the fit of a scan
+  double near = 0.1;           ///< how far apart the same wall lies [m]
+  double sureQuality = 0.75;   ///< from which on no other pose is tried
+  double minQuality = 0.45;    ///< share of a scan's walls that must be found
+  double lostQuality = 0.45;   ///< worth of a scan that is not found
+  double jumpCost = 2;         ///< of a jump where the robot goes on from where it was
+  double farCost = 20;         ///< of a jump to another place
+  double step = 0.6;           ///< how far a map bends from scan to scan [m]
+  double stepTurn = 0.12;      ///< the same [rad]
+  double stride = 2.5;         ///< longest way from scan to scan [m]
+  std::size_t memory = 8;      ///< scans that may be lost between two that are found
+  std::size_t candidates = 4;  ///< of a scan
+  double spinQuality = 0.6;    ///< a scan found less well is looked for at any turn
+  double reach = 6;            ///< patches within this give poses to try [m]
+};
+
+/** For each scan its pose (in <- run) in the map `in`, none where it is not found there: the
+ *  likeliest way of all scans through that map (Viterbi 1967). A scan is looked for where the
+ *  scans before and behind it lie, where the run's patches near by were `followed`, and, where
+ *  that fails, at any turn where the robot has just been, as a map that is torn goes on from the
+ *  same place. A way that begins far from where the run lies as a `whole` (in <- run) costs as
+ *  much as a jump. Deterministic. O(scans * candidates * walls of a scan). */
+std::vector<std::optional<Transform2D>> trackScans(
+    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
+    const Transform2D& whole, const MapForAlignment& in, const TrackScansOptions& options);
+
+}  // namespace roomgraph

@@ -1,0 +1,107 @@
+#include "roomgraph/consensus/match_submaps.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/consensus/track_scans.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFound = 0.15;     // a wall that lies this near to another has been found [m]
+constexpr double kMinShare = 0.45;  // of the walls of a submap
+
+/** Counts which submaps of the other run drew the walls that a submap meets there. */
+class Meeting {
+ public:
+  Meeting(const MapForAlignment& in, const RunSubmaps& inSubmaps, const Transform2D& pose)
+      : in_(in), inSubmaps_(inSubmaps), forth_(pose) {}
+
+  void add(const WallPoint& point) {
+    ++all_;
+    const Point at = forth_(point.place);
+    const WallPoint* wall =
+        nearestWall(in_, cellIndexAt(in_.frame, at), forth_.turned(point.normal));
+    if (!wall || distance(wall->place, at) > kFound) return;
+    ++found_;
+    for (const std::uint32_t by : inSubmaps_.drawnBy[std::size_t(wall - in_.walls.data())])
+      ++met_[by];
+  }
+
+  double share() const { return all_ > 0 ? found_ / all_ : 0; }
+
+  /** The submap met most, of equal ones the first. */
+  std::optional<std::uint32_t> mostMet() const {
+    std::optional<std::uint32_t> most;
+    for (const auto& [submap, count] : met_)
+      if (!most || count > met_.at(*most)) most = submap;
+    return most;
+  }
+
+ private:
+  const MapForAlignment& in_;
+  const RunSubmaps& inSubmaps_;
+  Motion2D forth_;
+  double all_ = 0, found_ = 0;
+  std::map<std::uint32_t, int> met_;
+};
+
+/** The match of a submap that lies at `pose` (in <- of), if enough of it is there. */
+std::optional<SubmapMatch> matchAt(std::uint32_t submap, const Transform2D& submapPose,
+                                   const Transform2D& pose, const Meeting& meeting,
+                                   const RunSubmaps& inSubmaps) {
+  const auto in = meeting.mostMet();
+  if (!in || meeting.share() < kMinShare) return std::nullopt;
+  const Transform2D relative = inSubmaps.submaps[*in].pose.inverse() * pose * submapPose;
+  return SubmapMatch{submap, *in, relative, meeting.share(), false};
+}
+
+}  // namespace
+
+std::vector<SubmapMatch> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
+                                      const RunSubmaps& inSubmaps, const FollowedWalls& followed,
+                                      const Transform2D& whole) {
+  std::vector<SubmapMatch> matches;
+  const auto take = [&](std::uint32_t submap, const Transform2D& pose, const Meeting& meeting) {
+    if (const auto match =
+            matchAt(submap, ofSubmaps.submaps[submap].pose, pose, meeting, inSubmaps))
+      matches.push_back(*match);
+  };
+  if (followed.patches.empty()) return matches;
+  if (ofSubmaps.areScans) {
+    const auto track = trackScans(of.scans, of.map.patches, followed, whole, in.map, {});
+    for (std::uint32_t k = 0; k < track.size(); ++k) {
+      if (!track[k]) continue;
+      Meeting meeting(in.map, inSubmaps, *track[k]);
+      for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
+      take(k, *track[k], meeting);
+    }
+    return matches;
+  }
+  for (const FollowedPatch& patch : followed.patches) {
+    Meeting meeting(in.map, inSubmaps, patch.pose);
+    for (const std::uint32_t wall : of.map.patches[patch.patch].own)
+      meeting.add(of.map.walls[wall]);
+    take(patch.patch, patch.pose, meeting);
+  }
+  return matches;
+}
+
+std::vector<SubmapMatch> sameScans(const Run& a, const Run& b) {
+  std::unordered_map<std::uint64_t, std::uint32_t> inB;
+  for (std::uint32_t k = 0; k < b.scans.size(); ++k)
+    if (b.scans[k].ends.count > 0) inB.emplace(b.scans[k].scanId, k);
+  std::vector<SubmapMatch> matches;
+  for (std::uint32_t k = 0; k < a.scans.size(); ++k) {
+    const auto same = inB.find(a.scans[k].scanId);
+    if (a.scans[k].ends.count > 0 && same != inB.end())
+      matches.push_back({k, same->second, {}, 1, true});
+  }
+  return matches;
+}
+
+}  // namespace roomgraph

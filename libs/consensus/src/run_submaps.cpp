@@ -1,0 +1,49 @@
+#include "roomgraph/consensus/run_submaps.h"
+
+#include <algorithm>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kDrawn = 0.15;  // from the end of a beam to the wall that it drew [m]
+
+void addScan(RunSubmaps& run, const ScanWalls& scan, const MapForAlignment& map) {
+  const auto index = std::uint32_t(run.submaps.size());
+  run.submaps.push_back({scan.pose, scan.ends, scan.axes});
+  if (index > 0) run.links.push_back({index - 1, index});
+  for (const WallPoint& point : scan.walls) {
+    const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
+    if (!wall || distance(wall->place, point.place) >= kDrawn) continue;
+    auto& drawnBy = run.drawnBy[std::size_t(wall - map.walls.data())];
+    if (drawnBy.empty() || drawnBy.back() != index) drawnBy.push_back(index);
+  }
+}
+
+void addPatch(RunSubmaps& run, const WallPatch& patch, const MapForAlignment& map) {
+  const auto index = std::uint32_t(run.submaps.size());
+  Submap submap;
+  submap.pose = {patch.middle.x, patch.middle.y, 0};
+  for (const std::uint32_t wall : patch.own) {
+    submap.points.add(map.walls[wall].place - patch.middle);
+    run.drawnBy[wall].push_back(index);
+  }
+  run.submaps.push_back(submap);
+  for (const std::uint32_t next : patch.neighbours)
+    if (next > index) run.links.push_back({index, next});
+}
+
+}  // namespace
+
+RunSubmaps runSubmaps(const Run& run) {
+  RunSubmaps result;
+  result.drawnBy.resize(run.map.walls.size());
+  result.areScans = !run.scans.empty();
+  for (const ScanWalls& scan : run.scans) addScan(result, scan, run.map);
+  if (!result.areScans)
+    for (const WallPatch& patch : run.map.patches) addPatch(result, patch, run.map);
+  return result;
+}
+
+}  // namespace roomgraph

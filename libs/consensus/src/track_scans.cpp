@@ -1,0 +1,235 @@
+#include "roomgraph/consensus/track_scans.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMinWalls = 20;
+constexpr double kDoubt = 5;                        // walls that speak against each pose beforehand
+constexpr PoseTolerance kSameScanStart{0.05, 0.4};  // starts that one fit brings together
+constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};
+constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
+constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
+constexpr int kSpinTurns = 48;
+constexpr std::size_t kSpinStride = 3, kSpinTries = 6;
+constexpr double kSpinNear = 0.3;  // [m]
+constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
+
+double qualityAt(const ScanWalls& scan, const MapForAlignment& in, const Transform2D& pose,
+                 const TrackScansOptions& options, std::size_t stride = 1,
+                 std::optional<double> width = std::nullopt) {
+  const Motion2D forth(pose);
+  const double near = width.value_or(options.near);
+  double sum = 0, known = 0, all = 0;
+  for (std::size_t i = 0; i < scan.walls.size(); i += stride, ++all) {
+    const WallPoint& point = scan.walls[i];
+    const Point at = forth(point.place);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (cell >= in.states.size() || in.states[cell] == State::unknown) continue;
+    ++known;
+    if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
+      sum += 1 / (1 + squaredNorm(wall->place - at) / (near * near));
+  }
+  return known * double(stride) >= double(kMinWalls) && known > 0.5 * all
+             ? sum / (known + kDoubt / double(stride))
+             : 0;
+}
+
+/** A pose that a scan may have, and the best way that leads there. */
+struct Candidate {
+  Transform2D pose;  // in <- run
+  double quality = 0;
+  double score = 0;  // of the whole way up to here
+  const Candidate* before = nullptr;
+  std::size_t scan = 0;
+};
+
+/** The likeliest way of a run's scans through another map (Viterbi 1967): each scan has a few
+ *  candidate poses, or none; poses that fit gain, jumps from scan to scan cost. */
+class Tracker {
+ public:
+  Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
+          const FollowedWalls& followed, const Transform2D& whole, const MapForAlignment& in,
+          const TrackScansOptions& options)
+      : scans_(scans),
+        patches_(patches),
+        followed_(followed),
+        whole_(whole),
+        in_(in),
+        options_(options),
+        candidates_(scans.size()) {}
+
+  std::vector<std::optional<Transform2D>> track() {
+    for (std::size_t k = 0; k < scans_.size(); ++k) propose(k, Way::forth);
+    for (std::size_t k = scans_.size(); k-- > 0;) propose(k, Way::back);
+    for (auto& ofScan : candidates_)
+      for (Candidate& candidate : ofScan) link(candidate);
+    const Candidate* last = nullptr;
+    for (const auto& ofScan : candidates_)
+      for (const Candidate& candidate : ofScan)
+        if (!last || candidate.score > last->score) last = &candidate;
+    std::vector<std::optional<Transform2D>> poses(scans_.size());
+    if (last && last->score > 0)
+      for (; last; last = last->before) poses[last->scan] = last->pose;
+    return poses;
+  }
+
+ private:
+  enum class Way { forth, back };
+
+  /** Finds candidates of a scan: near those of the scans before it on the way, near what was
+   *  followed, and, where all that fails, at any turn where the robot has just been. */
+  void propose(std::size_t k, Way way) {
+    if (scans_[k].walls.size() < kMinWalls) return;
+    const std::vector<Candidate>* before = lastFound(k, way);
+    if (before)
+      for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
+    // Other answers are wanted for a scan that fits well, too, but not for each.
+    if (way == Way::forth && (bestQuality(k) < options_.sureQuality || k % kLookAround == 0))
+      for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
+    if (before && bestQuality(k) < options_.spinQuality && isJustLost(k, before->front()))
+      spin(k, before->front());
+    auto& found = candidates_[k];
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& l, const Candidate& r) { return l.quality > r.quality; });
+    if (found.size() > options_.candidates) found.resize(options_.candidates);
+  }
+
+  bool isJustLost(std::size_t k, const Candidate& last) const {
+    const std::size_t since = k > last.scan ? k - last.scan : last.scan - k;
+    return last.quality >= options_.spinQuality && since <= kMostSpins;
+  }
+
+  double bestQuality(std::size_t k) const {
+    double best = 0;
+    for (const Candidate& candidate : candidates_[k]) best = std::max(best, candidate.quality);
+    return best;
+  }
+
+  /** The candidates of the last scan on the way that has any good one, not too long ago. */
+  const std::vector<Candidate>* lastFound(std::size_t k, Way way) const {
+    const std::size_t left = way == Way::forth ? k : scans_.size() - 1 - k;
+    const std::vector<Candidate>* any = nullptr;
+    for (std::size_t back = 1; back <= std::min(left, options_.memory); ++back) {
+      const auto& found = candidates_[way == Way::forth ? k - back : k + back];
+      if (!found.empty() && found.front().quality >= options_.spinQuality) return &found;
+      if (!any && !found.empty()) any = &found;
+    }
+    return any;
+  }
+
+  bool isKnown(std::size_t k, const Transform2D& pose, const PoseTolerance& within) const {
+    return std::any_of(candidates_[k].begin(), candidates_[k].end(), [&](const Candidate& c) {
+      return areNear(c.pose, pose, scans_[k].at(), within);
+    });
+  }
+
+  void tryFrom(std::size_t k, const Transform2D& start) {
+    if (isKnown(k, start, kSameScanStart)) return;
+    const Transform2D pose = fitted(scans_[k], start);
+    const double quality = qualityAt(scans_[k], in_, pose, options_);
+    if (quality < options_.minQuality || isKnown(k, pose, kSameScanAnswer)) return;
+    candidates_[k].push_back({pose, quality, 0, nullptr, k});
+  }
+
+  /** Tries all turns about the place where the robot was last seen: a map that is torn there goes
+   *  on from the same place, but turned and shifted. */
+  void spin(std::size_t k, const Candidate& last) {
+    const Point at = last.pose(scans_[last.scan].at());
+    std::vector<std::pair<double, Transform2D>> tries;
+    for (int turn = 0; turn < kSpinTurns; ++turn)
+      for (const Point off : kSpinOffsets) {
+        const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
+        const Transform2D pose = carrying(scans_[k].at(), at + off, phi);
+        tries.emplace_back(qualityAt(scans_[k], in_, pose, options_, kSpinStride, kSpinNear), pose);
+      }
+    std::stable_sort(tries.begin(), tries.end(),
+                     [](const auto& l, const auto& r) { return l.first > r.first; });
+    for (std::size_t i = 0; i < kSpinTries; ++i) tryFrom(k, tries[i].second);
+  }
+
+  Transform2D fitted(const ScanWalls& scan, Transform2D pose) const {
+    for (int i = 0; i < options_.iterations; ++i) {
+      const double share = double(i) / std::max(1, options_.iterations - 1);
+      WallFit fit(pose, scan.at(),
+                  options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share));
+      for (const WallPoint& point : scan.walls) fit.add(point, in_);
+      if (!fit.isEnough()) break;
+      pose = fit.improved();
+    }
+    return pose;
+  }
+
+  /** What was followed near a place, alike poses once. */
+  std::vector<Transform2D> posesNear(Point at) const {
+    std::vector<Transform2D> poses;
+    for (const FollowedPatch& f : followed_.patches) {
+      if (distance(patches_[f.patch].middle, at) > options_.reach) continue;
+      const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
+        return areNear(pose, f.pose, at, kSameScanStart);
+      });
+      if (!isKnown) poses.push_back(f.pose);
+    }
+    return poses;
+  }
+
+  /** What it costs to go from one candidate to one of a later scan. */
+  double stepCost(const Candidate& from, const Candidate& to) const {
+    const Point at = scans_[to.scan].at();
+    const double moved = distance(from.pose(at), to.pose(at));
+    const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
+    const double bend = moved / options_.step + turned / options_.stepTurn;
+    if (bend < 1) return options_.jumpCost * bend * bend / 4;
+    const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
+    const bool isOnTheWay = way <= options_.stride * double(to.scan - from.scan);
+    return isOnTheWay ? options_.jumpCost : options_.farCost;
+  }
+
+  /** Finds the best way to a candidate. */
+  void link(Candidate& to) {
+    const double gain = to.quality - options_.lostQuality;
+    to.score = gain - (to.scan > 0 && best_ ? options_.farCost : startCost(to));
+    const auto offer = [&](const Candidate& from, double cost) {
+      if (from.score - cost + gain <= to.score) return;
+      to.score = from.score - cost + gain;
+      to.before = &from;
+    };
+    for (std::size_t back = 1; back <= std::min(to.scan, options_.memory); ++back)
+      for (const Candidate& from : candidates_[to.scan - back]) offer(from, stepCost(from, to));
+    if (to.scan > options_.memory)
+      for (const Candidate& from : candidates_[to.scan - options_.memory - 1])
+        if (!best_ || from.score > best_->score) best_ = &from;
+    if (best_) offer(*best_, std::min(options_.farCost, stepCost(*best_, to)));
+  }
+
+  /** A way starts where the maps as a whole fit. */
+  double startCost(const Candidate& at) const {
+    const bool isMain = areNear(at.pose, whole_, scans_[at.scan].at(), kAsMapsBend);
+    return isMain ? 0 : 2 * options_.jumpCost;
+  }
+
+  const std::vector<ScanWalls>& scans_;
+  const WallPatches& patches_;
+  const FollowedWalls& followed_;
+  const Transform2D whole_;
+  const MapForAlignment& in_;
+  const TrackScansOptions& options_;
+  std::vector<std::vector<Candidate>> candidates_;
+  const Candidate* best_ = nullptr;  // of the scans that are out of memory
+};
+
+}  // namespace
+
+std::vector<std::optional<Transform2D>> trackScans(
+    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
+    const Transform2D& whole, const MapForAlignment& in, const TrackScansOptions& options) {
+  return Tracker(scans, patches, followed, whole, in, options).track();
+}
+
+}  // namespace roomgraph
