@@ -24,7 +24,7 @@ Comparison sample() {
   comparison.reference = "plan";
   comparison.leftOut = {{"other", "other.gridmap", "is of another site", true},
                         {"damaged", "damaged.gridmap", "ends too early", false}};
-  comparison.breaks = {{"good", {1, 2}, 0.1, 0.5}};
+  comparison.breaks = {{"good", {1, 2}, 0.1, 0.5, {}, {}}};
   return comparison;
 }
 

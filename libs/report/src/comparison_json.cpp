@@ -83,12 +83,14 @@ Json pairJson(const ComparedPair& pair) {
           {"measures", measuresJson(pair.measures)}};
 }
 
-Json breakJson(const MapBreak& bend) {
-  return {{"run", bend.run},
-          {"x", rounded(bend.place.x)},
-          {"y", rounded(bend.place.y)},
-          {"rotation_deg", rounded(bend.rotation * 180 / M_PI)},
-          {"shift_m", rounded(bend.shift)}};
+Json breakJson(const MapBreak& tear) {
+  return {{"run", tear.run},
+          {"x", rounded(tear.place.x)},
+          {"y", rounded(tear.place.y)},
+          {"rotation_deg", rounded(tear.rotation * 180 / M_PI)},
+          {"shift_m", rounded(tear.shift)},
+          {"key_frame", tear.keyFrame ? Json(*tear.keyFrame) : Json()},
+          {"time", tear.time ? Json(*tear.time) : Json()}};
 }
 
 const char* nameOf(RoomSighting sighting) {

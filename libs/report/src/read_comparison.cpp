@@ -98,11 +98,20 @@ ComparedPair pair(const JsonNode& node) {
   return pair;
 }
 
+std::optional<std::size_t> indexIfAny(const JsonNode& node) {
+  const std::optional<double> number = numberIfAny(node);
+  if (!number) return std::nullopt;
+  if (!(*number >= 0 && *number < 1e9)) throw Broken{node.place, "is no index"};
+  return std::size_t(*number);
+}
+
 MapBreak mapBreak(const JsonNode& node) {
   return {node["run"].text(),
           {node["x"].number(), node["y"].number()},
           node["rotation_deg"].number() * M_PI / 180,
-          node["shift_m"].number()};
+          node["shift_m"].number(),
+          indexIfAny(node["key_frame"]),
+          numberIfAny(node["time"])};
 }
 
 RoomSighting sighting(const JsonNode& node) {
