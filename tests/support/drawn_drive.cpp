@@ -1,5 +1,6 @@
 #include "drawn_drive.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomgraph::test {
@@ -54,6 +55,36 @@ std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, dou
   const Transform2D motion = carrying(at, at + shift, turn);
   for (std::size_t i = from; i < frames.size(); ++i) frames[i].pose = motion * frames[i].pose;
   return frames;
+}
+
+std::vector<Keyframe> moved(std::vector<Keyframe> frames, const Transform2D& motion) {
+  for (Keyframe& frame : frames) frame.pose = motion * frame.pose;
+  return frames;
+}
+
+Grid mapDrawnBy(const std::vector<Keyframe>& frames) {
+  constexpr double cell = 0.05, margin = 1;
+  Point low = frames.front().pose.shift(), high = low;
+  for (const Keyframe& frame : frames)
+    for (const Point end : frame.ends) {
+      const Point p = frame.pose(end);
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+  low = low - Point{margin, margin}, high = high + Point{margin, margin};
+  Grid grid;
+  grid.frame = {int((high.x - low.x) / cell) + 1, int((high.y - low.y) / cell) + 1, cell, low};
+  grid.cells.assign(grid.frame.cellCount(), State::unknown);
+  const auto set = [&](Point p, State state) {
+    grid.cells[grid.frame.index(grid.frame.cellAt(p))] = state;
+  };
+  for (const Keyframe& frame : frames)
+    for (const Point end : frame.ends)
+      for (double part = 0; part < 1; part += cell / (1 + norm(end)))
+        set(frame.pose(part * end), State::free);
+  for (const Keyframe& frame : frames)
+    for (const Point end : frame.ends) set(frame.pose(end), State::occupied);
+  return grid;
 }
 
 }  // namespace roomgraph::test

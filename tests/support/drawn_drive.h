@@ -14,4 +14,10 @@ std::vector<Keyframe> drawnDrive(const Grid& grid);
 std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, double turn,
                              Point shift);
 
+/** The same drive in another frame. */
+std::vector<Keyframe> moved(std::vector<Keyframe> frames, const Transform2D& motion);
+
+/** The map that these scans draw: free along their beams, occupied at the ends. Cells of 0.05 m. */
+Grid mapDrawnBy(const std::vector<Keyframe>& frames);
+
 }  // namespace roomgraph::test

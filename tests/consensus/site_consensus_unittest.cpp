@@ -1,0 +1,171 @@
+#include "roomgraph/consensus/site_consensus.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_building.h"
+#include "drawn_drive.h"
+#include "drawn_submaps.h"
+#include "roomgraph/align/are_identical.h"
+
+namespace roomgraph {
+namespace {
+
+using test::broken;
+using test::moved;
+using test::Way;
+
+/** A drive through a building, each scan with a name of its own. */
+const std::vector<Keyframe>& drive() {
+  static const std::vector<Keyframe> the = [] {
+    std::vector<Keyframe> frames = test::drawnDrive(test::drawnBuilding(4, {}));
+    for (std::size_t k = 0; k < frames.size(); ++k) frames[k].scanId = 1000 + k;
+    return frames;
+  }();
+  return the;
+}
+
+/** The drive as another log of it. */
+std::vector<Keyframe> otherLog(std::vector<Keyframe> frames, std::uint64_t first) {
+  for (std::size_t k = 0; k < frames.size(); ++k) frames[k].scanId = first + k;
+  return frames;
+}
+
+std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn) {
+  for (std::size_t i = 1; i < frames.size(); ++i) frames = broken(frames, i, turn, {});
+  return frames;
+}
+
+Way wayOf(const std::vector<Keyframe>& frames) {
+  Way way;
+  for (const Keyframe& frame : frames) way.push_back(frame.pose);
+  return way;
+}
+
+/** Runs that have drawn their maps from their scans, and how they lie in each other as wholes. */
+struct DrivenSite {
+  std::vector<roomgraph::Run> runs;
+  Site site;
+  MapPairs pairs;
+
+  explicit DrivenSite(const std::vector<std::vector<Keyframe>>& drives,
+                      const std::vector<Transform2D>& poses) {
+    for (const std::vector<Keyframe>& frames : drives) {
+      runs.emplace_back();
+      runs.back().map = mapForAlignment(test::mapDrawnBy(frames), {});
+      runs.back().scans = scanWalls(frames);
+    }
+    for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
+    site.poses = poses;
+    pairs = MapPairs(runs.size());
+    for (const auto& [i, j] : pairs.pairs()) {
+      const MapForAlignment &a = runs[i].map, &b = runs[j].map;
+      pairs(i, j).areIdentical = areIdentical(a, b);
+      follow(pairs(i, j), a, b, {poses[i].inverse() * poses[j]});
+    }
+  }
+  DrivenSite(const DrivenSite&) = delete;
+
+  Consensus consensus() const { return siteConsensus(site, pairs, oneByOne); }
+};
+
+TEST(SiteConsensus, aTornRunIsPutTogetherAgain) {
+  const Transform2D there{3, -2, 0.4};
+  const auto torn = otherLog(broken(drive(), 20, M_PI / 2, {3, 4}), 2000);
+  const DrivenSite site({drive(), torn, otherLog(moved(drive(), there), 3000)},
+                        {{}, {}, there.inverse()});
+  const Consensus result = site.consensus();
+  const Way truth = wayOf(drive());
+  EXPECT_LT(test::misplaced(result.poses, {truth, truth, truth}), 0.1);
+  for (const double error : {result.errors[0].error, result.errors[2].error}) EXPECT_LT(error, 0.1);
+  const double really = mapErrors({result.submaps[1]}, {}, {truth})[0].error;
+  EXPECT_NEAR(result.errors[1].error, really, 0.05 * really);
+}
+
+TEST(SiteConsensus, copiesOfAMapShareOneResult) {
+  const DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
+  const Consensus result = site.consensus();
+  ASSERT_EQ(result.errors.size(), 3u);
+  EXPECT_EQ(result.errors[0].error, result.errors[2].error);
+  EXPECT_EQ(result.errors[0].high, result.errors[2].high);
+  ASSERT_EQ(result.poses[0].size(), result.poses[2].size());
+  for (std::size_t k = 0; k < result.poses[0].size(); ++k)
+    EXPECT_EQ(result.poses[0][k].shift(), result.poses[2][k].shift());
+  const DrivenSite two({drive(), otherLog(drifting(drive(), 0.004), 2000)}, {{}, {}});
+  EXPECT_EQ(two.consensus().errors[0].error, result.errors[0].error) << "a copy has no vote";
+}
+
+TEST(SiteConsensus, whereAllAreCopiesThereIsNoError) {
+  const DrivenSite site({drive(), drive()}, {{}, {}});
+  for (const MapError& error : site.consensus().errors) {
+    EXPECT_LT(error.error, 0.001) << "its axes may straighten it by a hair";
+    EXPECT_EQ(error.seen, 1);
+  }
+}
+
+TEST(SiteConsensus, aReferenceStaysAsItIsAndTheOthersFollowIt) {
+  DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000)}, {{}, {}});
+  site.site.reference = 1;
+  const Consensus result = site.consensus();
+  const Way bent = wayOf(drifting(drive(), 0.004));
+  EXPECT_LT(test::misplaced({result.poses[1]}, {bent}), 1e-6);
+  EXPECT_NEAR(result.errors[1].error, 0, 1e-6);
+  EXPECT_LT(test::misplaced(result.poses, {bent, bent}), 0.1);
+}
+
+TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
+  const auto smeared = drifting(drive(), 0.05);  // its map is no help
+  DrivenSite bound({drive(), smeared}, {{}, {}}), apart({drive(), otherLog(smeared, 9)}, {{}, {}});
+  for (DrivenSite* site : {&bound, &apart}) {
+    site->site.reference = 0;
+    site->pairs = MapPairs(2);  // none of their walls were followed
+  }
+  const Way truth = wayOf(drive());
+  EXPECT_GT(test::displacement(wayOf(smeared), truth), 1);
+  const Consensus result = bound.consensus();
+  EXPECT_LT(test::misplaced(result.poses, {truth, truth}), 0.05);
+  EXPECT_EQ(result.errors[1].seen, 1);
+  const Consensus without = apart.consensus();
+  EXPECT_LT(test::misplaced({without.poses[1]}, {wayOf(smeared)}), 0.001);
+  EXPECT_EQ(without.errors[1].seen, 0) << "nobody has seen it";
+}
+
+TEST(SiteConsensus, theOrderOfTheJobsChangesNothing) {
+  const DrivenSite site({drive(), otherLog(broken(drive(), 20, 0.3, {}), 2000)}, {{}, {}});
+  const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+    while (count > 0) job(--count);
+  };
+  const Consensus l = site.consensus(), r = siteConsensus(site.site, site.pairs, backwards);
+  for (std::size_t run = 0; run < 2; ++run) {
+    EXPECT_EQ(l.errors[run].error, r.errors[run].error);
+    for (std::size_t k = 0; k < l.poses[run].size(); ++k)
+      EXPECT_EQ(l.poses[run][k].shift(), r.poses[run][k].shift());
+  }
+}
+
+/** The consensus of maps without scans that lie as they are drawn. */
+Consensus consensusOf(const std::vector<Grid>& grids) {
+  std::vector<roomgraph::Run> runs;
+  for (const Grid& grid : grids) {
+    runs.emplace_back();
+    runs.back().map = mapForAlignment(grid, {});
+  }
+  Site site;
+  for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
+  site.poses.assign(runs.size(), {});
+  MapPairs pairs(runs.size());
+  for (const auto& [i, j] : pairs.pairs()) follow(pairs(i, j), runs[i].map, runs[j].map, {{}});
+  return siteConsensus(site, pairs, oneByOne);
+}
+
+TEST(SiteConsensus, soundMapsWithoutScansHaveNone) {
+  for (const MapError& error :
+       consensusOf({test::drawnBuilding(1, {}), test::drawnBuilding(1, {0.3, 0.2, 0.02}),
+                    test::drawnBuilding(1, {-0.2, 0.1, -0.03})})
+           .errors)
+    EXPECT_LT(error.error, 0.02);
+}
+
+}  // namespace
+}  // namespace roomgraph
