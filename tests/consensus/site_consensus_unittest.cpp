@@ -159,6 +159,34 @@ Consensus consensusOf(const std::vector<Grid>& grids) {
   return siteConsensus(site, pairs, oneByOne);
 }
 
+/** The error of a map whose right half is turned by `angle`, by each of its walls. */
+double errorOfBent(const Grid& grid, double angle) {
+  const GridFrame& frame = grid.frame;
+  const Point middle = frame.center({frame.width / 2, frame.height / 2});
+  Way bent, straight;
+  for (const WallPoint& wall : mapForAlignment(grid, {}).walls) {
+    const Point p = wall.place;
+    straight.push_back({p.x, p.y, 0});
+    const Point moved = p.x < middle.x ? p : turned(p - middle, angle) + middle;
+    bent.push_back({moved.x, moved.y, 0});
+  }
+  return test::displacement(bent, straight);
+}
+
+TEST(SiteConsensus, aBentMapWithoutScansHasItsTrueError) {
+  const Grid sound = test::drawnBuilding(1, {});
+  for (const double angle : {0.03, -0.1}) {
+    const Consensus result =
+        consensusOf({sound, test::bent(sound, angle), test::drawnBuilding(1, {0.3, 0.2, 0.02})});
+    const double really = errorOfBent(sound, angle);
+    ASSERT_GT(really, 0.05);
+    EXPECT_GT(result.errors[1].error, 0.6 * really) << angle << ": the patches hold together";
+    EXPECT_LT(result.errors[1].error, 1.1 * really) << angle;
+    EXPECT_LT(result.errors[0].error, 0.2 * really) << angle;
+    EXPECT_LT(result.errors[2].error, 0.2 * really) << angle;
+  }
+}
+
 TEST(SiteConsensus, soundMapsWithoutScansHaveNone) {
   for (const MapError& error :
        consensusOf({test::drawnBuilding(1, {}), test::drawnBuilding(1, {0.3, 0.2, 0.02}),

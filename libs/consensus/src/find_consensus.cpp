@@ -26,14 +26,26 @@ std::vector<bool> shareTheirDrive(const std::vector<RunSubmaps>& runs,
   return shared;
 }
 
-/** Lets the links of a run give way as far as they did (Foerstner 1979, one step). */
+/** Of the runs without scans, how far the links give way where they do most. */
+double mostOfPatches(const std::vector<RunSubmaps>& runs, const SubmapPoses& poses) {
+  double most = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    if (!runs[r].areScans) most = std::max(most, meanStrain(runs[r], poses[r]));
+  return most;
+}
+
+/** Lets the links of a run give way as far as they did (Foerstner 1979, one step). Patches hold
+ *  each other many times over, so of them it counts only how runs compare. */
 std::vector<double> slackOf(const std::vector<RunSubmaps>& runs,
                             const std::vector<RunMatches>& matches, const SubmapPoses& poses) {
   const std::vector<bool> shared = shareTheirDrive(runs, matches);
+  const double most = mostOfPatches(runs, poses);
   std::vector<double> slack;
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    slack.push_back(std::clamp(std::sqrt(meanStrain(runs[r], poses[r])),
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const double unit = !runs[r].areScans && most > 0 ? most : 1;
+    slack.push_back(std::clamp(std::sqrt(meanStrain(runs[r], poses[r]) / unit),
                                shared[r] ? kLeastSharedSlack : kLeastSlack, 1.0));
+  }
   return slack;
 }
 
