@@ -16,6 +16,7 @@ RegionOutlines outlines() {
   RegionOutlines result;
   result.regions = {region(0, 0), region(1, 8), region(2, 4), region(3, 12)};
   result.roomCount = 2;
+  result.seenCount = std::uint32_t(result.regions.size());
   result.borders = {{0, 2, {4, 0}, {4, 4}, 0.5},
                     {2, 1, {8, 0}, {8, 4}, 0.5},
                     {1, 3, {12, 0}, {12, 4}, 0.5},

@@ -34,6 +34,18 @@ TEST(ClearClutter, freesATableAndTellsOfIt) {
   EXPECT_EQ(std::count(map.grid.cells.begin(), map.grid.cells.end(), State::free), 24);
 }
 
+TEST(ClearClutter, aSpeckThatBeamsMissedIsFreedButNoClutter) {
+  const Grid grid = gridFrom({"#######", "#.....#", "#.??..#", "#.....#", "#######"});
+  const ClearedMap map = cleared(grid, 0.5);
+  EXPECT_TRUE(map.clutter.empty());
+  EXPECT_EQ(std::count(map.grid.cells.begin(), map.grid.cells.end(), State::free), 15);
+}
+
+TEST(ClearClutter, aBoxOfUnseenInsideIsClutter) {
+  const Grid grid = gridFrom({".......", ".#####.", ".#???#.", ".#???#.", ".#####.", "......."});
+  EXPECT_EQ(cleared(grid, 1).clutter.size(), 1u);
+}
+
 TEST(ClearClutter, whatTouchesAWallIsAPartOfIt) {
   const Grid grid = gridFrom({"######", "#....#", "#.#..#", "##...#", "######"});
   EXPECT_TRUE(cleared(grid, 0.3).clutter.empty());

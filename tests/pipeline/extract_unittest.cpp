@@ -7,6 +7,7 @@
 #include <sstream>
 #include <thread>
 
+#include "MapText.h"
 #include "random_maps.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/rooms/find_rooms.h"
@@ -95,16 +96,40 @@ TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
   EXPECT_EQ(cornersOf(traceRooms(voronoi, regions)), cornersOf(stages.rooms));
 }
 
+/** A room with a gap of 1 m in its right wall, through which beams went far out. */
+GreyMap roomWithAFan() {
+  std::vector<std::string> rows(60, std::string(140, '?'));
+  for (int y = 5; y < 55; ++y)
+    for (int x = 5; x < 55; ++x)
+      rows[std::size_t(y)][std::size_t(x)] =
+          y == 5 || y == 54 || x == 5 || (x == 54 && (y < 25 || y >= 35)) ? '#' : '.';
+  for (int x = 55; x < 135; ++x) {
+    const int half = 5 + (x - 55) / 5;
+    for (int y = 30 - half; y < 30 + half; ++y) rows[std::size_t(y)][std::size_t(x)] = '.';
+    rows[std::size_t(30 - half - 2)][std::size_t(x)] = '.';  // one more beam, on its own
+  }
+  return greyMap(drawn(rows, 0.1));
+}
+
+TEST(Extract, leavesFansOfBeamsOut) {
+  const Stages stages = extract(roomWithAFan(), {});
+  ASSERT_EQ(stages.areas.areas.size(), 1u);
+  EXPECT_TRUE(stages.areas.areas[0].isRoom());
+  for (const Vertex& vertex : stages.result.graph.vertices()) EXPECT_LT(vertex.at.x, 6);
+  const auto isHalfSeen = [](const Note& note) { return note.code == "half_seen"; };
+  EXPECT_EQ(std::count_if(stages.notes.begin(), stages.notes.end(), isHalfSeen), 1);
+}
+
 TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   const Stages stages = extract(greyMap(randomMap(3, 60, 40, 0.1)), {});
   std::vector<std::string> names;
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
-      "binarize",        "thin_obstacles",  "obstacle_sites", "voronoi_graph",   "keep_inside",
-      "keep_clear",      "topology_graph",  "dead_ends",      "join_vertices",   "keep_largest",
-      "clear_clutter",   "voronoi_without", "keep_inside",    "find_rooms",      "region_outlines",
-      "border_vertices", "cut_paths",       "room_ids",       "short_dead_ends", "join_doors",
-      "room_graph",      "area_graph"};
+      "binarize",       "thin_obstacles",  "obstacle_sites", "voronoi_graph", "keep_inside",
+      "clear_clutter",  "voronoi_without", "keep_inside",    "find_rooms",    "region_outlines",
+      "drop_half_seen", "keep_clear",      "topology_graph", "dead_ends",     "join_vertices",
+      "keep_largest",   "border_vertices", "cut_paths",      "room_ids",      "short_dead_ends",
+      "join_doors",     "room_graph",      "area_graph"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());
   EXPECT_EQ(stages.isInside.size(), stages.voronoi.vertices.size());

@@ -14,7 +14,9 @@ namespace {
 
 Regions split(const Inside& inside, const SplitAtDoorsOptions& options = {}) {
   const double resolution = inside.grid.frame.resolution;
-  return splitAtDoors(inside.voronoi, inside.isInside, 0.75 * resolution, resolution, options);
+  const std::vector<std::uint8_t> allWalls(inside.voronoi.sites.size(), 1);
+  return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.75 * resolution, resolution,
+                      options);
 }
 
 TEST(SplitAtDoors, aDoorPartsTwoRooms) {
@@ -70,6 +72,40 @@ TEST(SplitAtDoors, widthsDoNotDependOnTheResolution) {
     options.minRoomWidth = 1.65;  // walls are rows of points, between which a disc reaches a bit
     EXPECT_EQ(split(inside, options).roomCount, 0u) << resolution;
   }
+}
+
+/** Cells of 0.1 m here: a bathroom of 1.5 m and a hall. */
+TEST(SplitAtDoors, aNarrowRoomIsOneIfDoorsCloseIt) {
+  const auto plan = [](int door) {
+    std::vector<std::string> rows(42, std::string(62, '#'));
+    const auto open = [&](int x, int y, int width, int height) {
+      for (int row = y; row < y + height; ++row)
+        for (int column = x; column < x + width; ++column)
+          rows[std::size_t(row)][std::size_t(column)] = '.';
+    };
+    open(1, 1, 15, 20);
+    open(1, 26, 60, 12);
+    open(4, 21, door, 5);
+    open(25, 1, 30, 20);
+    open(35, 21, 8, 5);
+    return insideOf(drawn(rows, 0.1));
+  };
+  EXPECT_EQ(split(plan(7)).roomCount, 2u);
+  SplitAtDoorsOptions wide;
+  wide.minRoomWidth = wide.openRoomWidth;
+  EXPECT_EQ(split(plan(7), wide).roomCount, 1u);
+}
+
+TEST(SplitAtDoors, whatTheUnknownBoundsIsHalfSeen) {
+  const Inside inside = Plan(41, 20).wall(21, 1, 1, 20).gap(21, 8, 1, 5).inside();
+  std::vector<std::uint8_t> isWall(inside.voronoi.sites.size(), 1);
+  for (std::size_t site = 0; site < isWall.size(); ++site)
+    isWall[site] = inside.voronoi.sites[site].x < 22 * 0.2;
+  const Regions regions =
+      splitAtDoors(inside.voronoi, inside.isInside, isWall, 0.15, 0.2, SplitAtDoorsOptions());
+  EXPECT_EQ(regions.roomCount, 1u);
+  EXPECT_EQ(regions.seenCount, 1u);
+  EXPECT_EQ(regions.count, 2u);
 }
 
 /** Which vertices are together, and whether in a room, whatever the regions' numbers. */

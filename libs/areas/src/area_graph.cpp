@@ -16,7 +16,7 @@ std::vector<AreaId> numberAreas(const RegionOutlines& outlines, const RoomGraph&
   std::vector<AreaId> areaOf(outlines.regions.size());
   std::size_t count = 0;
   for (const GraphRoom& room : graph.rooms) areaOf[room.shape.region] = AreaId(count++);
-  for (std::size_t r = outlines.roomCount; r < areaOf.size(); ++r)
+  for (std::size_t r = outlines.roomCount; r < outlines.seenCount; ++r)
     if (isReached[r]) areaOf[r] = AreaId(count++);
   return areaOf;
 }

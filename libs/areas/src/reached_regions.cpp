@@ -44,6 +44,7 @@ std::vector<std::uint8_t> reachedRegions(const RegionOutlines& outlines, const R
   std::vector<std::uint8_t> isOpen(count, 1);
   std::fill_n(isOpen.begin(), outlines.roomCount, std::uint8_t(0));
   for (const GraphRoom& room : graph.rooms) isOpen[room.shape.region] = 1;
+  std::fill(isOpen.begin() + outlines.seenCount, isOpen.end(), std::uint8_t(0));
 
   UnionFind parts(count);
   for (const RegionBorder& border : outlines.borders)

@@ -84,6 +84,7 @@ RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
   RegionOutlines outlines;
   outlines.regions = traceRegions(voronoi, regions);
   outlines.roomCount = regions.roomCount;
+  outlines.seenCount = regions.seenCount;
   const std::vector<std::uint32_t> cover = FaceCover(grid, voronoi, isInside, regions).run();
   for (const VoronoiEdge& edge : voronoi.edges) {
     const std::uint32_t source = cover[edge.source];

@@ -22,20 +22,25 @@ class ClutterFinder {
       return;
     }
     for (const Cell c : group_) grid_.cells[frame.index(c)] = State::free;
-    found.push_back({midpoint(frame.center(low_), frame.center(high_)), size()});
+    if (2 * wall_ >= rim_)
+      found.push_back({midpoint(frame.center(low_), frame.center(high_)), size()});
   }
 
  private:
   /** Fills group_, and gives up where it is too large, or touches the border or a large one. */
   bool collect(Cell first) {
     group_.clear();
+    rim_ = wall_ = 0;
     low_ = high_ = first;
     add(first);
     if (size() > maxSize_) return false;
-    for (std::size_t i = 0; i < group_.size(); ++i)
+    for (std::size_t i = 0; i < group_.size(); ++i) {
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           if (!visit({group_[i].x + dx, group_[i].y + dy})) return false;
+      countRim(group_[i]);
+      wall_ += grid_.at(group_[i]) == State::occupied ? 1 : 0;
+    }
     return true;
   }
 
@@ -47,6 +52,14 @@ class ClutterFinder {
     if (marks_[index] == Mark::large) return false;
     add(near);
     return size() <= maxSize_;
+  }
+
+  void countRim(Cell cell) {
+    const auto isFree = [&](int dx, int dy) {
+      return grid_.atOrUnknown({cell.x + dx, cell.y + dy}) == State::free;
+    };
+    if (!isFree(1, 0) && !isFree(-1, 0) && !isFree(0, 1) && !isFree(0, -1)) return;
+    ++rim_;
   }
 
   void add(Cell cell) {
@@ -65,6 +78,7 @@ class ClutterFinder {
   std::vector<Mark> marks_;
   std::vector<Cell> group_;
   Cell low_, high_;
+  std::size_t rim_ = 0, wall_ = 0;  // cells at free ones, and occupied cells
 };
 
 }  // namespace

@@ -6,7 +6,9 @@
 
 #include "StepTimer.h"
 #include "roomgraph/areas/area_graph.h"
+#include "roomgraph/areas/drop_half_seen.h"
 #include "roomgraph/grid/ObstacleRows.h"
+#include "roomgraph/grid/wall_sites.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/topology/topology_graph.h"
@@ -52,7 +54,8 @@ Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, co
   const double resolution = s.grid.frame.resolution;
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
-  return splitAtDoors(voronoi, isInside, minClearance, resolution, s.options.splitAtDoors);
+  return splitAtDoors(voronoi, isInside, wallSites(s.grid, s.sites), minClearance, resolution,
+                      s.options.splitAtDoors);
 }
 
 /** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
@@ -77,9 +80,51 @@ Note clutterNote(const std::vector<Clutter>& clutter) {
   return {"clutter", text, std::array<double, 2>{largest->center.x, largest->center.y}};
 }
 
+/** Free width of the largest disc in an area [m]. */
+double freeWidth(const Area& area, double resolution) {
+  return 2 * (area.inscribedRadius - resolution / 2);
+}
+
+/** Where narrow regions outnumber the rooms, people miss them. */
+void noteNarrowRegions(Stages& s) {
+  const SplitAtDoorsOptions& options = s.options.splitAtDoors;
+  if (s.roomRadius > 0) return;
+  const auto isNarrow = [&](const Area& a) {
+    const double width = freeWidth(a, s.grid.frame.resolution);
+    return !a.isRoom() && width < options.openRoomWidth &&
+           area(a.polygon) <= options.maxElongation * width * width;
+  };
+  const auto count = std::count_if(s.areas.areas.begin(), s.areas.areas.end(), isNarrow);
+  if (std::size_t(count) <= s.result.rooms.size()) return;
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%td regions narrower than %.2f m are not closed by doors and count as corridor: "
+                "--set split_at_doors.open_room_width=%.2g makes rooms of them",
+                count, options.openRoomWidth, options.minRoomWidth);
+  s.notes.push_back({"narrow_regions", text, std::nullopt});
+}
+
+void noteHalfSeen(Stages& s) {
+  const Rooms halfSeen = s.outlines.halfSeen();
+  if (halfSeen.empty()) return;
+  const auto largest = std::max_element(
+      halfSeen.begin(), halfSeen.end(),
+      [](const Room& a, const Room& b) { return area(a.polygon) < area(b.polygon); });
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "%zu regions that beams saw in part, up to %.1f m2, are neither room nor corridor",
+                halfSeen.size(), area(largest->polygon));
+  const Point at = largest->widestPlace;
+  s.notes.push_back({"half_seen", text, std::array<double, 2>{at.x, at.y}});
+}
+
 /** What was left out of the map, and why the result is empty or lacks rooms. */
 void addNotes(Stages& s) {
   if (!s.cleared.clutter.empty()) s.notes.push_back(clutterNote(s.cleared.clutter));
+  if (!s.result.graph.vertices().empty()) {
+    noteHalfSeen(s);
+    noteNarrowRegions(s);
+  }
   const auto note = [&](const char* code, const char* text) {
     s.notes.push_back({code, text, std::nullopt});
   };
@@ -106,19 +151,24 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, options.thinObstacles);
   s.sites = timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
 
-  // III-A: the topology graph
+  // III-A: the Voronoi diagram
   s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
   s.isInside = timed("keep_inside", keepInside, s.voronoi, s.grid, options.keepInside);
+
+  // III-B: the rooms, which tell what is half seen
+  s.cleared = timed("clear_clutter", clearClutter, s.grid, s.sites, options.clearClutter);
+  s.outlines = outlineRegions(s, timed);
+  s.rooms = s.outlines.rooms();
+  s.isInside = timed("drop_half_seen", dropHalfSeen, s.voronoi, std::move(s.isInside), s.outlines);
+
+  // III-A: the topology graph
   s.clearEdges = timed("keep_clear", keepClear, s.voronoi, s.isInside, s.clearance);
   s.topology = timed("topology_graph", topologyGraph, s.voronoi, s.clearEdges);
   s.pruned = timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution);
   s.joinedUp = timed("join_vertices", joinVertices, s.pruned, options.joinVertices, resolution);
   s.largest = timed("keep_largest", keepLargest, s.joinedUp, options.keepLargest, s.notes);
 
-  // III-B to III-G: the rooms
-  s.cleared = timed("clear_clutter", clearClutter, s.grid, s.sites, options.clearClutter);
-  s.outlines = outlineRegions(s, timed);
-  s.rooms = s.outlines.rooms();
+  // III-C to III-G: rooms in the graph
   s.stretches = timed("border_vertices", borderVertices, s.largest, s.rooms, s.clearance, kEpsilon);
   s.cut = timed("cut_paths", cutPaths, s.largest, s.stretches);
   s.cut = timed("room_ids", roomIds, std::move(s.cut), s.rooms, minLength);

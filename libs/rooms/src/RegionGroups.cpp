@@ -58,6 +58,34 @@ void RegionGroups::sumAreas() {
   area_ = faceAreas(voronoi_, [&](std::uint32_t v) { return find(v); });
 }
 
+void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> bounds;  // region and site
+  for (const VoronoiEdge& edge : voronoi_.edges) {
+    if (edge.isInfinite() || !isInside_[edge.source] || !isInside_[edge.target]) continue;
+    for (const std::uint32_t vertex : {edge.source, edge.target})
+      for (const std::uint32_t site : {edge.left, edge.right})
+        bounds.push_back({find(vertex), site});
+  }
+  std::sort(bounds.begin(), bounds.end());
+  bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
+  std::vector<std::uint32_t> all(voronoi_.vertices.size());
+  wallShare_.assign(voronoi_.vertices.size(), 0);
+  for (const auto& [region, site] : bounds) {
+    ++all[region];
+    wallShare_[region] += isWall[site] ? 1 : 0;
+  }
+  for (std::size_t region = 0; region < all.size(); ++region)
+    if (all[region]) wallShare_[region] /= all[region];
+  double sum = 0, area = 0;
+  for (std::uint32_t v = 0; v < all.size(); ++v)
+    if (all[v]) {
+      sum += wallShare_[v] * area_[v];
+      area += area_[v];
+    }
+  if (sum > 0)
+    for (double& share : wallShare_) share *= area / sum;
+}
+
 void RegionGroups::keepPassages() {
   const auto isInner = [&](std::uint32_t e) {
     return find(voronoi_.edges[e].source) == find(voronoi_.edges[e].target);
@@ -82,6 +110,7 @@ std::map<std::uint32_t, RegionGroups::Neighbours> RegionGroups::neighbours() {
     Neighbours& around = all.rbegin()->second;
     const auto passage = around.emplace_hint(around.end(), b, Passage());
     ++passage->second.count;
+    passage->second.second = passage->second.clearance;
     passage->second.clearance = width;  // the widest comes last
   }
   return all;

@@ -16,9 +16,10 @@ constexpr double kSameWidth = 1e-9;
 /** The regions of the inside as they grow together. A region goes by its smallest vertex. */
 class RegionGroups {
  public:
-  /** The widest passage between two regions, and how many there are. */
+  /** The widest passages between two regions, and how many there are. */
   struct Passage {
     double clearance = 0;  // half of its width [m]
+    double second = 0;     // of the next one; 0 where there is one only
     int count = 0;
   };
   using Neighbours = std::map<std::uint32_t, Passage>;
@@ -45,8 +46,13 @@ class RegionGroups {
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
   double elongation(std::uint32_t region) const;
 
+  /** How much of what bounds it is wall, beside the mean of all areas; after sumWalls(). */
+  double wallShare(std::uint32_t region) const { return wallShare_[region]; }
+
   void join(std::uint32_t a, std::uint32_t b);
   void sumAreas();
+  /** `isWall`, per site, tells walls from the edge of the unknown. O(n log n). */
+  void sumWalls(const std::vector<std::uint8_t>& isWall);
   /** Who meets whom where, by region. O(passages). */
   std::map<std::uint32_t, Neighbours> neighbours();
 
@@ -58,7 +64,14 @@ class RegionGroups {
   const InsideFlags& isInside_;
   std::vector<std::uint32_t> edges_;
   UnionFind groups_;
-  std::vector<double> radius_, area_;
+  std::vector<double> radius_, area_, wallShare_;
 };
+
+/** Whether a passage is narrow beside both of its sides. */
+inline bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
+                   double maxRatio, double maxWidth) {
+  const double narrower = std::min(regions.radius(a), regions.radius(b));
+  return clearance < maxRatio * narrower * (1 - kSameWidth) && clearance < maxWidth / 2;
+}
 
 }  // namespace roomgraph

@@ -23,6 +23,9 @@ double roomRadius(const FindRoomsOptions& options, double resolution) {
 Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius,
                   double minClearance) {
   const auto isWide = [&](std::uint32_t v) { return voronoi.vertices[v].clearance > radius; };
+  const auto kindOf = [&](std::uint32_t v) {
+    return isWide(v) ? RegionKind::room : RegionKind::corridor;
+  };
   UnionFind groups(voronoi.vertices.size());
   for (const VoronoiEdge& edge : voronoi.edges) {
     if (edge.isInfinite() || !isInside[edge.source] || !isInside[edge.target]) continue;
@@ -32,7 +35,7 @@ Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, doub
         (isInCorridor && edge.minClearance >= minClearance))
       groups.join(edge.source, edge.target);
   }
-  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), isWide, radius);
+  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), kindOf, radius);
 }
 
 }  // namespace roomgraph

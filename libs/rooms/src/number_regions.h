@@ -13,22 +13,26 @@ inline InsideFlags clearInside(const VoronoiGraph& voronoi, InsideFlags isInside
   return isInside;
 }
 
-/** The groups of vertices inside as regions: first the rooms, then the others, each by its smallest
- *  vertex. `isRoom(v)` is asked for the smallest vertex of each group. O(n). */
-template <class IsRoom>
-Regions numberRegions(UnionFind& groups, const InsideFlags& isInside, const IsRoom& isRoom,
+enum class RegionKind : std::uint8_t { room, corridor, halfSeen };
+
+/** The groups of vertices inside as regions: first the rooms, then the corridors, then what is half
+ *  seen, each by its smallest vertex. `kindOf(v)` is asked for the smallest vertex of each group.
+ *  O(n). */
+template <class KindOf>
+Regions numberRegions(UnionFind& groups, const InsideFlags& isInside, const KindOf& kindOf,
                       double radius) {
   Regions regions;
   regions.regionOf.assign(isInside.size(), Regions::kNone);
   regions.radius = radius;
-  const auto number = [&](bool areRooms) {
+  const auto number = [&](RegionKind kind) {
     for (std::uint32_t v = 0; v < isInside.size(); ++v)
-      if (isInside[v] && groups.find(v) == v && isRoom(v) == areRooms)
+      if (isInside[v] && groups.find(v) == v && kindOf(v) == kind)
         regions.regionOf[v] = regions.count++;
+    return regions.count;
   };
-  number(true);
-  regions.roomCount = regions.count;
-  number(false);
+  regions.roomCount = number(RegionKind::room);
+  regions.seenCount = number(RegionKind::corridor);
+  number(RegionKind::halfSeen);
   for (std::uint32_t v = 0; v < isInside.size(); ++v)
     if (isInside[v]) regions.regionOf[v] = regions.regionOf[groups.find(v)];
   return regions;

@@ -8,18 +8,12 @@
 #include "RegionGroups.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
+#include "region_kinds.h"
 
 namespace roomgraph {
 namespace {
 
 using Neighbours = RegionGroups::Neighbours;
-
-/** Whether a passage is narrow beside both of its sides. */
-bool isDoor(const RegionGroups& regions, double clearance, std::uint32_t a, std::uint32_t b,
-            double maxRatio, double maxWidth) {
-  const double narrower = std::min(regions.radius(a), regions.radius(b));
-  return clearance < maxRatio * narrower * (1 - kSameWidth) && clearance < maxWidth / 2;
-}
 
 /** Whether one of two regions is too narrow to be part of the other. */
 bool isNarrowBeside(const RegionGroups& regions, std::uint32_t a, std::uint32_t b,
@@ -115,37 +109,13 @@ void joinOpenPassages(RegionGroups& regions, const SplitAtDoorsOptions& options)
   }
 }
 
-bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around) {
-  const double width = 2 * regions.radius(region);
-  if (width < options.minRoomWidth * (1 - kSameWidth)) return true;
-  if (regions.elongation(region) < options.minElongation) return true;
-  int exits = 0;
-  for (const auto& [other, passage] : around) exits += passage.count;
-  return exits > 1 && regions.elongation(region) > options.maxElongation &&
-         width <= options.maxCorridorWidth;
-}
-
-/** Per vertex that stands for a region, whether that is a corridor. */
-std::vector<std::uint8_t> findCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options) {
-  const auto around = regions.neighbours();
-  std::vector<std::uint8_t> isCorridorAt(regions.isInside().size());
-  for (std::uint32_t v = 0; v < isCorridorAt.size(); ++v) {
-    if (!regions.isInside()[v] || regions.find(v) != v) continue;
-    const auto it = around.find(v);
-    isCorridorAt[v] =
-        isCorridor(regions, options, v, it == around.end() ? Neighbours() : it->second);
-  }
-  return isCorridorAt;
-}
-
 /** A corridor is narrower at doors that open into it: those do not part it. */
 void joinCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   const std::vector<std::uint8_t>& isCorridorAt) {
+                   const std::vector<RegionKind>& kinds) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
   for (const auto& [region, around] : regions.neighbours())
     for (const auto& [other, passage] : around)
-      if (isCorridorAt[region] && isCorridorAt[other] &&
+      if (kinds[region] == RegionKind::corridor && kinds[other] == RegionKind::corridor &&
           !isDoor(regions, passage.clearance, region, other, options.corridorRatio,
                   options.corridorDoor))
         pieces.push_back({region, other});
@@ -172,6 +142,13 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "leftover.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "Where no disc of this diameter fits in is no room.");
+  table.number(section, "open_room_width", options.openRoomWidth, "m", 0, 100,
+               "A narrower region is a room only if all ways out of it are doors.");
+  table.number(section, "min_wall_share", options.minWallShare, "", 0, 1,
+               "A region with less wall round it than this share of what the map's areas have is "
+               "half seen: no room and no corridor.");
+  table.number(section, "min_closed_share", options.minClosedShare, "", 0, 1,
+               "The same of a room that is narrower than open_room_width.");
   table.number(section, "max_elongation", options.maxElongation, "", 1, 1e6,
                "A region whose area is more than this many squares round its largest disc is a "
                "corridor.");
@@ -183,18 +160,20 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "The same as max_width between two pieces of corridor.");
 }
 
-Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
+Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
+                     const std::vector<std::uint8_t>& isWall, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options) {
   const InsideFlags isClear = clearInside(voronoi, isInside, minClearance);
   RegionGroups regions(voronoi, isClear, minClearance, resolution / 2);
   joinOpenPassages(regions, options);
   regions.sumAreas();
   joinLeftovers(regions, options);
-  const std::vector<std::uint8_t> isCorridorAt = findCorridors(regions, options);
-  joinCorridors(regions, options, isCorridorAt);
+  regions.sumWalls(isWall);
+  const std::vector<RegionKind> kinds = regionKinds(regions, options);
+  joinCorridors(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are corridors.
-  const auto isRoom = [&](std::uint32_t v) { return !isCorridorAt[v]; };
-  return numberRegions(regions.groups(), isClear, isRoom, 0);
+  const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
+  return numberRegions(regions.groups(), isClear, kindOf, 0);
 }
 
 }  // namespace roomgraph

@@ -22,9 +22,11 @@ struct RegionBorder {
 struct RegionOutlines {
   Rooms regions;                      ///< the shape of each, rooms first
   std::uint32_t roomCount = 0;        ///< how many of them are rooms
+  std::uint32_t seenCount = 0;        ///< how many are rooms or corridors; the others are half seen
   std::vector<RegionBorder> borders;  ///< ordered as the diagram's edges
 
   Rooms rooms() const { return {regions.begin(), regions.begin() + roomCount}; }
+  Rooms halfSeen() const { return {regions.begin() + seenCount, regions.end()}; }
 };
 
 /** Traces the regions. Delaunay faces of the inside that are in no region, because their centre

@@ -29,11 +29,13 @@ struct Clutter {
 struct ClearedMap {
   Grid grid;
   std::vector<std::uint8_t> isClutter;  ///< per site; non-zero where it belongs to clutter
-  std::vector<Clutter> clutter;         ///< by its first cell in the order of rows
+  std::vector<Clutter> clutter;  ///< by its first cell in the order of rows; without unseen specks
 };
 
-/** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
- *  limit and does not touch the border. `sites` must be those of `grid`. O(cells). */
+/** Specks that beams have missed are cleared as well: groups with fewer occupied cells than half of
+ *  the length of their rim. They are no obstacles, and so not in `clutter`. Frees every connected
+ *  group (8 neighbours) of cells that are not free, is not larger than the limit and does not touch
+ *  the border. `sites` must be those of `grid`. O(cells). */
 ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
                         const ClearClutterOptions& options);
 

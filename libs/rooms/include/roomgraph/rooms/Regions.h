@@ -7,14 +7,15 @@
 
 namespace roomgraph {
 
-/** What the inside is split into, rooms and pieces of corridor: which Voronoi vertices, and so
- *  which Delaunay faces, make up which region. */
+/** What the inside is split into, rooms, pieces of corridor and half-seen space: which Voronoi
+ *  vertices, and so which Delaunay faces, make up which region. */
 struct Regions {
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
   std::vector<std::uint32_t> regionOf;  ///< per Voronoi vertex; kNone where it is in no region
   std::uint32_t roomCount = 0;          ///< the regions below this are rooms
-  std::uint32_t count = 0;              ///< the others, below this, are pieces of corridor
+  std::uint32_t seenCount = 0;          ///< the others, below this, are pieces of corridor
+  std::uint32_t count = 0;              ///< the others, below this, are half seen
   /** Faces of one room are parted where less than this lies between them and an obstacle [m]. */
   double radius = 0;
 

@@ -1,4 +1,7 @@
 #pragma once
+#include <cstdint>
+#include <vector>
+
 #include "roomgraph/base/Options.h"
 #include "roomgraph/rooms/Regions.h"
 #include "roomgraph/voronoi/keep_inside.h"
@@ -6,8 +9,8 @@
 namespace roomgraph {
 
 // Ours, in place of III-B's one alpha for the whole map
-// In:   VoronoiGraph of the map without clutter, and what of it lies inside
-// Out:  Regions: rooms and pieces of corridor
+// In:   VoronoiGraph of the map without clutter, what of it lies inside, and its walls
+// Out:  Regions: rooms, pieces of corridor, half-seen space
 // Next: traceRooms
 
 struct SplitAtDoorsOptions {
@@ -18,7 +21,10 @@ struct SplitAtDoorsOptions {
   double narrowRatio = 0.45;
   double maxLeftoverArea = 1.1;   ///< a region with less joins a neighbour [m2]
   double minElongation = 0.75;    ///< a region that is shorter joins a neighbour
-  double minRoomWidth = 1.95;     ///< of the largest disc in a room [m]
+  double minRoomWidth = 0.9;      ///< of the largest disc in a room [m]
+  double openRoomWidth = 1.95;    ///< of the same in a room with a way out that is no door [m]
+  double minWallShare = 0.4;      ///< of a region that is not half seen, beside the map's
+  double minClosedShare = 0.7;    ///< the same of a room that is narrower than openRoomWidth
   double maxElongation = 3.5;     ///< of a room; what is longer is a corridor
   double maxCorridorWidth = 6.0;  ///< a wider region is a room, however long [m]
   double corridorRatio = 0.65;    ///< maxRatio between two pieces of corridor
@@ -30,15 +36,19 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table);
  *  narrow, each widest place starts a region, and two regions meet where a disc of some diameter
  *  first fits through between them. They become one unless that passage is a door (narrow beside
  *  both) or one of them is narrow beside the other. So each room has its own door width and its own
- *  inscribed radius, and no alpha is set.
- *  Then leftovers, such as door frames and the corners beside them, join the neighbour behind
- *  their widest passage; of several as wide the largest. What remains is a corridor where it is too
- *  narrow for a room, or long (its area in squares round its largest disc is its elongation) and
- *  has two ways out; pieces of corridor without a door between them become one.
- *  All widths are free ones, between the sides of obstacle cells of size `resolution` [m], not
- *  between their centres. `minClearance` keeps passages between neighbouring cells of a wall out
- *  [m]. Equal widths are judged together, so the order of the edges does not matter. O(n log n). */
-Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside, double minClearance,
+ *  inscribed radius, and no alpha is set. Then leftovers, such as door frames and the corners
+ *  beside them, join the neighbour behind their widest passage; of several as wide the largest. So
+ *  do alcoves: narrow regions that open widely into one other alone. What remains is half seen, and
+ *  neither room nor corridor, where the edge of the unknown bounds it and not walls (`isWall`, per
+ *  site), unless it alone links rooms. It is a corridor where it is too narrow for a room; or
+ *  narrow, and not closed by walls and doors on all sides; or narrow and a corridor goes on through
+ *  it; or long (its area in squares round its largest disc is its elongation) with two ways out.
+ *  Pieces of corridor without a door between them become one. All widths are free ones, between the
+ *  sides of obstacle cells of size `resolution` [m], not between their centres. `minClearance`
+ *  keeps passages between neighbouring cells of a wall out [m]. Equal widths are judged together,
+ *  so the order of the edges does not matter. O(n log n). */
+Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
+                     const std::vector<std::uint8_t>& isWall, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options);
 
 }  // namespace roomgraph

@@ -1,0 +1,133 @@
+#include "region_kinds.h"
+
+#include <algorithm>
+#include <map>
+
+namespace roomgraph {
+namespace {
+
+using Neighbours = RegionGroups::Neighbours;
+using AllNeighbours = std::map<std::uint32_t, Neighbours>;
+
+/** A room behind one door may be this much longer than others before it is a corridor. */
+constexpr double kDeadEndElongation = 1.5;
+
+/** Whether it is short, and all ways out of it are narrow beside it. */
+bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                   std::uint32_t region, const Neighbours& around) {
+  double widest = 0;
+  for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
+  const double longest = options.maxElongation * (around.size() == 1 ? kDeadEndElongation : 1);
+  return regions.elongation(region) <= longest &&
+         widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+}
+
+bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                std::uint32_t region, const Neighbours& around) {
+  const double width = 2 * regions.radius(region) * (1 + kSameWidth);
+  if (width < options.minRoomWidth) return true;
+  const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
+                        isBehindDoors(regions, options, region, around);
+  if (width < options.openRoomWidth && !isClosed) return true;
+  if (regions.elongation(region) < options.minElongation) return true;
+  int exits = 0;
+  for (const auto& [other, passage] : around) exits += passage.count;
+  return exits > 1 && regions.elongation(region) > options.maxElongation &&
+         width <= options.maxCorridorWidth;
+}
+
+class KindFinder {
+ public:
+  KindFinder(RegionGroups& regions, const SplitAtDoorsOptions& options)
+      : regions_(regions),
+        options_(options),
+        around_(regions.neighbours()),
+        kinds_(regions.isInside().size(), RegionKind::corridor) {}
+
+  std::vector<RegionKind> run() {
+    for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+      if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
+    while (followCorridors()) {
+    }
+    keepLinks();
+    return std::move(kinds_);
+  }
+
+ private:
+  const Neighbours& around(std::uint32_t region) const {
+    static const Neighbours kNobody;
+    const auto it = around_.find(region);
+    return it == around_.end() ? kNobody : it->second;
+  }
+
+  RegionKind kindOf(std::uint32_t region) const {
+    if (regions_.wallShare(region) < options_.minWallShare) return RegionKind::halfSeen;
+    return isCorridor(regions_, options_, region, around(region)) ? RegionKind::corridor
+                                                                  : RegionKind::room;
+  }
+
+  /** A corridor goes on through what is narrow and open to it on two sides. All at once, so no
+   *  order matters; returns whether there was any. */
+  bool followCorridors() {
+    std::vector<std::uint32_t> found;
+    for (const auto& [region, around] : around_)
+      if (kinds_[region] == RegionKind::room && isNarrow(region) &&
+          openCorridors(region, around) > 1)
+        found.push_back(region);
+    for (const std::uint32_t region : found) kinds_[region] = RegionKind::corridor;
+    return !found.empty();
+  }
+
+  bool isNarrow(std::uint32_t region) const {
+    return 2 * regions_.radius(region) * (1 + kSameWidth) < options_.openRoomWidth;
+  }
+
+  int openCorridors(std::uint32_t region, const Neighbours& around) const {
+    int count = 0;
+    for (const auto& [other, passage] : around)
+      if (kinds_[other] == RegionKind::corridor)
+        for (const double clearance : {passage.clearance, passage.second})
+          count += clearance > 0 && !isDoor(regions_, clearance, region, other,
+                                            options_.corridorRatio, options_.corridorDoor);
+    return count;
+  }
+
+  /** Half-seen space that alone links rooms with each other is a way between them. */
+  void keepLinks() {
+    UnionFind seen(kinds_.size()), unseen(kinds_.size());
+    for (const auto& [region, around] : around_)
+      for (const auto& [other, passage] : around) {
+        if (isHalfSeen(region) && isHalfSeen(other)) unseen.join(region, other);
+        if (!isHalfSeen(region) && !isHalfSeen(other)) seen.join(region, other);
+      }
+    std::vector<std::uint8_t> hasRoom(kinds_.size());
+    for (const auto& [region, around] : around_)
+      if (kinds_[region] == RegionKind::room) hasRoom[seen.find(region)] = 1;
+    std::vector<std::uint32_t> firstOf(kinds_.size(), Regions::kNone);
+    std::vector<std::uint8_t> isLink(kinds_.size());
+    for (const auto& [region, around] : around_)
+      for (const auto& [other, passage] : around) {
+        if (!isHalfSeen(region) || isHalfSeen(other) || !hasRoom[seen.find(other)]) continue;
+        std::uint32_t& first = firstOf[unseen.find(region)];
+        if (first == Regions::kNone) first = seen.find(other);
+        if (first != seen.find(other)) isLink[unseen.find(region)] = 1;
+      }
+    for (const auto& [region, around] : around_)
+      if (isHalfSeen(region) && isLink[unseen.find(region)]) kinds_[region] = RegionKind::corridor;
+  }
+
+  bool isHalfSeen(std::uint32_t region) const { return kinds_[region] == RegionKind::halfSeen; }
+
+  RegionGroups& regions_;
+  const SplitAtDoorsOptions& options_;
+  const AllNeighbours around_;
+  std::vector<RegionKind> kinds_;
+};
+
+}  // namespace
+
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options) {
+  return KindFinder(regions, options).run();
+}
+
+}  // namespace roomgraph

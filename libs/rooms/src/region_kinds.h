@@ -1,0 +1,14 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "RegionGroups.h"
+#include "number_regions.h"
+#include "roomgraph/rooms/split_at_doors.h"
+
+namespace roomgraph {
+
+/** Per vertex that stands for a region, what that is. Needs areas and wall shares. */
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options);
+
+}  // namespace roomgraph
