@@ -7,8 +7,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPassagePx = 2.4, kRingPx = 0.8;
-constexpr double kLeastPx = 2.5;
+constexpr double kPassagePx = 2.4, kRingPx = 0.5;
+constexpr double kLeastPx = 1.2;
 constexpr Colour kClutter{150, 60, 118};
 
 /** Adds to cairo's current path. */
@@ -20,9 +20,9 @@ void addRing(const Pen& pen, Point at, double radius) {
 /** Fills and strokes the rings of the current path. */
 void finishRings(const Pen& pen) {
   cairo_set_fill_rule(pen.cairo(), CAIRO_FILL_RULE_WINDING);
-  pen.ink(kClutter, 0.22);
+  pen.ink(kClutter, 0.12);
   cairo_fill_preserve(pen.cairo());
-  pen.ink(kClutter, 0.6);
+  pen.ink(kClutter, 0.5);
   pen.stroke(kRingPx);
 }
 

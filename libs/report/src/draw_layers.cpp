@@ -151,8 +151,9 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
   const auto inside = std::size_t(std::count_if(graph.edges().begin(), graph.edges().end(),
                                                 [](const Edge& e) { return bool(e.room); }));
   if (inside < graph.edges().size())
-    items.push_back(lineLegend(counted(graph.edges().size() - inside, "corridor", "corridors"),
-                               ink::blue, kCorridorPx));
+    items.push_back(lineLegend(
+        counted(graph.edges().size() - inside, "path outside rooms", "paths outside rooms"),
+        ink::blue, kCorridorPx));
   if (inside > 0)
     items.push_back(
         {counted(inside, "way inside a room", "ways inside rooms"), [](const Pen& pen, Point at) {
