@@ -17,6 +17,13 @@
 namespace roomgraph {
 namespace {
 
+/** Outlines may be off by half a cell: that much the map does not tell. */
+OsmXmlOptions osmOptions(const Stages& stages) {
+  OsmXmlOptions options;
+  options.tolerance = stages.grid.frame.resolution / 2;
+  return options;
+}
+
 constexpr OutputFormat kFormats[] = {
     {"json", "json", [](const Stages& stages) { return graphJson(stages); }},
     {"svg", "svg", drawSvg},
@@ -28,7 +35,13 @@ constexpr OutputFormat kFormats[] = {
      [](const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }},
     {"labels", "areas.png",
      [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }},
-    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas); }},
+    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); }},
+    {"osm_ids", "ids.osm",
+     [](const Stages& stages) {
+       OsmXmlOptions options = osmOptions(stages);
+       options.hasNumbers = true;
+       return osmXml(stages.areas, options);
+     }},
 };
 constexpr std::size_t kDefaultCount = 7;  // the first ones
 

@@ -120,12 +120,13 @@ TEST(OsmXml, everyReferenceExistsAndEveryNodeIsUsed) {
 TEST(OsmXml, areasAreClosedWaysWithTheTagsOfOsmag) {
   const Stages stages = sampleStages();
   const Osm osm = parsed(osmXml(stages.areas));
-  const Tags room{
-      {"indoor", "room"}, {"name", "room_0"}, {"osmAG:areaType", "room"}, {"osmAG:type", "area"}};
-  const Tags corridor{{"indoor", "corridor"},
-                      {"name", "corridor_2"},
-                      {"osmAG:areaType", "corridor"},
-                      {"osmAG:type", "area"}};
+  const Tags room{{"height", "0"},       {"indoor", "room"},         {"level", "0"},
+                  {"name", "room_0"},    {"osmAG:areaType", "room"}, {"osmAG:parent", "floor_0"},
+                  {"osmAG:type", "area"}};
+  const Tags corridor{
+      {"height", "0"},        {"indoor", "corridor"},         {"level", "0"},
+      {"name", "corridor_2"}, {"osmAG:areaType", "corridor"}, {"osmAG:parent", "floor_0"},
+      {"osmAG:type", "area"}};
   EXPECT_EQ(osm.ways.at(-1).tags, room);
   EXPECT_EQ(osm.ways.at(-3).tags, corridor);
   for (const long id : {-1, -2, -3}) {
@@ -153,11 +154,54 @@ TEST(OsmXml, passagesEndInNodesOfBothTheirAreas) {
 
 TEST(OsmXml, passagesSayWhatTheyJoin) {
   const Way passage = parsed(osmXml(sampleStages().areas)).named("passage_1");
-  EXPECT_EQ(passage.tags, (Tags{{"name", "passage_1"},
+  EXPECT_EQ(passage.tags, (Tags{{"level", "0"},
+                                {"name", "passage_1"},
                                 {"osmAG:from", "room_1"},
                                 {"osmAG:to", "corridor_2"},
                                 {"osmAG:type", "passage"},
                                 {"width", "0.9552"}}));
+}
+
+TEST(OsmXml, theFloorIsAStructureRoundAllAreas) {
+  const Osm osm = parsed(osmXml(sampleStages().areas));
+  const Way& floor = osm.named("floor_0");
+  EXPECT_EQ(floor.tags, (Tags{{"height", "0"},
+                              {"indoor", "level"},
+                              {"level", "0"},
+                              {"name", "floor_0"},
+                              {"osmAG:areaType", "structure"},
+                              {"osmAG:type", "area"}}));
+  EXPECT_EQ(floor.nodes.front(), floor.nodes.back());
+  EXPECT_GE(floor.nodes.size(), 5u);
+}
+
+/** What osmAG's planner reads: numbers of ways that exist. */
+TEST(OsmXml, withNumbersAllReferencesAreIdsOfAreas) {
+  OsmXmlOptions options;
+  options.hasNumbers = true;
+  const Osm osm = parsed(osmXml(sampleStages().areas, options));
+  int count = 0;
+  for (const auto& [id, way] : osm.ways)
+    for (const char* key : {"osmAG:from", "osmAG:to", "osmAG:parent"}) {
+      if (way.tags.count(key) == 0) continue;
+      ++count;
+      EXPECT_EQ(osm.ways.at(std::stol(way.tags.at(key))).tags.at("osmAG:type"), "area");
+      if (key == std::string("osmAG:parent"))
+        EXPECT_EQ(osm.ways.at(std::stol(way.tags.at(key))).tags.at("name"), "floor_0");
+    }
+  EXPECT_EQ(count, 3 + 2 * 2);
+}
+
+TEST(OsmXml, outlinesHaveNoMoreCornersThanHalfACellNeeds) {
+  AreaGraph graph;
+  Polygon stairs;  // a slanted wall, cell by cell
+  for (int i = 0; i < 40; ++i) stairs.outer.push_back({0.1 * i, 0.05 * (i % 2)});
+  stairs.outer.insert(stairs.outer.end(), {{4, 4}, {0, 4}});
+  graph.areas = {{RoomId(0), stairs, {2, 2}, 1.9, {}}};
+  OsmXmlOptions options;
+  EXPECT_EQ(parsed(osmXml(graph, options)).named("room_0").nodes.size(), 43u);
+  options.tolerance = 0.05;
+  EXPECT_LE(parsed(osmXml(graph, options)).named("room_0").nodes.size(), 10u);
 }
 
 TEST(OsmXml, holesAreInnerMembersOfARelation) {

@@ -1,11 +1,13 @@
 #include "roomgraph/report/osm_xml.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <set>
 
+#include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/report/names.h"
 
 namespace roomgraph {
@@ -46,9 +48,26 @@ bool isOnTheWay(Point a, Point p, Point b) {
   return std::abs(cross(p - a, b - p)) <= 1e-6 * distance(a, b) && dot(p - a, b - p) > 0;
 }
 
+/** The convex hull, counter-clockwise, with its first corner at the end, too. */
+Ring closedHull(Ring corners) {
+  std::sort(corners.begin(), corners.end());
+  Ring hull;
+  for (int side = 0; side < 2; ++side) {  // below, then above
+    const std::size_t least = hull.size() + 1;
+    for (const Point p : corners) {
+      while (hull.size() > least && cross(hull.back() - *(hull.end() - 2), p - hull.back()) <= 0)
+        hull.pop_back();
+      if (hull.empty() || !(hull.back() == p)) hull.push_back(p);
+    }
+    std::reverse(corners.begin(), corners.end());
+  }
+  return hull;
+}
+
 class OsmWriter {
  public:
-  explicit OsmWriter(const AreaGraph& graph) : graph_(graph) {
+  OsmWriter(const AreaGraph& graph, const OsmXmlOptions& options)
+      : graph_(graph), options_(options) {
     for (const Passage& passage : graph.passages) {
       passageEnds_.insert(passage.from);
       passageEnds_.insert(passage.to);
@@ -58,6 +77,7 @@ class OsmWriter {
   std::string run() {
     for (std::size_t a = 0; a < graph_.areas.size(); ++a) addArea(a);
     for (std::size_t p = 0; p < graph_.passages.size(); ++p) addPassage(p);
+    if (!graph_.areas.empty()) addFloor();
     for (std::size_t a = 0; a < graph_.areas.size(); ++a)
       if (!graph_.areas[a].polygon.holes.empty()) addHoles(a);
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
@@ -71,6 +91,16 @@ class OsmWriter {
 
   std::string areaName(AreaId area) const {
     return std::string(kindName(graph_.areas[area.index()])) + "_" + std::to_string(area.index());
+  }
+
+  /** How other things refer to it: areas are the first ways. */
+  std::string reference(AreaId area) const {
+    return options_.hasNumbers ? std::to_string(-1 - std::int64_t(area.index())) : areaName(area);
+  }
+
+  std::string parent() const {
+    const std::size_t before = graph_.areas.size() + graph_.passages.size();
+    return options_.hasNumbers ? std::to_string(-1 - std::int64_t(before)) : "floor_0";
   }
 
   void addNode(Point p) {
@@ -97,23 +127,56 @@ class OsmWriter {
       if (passageEnds_.count(ring[i]) || !isOnTheWay(last, ring[i], ring[(i + 1) % ring.size()]))
         kept.push_back(ring[i]);
     }
-    if (!kept.empty()) kept.push_back(kept.front());
-    return addWay(kept, tags);
+    return addWay(closed(kept), tags);
+  }
+
+  /** With the first corner at the end, too, and as few corners as options_.tolerance allows. */
+  Ring closed(Ring ring) const {
+    if (ring.empty()) return ring;
+    if (options_.tolerance <= 0) {
+      ring.push_back(ring.front());
+      return ring;
+    }
+    const auto isEnd = [&](Point p) { return passageEnds_.count(p) > 0; };
+    const auto first = std::find_if(ring.begin(), ring.end(), isEnd);
+    if (first != ring.end()) std::rotate(ring.begin(), first, ring.end());
+    ring.push_back(ring.front());
+    Ring thinned{ring.front()};
+    for (std::size_t from = 0, to = 1; to < ring.size(); ++to) {
+      if (to + 1 < ring.size() && !isEnd(ring[to])) continue;
+      const Polyline piece =
+          thinnedLine({ring.begin() + std::ptrdiff_t(from), ring.begin() + std::ptrdiff_t(to) + 1},
+                      options_.tolerance);
+      thinned.insert(thinned.end(), piece.begin() + 1, piece.end());
+      from = to;
+    }
+    return thinned.size() > 3 ? thinned : ring;
+  }
+
+  void addFloor() {
+    Ring corners;
+    for (const Area& area : graph_.areas)
+      corners.insert(corners.end(), area.polygon.outer.begin(), area.polygon.outer.end());
+    addWay(closedHull(std::move(corners)), tag("height", "0") + tag("indoor", "level") +
+                                               tag("level", "0") + tag("name", "floor_0") +
+                                               tag("osmAG:areaType", "structure") +
+                                               tag("osmAG:type", "area"));
   }
 
   void addArea(std::size_t a) {
     const Area& area = graph_.areas[a];
-    addRing(area.polygon.outer, tag("indoor", kindName(area)) + tag("name", areaName(AreaId(a))) +
+    addRing(area.polygon.outer, tag("height", "0") + tag("indoor", kindName(area)) +
+                                    tag("level", "0") + tag("name", areaName(AreaId(a))) +
                                     tag("osmAG:areaType", kindName(area)) +
-                                    tag("osmAG:type", "area"));
+                                    tag("osmAG:parent", parent()) + tag("osmAG:type", "area"));
   }
 
   void addPassage(std::size_t p) {
     const Passage& passage = graph_.passages[p];
     addWay({passage.from, passage.to},
-           tag("name", "passage_" + std::to_string(p)) + tag("osmAG:from", areaName(passage.a)) +
-               tag("osmAG:to", areaName(passage.b)) + tag("osmAG:type", "passage") +
-               tag("width", metresText(passage.width)));
+           tag("level", "0") + tag("name", "passage_" + std::to_string(p)) +
+               tag("osmAG:from", reference(passage.a)) + tag("osmAG:to", reference(passage.b)) +
+               tag("osmAG:type", "passage") + tag("width", metresText(passage.width)));
   }
 
   void addHoles(std::size_t a) {
@@ -129,6 +192,7 @@ class OsmWriter {
   }
 
   const AreaGraph& graph_;
+  const OsmXmlOptions& options_;
   std::set<Point> passageEnds_;
   std::map<Point, std::int64_t> nodeIds_;
   std::int64_t lastWay_ = 0, lastRelation_ = 0;
@@ -137,6 +201,8 @@ class OsmWriter {
 
 }  // namespace
 
-std::string osmXml(const AreaGraph& graph) { return OsmWriter(graph).run(); }
+std::string osmXml(const AreaGraph& graph, const OsmXmlOptions& options) {
+  return OsmWriter(graph, options).run();
+}
 
 }  // namespace roomgraph

@@ -10,6 +10,11 @@ namespace roomgraph {
 // Out:  the text of an OSM file
 // Next: writeFileAtomically
 
+struct OsmXmlOptions {
+  double tolerance = 0;     ///< how far outlines may be from those of the areas [m]
+  bool hasNumbers = false;  ///< areas are named by their ids, as osmAG's planner reads them
+};
+
 /** The areas as OpenStreetMap XML in the manner of osmAG (Feng et al., "osmAG: Hierarchical
  *  Semantic Topometric Area Graph Maps in the OSM Format for Mobile Robotics", ROBIO 2023), for its
  *  planners and for JOSM.
@@ -20,15 +25,19 @@ namespace roomgraph {
  *    others lie as far east (x) and north (y) of it as in the map, by the radii of WGS84 at the
  *    root (equirectangular), to 0.1 mm.
  *  - An area is a closed way, counter-clockwise, tagged osmAG:type=area, osmAG:areaType=room or
- *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id. An area with holes
- *    is also the outer member of a relation type=multipolygon; its holes are ways without tags.
+ *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id; level and height
+ *    are 0, as the map does not tell on which floor it is. An area with holes is also the outer
+ *    member of a relation type=multipolygon; its holes are ways without tags.
  *  - A passage is a way of two nodes, its ends, which are nodes of both areas; tagged
  *    osmAG:type=passage, osmAG:from and osmAG:to with the names of the areas (osmAG's semantic
- *    variant: JOSM changes ids when it saves), name=passage_2 and width [m].
+ *    variant: JOSM changes ids when it saves; with hasNumbers their ids), level, name=passage_2 and
+ *    width [m].
+ *  - The floor is a closed way, the convex hull of all areas, tagged osmAG:areaType=structure, and
+ *    the osmAG:parent of all areas.
  *
  *  Ids are negative, as those of all that is not in OSM's data base: nodes, ways and relations each
- *  count from -1 down, areas before passages before holes. Same areas, same bytes.
- *  O(n log n) in the number of corners. */
-std::string osmXml(const AreaGraph& graph);
+ *  count from -1 down, areas before passages, the floor, holes. Same areas, same bytes. O(n log n)
+ *  in the number of corners. */
+std::string osmXml(const AreaGraph& graph, const OsmXmlOptions& options = {});
 
 }  // namespace roomgraph
