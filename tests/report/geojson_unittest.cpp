@@ -53,7 +53,7 @@ TEST(Geojson, verticesComeFirstUnderTheirOwnIds) {
     EXPECT_NEAR(all.nodes[v]["geometry"]["coordinates"][0].get<double>(),
                 graph.graph.vertices()[v].at.x, 1e-4);
   }
-  EXPECT_EQ(all.nodes[0]["properties"]["metadata"]["kind"], "room");
+  EXPECT_EQ(all.nodes[0]["properties"]["metadata"]["class"], "room");
 }
 
 TEST(Geojson, everyPieceIsThereBothWaysBetweenKnownNodes) {
@@ -96,6 +96,34 @@ TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
 TEST(Geojson, holdsNoNull) {
   EXPECT_EQ(geojson(sampleStages().result).find("null"), std::string::npos);
   EXPECT_EQ(geojson(extractedStages().result).find("null"), std::string::npos);
+}
+
+/** The keys that nav2's scorers and operations read by default. */
+TEST(Geojson, edgesHaveAClassASpeedLimitAndAPenalty) {
+  const Features all = features(geojson(sampleStages().result));
+  ASSERT_FALSE(all.edges.empty());
+  for (const Json& edge : all.edges) {
+    const Json metadata = edge["properties"]["metadata"];
+    EXPECT_TRUE(metadata["class"] == "room" || metadata["class"] == "corridor");
+    const double speed = metadata["speed_limit"];
+    EXPECT_NEAR(speed, std::clamp(100 * metadata["min_clearance"].get<double>(), 20.0, 100.0),
+                0.51);
+    EXPECT_NEAR(metadata["penalty"].get<double>(),
+                edge["properties"]["cost"].get<double>() * (100 / speed - 1), 2e-3);
+  }
+}
+
+/** nav2's loader refuses a graph without nodes or edges. */
+TEST(Geojson, aRoomWithoutAWayOutHasOneInside) {
+  RoomGraph graph;
+  graph.rooms.resize(1);
+  graph.rooms[0].shape.widestPlace = {3, 4};
+  graph.rooms[0].shape.inscribedRadius = 2;
+  const Features all = features(geojson(graph));
+  ASSERT_EQ(all.nodes.size(), 2u);
+  ASSERT_EQ(all.edges.size(), 2u);
+  EXPECT_EQ(all.edges[0]["properties"]["cost"], 2);
+  EXPECT_EQ(all.edges[0]["properties"]["startid"], all.edges[1]["properties"]["endid"]);
 }
 
 TEST(Geojson, ofAnEmptyGraphHasNoFeature) {

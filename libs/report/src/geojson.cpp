@@ -1,6 +1,8 @@
 #include "roomgraph/report/geojson.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "json_text.h"
 #include "roomgraph/report/names.h"
@@ -34,6 +36,14 @@ class Members {
   std::string text_;
 };
 
+/** Full speed from here on [m]; nearer to obstacles in proportion, but never less than the least.
+ */
+constexpr double kFullSpeedClearance = 1, kLeastPercent = 20;
+
+double speedPercent(double clearance) {
+  return std::clamp(std::round(100 * clearance / kFullSpeedClearance), kLeastPercent, 100.0);
+}
+
 std::string pointText(Point p) {
   std::string json;
   addPoint(json, p);
@@ -56,9 +66,10 @@ class Writer {
     for (std::size_t r = 0; r < graph_.rooms.size(); ++r) addRoomPolygon(r);
     for (const Vertex& vertex : graph_.graph.vertices())
       addNode(vertex.at, Members()
-                             .quoted("kind", kindName(vertex.kind))
+                             .quoted("class", kindName(vertex.kind))
                              .number("clearance", vertex.clearance)
                              .room(vertex.room));
+    if (graph_.graph.edges().empty()) addLoneRooms();
     addBends();
     for (std::size_t e = 0; e < chains_.size(); ++e) addPieces(e);
     return "{\n\"type\": \"FeatureCollection\",\n\"name\": \"roomgraph\",\n\"crs\": {\"type\": "
@@ -107,7 +118,7 @@ class Writer {
       const auto kept = straightPieces(edge.path);
       for (std::size_t i = 1; i + 1 < kept.size(); ++i) {
         const Point at = edge.path.points[kept[i]];
-        chain.push_back({addNode(at, Members().quoted("kind", "bend").room(edge.room)), at});
+        chain.push_back({addNode(at, Members().quoted("class", "bend").room(edge.room)), at});
       }
       chain.push_back({edge.target.index(), edge.path.points.back()});
       chains_.push_back(std::move(chain));
@@ -118,14 +129,40 @@ class Writer {
     const Edge& edge = graph_.graph.edges()[e];
     const Members metadata = Members()
                                  .add("edge", e)
-                                 .quoted("kind", kindName(edge))
+                                 .quoted("class", kindName(edge))
                                  .room(edge.room)
                                  .number("length", edge.path.length)
                                  .number("min_clearance", edge.path.minClearance);
-    for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
-      addPiece(chains_[e][i], chains_[e][i + 1], metadata);
-      addPiece(chains_[e][i + 1], chains_[e][i], metadata);
+    for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i)
+      addBothWays(chains_[e][i], chains_[e][i + 1], metadata, edge.path.minClearance);
+  }
+
+  /** The loader refuses a graph without edges: a room without a way out gets one inside of it. */
+  void addLoneRooms() {
+    std::vector<std::pair<Node, Node>> ways;
+    for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
+      const Room& room = graph_.rooms[r].shape;
+      const Point aside{room.inscribedRadius / 2, 0};
+      const Members inside = Members().quoted("class", "room").room(RoomId(r));
+      const Point ends[] = {room.widestPlace - aside, room.widestPlace + aside};
+      const std::size_t from = addNode(ends[0], inside), to = addNode(ends[1], inside);
+      ways.push_back({{from, ends[0]}, {to, ends[1]}});
     }
+    for (std::size_t r = 0; r < ways.size(); ++r) {
+      const double clearance = graph_.rooms[r].shape.inscribedRadius / 2;
+      addBothWays(
+          ways[r].first, ways[r].second,
+          Members().quoted("class", "room").room(RoomId(r)).number("min_clearance", clearance),
+          clearance);
+    }
+  }
+
+  void addBothWays(const Node& a, const Node& b, Members metadata, double clearance) {
+    const double speed = speedPercent(clearance);
+    metadata.number("speed_limit", speed)
+        .number("penalty", distance(a.at, b.at) * (100 / speed - 1));
+    addPiece(a, b, metadata);
+    addPiece(b, a, metadata);
   }
 
   void addPiece(const Node& from, const Node& to, const Members& metadata) {

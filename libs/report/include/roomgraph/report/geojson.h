@@ -18,11 +18,15 @@ namespace roomgraph {
  *  twice. Ids are unique over all: 0 to V-1 are our vertices, then come the bends by edge, then the
  *  pieces by edge, each one forth and then back.
  *
- *  Points have properties id, frame ("map") and metadata {kind, clearance, room}; MultiLineStrings
- *  id, startid, endid, cost (length [m], overridable) and metadata {edge, kind, room, length,
- *  min_clearance}, the numbers being those of our edge; rooms are Polygons with room, area and
- *  inscribed_radius, which nav2 skips. nav2 refuses a graph without edges. Same graph, same bytes.
- */
+ *  Points have properties id, frame ("map") and metadata {class, clearance, room}; MultiLineStrings
+ *  id, startid, endid, cost (length [m], overridable) and metadata {edge, class, room, length,
+ *  min_clearance}, the numbers being those of our edge, and of this piece speed_limit
+ *  (AdjustSpeedLimit [% of the highest speed]: 100 from 1 m of clearance on, less in proportion, at
+ *  least 20) and penalty (PenaltyScorer [m]: what the robot could drive in the time that this speed
+ *  costs); rooms are Polygons with room, area and inscribed_radius, which nav2 skips. class
+ *  (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge ("room",
+ *  "corridor"). nav2 refuses a graph without edges: where ours has none, each room gets two nodes
+ *  in its largest disc and the way between them. Same graph, same bytes. / */
 std::string geojson(const RoomGraph& graph);
 
 }  // namespace roomgraph
