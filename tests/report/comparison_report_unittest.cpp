@@ -137,7 +137,7 @@ TEST(PageSummary, saysWhatStandsOut) {
   const std::string name = kHostileName;
   EXPECT_EQ(said, (std::vector<std::string>{
                       "Why morning: its walls lie near those of the 3 other runs.",
-                      "1 map bends: " + name + " (2 places).",
+                      "1 map is torn: " + name + " (2 places).",
                       "1 room is missing where a run has looked: R3 in " + name + ".",
                       "1 file is left out: garage."}));
   EXPECT_TRUE(pageSummary({}).empty());

@@ -7,7 +7,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLittle = 0.6;  // share of the walls below which a bend tells little
+constexpr double kLittle = 0.6;  // share of the walls below which it is worth a word
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -16,19 +16,17 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/** What speaks against a run, in the order of its weight in the score. */
-std::string against(const ComparedRun& run, const std::vector<MapBreak>& breaks) {
+/** What decided the score of a run. */
+std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const RunScore& score = *run.score;
-  std::string text = formatted("bends %.2f m away from the %zu other %s", score.bend, score.others,
-                               score.others == 1 ? "run" : "runs");
-  if (score.share < kLittle)
-    text += formatted(" as far as they have its walls (%.0f %%)", 100 * score.share);
+  std::string text = formatted("its walls lie %.2f m from where ", score.mapError);
+  text += comparison.reference ? "the reference has them"
+                               : formatted("all %zu runs together have them", score.others + 1);
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
-  if (const auto count = std::count_if(breaks.begin(), breaks.end(), isOfRun))
-    text += formatted(", breaks in %ld place%s", long(count), count == 1 ? "" : "s");
-  if (const Measure* deviation = find(run.measures, "axis_deviation");
-      deviation && deviation->value)
-    text += formatted(", walls %.1f degrees off right angles", *deviation->value);
+  if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
+    text += formatted("; torn in %ld place%s", long(count), count == 1 ? "" : "s");
+  if (score.share < kLittle)
+    text += formatted("; only %.0f %% of them follow the other maps", 100 * score.share);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
@@ -41,7 +39,7 @@ std::optional<double> coverageOf(const ComparedRun& run) {
 }  // namespace
 
 std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
-  std::string reason = run.score                          ? against(run, comparison.breaks)
+  std::string reason = run.score                          ? decisive(run, comparison)
                        : comparison.reference == run.name ? "the others are measured against it"
                                                           : "no other run to compare it with";
   if (run.isScaleEstimated) reason += formatted("; %.4f m per cell, estimated", run.resolution);
@@ -56,15 +54,17 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      best.score->bend);
+  const auto coverage = coverageOf(best);
+  const bool isPartial = coverage && *coverage < kPartialCoverage;
   std::string text =
-      best.name + formatted(
-                      " is the best map, with score %.1f (%.1f to %.1f) and a map error of "
-                      "about %.2f m",
-                      best.score->score, best.score->low, best.score->high, best.score->mapError);
+      best.name + (isPartial ? " has the smallest error" : " is the best map") +
+      formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
+                best.score->score, best.score->low, best.score->high, best.score->mapError);
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
-  if (const auto coverage = coverageOf(best); coverage && *coverage < kPartialCoverage)
-    text += formatted("; it has seen %.0f %% of what two runs have seen", 100 * *coverage);
+  if (isPartial)
+    text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
+                      100 * *coverage);
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";
 }

@@ -29,14 +29,14 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string breaksSentence(const Comparison& comparison) {
   std::map<std::string, std::size_t> breaks;
-  for (const MapBreak& bend : comparison.breaks) ++breaks[bend.run];
+  for (const MapBreak& tear : comparison.breaks) ++breaks[tear.run];
   std::vector<std::string> names;
   for (const ComparedRun& run : comparison.runs)
     if (breaks.count(run.name))
       names.push_back(run.name + (breaks[run.name] > 1
                                       ? " (" + std::to_string(breaks[run.name]) + " places)"
                                       : ""));
-  return counted(names.size(), "map bends", "maps bend") + ": " + listed(names) + ".";
+  return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names) + ".";
 }
 
 std::string goneSentence(const Comparison& comparison) {
