@@ -19,7 +19,9 @@ std::optional<MapBreak> breakIn(const CsvTable& table, std::size_t row) {
   return MapBreak{table.text(row, "run"),
                   {table.number(row, "cut_x"), table.number(row, "cut_y")},
                   table.number(row, "jump_deg") * M_PI / 180,
-                  std::hypot(table.number(row, "jump_x"), table.number(row, "jump_y"))};
+                  std::hypot(table.number(row, "jump_x"), table.number(row, "jump_y")),
+                  {},
+                  {}};
 }
 
 /** All columns that were set for a run, but the seed. */

@@ -1,5 +1,6 @@
 #include "roomgraph/compare/compare_runs.h"
 
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/place_runs.h"
+#include "roomgraph/score/estimate_map_errors.h"
 #include "summarize.h"
 
 namespace roomgraph {
@@ -33,6 +35,11 @@ std::size_t placeOf(const std::string& name, const std::vector<Run>& runs) {
   return place;
 }
 
+bool haveScans(const Site& site) {
+  return std::all_of(site.runs.begin(), site.runs.end(),
+                     [](const Run* run) { return !run->scans.empty(); });
+}
+
 }  // namespace
 
 Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
@@ -44,7 +51,9 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
   const Consensus consensus = siteConsensus(site, pairs, forEach);
-  const RunScores scores = scoreRuns(bends, consensus.errors, site.reference, options.score);
+  // Without scans, how far the maps bend apart tells their errors better.
+  const auto errors = haveScans(site) ? consensus.errors : errorsByBends(site, bends);
+  const RunScores scores = scoreRuns(bends, errors, site.reference, options.score);
   const Trust trust = trustOf(scores, site.reference);
   const auto breaks = siteBreaks(site, pairs, consensus, trust, options.breaks, forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);

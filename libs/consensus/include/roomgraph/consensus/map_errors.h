@@ -21,8 +21,8 @@ struct MapError {
 };
 
 /** The map error of each run whose submaps lie at `poses` (those of findConsensus). The interval
- *  is wider for few runs, for runs that share their scans, and for what others have not seen. No
- *  error for a run that has drawn nothing. O(submaps + matches). */
+ *  is wider for few runs and for what others have not seen. No error for a run that has drawn
+ *  nothing. O(submaps + matches). */
 std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
                                 const std::vector<RunMatches>& matches, const SubmapPoses& poses);
 

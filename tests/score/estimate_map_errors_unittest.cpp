@@ -1,0 +1,122 @@
+#include "roomgraph/score/estimate_map_errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+using Deviations = std::vector<std::optional<double>>;
+
+/** The bends of maps that each err in their own way. */
+PairBends bendsOf(const std::vector<double>& errors) {
+  PairBends bends(errors.size());
+  for (const auto& [i, j] : bends.pairs())
+    bends(i, j) = {std::hypot(errors[i], errors[j]), 1, 1000, false};
+  return bends;
+}
+
+Deviations untold(std::size_t n) { return Deviations(n); }
+
+TEST(EstimateMapErrors, findsTheErrorsBehindTheBends) {
+  const std::vector<double> truth{0.05, 0.1, 0.3, 0.7, 1.5};
+  const auto found = estimateMapErrors(bendsOf(truth), untold(5), {}, {});
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ASSERT_TRUE(found[i]);
+    EXPECT_NEAR(found[i]->error, truth[i], 0.1 * truth[i]) << i;
+    EXPECT_LT(found[i]->low, truth[i]);
+    EXPECT_GT(found[i]->high, truth[i]);
+  }
+}
+
+TEST(EstimateMapErrors, oneOutlierMovesLittle) {
+  const auto with = [](double far) {
+    return estimateMapErrors(bendsOf({0.05, 0.1, 0.1, 0.2, far}), untold(5), {}, {});
+  };
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(with(0.2)[i]->error, with(4)[i]->error, 0.015);
+}
+
+TEST(EstimateMapErrors, oneWrongPairMovesLittle) {
+  PairBends bends = bendsOf({0.1, 0.1, 0.2, 0.2, 0.3, 0.3});
+  const auto before = estimateMapErrors(bends, untold(6), {}, {});
+  bends(0, 1).bend = 5;
+  const auto after = estimateMapErrors(bends, untold(6), {}, {});
+  for (std::size_t i = 2; i < 6; ++i) EXPECT_NEAR(after[i]->error, before[i]->error, 0.03);
+  EXPECT_LT(after[0]->error, 0.25);
+}
+
+TEST(EstimateMapErrors, twoMapsAreToldApartByTheirDeviations) {
+  const PairBends bends = bendsOf({0.3, 0.3});
+  const auto alike = estimateMapErrors(bends, untold(2), {}, {});
+  EXPECT_NEAR(alike[0]->error, alike[1]->error, 1e-6);
+  const auto told = estimateMapErrors(bends, {0.01, 0.05}, {}, {});
+  EXPECT_LT(told[0]->error, 0.5 * told[1]->error);
+  EXPECT_NEAR(std::hypot(told[0]->error, told[1]->error), bends(0, 1).bend, 0.1);
+}
+
+TEST(EstimateMapErrors, onlyTheRatioOfTheDeviationsCounts) {
+  MapErrorOptions options;
+  options.deviationNoise = 0;
+  const PairBends bends = bendsOf({0.1, 0.4, 0.2});
+  const auto one = estimateMapErrors(bends, {0.01, 0.03, 0.02}, {}, options);
+  const auto other = estimateMapErrors(bends, {0.1, 0.3, 0.2}, {}, options);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(one[i]->error, other[i]->error, 1e-4);
+}
+
+TEST(EstimateMapErrors, thatASmallPieceIsStraightSaysLittleAndThatItIsBentSaysAll) {
+  const auto errorOf = [](double share, double deviation) {
+    PairBends bends = bendsOf({0.2, 0.2, 0.2, 0.2});
+    for (std::size_t i = 0; i < 3; ++i) bends(i, 3).share = share;
+    return estimateMapErrors(bends, {0.02, 0.02, 0.02, deviation}, {}, {})[3]->error;
+  };
+  EXPECT_GT(errorOf(0.3, 0.005), 1.3 * errorOf(1, 0.005));
+  EXPECT_LT(errorOf(0.3, 0.005), errorOf(0.3, 0.02));
+  EXPECT_GT(errorOf(0.05, 0.2), 3 * errorOf(0.05, 0.02));
+}
+
+TEST(EstimateMapErrors, theOrderOfTheMapsChangesNothing) {
+  const std::vector<double> truth{0.05, 0.4, 0.2, 0.9};
+  const auto forth = estimateMapErrors(bendsOf(truth), {0.01, 0.03, 0.02, 0.06}, {}, {});
+  const auto back =
+      estimateMapErrors(bendsOf({0.9, 0.2, 0.4, 0.05}), {0.06, 0.02, 0.03, 0.01}, {}, {});
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(forth[i]->error, back[3 - i]->error, 1e-5);
+}
+
+TEST(EstimateMapErrors, moreMapsMakeItSurer) {
+  const auto widthWith = [](std::size_t n) {
+    const auto found = estimateMapErrors(bendsOf(std::vector<double>(n, 0.3)), untold(n), {}, {});
+    return found[0]->high - found[0]->low;
+  };
+  EXPECT_LT(widthWith(5), widthWith(3));
+  EXPECT_LT(widthWith(10), widthWith(5));
+}
+
+TEST(EstimateMapErrors, againstTheTruthTheBendIsTheError) {
+  PairBends bends = bendsOf({0.5, 0.5, 0});
+  bends(0, 2).bend = 0.1, bends(1, 2).bend = 0.7;
+  const auto found = estimateMapErrors(bends, untold(3), 2, {});
+  EXPECT_FALSE(found[2]);
+  EXPECT_NEAR(found[0]->error, 0.1, 0.05);
+  EXPECT_NEAR(found[1]->error, 0.7, 0.15);
+}
+
+TEST(EstimateMapErrors, whereTheTruthHasLittleOfAMapTheOthersTell) {
+  PairBends bends = bendsOf({0.1, 1.0, 0});
+  bends(1, 2) = {0.1, 0.1, 100, false};  // only the part that fits was found
+  const auto found = estimateMapErrors(bends, untold(3), 2, {});
+  EXPECT_GT(found[1]->error, 0.6);
+}
+
+TEST(EstimateMapErrors, aMapWithoutAPairHasNone) {
+  PairBends bends = bendsOf({0.1, 0.2, 0.3});
+  for (std::size_t i = 0; i < 2; ++i) bends(i, 2) = {};
+  const auto found = estimateMapErrors(bends, untold(3), {}, {});
+  EXPECT_TRUE(found[0] && found[1]);
+  EXPECT_FALSE(found[2]);
+  EXPECT_TRUE(estimateMapErrors(PairBends(), {}, {}, {}).empty());
+  EXPECT_FALSE(estimateMapErrors(bendsOf({0.1}), untold(1), {}, {})[0]);
+}
+
+}  // namespace
+}  // namespace roomgraph
