@@ -41,9 +41,9 @@ std::vector<std::optional<MapError>> estimateMapErrors(
     const PairBends& bends, const std::vector<std::optional<double>>& deviations,
     std::optional<std::size_t> truth, const MapErrorOptions& options);
 
-/** The map errors of all runs of a site from the bends of their maps alone, for runs without scans:
- *  one estimate for all copies of a map. `seen` is the largest share of walls in common with another
- *  map, 0 for a run that has none. Cost: that of estimateMapErrors. */
+/** The map errors of all runs of a site from the bends of their maps alone, for runs without
+ *  scans: one estimate for all copies of a map. `seen` is the largest share of walls in common with
+ *  another map, 0 for a run that has none. Cost: that of estimateMapErrors. */
 std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends);
 
 }  // namespace roomgraph
