@@ -35,7 +35,9 @@ TEST(WallSites, aRimOfUnknownCellsHidesNoWall) {
   const auto sites = obstacleSites(grid, thinObstacles(grid, {}), true);
   const auto isWall = wallSites(grid, sites);
   for (std::size_t i = 0; i < isWall.size(); ++i)
-    if (sites.cells[i].x < 10) EXPECT_TRUE(isWall[i]) << sites.cells[i].x;
+    if (sites.cells[i].x < 10) {
+      EXPECT_TRUE(isWall[i]) << sites.cells[i].x;
+    }
   EXPECT_GT(std::count(isWall.begin(), isWall.end(), 0), 0);
 }
 
