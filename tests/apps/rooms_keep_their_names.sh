@@ -56,7 +56,7 @@ cmp site.json before.json
 rooms c.pgm
 rooms d.pgm
 cp edited.json site.json
-expect 1 "$roomgraph" compare c.pgm d.pgm -o o3 --names site.json
+expect 1 "$roomgraph" compare c.pgm d.pgm --resolution 0.05 -o o3 --names site.json
 one_line err site.json
 cmp site.json edited.json
 expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o3 --names a.gridmap.gz

@@ -57,7 +57,7 @@ one_line err junk.gridmap
 grep -q '"left_out": \[$' bad/comparison.json || fail "junk is not reported"
 [ "$(wc -l < bad/comparison.runs.csv)" -eq 3 ] || fail "the rest is not compared"
 rooms other.pgm
-expect 0 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o other
+expect 0 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz --resolution 0.05 -o other
 one_line err other.pgm site
 
 # The gate.
