@@ -67,7 +67,7 @@ TEST(ComparisonScene, roomsAndBreaksAreThereWhereThereAreAny) {
   SiteRoom room;
   room.id = "R1", room.polygon.outer = {{0, 0}, {4, 0}, {4, 4}};
   comparison.rooms = {room};
-  comparison.breaks = {{"b", {1, 2}, 0.1, 0.5}};
+  comparison.breaks = {{"b", {1, 2}, 0.1, 0.5, {}, {}}};
   MrptScene with = comparisonScene(comparison, runs());
   for (const char* name : {"rooms", "room names", "breaks"}) EXPECT_TRUE(with.getByName(name));
 }
