@@ -8,8 +8,10 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
+#include "roomgraph/report/site_geojson.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -19,6 +21,7 @@ ResultFiles::ResultFiles(const std::filesystem::path& folder)
       json((folder / "comparison.json").string()),
       runs((folder / "comparison.runs.csv").string()),
       rooms((folder / "comparison.rooms.csv").string()),
+      site((folder / "comparison.rooms.geojson").string()),
       scene((folder / "comparison.3Dscene").string()) {}
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
@@ -62,6 +65,7 @@ void addResults(const Comparison& comparison, const std::vector<Run>& runs,
   staged.add(files.json, document);
   staged.add(files.runs, comparisonRunsCsv(saved));
   staged.add(files.rooms, comparisonRoomsCsv(saved));
+  staged.add(files.site, siteGeojson(saved));
   staged.add(files.scene, comparisonSceneBytes(saved, runs));
   staged.add(files.report, comparisonReport(saved, runs));
 }

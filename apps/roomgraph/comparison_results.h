@@ -15,9 +15,9 @@ namespace roomgraph {
 struct ResultFiles {
   explicit ResultFiles(const std::filesystem::path& folder);
 
-  std::vector<std::string> all() const { return {report, json, runs, rooms, scene}; }
+  std::vector<std::string> all() const { return {report, json, runs, rooms, site, scene}; }
 
-  std::string report, json, runs, rooms, scene;
+  std::string report, json, runs, rooms, site, scene;
 };
 
 /** --fail-below and --fail-on. */

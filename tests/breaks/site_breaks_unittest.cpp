@@ -57,6 +57,11 @@ TEST(SiteBreaks, aTornDriveShowsWhereAndByHowMuch) {
     EXPECT_NEAR(wrappedAngle(found.rotation - turn), 0, 0.01) << turn;
     EXPECT_NEAR(found.shift, 5, 0.1) << turn;
     EXPECT_LT(distance(found.place, truth[1][33].shift()), 0.1) << "as the map before it has it";
+    ASSERT_TRUE(found.torn);
+    EXPECT_LT(distance(found.torn->drawn.shift(), drawn[33].shift()), 1e-9);
+    EXPECT_NEAR(wrappedAngle(found.torn->drawn.phi - drawn[33].phi), 0, 1e-9);
+    EXPECT_LT(distance(found.torn->untorn.shift(), truth[1][33].shift()), 0.1);
+    EXPECT_NEAR(wrappedAngle(found.torn->untorn.phi - truth[1][33].phi), 0, 0.01);
     EXPECT_TRUE(breaks[0].empty());
     EXPECT_TRUE(breaks[2].empty());
   }
@@ -71,6 +76,9 @@ TEST(SiteBreaks, thePlaceIsInTheFrameOfTheSite) {
   const auto breaks = site.breaks();
   ASSERT_EQ(breaks[1].size(), 1u);
   EXPECT_LT(distance(breaks[1][0].place, truth[1][33].shift()), 0.1);
+  EXPECT_LT(distance(breaks[1][0].torn->untorn.shift(), truth[1][33].shift()), 0.1);
+  const Transform2D drawn = there.inverse() * site.runs[1].scans[33].pose;
+  EXPECT_LT(distance(breaks[1][0].torn->drawn.shift(), drawn.shift()), 1e-9);
   EXPECT_NEAR(breaks[1][0].shift, 0, 0.1);
 }
 
@@ -116,6 +124,7 @@ TEST(SiteBreaks, aMapWithoutScansBreaksWhereTheTrustedOnesSaySo) {
   EXPECT_NEAR(breaks[0][0].place.x, middle.x, 2.5);
   EXPECT_FALSE(breaks[0][0].keyFrame);
   EXPECT_FALSE(breaks[0][0].time);
+  EXPECT_FALSE(breaks[0][0].torn);
   EXPECT_TRUE(breaks[1].empty());
   EXPECT_TRUE(breaks[2].empty());
 }

@@ -13,6 +13,7 @@
 #include "drawn_graph.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
@@ -208,11 +209,15 @@ TEST(ComparisonJson, followsTheSchema) {
   Comparison result =
       compared({run("a", drawnBuilding(1, {})), run("b", drawnBuilding(1, {2, 3, 1})),
                 run("other", drawnBuilding(11, {}))});
+  result.runs[0].path = {{0, 1.5e9, {1, 2, 3}, 0.5}, {1, {}, {1, 3, 3}, {}}};
+  result.breaks = {{"a", {1, 2}, 0.1, 0.5, 1, 1.5e9, TornPose{{1, 2, 0.3}, {1, 2.5, 0.2}}},
+                   {"b", {1, 2}, 0.1, 0.5, {}, {}, {}}};
   const std::string good = comparisonJson(result);
   EXPECT_EQ(schemaComplaint(good), "");
   EXPECT_EQ(schemaComplaint(comparisonJson({})), "");
-  for (const std::string name : {"runs", "pairs", "rooms", "breaks", "verdict", "map_error_low",
-                                 "same_site", "runner_up", "meaningful"}) {
+  for (const std::string name :
+       {"runs", "pairs", "rooms", "breaks", "verdict", "map_error_low", "same_site", "runner_up",
+        "meaningful", "path", "error_m", "pose_drawn", "pose_untorn"}) {
     std::string broken = good;
     broken.replace(broken.find("\"" + name + "\""), name.size() + 2, "\"x\"");
     EXPECT_NE(schemaComplaint(broken), "") << name;

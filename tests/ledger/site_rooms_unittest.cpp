@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawn_house.h"
+#include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

@@ -59,6 +59,17 @@ ComparedRun compared(const Run& run, const Transform2D& pose, std::size_t rank, 
   return result;
 }
 
+/** Along the corridor, with errors that grow to `error` [m]; the first cannot be told. */
+std::vector<PathPose> pathThrough(double error) {
+  std::vector<PathPose> path;
+  for (std::size_t k = 0; k < 20; ++k)
+    path.push_back({k,
+                    1.5e9 + double(k) - 12,
+                    {0.5 + 0.75 * double(k), 6, 0},
+                    k > 0 ? std::optional(error * double(k) / 20) : std::nullopt});
+  return path;
+}
+
 SiteRoom room(const std::string& id, const Rect& r) {
   SiteRoom result;
   result.id = result.name = id;
@@ -123,9 +134,11 @@ SampleComparison sampleComparison() {
   for (std::size_t a = 0; a < 4; ++a)
     for (std::size_t b = a + 1; b < 4; ++b)
       c.pairs.push_back(pair(sample.runs[a].name, sample.runs[b].name, b == 3 ? 0.4 : 0.97));
+  for (std::size_t i = 0; i < 3; ++i) c.runs[i].path = pathThrough(0.05 * double(i + 1));
   c.rooms = rooms(sample.runs);
-  c.breaks = {{kHostileName, {8, 6}, 0.07, 0.58, 12, 1.5e9},
-              {kHostileName, {12, 9}, -0.05, 0.3, {}, {}}};
+  c.breaks = {
+      {kHostileName, {8, 6}, 0.07, 0.58, 12, 1.5e9, TornPose{{8.3, 6.5, 0.17}, {8, 6, 0.1}}},
+      {kHostileName, {12, 9}, -0.05, 0.3, {}, {}, {}}};
   c.leftOut = {{"garage", "garage.gridmap", "does not lie in the same site as the others", true}};
   c.verdict =
       "morning is the best map, with score 90.5 (78 to 95) and a map error of about 0.05 m.";

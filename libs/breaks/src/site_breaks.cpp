@@ -49,9 +49,10 @@ class BreakSearch {
     for (const ScanBreak& found : findBreaks(run.scans, {track}, {1}, options_.findBreaks)) {
       const std::size_t k = found.scan;
       const Transform2D step = consensus_.poses[run_][k - 1].inverse() * consensus_.poses[run_][k];
-      const Transform2D untorn = run.scans[k - 1].pose * step;
-      breaks.push_back({run.name, site_.poses[run_](untorn.shift()), found.rotation, found.shift, k,
-                        run.scans[k].time});
+      const Transform2D& pose = site_.poses[run_];
+      const Transform2D untorn = pose * run.scans[k - 1].pose * step;
+      breaks.push_back({run.name, untorn.shift(), found.rotation, found.shift, k, run.scans[k].time,
+                        TornPose{pose * run.scans[k].pose, untorn}});
     }
     return breaks;
   }

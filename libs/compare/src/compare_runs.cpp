@@ -58,7 +58,7 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const auto breaks = siteBreaks(site, pairs, consensus, trust, options.breaks, forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
-  return summarize(runs, related, {site, scores, breaks, measures, rooms});
+  return summarize(runs, related, {site, consensus, scores, breaks, measures, rooms});
 }
 
 Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "explain_comparison.h"
+#include "run_path.h"
 
 namespace roomgraph {
 namespace {
@@ -22,6 +23,7 @@ std::vector<ComparedRun> runsOf(const Findings& found) {
     compared.score = found.scores[i];
     compared.measures = found.measures.runs[i];
     compared.resolution = run.resolution, compared.isScaleEstimated = run.isScaleEstimated;
+    compared.path = runPath(run, found.site.poses[i], found.consensus.errors[i]);
     runs.push_back(std::move(compared));
   }
   return runs;

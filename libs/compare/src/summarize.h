@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/relate/relate_runs.h"
@@ -11,6 +12,7 @@ namespace roomgraph {
 /** What was found out of a site; all lists are in the order of its runs. */
 struct Findings {
   const Site& site;
+  const Consensus& consensus;
   const RunScores& scores;
   const std::vector<std::vector<MapBreak>>& breaks;
   const SiteMeasures& measures;

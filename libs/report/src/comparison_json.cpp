@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
+#include "comparison_words.h"
 #include "json_places.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/ledger/site_rooms.h"
-#include "roomgraph/measures/measure_kinds.h"
 
 namespace roomgraph {
 namespace {
@@ -18,10 +17,6 @@ double rounded(double value) { return toTenthMillimetre(value); }
 Json number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return nullptr;
   return rounded(*value);
-}
-
-std::string fileName(const std::string& file) {
-  return std::filesystem::path(file).filename().string();
 }
 
 Json poseJson(const Transform2D& pose) {
@@ -38,6 +33,18 @@ Json measuresJson(const std::vector<Measure>& measures) {
     json[m.name] = {{"value", number(m.value)},         {"unit", m.unit},
                     {"support", std::round(m.support)}, {"low", number(m.low)},
                     {"high", number(m.high)},           {"meaningful", m.isMeaningful}};
+  return json;
+}
+
+Json pathJson(const std::vector<PathPose>& path) {
+  Json json = Json::array();
+  for (const PathPose& at : path)
+    json.push_back({{"key_frame", at.keyFrame},
+                    {"time", at.time ? Json(*at.time) : Json()},
+                    {"x", rounded(at.pose.x)},
+                    {"y", rounded(at.pose.y)},
+                    {"phi", rounded(at.pose.phi)},
+                    {"error_m", number(at.error)}});
   return json;
 }
 
@@ -65,7 +72,8 @@ Json runJson(const ComparedRun& run) {
           {"pose", poseJson(run.pose)},
           {"resolution", std::round(run.resolution * 1e6) / 1e6},
           {"scale_estimated", run.isScaleEstimated},
-          {"measures", measuresJson(run.measures)}};
+          {"measures", measuresJson(run.measures)},
+          {"path", pathJson(run.path)}};
 }
 
 Json pairJson(const ComparedPair& pair) {
@@ -84,18 +92,16 @@ Json pairJson(const ComparedPair& pair) {
 }
 
 Json breakJson(const MapBreak& tear) {
+  const std::optional<TornPose>& torn = tear.torn;
   return {{"run", tear.run},
           {"x", rounded(tear.place.x)},
           {"y", rounded(tear.place.y)},
           {"rotation_deg", rounded(tear.rotation * 180 / M_PI)},
           {"shift_m", rounded(tear.shift)},
           {"key_frame", tear.keyFrame ? Json(*tear.keyFrame) : Json()},
-          {"time", tear.time ? Json(*tear.time) : Json()}};
-}
-
-const char* nameOf(RoomSighting sighting) {
-  if (sighting == RoomSighting::seen) return "seen";
-  return sighting == RoomSighting::gone ? "gone" : "unvisited";
+          {"time", tear.time ? Json(*tear.time) : Json()},
+          {"pose_drawn", torn ? poseJson(torn->drawn) : Json()},
+          {"pose_untorn", torn ? poseJson(torn->untorn) : Json()}};
 }
 
 Json roomInRunJson(const RoomInRun& in) {
@@ -154,24 +160,6 @@ std::string lines(const char* name, const Things& things, const ToJson& toJson) 
   return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
-/** Spreadsheets take a cell that begins like a formula for one, unless an apostrophe stands
- *  first. */
-std::string csvField(const std::string& given) {
-  const bool isFormula = given.find_first_of("=+-@\t\r") == 0;
-  const std::string text = isFormula ? "'" + given : given;
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csvNumber(std::optional<double> value) {
-  if (!value) return "";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4f", rounded(*value));
-  return text;
-}
-
 }  // namespace
 
 std::string comparisonJson(const Comparison& comparison) {
@@ -192,52 +180,6 @@ std::string comparisonJson(const Comparison& comparison) {
   text += "\"options\": " + lineOf(optionsJson(comparison.options)) + ",\n";
   text += "\"gate\": " + lineOf(gateJson(comparison.gate)) + ",\n";
   return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
-}
-
-std::string comparisonRunsCsv(const Comparison& comparison) {
-  std::string text =
-      "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
-      "meaningful,x,y,phi";
-  for (const MeasureKind& kind : runMeasureKinds()) text += std::string(",") + kind.name;
-  text += "\n";
-  for (const ComparedRun& run : comparison.runs) {
-    text += (run.rank ? std::to_string(run.rank) : "") + "," + csvField(run.name) + "," +
-            csvField(fileName(run.file));
-    for (double RunScore::*member :
-         {&RunScore::score, &RunScore::low, &RunScore::high, &RunScore::mapError,
-          &RunScore::errorLow, &RunScore::errorHigh})
-      text +=
-          "," + csvNumber(run.score ? std::optional<double>((*run.score).*member) : std::nullopt);
-    text += run.score && run.score->isMeaningful ? ",1" : ",0";
-    for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
-      text += "," + csvNumber(value);
-    for (const MeasureKind& kind : runMeasureKinds()) {
-      const Measure* measure = find(run.measures, kind.name);
-      text += "," + csvNumber(measure ? measure->value : std::nullopt);
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string comparisonRoomsCsv(const Comparison& comparison) {
-  std::string text =
-      "id,name,kind,x,y,area_m2,run,sighting,pieces,merged,shift_m,area_change,"
-      "boundary_agreement,length_error_m,doors_gained,doors_lost\n";
-  for (const SiteRoom& room : comparison.rooms) {
-    std::string start = csvField(room.id) + "," + csvField(room.name) + "," +
-                        (room.isCorridor ? "corridor" : "room");
-    for (const double value : {room.center.x, room.center.y, room.area})
-      start += "," + csvNumber(value);
-    for (const RoomInRun& in : room.runs) {
-      text += start + "," + csvField(in.run) + "," + nameOf(in.sighting) + "," +
-              std::to_string(in.pieces) + (in.isMerged ? ",1" : ",0");
-      for (const auto& value : {in.shift, in.areaChange, in.boundaryAgreement, in.lengthError})
-        text += "," + csvNumber(value);
-      text += "," + std::to_string(in.doorsGained) + "," + std::to_string(in.doorsLost) + "\n";
-    }
-  }
-  return text;
 }
 
 std::string comparisonText(const Comparison& comparison) {

@@ -70,6 +70,17 @@ std::optional<RunScore> score(const JsonNode& node) {
   return score;
 }
 
+std::optional<std::size_t> countIfAny(const JsonNode& node) {
+  return node.json.is_null() ? std::nullopt : std::optional(count(node));
+}
+
+PathPose pathPose(const JsonNode& node) {
+  return {count(node["key_frame"]),
+          numberIfAny(node["time"]),
+          {node["x"].number(), node["y"].number(), node["phi"].number()},
+          numberIfAny(node["error_m"])};
+}
+
 ComparedRun run(const JsonNode& node) {
   ComparedRun run;
   run.name = node["name"].text(), run.file = node["file"].text();
@@ -81,6 +92,7 @@ ComparedRun run(const JsonNode& node) {
   run.reason = node["reason"].text();
   run.resolution = node["resolution"].number();
   run.isScaleEstimated = isTrue(node["scale_estimated"]);
+  for (const JsonNode& at : node["path"].list()) run.path.push_back(pathPose(at));
   return run;
 }
 
@@ -98,11 +110,9 @@ ComparedPair pair(const JsonNode& node) {
   return pair;
 }
 
-std::optional<std::size_t> indexIfAny(const JsonNode& node) {
-  const std::optional<double> number = numberIfAny(node);
-  if (!number) return std::nullopt;
-  if (!(*number >= 0 && *number < 1e9)) throw Broken{node.place, "is no index"};
-  return std::size_t(*number);
+std::optional<TornPose> tornPose(const JsonNode& drawn, const JsonNode& untorn) {
+  if (drawn.json.is_null()) return std::nullopt;
+  return TornPose{pose(drawn), pose(untorn)};
 }
 
 MapBreak mapBreak(const JsonNode& node) {
@@ -110,8 +120,9 @@ MapBreak mapBreak(const JsonNode& node) {
           {node["x"].number(), node["y"].number()},
           node["rotation_deg"].number() * M_PI / 180,
           node["shift_m"].number(),
-          indexIfAny(node["key_frame"]),
-          numberIfAny(node["time"])};
+          countIfAny(node["key_frame"]),
+          numberIfAny(node["time"]),
+          tornPose(node["pose_drawn"], node["pose_untorn"])};
 }
 
 RoomSighting sighting(const JsonNode& node) {

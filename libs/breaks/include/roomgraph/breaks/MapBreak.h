@@ -2,12 +2,19 @@
 #include <optional>
 #include <string>
 
-#include "roomgraph/geometry/Point.h"
+#include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 
 /** A shift from which on a map is broken, if it hardly turns [m]. */
 constexpr double kBreakShift = 0.4;
+
+/** Where the first key frame behind a break lies, site <- robot. What `drawn` says is wrong from
+ *  there on by the motion untorn * drawn.inverse(). */
+struct TornPose {
+  Transform2D drawn;   ///< as the run's map has it
+  Transform2D untorn;  ///< as it would lie there if the run had not been torn
+};
 
 /** A place where a map is torn: what lies on one side of it is turned and shifted as a whole. */
 struct MapBreak {
@@ -19,6 +26,7 @@ struct MapBreak {
    *  without scans. */
   std::optional<std::size_t> keyFrame;
   std::optional<double> time;
+  std::optional<TornPose> torn{};  ///< none of a run without scans
 };
 
 }  // namespace roomgraph

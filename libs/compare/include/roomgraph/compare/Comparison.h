@@ -15,6 +15,14 @@ namespace roomgraph {
 /** A run of less coverage is no map of the whole site. */
 constexpr double kPartialCoverage = 0.7;
 
+/** Where the robot was at a key frame, as the run's map has it. */
+struct PathPose {
+  std::size_t keyFrame = 0;     ///< from 0, among those that have a scan
+  std::optional<double> time;   ///< of its scan [s since 1970]
+  Transform2D pose;             ///< site <- robot
+  std::optional<double> error;  ///< how far what it has drawn lies from the consensus, RMS [m]
+};
+
 /** A run that could be placed. */
 struct ComparedRun {
   std::string name, file, sha256;
@@ -25,6 +33,7 @@ struct ComparedRun {
   std::string reason;             ///< of the score, one line
   double resolution = 0;          ///< side of a cell of its map [m]
   bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
+  std::vector<PathPose> path;     ///< by key frame; empty for a run without scans
 };
 
 /** Two runs, placed or not. */

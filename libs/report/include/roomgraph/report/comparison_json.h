@@ -24,14 +24,6 @@ Comparison parseComparisonJson(const std::string& text, const std::string& name)
 /** The same of a file. @throws DataError also where it cannot be read. */
 Comparison readComparison(const std::string& file);
 
-/** One line per run, best first, below a line of column names: empty fields for what cannot be
- *  told. Of each measure the value alone. */
-std::string comparisonRunsCsv(const Comparison& comparison);
-
-/** One line per room and run, by room, then as the runs, below a line of column names; empty fields
- *  for what cannot be told. */
-std::string comparisonRoomsCsv(const Comparison& comparison);
-
 /** The ranking, a line per run, then each scale that was estimated, and a line on the rooms, for
  *  people. */
 std::string comparisonText(const Comparison& comparison);

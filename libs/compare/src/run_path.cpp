@@ -1,0 +1,16 @@
+#include "run_path.h"
+
+namespace roomgraph {
+
+std::vector<PathPose> runPath(const Run& run, const Transform2D& pose, const MapError& error) {
+  const bool hasErrors = error.errors.size() == run.scans.size();
+  std::vector<PathPose> path;
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    const ScanWalls& scan = run.scans[k];
+    path.push_back({k, scan.time, pose * scan.pose,
+                    hasErrors ? std::optional(error.errors[k]) : std::nullopt});
+  }
+  return path;
+}
+
+}  // namespace roomgraph
