@@ -33,6 +33,7 @@ struct CompareArguments {
   std::string names;     ///< file of the site's rooms; empty for none
   std::string cache;     ///< folder that keeps pairs from call to call; empty for none
   unsigned threads = 0;  ///< 0 for one per core
+  bool writesBreaks = false;
   bool isQuiet = false;
 };
 
@@ -64,6 +65,9 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
                  "it is not there: one more run then costs its own pairs only. Changes no result; "
                  "its files may be deleted.")
       ->type_name("DIR");
+  app.add_flag("--break-files", arguments.writesBreaks,
+               "For each break N of a run with scans also comparison.breakN.rawlog, .untorn.rawlog "
+               "and .3Dscene: the scans at it, for RawLogViewer and SceneViewer3D.");
   app.add_option("--threads", arguments.threads,
                  "How many maps or pairs are worked on at the same time; 0 for one per core.")
       ->type_name("N")
@@ -157,9 +161,13 @@ int run(const CompareArguments& arguments) {
   // The rooms of a bad run are not to be remembered.
   if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
   addResults(comparison, read.runs, files, staged);
+  std::vector<std::string> breakFiles;
+  if (arguments.writesBreaks)
+    breakFiles = addBreakFiles(comparison, read.runs, toOptions(arguments.options).loadGrid,
+                               arguments.folder, staged);
   staged.commit();
   const bool isUnread = printLeftOut(comparison);
-  if (!arguments.isQuiet) printResults(comparison, files);
+  if (!arguments.isQuiet) printResults(comparison, files, breakFiles);
   if (!isStruck) return isUnread ? kBadData : kDone;
   printComplaints(comparison);
   if (site) printError(arguments.names + ": left as it was, as the gate strikes");

@@ -7,7 +7,9 @@
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/rawlog_file.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
@@ -70,9 +72,35 @@ void addResults(const Comparison& comparison, const std::vector<Run>& runs,
   staged.add(files.report, comparisonReport(saved, runs));
 }
 
-void printResults(const Comparison& comparison, const ResultFiles& files) {
+std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                                       const LoadGridOptions& reading,
+                                       const std::filesystem::path& folder, StagedFiles& staged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    names.push_back((folder / name).string());
+    staged.add(names.back(), bytes);
+  };
+  for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
+    const MapBreak& tear = comparison.breaks[i];
+    const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
+    const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
+    const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
+    if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
+    const std::vector<RobotScan> scans = loadScans(run->file, reading);
+    const std::string stem = "comparison.break" + std::to_string(i + 1);
+    for (const bool isUntorn : {false, true})
+      add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
+          rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
+    add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
+  }
+  return names;
+}
+
+void printResults(const Comparison& comparison, const ResultFiles& files,
+                  const std::vector<std::string>& more) {
   std::string text = comparisonText(comparison) + comparison.verdict + "\n";
   for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
+  for (const std::string& file : more) text += "  " + printable(file) + "\n";
   print(text);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomgraph/compare/gate.h"
+#include "roomgraph/grid/load_grid.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/report/StagedFiles.h"
 
@@ -38,7 +39,17 @@ bool addGate(Comparison& comparison, const GateOptions& gate);
 void addResults(const Comparison& comparison, const std::vector<Run>& runs,
                 const ResultFiles& files, StagedFiles& staged);
 
-void printResults(const Comparison& comparison, const ResultFiles& files);
+/** For each break with a key frame: logs of the scans before and behind it, as the run has them and
+ *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from
+ *  1. Those whose run is not among `runs` are left out. Returns their names.
+ *  @throws DataError where a run cannot be read any more. */
+std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                                       const LoadGridOptions& reading,
+                                       const std::filesystem::path& folder, StagedFiles& staged);
+
+/** `more` are files besides the usual ones. */
+void printResults(const Comparison& comparison, const ResultFiles& files,
+                  const std::vector<std::string>& more);
 void printComplaints(const Comparison& comparison);
 void printError(const std::string& text);
 

@@ -5,6 +5,7 @@
 #include "config_command.h"
 #include "convert_command.h"
 #include "error_line.h"
+#include "export_rawlog_command.h"
 #include "extract_command.h"
 #include "info_command.h"
 #include "interruption.h"
@@ -30,6 +31,8 @@ constexpr Command kCommands[] = {
     {"score-rooms", "Measure how well the rooms of a label picture agree with the true ones.",
      scoreRoomsCommand},
     {"convert", "Write maps as a ROS map, an MRPT grid map or a picture.", convertCommand},
+    {"export-rawlog", "Write the scans of a simplemap as a log for MRPT's RawLogViewer.",
+     exportRawlogCommand},
     {"info", "Say what is in map files, graph files (X.json) and MRPT files (X.roomgraph).",
      infoCommand},
     {"config", "Print all options as a commented ini file, for use with --config.", configCommand},

@@ -42,7 +42,7 @@ int run(const ReportArguments& arguments) {
   StagedFiles staged;
   addResults(comparison, runs, files, staged);
   staged.commit();
-  if (!arguments.isQuiet) printResults(comparison, files);
+  if (!arguments.isQuiet) printResults(comparison, files, {});
   if (isStruck) printComplaints(comparison);
   return isStruck ? kStruck : kDone;
 }

@@ -8,6 +8,7 @@
 
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/grid/load_scans.h"
 
 namespace roomgraph {
 namespace {
@@ -30,6 +31,20 @@ TEST(LoadKeyframes, givesEachScanWithWhatItsBeamsMet) {
       EXPECT_NEAR(std::max(std::abs(at.x), std::abs(at.y)), 2, 1e-5);
     }
   }
+}
+
+TEST(LoadScans, givesTheScansOfTheKeyFrames) {
+  const test::TempDir dir;
+  const std::string file = dir.write("map", test::streamed(test::smallSimplemap()));
+  const auto frames = loadKeyframes(file, LoadGridOptions());
+  const auto scans = loadScans(file, LoadGridOptions());
+  ASSERT_EQ(scans.size(), frames.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    EXPECT_EQ(scans[i].robot.x(), frames[i].pose.x);
+    EXPECT_EQ(scans[i].robot.yaw(), frames[i].pose.phi);
+    EXPECT_EQ(scans[i].scan.getScanSize(), 40u);
+  }
+  EXPECT_TRUE(loadScans(dir.write("grid", test::streamed(test::smallGrid())), {}).empty());
 }
 
 TEST(LoadKeyframes, leavesOutWhatIsTooFar) {

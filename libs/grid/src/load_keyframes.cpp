@@ -7,6 +7,7 @@
 #include "place_scans.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/checked_file.h"
+#include "roomgraph/grid/load_scans.h"
 #include "roomgraph/grid/mrpt_object.h"
 
 namespace roomgraph {
@@ -40,6 +41,16 @@ void moveTo(const Transform2D& pose, Keyframe& frame) {
   frame.pose = pose;
 }
 
+/** Calls `visit` for each scan of a simplemap, and never for another kind of map. */
+void visitScans(const std::string& name, const LoadGridOptions& options, const ScanVisitor& visit) {
+  CheckedFile file(name);
+  const auto object = peekObjectHeader(file.head());
+  if (!object || !isSimplemapClass(object->className)) return;
+  checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
+  const ByteReader in(file.content(), file.name());
+  placeScans(in, findScans(in, options), visit);
+}
+
 std::optional<Transform2D> odometryOf(const SimplemapEntry& entry) {
   if (!entry.odometry) return std::nullopt;
   return Transform2D{entry.odometry->x(), entry.odometry->y(), entry.odometry->phi()};
@@ -48,21 +59,23 @@ std::optional<Transform2D> odometryOf(const SimplemapEntry& entry) {
 }  // namespace
 
 std::vector<Keyframe> loadKeyframes(const std::string& name, const LoadGridOptions& options) {
-  CheckedFile file(name);
-  const auto object = peekObjectHeader(file.head());
-  if (!object || !isSimplemapClass(object->className)) return {};
-  checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
-  const ByteReader in(file.content(), file.name());
   std::vector<Keyframe> frames;
-  placeScans(in, findScans(in, options),
-             [&](const SimplemapEntry& entry, const PlacedScan& placed) {
-               Keyframe frame = keyframeOf(placed.robot, placed.scan, options.maxDistanceInsertion);
-               moveTo({entry.robot.x(), entry.robot.y(), entry.robot.yaw()}, frame);
-               frame.scanId = placed.id;
-               frame.odometry = odometryOf(entry);
-               frames.push_back(std::move(frame));
-             });
+  visitScans(name, options, [&](const SimplemapEntry& entry, const PlacedScan& placed) {
+    Keyframe frame = keyframeOf(placed.robot, placed.scan, options.maxDistanceInsertion);
+    moveTo({entry.robot.x(), entry.robot.y(), entry.robot.yaw()}, frame);
+    frame.scanId = placed.id;
+    frame.odometry = odometryOf(entry);
+    frames.push_back(std::move(frame));
+  });
   return frames;
+}
+
+std::vector<RobotScan> loadScans(const std::string& name, const LoadGridOptions& options) {
+  std::vector<RobotScan> scans;
+  visitScans(name, options, [&](const SimplemapEntry&, const PlacedScan& placed) {
+    scans.push_back({placed.robot, placed.scan});
+  });
+  return scans;
 }
 
 std::vector<Keyframe> loadKeyframes(const std::string& name, double maxRange) {

@@ -1,0 +1,87 @@
+#include "export_rawlog_command.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "Command.h"
+#include "error_line.h"
+#include "option_arguments.h"
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/grid/load_scans.h"
+#include "roomgraph/mrpt_plugin/rawlog_file.h"
+#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/report/write_file.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+struct RawlogArguments {
+  std::vector<std::string> runs;
+  std::size_t from = 0;
+  std::optional<std::size_t> to;
+  OptionArguments options;
+  std::string folder = ".";
+};
+
+/** The scans that were asked for. */
+std::vector<RobotScan> stretchOf(const std::string& file, const RawlogArguments& arguments,
+                                 const ExtractOptions& options) {
+  std::vector<RobotScan> scans = loadScans(file, options.loadGrid);
+  if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
+  const std::size_t last = arguments.to.value_or(scans.size() - 1);
+  if (std::max(arguments.from, last) >= scans.size())
+    throw DataError(file + ": its last key frame is " + std::to_string(scans.size() - 1) +
+                    ": choose --from and --to up to that");
+  scans.erase(scans.begin() + std::ptrdiff_t(last + 1), scans.end());
+  scans.erase(scans.begin(), scans.begin() + std::ptrdiff_t(arguments.from));
+  return scans;
+}
+
+int run(const RawlogArguments& arguments) {
+  if (arguments.to && *arguments.to < arguments.from)
+    throw UsageError("export-rawlog: --to is before --from: exchange them");
+  const ExtractOptions options = toOptions(arguments.options);
+  checkOutputNames(arguments.runs, arguments.folder, {"rawlog"});
+  makeWritableFolder(arguments.folder);
+  int exitCode = kDone;
+  for (const std::string& file : arguments.runs) {
+    try {
+      const std::string name = outputFile(arguments.folder, file, "rawlog");
+      StagedFiles staged;
+      staged.add(name, rawlogBytes(stretchOf(file, arguments, options)));
+      staged.commit();
+      print(printable(name) + "\n");
+    } catch (...) {
+      const Failure failure = currentFailure(file);
+      std::fputs(failure.line.c_str(), stderr);
+      exitCode = std::max(exitCode, failure.exitCode);
+    }
+  }
+  return exitCode;
+}
+
+}  // namespace
+
+std::function<int()> exportRawlogCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<RawlogArguments>();
+  app.add_option("RUN", arguments->runs, "Simplemaps with scans.")->type_name("")->required();
+  app.add_option("-o,--output", arguments->folder, "Folder for the logs; made if it is not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_option("--from", arguments->from, "The first key frame, from 0.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("K")
+      ->capture_default_str();
+  app.add_option("--to", arguments->to, "The last key frame; that of the run where it is left out.")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("K");
+  declareConfig(arguments->options, app);
+  declareReading(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,43 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/grid/load_scans.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
+#include "roomgraph/relate/Run.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Comparison, the maps of its runs, the scans of one of them
+// Out:  what MRPT's viewers show of a break
+// Next: a file
+
+/** How many key frames before a break are shown, and as many behind it. */
+constexpr std::size_t kFramesAtBreak = 10;
+
+/** The key frames that are shown of a break: from `first` to before `end`, of a run of `count`.
+ *  None for a break without key frame, or one that the run does not have. */
+struct FramesAtBreak {
+  std::size_t first = 0, end = 0;
+};
+FramesAtBreak framesAtBreak(const MapBreak& tear, std::size_t count);
+
+/** The walls of the best other run in grey, in the frame of the site [m]; on them what the key
+ *  frames before the break saw ("before"), and what those behind it saw as the run has it
+ *  ("drawn") and as it would be without the break ("untorn"), with the way of the robot. The
+ *  camera looks from above. `runs` are looked up by name. */
+MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
+                     const std::vector<Run>& runs);
+/** The bytes of a `.3Dscene` file; the same comparison gives the same bytes. */
+std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
+                            const std::vector<Run>& runs);
+
+/** The scans at a break, whose run lies at `pose` (site <- run), in the frame of the site: as the
+ *  run has them, or with those behind the break where they would lie without it. `all` are those
+ *  of the run. */
+std::vector<RobotScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
+                                    const std::vector<RobotScan>& all, bool isUntorn);
+
+}  // namespace roomgraph

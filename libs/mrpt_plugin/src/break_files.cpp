@@ -1,0 +1,167 @@
+#include "roomgraph/mrpt_plugin/break_files.h"
+
+#include <algorithm>
+
+#include "look_from_above.h"
+#include "object_bytes.h"
+#include "roomgraph/mrpt_plugin/rawlog_file.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155}, kDrawn{213, 94, 0},
+    kUntorn{0, 130, 90};
+constexpr double kStep = 0.05;         // between layers, so that none hides in another [m]
+constexpr double kRobotRadius = 0.15;  // [m]
+constexpr double kLetterHeight = 0.5;  // [m]
+constexpr double kMargin = 1;          // round what is shown [m]
+
+const Run* named(const std::vector<Run>& runs, const std::string& name) {
+  const auto found =
+      std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; });
+  return found == runs.end() ? nullptr : &*found;
+}
+
+Transform2D poseOf(const Comparison& comparison, const std::string& name) {
+  for (const ComparedRun& run : comparison.runs)
+    if (run.name == name) return run.pose;
+  return {};
+}
+
+/** From drawn to untorn, in the frame of the site. */
+Transform2D motionOf(const MapBreak& tear) {
+  return tear.torn ? tear.torn->untorn * tear.torn->drawn.inverse() : Transform2D{};
+}
+
+viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, mrpt::img::TColor colour,
+                              double height, float size) {
+  auto cloud = viz::CPointCloud::Create();
+  cloud->setColor_u8(colour);
+  cloud->setPointSize(size);
+  for (const Point p : points) cloud->insertPoint(float(p.x), float(p.y), float(height));
+  return cloud;
+}
+
+/** What some key frames saw, the way of the robot, and their name beside its end. */
+class Piece {
+ public:
+  /** The name stands `labelAbove` the end of the way [m]. */
+  Piece(const char* name, mrpt::img::TColor colour, double height, double labelAbove)
+      : name_(name), colour_(colour), height_(height), labelAbove_(labelAbove) {}
+
+  void add(const ScanWalls& scan, const Transform2D& siteFromRun) {
+    const Motion2D move(siteFromRun);
+    for (const WallPoint& wall : scan.walls) walls_.push_back(move(wall.place));
+    way_.push_back(move(scan.at()));
+  }
+
+  void addTo(MrptScene& scene, std::vector<Point>& shown) const {
+    if (way_.empty()) return;
+    auto set = viz::CSetOfObjects::Create();
+    set->setName(name_);
+    set->insert(cloudOf(walls_, colour_, height_, 4));
+    auto lines = viz::CSetOfLines::Create();
+    lines->setColor_u8(colour_);
+    lines->setLineWidth(3);
+    for (std::size_t k = 0; k + 1 < way_.size(); ++k)
+      lines->appendLine(way_[k].x, way_[k].y, height_, way_[k + 1].x, way_[k + 1].y, height_);
+    set->insert(lines);
+    for (const Point at : way_) {
+      auto disk = viz::CDisk::Create(float(kRobotRadius), 0.0f);
+      disk->setColor_u8(colour_);
+      disk->setLocation(at.x, at.y, height_);
+      set->insert(disk);
+    }
+    set->insert(label());
+    scene.insert(set);
+    shown.insert(shown.end(), walls_.begin(), walls_.end());
+    shown.insert(shown.end(), way_.begin(), way_.end());
+  }
+
+ private:
+  viz::CText3D::Ptr label() const {
+    auto text = viz::CText3D::Create(name_, "sans", kLetterHeight, viz::FILL);
+    text->setColor_u8(colour_);
+    text->setLocation(way_.back().x + kRobotRadius, way_.back().y + labelAbove_,
+                      height_ + kStep / 2);
+    return text;
+  }
+
+  const char* name_;
+  mrpt::img::TColor colour_;
+  double height_, labelAbove_;
+  std::vector<Point> walls_, way_;
+};
+
+/** The walls of the best run but this one. */
+void addOthers(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs,
+               MrptScene& scene) {
+  for (const ComparedRun& other : comparison.runs) {
+    const Run* run = named(runs, other.name);
+    if (other.name == tear.run || !run) continue;
+    const Motion2D move(other.pose);
+    std::vector<Point> walls;
+    for (const WallPoint& wall : run->map.walls) walls.push_back(move(wall.place));
+    auto cloud = cloudOf(walls, kOthers, 0, 3);
+    cloud->setName(other.name);
+    scene.insert(cloud);
+    return;
+  }
+}
+
+}  // namespace
+
+FramesAtBreak framesAtBreak(const MapBreak& tear, std::size_t count) {
+  if (!tear.keyFrame || *tear.keyFrame >= count) return {};
+  const std::size_t k = *tear.keyFrame;
+  return {k - std::min(k, kFramesAtBreak), std::min(count, k + kFramesAtBreak)};
+}
+
+MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
+                     const std::vector<Run>& runs) {
+  MrptScene scene;
+  addOthers(comparison, tear, runs, scene);
+  std::vector<Point> shown{tear.place};
+  if (const Run* run = named(runs, tear.run)) {
+    const Transform2D pose = poseOf(comparison, tear.run);
+    constexpr double above = kRobotRadius, below = -kRobotRadius - kLetterHeight;
+    Piece before("before", kBefore, kStep, above), drawn("drawn", kDrawn, 2 * kStep, above),
+        untorn("untorn", kUntorn, 3 * kStep, below);
+    const FramesAtBreak frames = framesAtBreak(tear, run->scans.size());
+    for (std::size_t k = frames.first; k < frames.end; ++k) {
+      const ScanWalls& scan = run->scans[k];
+      if (k < *tear.keyFrame) {
+        before.add(scan, pose);
+        continue;
+      }
+      drawn.add(scan, pose);
+      untorn.add(scan, motionOf(tear) * pose);
+    }
+    for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
+  }
+  Box box = boundingBox(shown);
+  box.low = box.low - Point{kMargin, kMargin}, box.high = box.high + Point{kMargin, kMargin};
+  lookFromAbove(scene, box);
+  return scene;
+}
+
+std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
+                            const std::vector<Run>& runs) {
+  return gzippedObject(breakScene(comparison, tear, runs));
+}
+
+std::vector<RobotScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
+                                    const std::vector<RobotScan>& all, bool isUntorn) {
+  const FramesAtBreak frames = framesAtBreak(tear, all.size());
+  const auto from = [&](std::size_t k) { return all.begin() + std::ptrdiff_t(k); };
+  std::vector<RobotScan> scans(from(frames.first), from(frames.end));
+  scans = moved(std::move(scans), pose);
+  if (!isUntorn || scans.empty()) return scans;
+  const std::size_t behind = *tear.keyFrame - frames.first;
+  std::vector<RobotScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
+  torn = moved(std::move(torn), motionOf(tear));
+  std::move(torn.begin(), torn.end(), scans.begin() + std::ptrdiff_t(behind));
+  return scans;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,115 @@
+#include "roomgraph/mrpt_plugin/break_files.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/io/zip.h>
+
+#include <cmath>
+
+#include "sample_drive.h"
+
+namespace roomgraph {
+namespace {
+
+MapBreak tearAt(std::optional<std::size_t> frame) {
+  return {"torn", {4, 4}, 0.2, 1, frame, {}, TornPose{{5, 4, 0.2}, {4, 4, 0}}};
+}
+
+/** Two runs along a line; the second is torn at key frame 12 of 30. */
+Comparison comparison() {
+  Comparison result;
+  result.runs.resize(2);
+  result.runs[0].name = "good", result.runs[1].name = "torn";
+  result.runs[1].pose = {1, 2, 0};
+  result.breaks = {tearAt(12)};
+  return result;
+}
+
+std::vector<Run> runs() {
+  std::vector<Run> both(2);
+  both[0].name = "torn", both[1].name = "good";
+  for (std::size_t k = 0; k < 30; ++k) {
+    both[0].scans.emplace_back();
+    both[0].scans.back().pose = {0.5 * double(k), 0, 0};
+    both[0].scans.back().walls = {{{0.5 * double(k), 1}, {0, -1}, 6}};
+  }
+  both[1].map.walls = {{{0, 0}, {0, 1}, 2}, {{1, 0}, {0, 1}, 2}};
+  return both;
+}
+
+TEST(FramesAtBreak, areTenOnEitherSideWhereThereAreAsMany) {
+  const auto at = [](std::optional<std::size_t> frame, std::size_t count) {
+    const FramesAtBreak frames = framesAtBreak(tearAt(frame), count);
+    return std::make_pair(frames.first, frames.end);
+  };
+  EXPECT_EQ(at(12, 30), std::make_pair(std::size_t(2), std::size_t(22)));
+  EXPECT_EQ(at(3, 8), std::make_pair(std::size_t(0), std::size_t(8)));
+  EXPECT_EQ(at(std::nullopt, 30), std::make_pair(std::size_t(0), std::size_t(0)));
+  EXPECT_EQ(at(30, 30), std::make_pair(std::size_t(0), std::size_t(0)));
+}
+
+std::shared_ptr<viz::CPointCloud> cloudOf(MrptScene& scene, const char* name) {
+  const auto set = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(name));
+  return set ? set->getByClass<viz::CPointCloud>() : nullptr;
+}
+
+TEST(BreakScene, showsTheTornPieceInBothPoses) {
+  MrptScene scene = breakScene(comparison(), tearAt(12), runs());
+  EXPECT_TRUE(scene.getByName("good"));
+  const auto before = cloudOf(scene, "before"), drawn = cloudOf(scene, "drawn"),
+             untorn = cloudOf(scene, "untorn");
+  ASSERT_TRUE(before && drawn && untorn);
+  ASSERT_EQ(before->size(), 10u);
+  ASSERT_EQ(drawn->size(), 10u);
+  ASSERT_EQ(untorn->size(), 10u);
+  EXPECT_NEAR(double(before->getPoint3Df(0).x), 1 + 0.5 * 2, 1e-5);
+  EXPECT_NEAR(double(drawn->getPoint3Df(0).x), 1 + 0.5 * 12, 1e-5);
+  EXPECT_NEAR(double(drawn->getPoint3Df(0).y), 3, 1e-5);
+  // From (7, 3): 2 to the right of and 1 below the drawn pose, turned back by 0.2.
+  EXPECT_NEAR(double(untorn->getPoint3Df(0).x), 4 + 2 * std::cos(0.2) - std::sin(0.2), 1e-5);
+  EXPECT_NEAR(double(untorn->getPoint3Df(0).y), 4 - std::cos(0.2) - 2 * std::sin(0.2), 1e-5);
+}
+
+TEST(BreakScene, isReadByMrpt) {
+  const std::string bytes = breakSceneBytes(comparison(), tearAt(12), runs());
+  EXPECT_EQ(bytes, breakSceneBytes(comparison(), tearAt(12), runs()));
+  std::vector<std::uint8_t> plain;
+  ASSERT_TRUE(mrpt::io::zip::decompress_gz_data_block({bytes.begin(), bytes.end()}, plain));
+  mrpt::io::CMemoryStream stream(plain.data(), plain.size());
+  MrptScene scene;
+  mrpt::serialization::archiveFrom(stream) >> scene;
+  EXPECT_TRUE(scene.getByName("untorn"));
+}
+
+TEST(BreakScene, withoutMapsItHoldsNothing) {
+  MrptScene scene = breakScene(comparison(), tearAt(12), {});
+  for (const char* name : {"good", "before", "drawn", "untorn"})
+    EXPECT_FALSE(scene.getByName(name)) << name;
+}
+
+TEST(ScansAtBreak, thoseBehindItLieWhereTheyWouldWithoutIt) {
+  const std::vector<RobotScan> drive = test::sampleDrive(30);
+  const MapBreak tear = tearAt(12);
+  const auto drawn = scansAtBreak(tear, {}, drive, false),
+             untorn = scansAtBreak(tear, {}, drive, true);
+  ASSERT_EQ(drawn.size(), 20u);
+  ASSERT_EQ(untorn.size(), 20u);
+  const Transform2D motion = tear.torn->untorn * tear.torn->drawn.inverse();
+  for (std::size_t k = 0; k < 20; ++k) {
+    const auto& robot = drive[k + 2].robot;
+    EXPECT_NEAR(drawn[k].robot.x(), robot.x(), 1e-9);
+    const Point at{robot.x(), robot.y()}, expected = k < 10 ? at : motion(at);
+    EXPECT_NEAR(untorn[k].robot.x(), expected.x, 1e-9) << k;
+    EXPECT_NEAR(untorn[k].robot.y(), expected.y, 1e-9) << k;
+  }
+}
+
+TEST(ScansAtBreak, lieInTheFrameOfTheSite) {
+  const std::vector<RobotScan> drive = test::sampleDrive(30);
+  const auto scans = scansAtBreak(tearAt(12), {10, 20, 0}, drive, false);
+  EXPECT_NEAR(scans[0].robot.x(), drive[2].robot.x() + 10, 1e-9);
+  EXPECT_TRUE(scansAtBreak(tearAt({}), {}, drive, true).empty());
+}
+
+}  // namespace
+}  // namespace roomgraph
