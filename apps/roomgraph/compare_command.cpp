@@ -96,20 +96,6 @@ SiteFile readSite(const std::string& file) {
   return parseSiteJson(readFile(file), file);
 }
 
-/** Jobs on the threads that were asked for, with a bar of their progress. */
-ForEach onThreads(const CompareArguments& arguments) {
-  return [&arguments](std::size_t count, const std::function<void(std::size_t)>& job) {
-    JobList jobs;
-    jobs.count = count;
-    jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
-      job(i);
-      stepDone();
-      return JobReport();
-    };
-    runInOrder(jobs, arguments.threads, !arguments.isQuiet);
-  };
-}
-
 void printNote(const std::string& file, const Note& note) {
   const bool isGuess = note.code == "assumed_resolution";
   printError(file + ": note: " + note.text + (isGuess ? "; --estimate-scale finds it" : ""));
@@ -119,7 +105,7 @@ void printNote(const std::string& file, const Note& note) {
 std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
   CompareMapsOptions options = arguments.compare;
   options.extract = toOptions(arguments.options);
-  options.compare.forEach = onThreads(arguments);
+  options.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   if (!arguments.isQuiet) options.onNote = printNote;
   ReadRuns read = readRuns(arguments.files, options);

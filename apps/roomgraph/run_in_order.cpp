@@ -106,4 +106,17 @@ int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress) {
   return exitCode;
 }
 
+ForEach onThreads(std::size_t threads, bool showProgress) {
+  return [threads, showProgress](std::size_t count, const std::function<void(std::size_t)>& job) {
+    JobList jobs;
+    jobs.count = count;
+    jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
+      job(i);
+      stepDone();
+      return JobReport();
+    };
+    runInOrder(jobs, threads, showProgress);
+  };
+}
+
 }  // namespace roomgraph

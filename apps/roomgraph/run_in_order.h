@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "roomgraph/base/ForEach.h"
+
 namespace roomgraph {
 
 /** What one job has to say. */
@@ -23,5 +25,8 @@ struct JobList {
  *  Where jobs throw, no further job begins, and what the first of them has thrown is thrown
  *  again. */
 int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress);
+
+/** Jobs on so many threads, with a bar of their progress where it is wanted. */
+ForEach onThreads(std::size_t threads, bool showProgress);
 
 }  // namespace roomgraph

@@ -171,6 +171,16 @@ GreyMap inMapFrame(const RosMap& ros, GreyMap map, const std::string& file) {
   return map;
 }
 
+/** Where its picture lies. */
+std::string pictureOf(const RosMap& ros, const std::string& name) {
+  const fs::path path = fs::path(name).parent_path() / ros.image;
+  std::error_code error;
+  if (!fs::exists(path, error))
+    refuse(name, "names the picture " + path.string() + ", which does not exist",
+           "put it there, or correct 'image'");
+  return path.string();
+}
+
 }  // namespace
 
 bool isRosMap(CheckedFile& file) {
@@ -179,15 +189,14 @@ bool isRosMap(CheckedFile& file) {
   return text.find("image:") != std::string::npos || text.find("image\":") != std::string::npos;
 }
 
+std::string pictureOfRosMap(CheckedFile& file) {
+  return pictureOf(parse(file.content(), file.name()), file.name());
+}
+
 GreyMap readRosMap(CheckedFile& file, const LoadGridOptions&) {
   const ByteView yaml = file.content();
   const RosMap ros = parse(yaml, file.name());
-  const fs::path path = fs::path(file.name()).parent_path() / ros.image;
-  std::error_code error;
-  if (!fs::exists(path, error))
-    refuse(file.name(), "names the picture " + path.string() + ", which does not exist",
-           "put it there, or correct 'image'");
-  CheckedFile picture(path.string());
+  CheckedFile picture(pictureOf(ros, file.name()));
   GreyMap map;
   readImage(picture, map);
   map.frame.resolution = ros.resolution;

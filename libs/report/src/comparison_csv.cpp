@@ -1,32 +1,14 @@
 #include "roomgraph/report/comparison_csv.h"
 
-#include <cstdio>
 #include <functional>
 
 #include "comparison_words.h"
 #include "json_places.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/csv_text.h"
 
 namespace roomgraph {
 namespace {
-
-/** Spreadsheets take a cell that begins like a formula for one, unless an apostrophe stands
- *  first. */
-std::string csvField(const std::string& given) {
-  const bool isFormula = given.find_first_of("=+-@\t\r") == 0;
-  const std::string text = isFormula ? "'" + given : given;
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string csvNumber(std::optional<double> value) {
-  if (!value) return "";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4f", toTenthMillimetre(*value));
-  return text;
-}
 
 /** A figure of each break of a run, in their order. */
 std::string ofBreaks(const Comparison& comparison, const std::string& run,

@@ -1,0 +1,28 @@
+#include "roomgraph/report/csv_text.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+TEST(CsvField, isQuotedWhereItMustBe) {
+  EXPECT_EQ(csvField("office"), "office");
+  EXPECT_EQ(csvField(""), "");
+  EXPECT_EQ(csvField("a,b"), "\"a,b\"");
+  EXPECT_EQ(csvField("a \"b\""), "\"a \"\"b\"\"\"");
+  EXPECT_EQ(csvField("a\nb"), "\"a\nb\"");
+}
+
+TEST(CsvField, aFormulaIsText) {
+  EXPECT_EQ(csvField("=1+1"), "'=1+1");
+  EXPECT_EQ(csvField("@a,b"), "\"'@a,b\"");
+}
+
+TEST(CsvNumber, hasFourPlaces) {
+  EXPECT_EQ(csvNumber(0.12345), "0.1235");
+  EXPECT_EQ(csvNumber(-0.00001), "0.0000");
+  EXPECT_EQ(csvNumber({}), "");
+}
+
+}  // namespace
+}  // namespace roomgraph
