@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "Command.h"
+#include "archive_command.h"
 #include "compare_command.h"
 #include "config_command.h"
 #include "convert_command.h"
@@ -25,6 +26,8 @@ constexpr Command kCommands[] = {
      "Say which of several maps of one site is the best, and how far each is from the others.",
      compareCommand},
     {"report", "Write the results of a comparison anew, and ask a gate again.", reportCommand},
+    {"archive", "Keep the runs of a site night by night, and say whether its maps get worse.",
+     archiveCommand},
     {"stability",
      "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
      stabilityCommand},

@@ -13,7 +13,15 @@ help > "$work/all"
 # "  extract    Read maps ..." below "Subcommands:".
 sed -n '/^Subcommands:/,$ s/^  \([a-z-]*\)  *\(.*\)$/\1\t\2/p' "$work/all" > "$work/commands"
 cut -f 1 "$work/commands" > "$work/names"
-while read -r command; do help "$command" > "$work/$command.help"; done < "$work/names"
+# subcommands FILE: the names in a help, a line each.
+subcommands() { sed -n '/^Subcommands:/,$ s/^  \([a-z-]*\) .*/\1/p' "$1"; }
+# The help of a command, and those of its own commands, which follow a file: archive FILE add.
+while read -r command; do
+  help "$command" > "$work/$command.help"
+  for sub in $(subcommands "$work/$command.help"); do
+    { echo; help "$command" FILE "$sub"; } >> "$work/$command.help"
+  done
+done < "$work/names"
 
 # options FILE: a line for each option: long name, letter or nothing, sentence, between tabs. The
 # sentence stands behind the option from column 31 on, or on the next line.

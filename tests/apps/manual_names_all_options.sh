@@ -17,8 +17,12 @@ mapfile -t commands < <("$roomgraph" --help | sed -n '/^Subcommands:/,$ s/^  \([
 [ "${#commands[@]}" -ge 6 ] || fail "the help has ${#commands[@]} commands"
 for command in "${commands[@]}"; do
   grep -q "^\.SS ${command//-/\\\\-}$" manual/roomgraph.1 || fail "$command is not in the manual"
-  "$roomgraph" "$command" --help | sed -n 's/^  \(-[a-z],\)\?\(--[a-z0-9-]*\).*/\2/p' | sort > named
-  completed "$command" -- | sort | diff named - || fail "options of $command are not completed"
+  "$roomgraph" "$command" --help > help
+  for sub in $(sed -n '/^Subcommands:/,$ s/^  \([a-z-]*\) .*/\1/p' help); do
+    "$roomgraph" "$command" FILE "$sub" --help >> help
+  done
+  sed -n 's/^  \(-[a-z],\)\?\(--[a-z0-9-]*\).*/\2/p' help | sort -u > named
+  completed "$command" -- | sort -u | diff named - || fail "options of $command are not completed"
   while read -r option; do
     grep -q "from $command' -l ${option#--} .*-d '[A-Z].*'" manual/roomgraph.fish ||
       fail "fish has no sentence for $command $option"

@@ -1,0 +1,251 @@
+#include "archive_command.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "Command.h"
+#include "comparison_results.h"
+#include "option_arguments.h"
+#include "roomgraph/archive/add_run.h"
+#include "roomgraph/archive/export_history.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/time_text.h"
+#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/report/PairFolder.h"
+#include "roomgraph/report/write_file.h"
+#include "run_in_order.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+struct ArchiveArguments {
+  std::string archive;
+  std::string site;  ///< empty for the only one, or the name of the archive
+  std::vector<std::string> files;
+  std::string robot = "robot", time, cache;
+  std::size_t most = AddRunOptions().most;
+  OptionArguments options;
+  WatchOptions watch;
+  std::string format = "csv", output;
+  unsigned threads = 0;
+  bool isQuiet = false, failsOnAlarm = false;
+  CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
+};
+
+void declareSite(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option("--site", arguments.site,
+                 "The site, where the archive has several; a new one is named after the archive.")
+      ->type_name("NAME");
+}
+
+void declareWatch(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option("--limit", arguments.watch.limit,
+                 "Map error that is still good enough [m]: above it in three of five nights is an "
+                 "alarm.")
+      ->type_name("M")
+      ->check(CLI::Range(0.001, 1000.0))
+      ->capture_default_str();
+}
+
+void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option("RUN", arguments.files, "Maps of one site, as for 'roomgraph compare'.")
+      ->type_name("")
+      ->required();
+  declareSite(arguments, app);
+  app.add_option("--robot", arguments.robot, "The robot that made them.")
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--time", arguments.time,
+                 "When they were made, in UTC: 2026-11-22 or 2026-11-22T03:00. Where it is left "
+                 "out, the time of the first scan, else that of the file.")
+      ->type_name("T");
+  app.add_option("--compare-with", arguments.most,
+                 "How many runs of the archive each is compared with: half of them the latest, the "
+                 "others the best.")
+      ->type_name("N")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  app.add_option("--cache", arguments.cache,
+                 "Folder that keeps what is found of each pair of maps, as for 'roomgraph "
+                 "compare'.")
+      ->type_name("DIR");
+  app.add_option("--threads", arguments.threads,
+                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
+  declareConfig(arguments.options, app);
+  declareReading(arguments.options, app);
+}
+
+void declareExport(ArchiveArguments& arguments, CLI::App& app) {
+  declareSite(arguments, app);
+  declareWatch(arguments, app);
+  app.add_option(
+         "--format", arguments.format,
+         "What to write: 'csv' (a line per run), 'json' (all that is known) or 'prometheus' (a "
+         "text file for node_exporter).")
+      ->type_name("F")
+      ->check(CLI::IsMember({"csv", "json", "prometheus"}))
+      ->capture_default_str();
+  app.add_option("-o,--output", arguments.output, "File to write; stdout where it is left out.")
+      ->type_name("FILE");
+}
+
+/** The site that is asked for, or that the archive is named after. */
+std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archive) {
+  if (!arguments.site.empty()) return arguments.site;
+  const std::vector<std::string> sites = archive.sites();
+  if (sites.size() == 1) return sites.front();
+  if (sites.size() > 1)
+    throw UsageError(arguments.archive + ": has several sites: name one with --site");
+  const std::string stem = std::filesystem::path(arguments.archive).stem().string();
+  return stem.empty() ? "site" : stem;
+}
+
+/** The site that is asked for, or all. */
+std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
+  const Archive archive(arguments.archive, Archive::Access::existing);
+  std::vector<std::string> sites = archive.sites();
+  if (!arguments.site.empty()) {
+    if (std::find(sites.begin(), sites.end(), arguments.site) == sites.end())
+      throw UsageError(arguments.archive + ": has no site " + arguments.site +
+                       ": 'list' names those that it has");
+    sites = {arguments.site};
+  }
+  std::vector<WatchedSite> told;
+  for (const std::string& site : sites) {
+    WatchedSite one;
+    one.history = archive.history(site);
+    one.watch = watchSite(one.history, arguments.watch);
+    told.push_back(std::move(one));
+  }
+  return told;
+}
+
+AddRunOptions optionsOf(const ArchiveArguments& arguments) {
+  AddRunOptions options;
+  options.robot = arguments.robot, options.most = arguments.most;
+  if (!arguments.time.empty()) {
+    options.time = parseTime(arguments.time);
+    if (!options.time)
+      throw UsageError("--time: " + arguments.time + " is no time: give 2026-11-22T03:00");
+  }
+  options.compare.extract = toOptions(arguments.options);
+  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
+  options.compare.onUnread = [](const LeftOutRun& run) {
+    printError(run.file + ": is not compared with: " + run.reason);
+  };
+  options.onMissing = [](const KnownRun& run) {
+    printError(run.file + ": note: is gone or another file now: not compared with");
+  };
+  return options;
+}
+
+std::string lineOf(const std::string& file, const AddedRun& run) {
+  std::string text = printable(file) + ": ";
+  if (run.wasKnown) return text + "is known already\n";
+  if (run.score && run.score->isMeaningful) {
+    char error[60];
+    std::snprintf(error, sizeof error, "map error %.3f m, score %.0f: ", run.score->mapError,
+                  run.score->score);
+    text += error;
+  } else if (run.isPlaced) {
+    text += "added, too few runs to judge it yet: ";
+  } else {
+    text += "added as a run of another site: ";
+  }
+  return text + printable(run.reason) + "\n";
+}
+
+/** Adds one run after the other, so that what is done stays whatever happens to the rest. */
+int add(const ArchiveArguments& arguments) {
+  AddRunOptions options = optionsOf(arguments);
+  Archive archive(arguments.archive, Archive::Access::orNew);
+  options.site = siteToAddTo(arguments, archive);
+  std::optional<PairFolder> cache;
+  if (!arguments.cache.empty())
+    options.compare.compare.kept = cache.emplace(arguments.cache).kept();
+  int exitCode = kDone;
+  for (const std::string& file : arguments.files) {
+    try {
+      const AddedRun added = addRun(archive, file, options);
+      if (!arguments.isQuiet) print(lineOf(file, added));
+      if (!added.roomsFailed.empty()) printError(added.roomsFailed);
+    } catch (const DataError& error) {
+      printError(error.what());
+      exitCode = kBadData;
+    }
+  }
+  if (cache && !cache->failure().empty()) printError(cache->failure());
+  return exitCode;
+}
+
+int list(const ArchiveArguments& arguments) {
+  for (const WatchedSite& site : sitesToTell(arguments)) {
+    print(printable(site.history.site) + ":\n");
+    for (const HistoryRun& run : site.history.runs) {
+      const auto error = trustedFigure(run, kMapError);
+      char figure[40] = "      -  ";
+      if (error) std::snprintf(figure, sizeof figure, "%7.3f m", *error);
+      print("  " + timeText(run.time) + " " + figure + "  " + printable(run.robot) + "  " +
+            printable(run.file) + (run.isPlaced ? "" : "  (another site)") + "\n");
+    }
+  }
+  return kDone;
+}
+
+int report(const ArchiveArguments& arguments) {
+  bool isAlarm = false;
+  for (const WatchedSite& site : sitesToTell(arguments)) {
+    print(historyText(site));
+    isAlarm = isAlarm || site.watch.isAlarm();
+  }
+  return arguments.failsOnAlarm && isAlarm ? kStruck : kDone;
+}
+
+int exportAll(const ArchiveArguments& arguments) {
+  const std::vector<WatchedSite> sites = sitesToTell(arguments);
+  const std::string text = arguments.format == "csv"    ? historyCsv(sites)
+                           : arguments.format == "json" ? historyJson(sites)
+                                                        : historyPrometheus(sites);
+  if (arguments.output.empty())
+    print(text);
+  else
+    writeFileAtomically(arguments.output, text);
+  return kDone;
+}
+
+}  // namespace
+
+std::function<int()> archiveCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<ArchiveArguments>();
+  app.add_option("ARCHIVE", arguments->archive,
+                 "File of the archive (SQLite); 'add' makes it if it is not there.")
+      ->type_name("")
+      ->required();
+  app.require_subcommand(1);
+  arguments->add = app.add_subcommand(
+      "add", "Compare runs with a choice of those of the archive, and keep what comes out.");
+  arguments->report =
+      app.add_subcommand("report", "Say whether maps get worse, and which rooms have changed.");
+  arguments->list = app.add_subcommand("list", "List the runs.");
+  arguments->exporting = app.add_subcommand("export", "Write what is known for other programs.");
+  declareAdd(*arguments, *arguments->add);
+  declareSite(*arguments, *arguments->report);
+  declareWatch(*arguments, *arguments->report);
+  arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
+                              "Exit with 3 where the maps of a robot get worse.");
+  declareSite(*arguments, *arguments->list);
+  declareExport(*arguments, *arguments->exporting);
+  return [arguments] {
+    if (arguments->add->parsed()) return add(*arguments);
+    if (arguments->list->parsed()) return list(*arguments);
+    return arguments->report->parsed() ? report(*arguments) : exportAll(*arguments);
+  };
+}
+
+}  // namespace roomgraph

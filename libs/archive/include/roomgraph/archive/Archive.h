@@ -1,0 +1,71 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/archive/SiteHistory.h"
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+/** A run that an archive is told of, and where it comes from. */
+struct RunOrigin {
+  std::string sha256, robot, file;
+  double time = 0;  ///< [s since 1970]
+};
+
+/** A comparison that an archive is to keep. */
+struct Addition {
+  std::string site;
+  std::vector<RunOrigin> runs;  ///< of the compared ones, those that may be new
+  Comparison comparison;
+};
+
+/** What became of it. */
+struct Added {
+  std::size_t runs = 0;     ///< that were not known before
+  std::string roomsFailed;  ///< why its rooms could not be told from those that are known; or empty
+};
+
+/** What is enough of a run to choose those to compare with. */
+struct KnownRun {
+  std::string sha256, robot, file;
+  double time = 0;  ///< [s since 1970]
+  bool isPlaced = true;
+  bool isBroken = false;
+  std::optional<double> error;  ///< map error; none where it cannot be trusted [m]
+};
+
+/** One file that keeps, of every run of one or several sites, where it comes from, its figures and
+ *  what it has of each room. It only ever grows, in transactions: a call that is killed has added
+ *  a run wholly or not at all. Several programs may use one at a time. All but the constructor and
+ *  record() change nothing. Errors are DataErrors of one line. */
+class Archive {
+ public:
+  enum class Access { existing, orNew };
+
+  /** Brings an archive of an earlier version up to date. With Access::orNew it is made where there
+   *  is none. */
+  Archive(const std::string& file, Access access);
+  ~Archive();
+
+  std::vector<std::string> sites() const;
+  /** All runs of a site, by time, then by content. O(runs). */
+  std::vector<KnownRun> runs(const std::string& site) const;
+  bool knows(const std::string& site, const std::string& sha256) const;
+  /** Empty for a site that is not there. O(all that is kept of it). */
+  SiteHistory history(const std::string& site) const;
+
+  /** Keeps the runs that are not known yet, each once for all, and the figures of those that had
+   *  none to be trusted before. Its rooms get the ids and names that the site knows, and new ones
+   *  are remembered once two runs have them. With nothing new it changes nothing. O(runs of the
+   *  comparison * rooms), however many runs there are already. */
+  Added record(const Addition& addition);
+
+ private:
+  class Tables;
+  std::unique_ptr<Tables> tables_;
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,49 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/ledger/SiteFile.h"
+#include "roomgraph/ledger/SiteRoom.h"
+#include "roomgraph/measures/Measure.h"
+
+namespace roomgraph {
+
+/** Names of figures that every scored run has, besides those of runMeasureKinds(). */
+constexpr const char* kMapError = "map_error_m";
+constexpr const char* kScore = "score";
+constexpr const char* kBreaks = "breaks";
+
+/** What a run has of a room of the site. */
+struct RoomSeen {
+  std::string room;  ///< id
+  RoomSighting sighting = RoomSighting::unvisited;
+  int pieces = 0;
+  bool isMerged = false;
+  int doors = 0;                                   ///< of the room in this run
+  std::optional<double> area;                      ///< of the room in this run [m2]
+  std::optional<double> shift, boundaryAgreement;  ///< as in RoomInRun
+};
+
+/** A run of an archive. */
+struct HistoryRun {
+  std::string sha256, robot, file;
+  double time = 0;       ///< [s since 1970]
+  bool isPlaced = true;  ///< false where it is of another site
+  std::string reason;    ///< of its score, or why it has none
+  std::string version;   ///< of the program that the figures are from
+  /** Of the first comparison that could tell them; see find(). */
+  std::vector<Measure> figures;
+  std::vector<RoomSeen> rooms;  ///< by id
+};
+
+/** All that an archive knows of a site. */
+struct SiteHistory {
+  std::string site;
+  std::vector<HistoryRun> runs;  ///< by time, then by content
+  SiteFile ledger;
+};
+
+/** The value of a figure that has one and can be trusted; nothing else. */
+std::optional<double> trustedFigure(const HistoryRun& run, const char* name);
+
+}  // namespace roomgraph

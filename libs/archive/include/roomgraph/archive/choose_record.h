@@ -1,0 +1,22 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "roomgraph/archive/Archive.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the runs of a site
+// Out:  those of them that a new run is compared with
+// Next: addRun
+
+/** At most `most` indices into `runs` (which stand in the order of time), in their order: first the
+ *  latest half, then those with the least map error among the last hundred, without breaks, then
+ *  more of the latest. Runs of another site are none of them, nor those that are not `isUsable`,
+ *  which is asked of no more runs than needed. */
+std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
+                                      const std::function<bool(const KnownRun&)>& isUsable);
+
+}  // namespace roomgraph

@@ -1,0 +1,262 @@
+#include "roomgraph/archive/Archive.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "Database.h"
+#include "figures_of.h"
+#include "name_known_rooms.h"
+#include "read_history.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/version.h"
+#include "roomgraph/report/site_json.h"
+#include "schema.h"
+
+namespace roomgraph {
+namespace {
+
+/** A run of an addition that is to be written. */
+struct RunToWrite {
+  RunOrigin origin;
+  const ComparedRun* compared = nullptr;  ///< none where it lies in no site of the others
+  std::string reason;
+  std::int64_t known = 0;  ///< its key where it is there already, and only its figures are new
+};
+
+std::string fileName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+const ComparedRun* findRun(const Comparison& comparison, const std::string& sha256) {
+  for (const ComparedRun& run : comparison.runs)
+    if (run.sha256 == sha256) return &run;
+  return nullptr;
+}
+
+/** Names of files may have lost their folders when the comparison was saved. */
+const LeftOutRun* findLeftOut(const Comparison& comparison, const std::string& file) {
+  for (const LeftOutRun& run : comparison.leftOut)
+    if (run.file == file) return &run;
+  for (const LeftOutRun& run : comparison.leftOut)
+    if (fileName(run.file) == fileName(file)) return &run;
+  return nullptr;
+}
+
+std::string textOf(const std::vector<UsedOption>& options) {
+  std::string text;
+  for (const UsedOption& option : options)
+    text += option.section + "." + option.name + "=" + option.value + "\n";
+  return text;
+}
+
+}  // namespace
+
+class Archive::Tables {
+ public:
+  Tables(const std::string& file, Access access) : database(file, access == Access::orNew) {
+    // What an answer from the disk is worth must not depend on what reads at the same time. Where
+    // another program is just doing the same, its mode will do.
+    database.tryRun("PRAGMA journal_mode = WAL");
+    database.run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+    migrate(database, schemaSteps());
+  }
+
+  Added record(const Addition& addition) {
+    Transaction transaction(database);
+    const std::int64_t site = siteOf(addition.site);
+    std::vector<RunToWrite> runs = newRuns(site, addition);
+    if (runs.empty()) return {};
+    Added added;
+    added.runs = runs.size();
+    addStale(site, addition.comparison, runs);
+    Comparison comparison = addition.comparison;
+    added.roomsFailed = nameRoomsOf(site, comparison);
+    const std::int64_t id = writeComparison(site, comparison);
+    for (const RunToWrite& run : runs) write(run, site, id, comparison);
+    for (const ComparedRun& run : comparison.runs)
+      Statement(database,
+                "INSERT INTO compared SELECT ?, id FROM run WHERE site = ? AND sha256 = ?")
+          .with(id, site, run.sha256)
+          .run();
+    transaction.commit();
+    return added;
+  }
+
+  mutable Database database;
+
+ private:
+  std::int64_t siteOf(const std::string& name) {
+    Statement(database, "INSERT OR IGNORE INTO site (name) VALUES (?)").with(name).run();
+    Statement found(database, "SELECT id FROM site WHERE name = ?");
+    found.with(name).step();
+    return found.integer(0);
+  }
+
+  /** The key of a run that is there, else 0. */
+  std::int64_t keyOf(std::int64_t site, const std::string& sha256) {
+    Statement found(database, "SELECT id FROM run WHERE site = ? AND sha256 = ?");
+    return found.with(site, sha256).step() ? found.integer(0) : 0;
+  }
+
+  bool isPlaced(std::int64_t run) {
+    Statement found(database, "SELECT state = 'placed' FROM run WHERE id = ?");
+    return found.with(run).step() && found.integer(0) != 0;
+  }
+
+  bool hasTrustedError(std::int64_t run) {
+    Statement found(database, "SELECT meaningful FROM figure WHERE run = ? AND name = ?");
+    return found.with(run, kMapError).step() && found.integer(0) != 0;
+  }
+
+  /** Whether the compared runs are the site that is known: not where a known one was left out for
+   *  lying elsewhere, and none remains. */
+  bool isKnownSite(std::int64_t site, const Comparison& comparison) {
+    for (const ComparedRun& run : comparison.runs)
+      if (const std::int64_t key = keyOf(site, run.sha256); key && isPlaced(key)) return true;
+    Statement known(database, "SELECT file FROM run WHERE site = ? AND state = 'placed'");
+    known.with(site);
+    while (known.step())
+      if (const LeftOutRun* left = findLeftOut(comparison, known.text(0)))
+        if (left->isOtherSite) return false;
+    return true;
+  }
+
+  std::vector<RunToWrite> newRuns(std::int64_t site, const Addition& addition) {
+    std::vector<RunToWrite> runs;
+    const Comparison& comparison = addition.comparison;
+    for (const RunOrigin& origin : addition.runs) {
+      const auto isSame = [&](const RunToWrite& run) { return run.origin.sha256 == origin.sha256; };
+      if (keyOf(site, origin.sha256) || std::any_of(runs.begin(), runs.end(), isSame)) continue;
+      if (const ComparedRun* run = findRun(comparison, origin.sha256)) {
+        runs.push_back({origin, run, run->reason});
+        if (!isKnownSite(site, comparison))
+          runs.back().compared = nullptr, runs.back().reason = "lies in no site of the known runs";
+      } else if (const LeftOutRun* left = findLeftOut(comparison, origin.file);
+                 left && left->isOtherSite) {
+        runs.push_back({origin, nullptr, left->reason});
+      }
+    }
+    return runs;
+  }
+
+  /** The runs that are there, but had no figures to be trusted when they came. */
+  void addStale(std::int64_t site, const Comparison& comparison, std::vector<RunToWrite>& runs) {
+    for (const ComparedRun& run : comparison.runs) {
+      const std::int64_t key = keyOf(site, run.sha256);
+      if (!key || !run.score || hasTrustedError(key) || !isPlaced(key)) continue;
+      RunToWrite stale;
+      stale.compared = &run, stale.reason = run.reason, stale.known = key;
+      runs.push_back(stale);
+    }
+  }
+
+  std::string nameRoomsOf(std::int64_t site, Comparison& comparison) {
+    Statement row(database, "SELECT ledger FROM site WHERE id = ?");
+    row.with(site).step();
+    const std::string text = row.text(0);
+    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
+    try {
+      if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database.file());
+    } catch (const DataError& error) {
+      comparison.rooms.clear();
+      return error.what();
+    }
+    Statement(database, "UPDATE site SET ledger = ? WHERE id = ?")
+        .with(siteJson(ledger), site)
+        .run();
+    return "";
+  }
+
+  std::int64_t writeComparison(std::int64_t site, const Comparison& comparison) {
+    const std::string options = textOf(comparison.options);
+    Statement(database, "INSERT OR IGNORE INTO settings (version, options) VALUES (?, ?)")
+        .with(version(), options)
+        .run();
+    Statement(database,
+              "INSERT INTO comparison (site, settings, verdict) "
+              "SELECT ?, id, ? FROM settings WHERE version = ? AND options = ?")
+        .with(site, comparison.verdict, version(), options)
+        .run();
+    return database.number("SELECT last_insert_rowid()");
+  }
+
+  void write(const RunToWrite& run, std::int64_t site, std::int64_t comparison,
+             const Comparison& found) {
+    std::int64_t key = run.known;
+    if (key) {
+      Statement(database, "UPDATE run SET comparison = ?, reason = ? WHERE id = ?")
+          .with(comparison, run.reason, key)
+          .run();
+      Statement(database, "DELETE FROM figure WHERE run = ?").with(key).run();
+      Statement(database, "DELETE FROM sighting WHERE run = ?").with(key).run();
+    } else {
+      const RunOrigin& origin = run.origin;
+      Statement(database,
+                "INSERT INTO run (site, sha256, robot, time, file, state, reason, comparison) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
+          .with(site, origin.sha256, origin.robot, origin.time, origin.file,
+                run.compared ? "placed" : "other site", run.reason, comparison)
+          .run();
+      key = database.number("SELECT last_insert_rowid()");
+    }
+    if (run.compared) writeFigures(key, *run.compared, found);
+  }
+
+  void writeFigures(std::int64_t key, const ComparedRun& run, const Comparison& comparison) {
+    Statement figure(database, "INSERT INTO figure VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const Measure& one : figuresOf(run, comparison))
+      figure
+          .with(key, one.name, one.value, one.low, one.high, one.unit, one.support,
+                one.isMeaningful)
+          .run();
+    Statement sighting(database, "INSERT INTO sighting VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    for (const RoomSeen& one : roomsOf(run, comparison))
+      sighting
+          .with(key, one.room, sightingText(one.sighting), one.pieces, one.isMerged, one.doors,
+                one.area, one.shift, one.boundaryAgreement)
+          .run();
+  }
+};
+
+Archive::Archive(const std::string& file, Access access)
+    : tables_(std::make_unique<Tables>(file, access)) {}
+
+Archive::~Archive() = default;
+
+std::vector<std::string> Archive::sites() const {
+  std::vector<std::string> names;
+  Statement rows(tables_->database, "SELECT name FROM site ORDER BY name");
+  while (rows.step()) names.push_back(rows.text(0));
+  return names;
+}
+
+std::vector<KnownRun> Archive::runs(const std::string& site) const {
+  Statement rows(tables_->database,
+                 "SELECT sha256, robot, file, time, state = 'placed', "
+                 "coalesce((SELECT value FROM figure WHERE run = run.id AND name = ?), 0) > 0, "
+                 "(SELECT value FROM figure WHERE run = run.id AND name = ? AND meaningful) "
+                 "FROM run JOIN site ON run.site = site.id WHERE site.name = ? "
+                 "ORDER BY time, sha256");
+  rows.with(kBreaks, kMapError, site);
+  std::vector<KnownRun> runs;
+  while (rows.step())
+    runs.push_back({rows.text(0), rows.text(1), rows.text(2), rows.number(3), rows.integer(4) != 0,
+                    rows.integer(5) != 0, rows.numberIfAny(6)});
+  return runs;
+}
+
+bool Archive::knows(const std::string& site, const std::string& sha256) const {
+  Statement found(tables_->database,
+                  "SELECT 1 FROM run JOIN site ON run.site = site.id "
+                  "WHERE site.name = ? AND sha256 = ?");
+  return found.with(site, sha256).step();
+}
+
+SiteHistory Archive::history(const std::string& site) const {
+  return readHistory(tables_->database, site);
+}
+
+Added Archive::record(const Addition& addition) { return tables_->record(addition); }
+
+}  // namespace roomgraph

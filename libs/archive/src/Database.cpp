@@ -1,0 +1,138 @@
+#include "Database.h"
+
+#include <sqlite3.h>
+
+#include <filesystem>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr int kMostWait = 120'000;  // for another program that writes [ms]
+
+const char* remedyOf(int code) {
+  switch (code & 0xff) {
+    case SQLITE_NOTADB:
+      return "name an archive, or a file that is not there yet";
+    case SQLITE_CORRUPT:
+      return "bring back a copy of it";
+    case SQLITE_FULL:
+      return "free some space, then call again: nothing is lost";
+    case SQLITE_BUSY:
+      return "another program is writing to it: call again";
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return "check its name and permissions, and those of its folder";
+    default:
+      return "call again: nothing is lost";
+  }
+}
+
+}  // namespace
+
+Database::Database(const std::string& file, bool mayMake) : file_(file) {
+  // Names such as ":memory:" and "file:x" are files like any other here.
+  const std::string path = std::filesystem::absolute(file).string();
+  const int flags = SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0);
+  if (!mayMake && !std::filesystem::exists(path))
+    refuse(file, "there is no such archive", "make it with 'roomgraph archive " + file + " add'");
+  if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+    const int code = handle_ ? sqlite3_extended_errcode(handle_) : SQLITE_NOMEM;
+    sqlite3_close(handle_);
+    refuse(file, sqlite3_errstr(code), remedyOf(code));
+  }
+  sqlite3_extended_result_codes(handle_, 1);
+  sqlite3_busy_timeout(handle_, kMostWait);
+}
+
+Database::~Database() { sqlite3_close(handle_); }
+
+void Database::fail() const {
+  refuse(file_, sqlite3_errmsg(handle_), remedyOf(sqlite3_errcode(handle_)));
+}
+
+void Database::run(const std::string& sql) {
+  if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+bool Database::tryRun(const std::string& sql) {
+  const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK && (code & 0xff) != SQLITE_BUSY) fail();
+  return code == SQLITE_OK;
+}
+
+std::int64_t Database::number(const std::string& sql) {
+  Statement statement(*this, sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+Statement::Statement(Database& database, const std::string& sql) : database_(database) {
+  check(sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr));
+}
+
+Statement::~Statement() { sqlite3_finalize(statement_); }
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) database_.fail();
+}
+
+void Statement::reset() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+  next_ = 1;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_);
+  if (code != SQLITE_ROW && code != SQLITE_DONE) database_.fail();
+  return code == SQLITE_ROW;
+}
+
+void Statement::bind(const std::string& value) {
+  check(sqlite3_bind_text64(statement_, next_++, value.data(), value.size(), SQLITE_TRANSIENT,
+                            SQLITE_UTF8));
+}
+
+void Statement::bind(double value) { check(sqlite3_bind_double(statement_, next_++, value)); }
+
+void Statement::bind(std::int64_t value) { check(sqlite3_bind_int64(statement_, next_++, value)); }
+
+void Statement::bind(const std::optional<double>& value) {
+  if (value)
+    bind(*value);
+  else
+    ++next_;  // no value is bound: null
+}
+
+std::string Statement::text(int column) const {
+  const auto* bytes = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  return bytes ? std::string(bytes, std::size_t(sqlite3_column_bytes(statement_, column))) : "";
+}
+
+double Statement::number(int column) const { return sqlite3_column_double(statement_, column); }
+
+std::optional<double> Statement::numberIfAny(int column) const {
+  if (sqlite3_column_type(statement_, column) == SQLITE_NULL) return {};
+  return number(column);
+}
+
+std::int64_t Statement::integer(int column) const {
+  return sqlite3_column_int64(statement_, column);
+}
+
+Transaction::Transaction(Database& database) : database_(database) {
+  database.run("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  if (isOpen_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+  database_.run("COMMIT");
+  isOpen_ = false;
+}
+
+}  // namespace roomgraph

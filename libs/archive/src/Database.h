@@ -1,0 +1,98 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace roomgraph {
+
+/** An SQLite file. All that fails is a DataError with one line: file, problem, remedy. */
+class Database {
+ public:
+  /** @throws DataError where the file is not there, unless it may be made. */
+  Database(const std::string& file, bool mayMake);
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+  ~Database();
+
+  /** Statements without results, separated by semicolons. */
+  void run(const std::string& sql);
+  /** The same; false where another program is just writing. */
+  bool tryRun(const std::string& sql);
+  /** The first column of the first row as a number; 0 without a row. */
+  std::int64_t number(const std::string& sql);
+
+  const std::string& file() const { return file_; }
+  sqlite3* handle() const { return handle_; }
+  /** Throws what the last call on the database ended with. */
+  [[noreturn]] void fail() const;
+
+ private:
+  std::string file_;
+  sqlite3* handle_ = nullptr;
+};
+
+/** One SQL statement with its values. */
+class Statement {
+ public:
+  Statement(Database& database, const std::string& sql);
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+  ~Statement();
+
+  /** The values of the question marks, from the first on. */
+  template <class... Values>
+  Statement& with(const Values&... values) {
+    reset();
+    (bind(values), ...);
+    return *this;
+  }
+
+  /** Goes to the next row; false behind the last one. */
+  bool step();
+  /** All of a statement without rows. */
+  void run() {
+    while (step()) {
+    }
+  }
+
+  std::string text(int column) const;
+  double number(int column) const;
+  std::optional<double> numberIfAny(int column) const;
+  std::int64_t integer(int column) const;
+
+ private:
+  void reset();
+  void bind(const std::string& value);
+  void bind(const char* value) { bind(std::string(value)); }
+  void bind(double value);
+  void bind(const std::optional<double>& value);
+  void bind(std::int64_t value);
+  void bind(int value) { bind(std::int64_t(value)); }
+  void bind(bool value) { bind(std::int64_t(value)); }
+  void check(int code) const;
+
+  Database& database_;
+  sqlite3_stmt* statement_ = nullptr;
+  int next_ = 1;
+};
+
+/** From its begin on no other program writes; what is not committed is undone at the end. */
+class Transaction {
+ public:
+  explicit Transaction(Database& database);
+  Transaction(const Transaction&) = delete;
+  Transaction& operator=(const Transaction&) = delete;
+  ~Transaction();
+
+  void commit();
+
+ private:
+  Database& database_;
+  bool isOpen_ = true;
+};
+
+}  // namespace roomgraph

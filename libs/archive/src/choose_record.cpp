@@ -1,0 +1,56 @@
+#include "roomgraph/archive/choose_record.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kLast = 100;  // rooms change over years, so the best of all times is no judge
+
+/** Fills a list of runs, each once, up to a number. */
+class Choice {
+ public:
+  Choice(const std::vector<KnownRun>& runs, const std::function<bool(const KnownRun&)>& isUsable)
+      : runs_(runs), isUsable_(isUsable), states_(runs.size()) {}
+
+  void fill(const std::vector<std::size_t>& candidates, std::size_t upTo) {
+    for (const std::size_t i : candidates) {
+      if (chosen_.size() >= upTo) return;
+      if (states_[i]) continue;
+      states_[i] = isUsable_(runs_[i]);
+      if (*states_[i]) chosen_.push_back(i);
+    }
+  }
+
+  std::vector<std::size_t> inOrder() {
+    std::sort(chosen_.begin(), chosen_.end());
+    return chosen_;
+  }
+
+ private:
+  const std::vector<KnownRun>& runs_;
+  const std::function<bool(const KnownRun&)>& isUsable_;
+  std::vector<std::optional<bool>> states_;  // whether it is usable; none where nobody has asked
+  std::vector<std::size_t> chosen_;
+};
+
+}  // namespace
+
+std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
+                                      const std::function<bool(const KnownRun&)>& isUsable) {
+  std::vector<std::size_t> latest, best;
+  for (std::size_t i = runs.size(); i-- > 0;)
+    if (runs[i].isPlaced) latest.push_back(i);
+  for (std::size_t i = 0; i < std::min(kLast, latest.size()); ++i)
+    if (runs[latest[i]].error && !runs[latest[i]].isBroken) best.push_back(latest[i]);
+  std::stable_sort(best.begin(), best.end(),
+                   [&](std::size_t l, std::size_t r) { return *runs[l].error < *runs[r].error; });
+  Choice choice(runs, isUsable);
+  choice.fill(latest, most / 2);
+  choice.fill(best, most);
+  choice.fill(latest, most);
+  return choice.inOrder();
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,241 @@
+#include "roomgraph/archive/export_history.h"
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "read_history.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/time_text.h"
+#include "roomgraph/base/utf8_text.h"
+#include "roomgraph/base/version.h"
+#include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/csv_text.h"
+#include "roomgraph/report/names.h"
+
+namespace roomgraph {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<double> valueOf(const HistoryRun& run, const char* name) {
+  const Measure* figure = find(run.figures, name);
+  return figure ? figure->value : std::nullopt;
+}
+
+std::string csvLine(const std::string& site, const HistoryRun& run) {
+  std::string line = csvField(site) + "," + csvField(run.robot) + "," + timeText(run.time) + "," +
+                     csvField(run.file) + "," + run.sha256 + "," +
+                     (run.isPlaced ? "placed" : "other site");
+  const Measure* error = find(run.figures, kMapError);
+  line += "," + csvNumber(error ? error->value : std::nullopt) + "," +
+          csvNumber(error ? error->low : std::nullopt) + "," +
+          csvNumber(error ? error->high : std::nullopt) +
+          (error && error->isMeaningful ? ",1" : ",0");
+  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(valueOf(run, name));
+  for (const MeasureKind& kind : runMeasureKinds())
+    line += "," + csvNumber(valueOf(run, kind.name));
+  return line + "," + csvField(run.reason) + "\n";
+}
+
+Json number(std::optional<double> value) {
+  if (!value || !std::isfinite(*value)) return nullptr;
+  return rounded(*value);
+}
+
+Json figureJson(const Measure& figure) {
+  return {{"value", number(figure.value)},         {"unit", figure.unit},
+          {"support", std::round(figure.support)}, {"low", number(figure.low)},
+          {"high", number(figure.high)},           {"meaningful", figure.isMeaningful}};
+}
+
+Json roomJson(const RoomSeen& room) {
+  return {{"room", room.room},
+          {"sighting", sightingText(room.sighting)},
+          {"pieces", room.pieces},
+          {"merged", room.isMerged},
+          {"doors", room.doors},
+          {"area_m2", number(room.area)},
+          {"shift_m", number(room.shift)},
+          {"boundary_agreement", number(room.boundaryAgreement)}};
+}
+
+Json runJson(const HistoryRun& run) {
+  Json figures = Json::object(), rooms = Json::array();
+  for (const Measure& figure : run.figures) figures[figure.name] = figureJson(figure);
+  for (const RoomSeen& room : run.rooms) rooms.push_back(roomJson(room));
+  return {{"robot", utf8Text(run.robot)},
+          {"time", timeText(run.time)},
+          {"file", utf8Text(run.file)},
+          {"sha256", run.sha256},
+          {"placed", run.isPlaced},
+          {"reason", utf8Text(run.reason)},
+          {"version", run.version},
+          {"figures", figures},
+          {"rooms", rooms}};
+}
+
+Json runOrNull(const SiteHistory& history, std::optional<std::size_t> run) {
+  if (!run) return nullptr;
+  return {{"time", timeText(history.runs[*run].time)},
+          {"file", utf8Text(history.runs[*run].file)},
+          {"sha256", history.runs[*run].sha256}};
+}
+
+Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
+  const ErrorWatch& errors = robot.errors;
+  Json change = nullptr;
+  if (errors.change)
+    change = {{"time", timeText(history.runs[robot.runs[errors.change->first]].time)},
+              {"before_m", number(errors.change->before)},
+              {"after_m", number(errors.change->after)},
+              {"p", errors.change->p}};
+  return {{"robot", utf8Text(robot.robot)},
+          {"judged_runs", robot.runs.size()},
+          {"alarm", errors.isAlarm()},
+          {"over_limit", errors.isOverLimit},
+          {"declining", errors.isDeclining},
+          {"changed", errors.isChanged},
+          {"slope_m_per_day", errors.slope ? Json(errors.slope->perDay) : Json(nullptr)},
+          {"p_rising", errors.trend.pRising},
+          {"days_to_limit", number(errors.daysToLimit)},
+          {"change", change},
+          {"last_good", runOrNull(history, robot.lastGood)},
+          {"sentence", utf8Text(robot.sentence)}};
+}
+
+Json siteJson(const WatchedSite& site) {
+  const SiteHistory& history = site.history;
+  Json robots = Json::array(), changes = Json::array(), runs = Json::array();
+  Json rooms = Json::array();
+  for (const RobotWatch& robot : site.watch.robots) robots.push_back(robotJson(robot, history));
+  for (const RoomChange& change : site.watch.changes)
+    changes.push_back({{"room", change.room},
+                       {"what", change.what},
+                       {"since", timeText(history.runs[change.run].time)},
+                       {"before", number(change.before)},
+                       {"after", number(change.after)}});
+  for (const KnownRoom& room : history.ledger.rooms)
+    rooms.push_back(
+        {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", number(room.area)}});
+  for (const HistoryRun& run : history.runs) runs.push_back(runJson(run));
+  return {{"site", utf8Text(history.site)},
+          {"robots", robots},
+          {"changes", changes},
+          {"rooms", rooms},
+          {"runs", runs}};
+}
+
+/** As a label's value in Prometheus' text format. */
+std::string quoted(const std::string& given) {
+  std::string text = "\"";
+  for (const char c : utf8Text(given)) {
+    if (c == '\\' || c == '"') text += '\\';
+    text += c == '\n' ? std::string("\\n") : std::string(1, c);
+  }
+  return text + "\"";
+}
+
+/** Of a robot in a site, or nothing. */
+using Gauge = std::function<std::optional<double>(const SiteHistory&, const RobotWatch&)>;
+
+struct GaugeKind {
+  const char *name, *help;
+  Gauge value;
+};
+
+Gauge latestFigure(const char* name) {
+  return [name](const SiteHistory& history, const RobotWatch& robot) {
+    return robot.runs.empty() ? std::nullopt : valueOf(history.runs[robot.runs.back()], name);
+  };
+}
+
+Gauge flag(bool ErrorWatch::*member) {
+  return [member](const SiteHistory&, const RobotWatch& robot) { return robot.errors.*member; };
+}
+
+const std::vector<GaugeKind>& gauges() {
+  static const std::vector<GaugeKind> kGauges{
+      {"roomgraph_map_error_metres", "How far the latest map lies from where the walls are.",
+       latestFigure(kMapError)},
+      {"roomgraph_score", "Score of the latest map, 0 to 100.", latestFigure(kScore)},
+      {"roomgraph_breaks", "Places where the latest map is torn.", latestFigure(kBreaks)},
+      {"roomgraph_coverage", "Share of the site that the latest map shows.",
+       latestFigure("coverage")},
+      {"roomgraph_map_error_slope_metres_per_day", "How fast the map error rises.",
+       [](const SiteHistory&, const RobotWatch& robot) -> std::optional<double> {
+         if (!robot.errors.slope) return {};
+         return robot.errors.slope->perDay;
+       }},
+      {"roomgraph_over_limit", "1 where the map error is above the limit.",
+       flag(&ErrorWatch::isOverLimit)},
+      {"roomgraph_declining", "1 where maps get worse and worse.", flag(&ErrorWatch::isDeclining)},
+      {"roomgraph_changed", "1 where maps have been worse since some night.",
+       flag(&ErrorWatch::isChanged)},
+      {"roomgraph_judged_runs", "Runs whose map error can be trusted.",
+       [](const SiteHistory&, const RobotWatch& robot) { return double(robot.runs.size()); }},
+      {"roomgraph_latest_run_timestamp_seconds", "Time of the latest run, judged or not.",
+       [](const SiteHistory& history, const RobotWatch& robot) {
+         return history.runs[robot.latest].time;
+       }},
+      {"roomgraph_last_good_run_timestamp_seconds", "Time of the last map that is good enough.",
+       [](const SiteHistory& history, const RobotWatch& robot) -> std::optional<double> {
+         if (!robot.lastGood) return {};
+         return history.runs[*robot.lastGood].time;
+       }}};
+  return kGauges;
+}
+
+}  // namespace
+
+std::string historyCsv(const std::vector<WatchedSite>& sites) {
+  std::string text =
+      "site,robot,time,file,sha256,state,map_error_m,map_error_low,map_error_high,meaningful,"
+      "score,breaks";
+  for (const MeasureKind& kind : runMeasureKinds()) text += std::string(",") + kind.name;
+  text += ",reason\n";
+  for (const WatchedSite& site : sites)
+    for (const HistoryRun& run : site.history.runs) text += csvLine(site.history.site, run);
+  return text;
+}
+
+std::string historyJson(const std::vector<WatchedSite>& sites) {
+  Json all = Json::array();
+  for (const WatchedSite& site : sites) all.push_back(siteJson(site));
+  const Json json = {{"format", "roomgraph/archive"},
+                     {"version", 1},
+                     {"program", {{"name", "roomgraph"}, {"version", version()}}},
+                     {"sites", all}};
+  return json.dump(1) + "\n";
+}
+
+std::string historyPrometheus(const std::vector<WatchedSite>& sites) {
+  std::string text;
+  for (const GaugeKind& gauge : gauges()) {
+    text += std::string("# HELP ") + gauge.name + " " + gauge.help + "\n# TYPE " + gauge.name +
+            " gauge\n";
+    for (const WatchedSite& site : sites)
+      for (const RobotWatch& robot : site.watch.robots) {
+        const auto value = gauge.value(site.history, robot);
+        if (!value || !std::isfinite(*value)) continue;
+        char number[40];
+        std::snprintf(number, sizeof number, " %.10g\n", *value);
+        text += std::string(gauge.name) + "{site=" + quoted(site.history.site) +
+                ",robot=" + quoted(robot.robot) + "}" + number;
+      }
+  }
+  return text;
+}
+
+std::string historyText(const WatchedSite& site) {
+  std::string text =
+      printable(site.history.site) + ": " + std::to_string(site.history.runs.size()) + " runs\n";
+  for (const RobotWatch& robot : site.watch.robots)
+    text += "  " + printable(robot.robot) + ": " + printable(robot.sentence) + "\n";
+  for (const RoomChange& change : site.watch.changes)
+    text += "  " + printable(changeText(change, site.history)) + "\n";
+  return text;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,92 @@
+#include "read_history.h"
+
+#include <map>
+
+#include "roomgraph/report/site_json.h"
+
+namespace roomgraph {
+namespace {
+
+RoomSighting sightingOf(const std::string& text) {
+  if (text == "seen") return RoomSighting::seen;
+  return text == "gone" ? RoomSighting::gone : RoomSighting::unvisited;
+}
+
+/** Of the runs of a site, each behind its key in the tables. */
+using RunPlaces = std::map<std::int64_t, std::size_t>;
+
+RunPlaces readRuns(Database& database, const std::string& site, std::vector<HistoryRun>& runs) {
+  Statement rows(database,
+                 "SELECT run.id, sha256, robot, file, time, state = 'placed', reason, version "
+                 "FROM run JOIN site ON run.site = site.id "
+                 "JOIN comparison ON run.comparison = comparison.id "
+                 "JOIN settings ON comparison.settings = settings.id "
+                 "WHERE site.name = ? ORDER BY time, sha256");
+  rows.with(site);
+  RunPlaces places;
+  while (rows.step()) {
+    places[rows.integer(0)] = runs.size();
+    HistoryRun run;
+    run.sha256 = rows.text(1), run.robot = rows.text(2), run.file = rows.text(3);
+    run.time = rows.number(4), run.isPlaced = rows.integer(5) != 0;
+    run.reason = rows.text(6), run.version = rows.text(7);
+    runs.push_back(std::move(run));
+  }
+  return places;
+}
+
+void readFigures(Database& database, const std::string& site, const RunPlaces& places,
+                 std::vector<HistoryRun>& runs) {
+  Statement rows(database,
+                 "SELECT run, figure.name, value, low, high, unit, support, meaningful "
+                 "FROM figure JOIN run ON figure.run = run.id JOIN site ON run.site = site.id "
+                 "WHERE site.name = ? ORDER BY run, figure.name");
+  rows.with(site);
+  while (rows.step()) {
+    Measure figure;
+    figure.name = rows.text(1), figure.value = rows.numberIfAny(2);
+    figure.low = rows.numberIfAny(3), figure.high = rows.numberIfAny(4);
+    figure.unit = rows.text(5), figure.support = rows.number(6);
+    figure.isMeaningful = rows.integer(7) != 0;
+    runs[places.at(rows.integer(0))].figures.push_back(std::move(figure));
+  }
+}
+
+void readSightings(Database& database, const std::string& site, const RunPlaces& places,
+                   std::vector<HistoryRun>& runs) {
+  Statement rows(database,
+                 "SELECT run, room, sighting, pieces, merged, doors, area, shift, agreement "
+                 "FROM sighting JOIN run ON sighting.run = run.id JOIN site ON run.site = site.id "
+                 "WHERE site.name = ? ORDER BY run, room");
+  rows.with(site);
+  while (rows.step()) {
+    RoomSeen seen;
+    seen.room = rows.text(1), seen.sighting = sightingOf(rows.text(2));
+    seen.pieces = int(rows.integer(3)), seen.isMerged = rows.integer(4) != 0;
+    seen.doors = int(rows.integer(5)), seen.area = rows.numberIfAny(6);
+    seen.shift = rows.numberIfAny(7), seen.boundaryAgreement = rows.numberIfAny(8);
+    runs[places.at(rows.integer(0))].rooms.push_back(std::move(seen));
+  }
+}
+
+}  // namespace
+
+const char* sightingText(RoomSighting sighting) {
+  if (sighting == RoomSighting::seen) return "seen";
+  return sighting == RoomSighting::gone ? "gone" : "unvisited";
+}
+
+SiteHistory readHistory(Database& database, const std::string& site) {
+  SiteHistory history;
+  history.site = site;
+  database.run("BEGIN");  // one state of the archive for all three
+  const RunPlaces places = readRuns(database, site, history.runs);
+  readFigures(database, site, places, history.runs);
+  readSightings(database, site, places, history.runs);
+  Statement ledger(database, "SELECT ledger FROM site WHERE name = ? AND ledger <> ''");
+  if (ledger.with(site).step()) history.ledger = parseSiteJson(ledger.text(0), database.file());
+  database.run("COMMIT");
+  return history;
+}
+
+}  // namespace roomgraph

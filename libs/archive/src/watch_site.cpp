@@ -1,0 +1,144 @@
+#include "roomgraph/archive/watch_site.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "roomgraph/base/time_text.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/trend/lasting_change.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kDay = 86400;        // [s]
+constexpr std::size_t kAgreeing = 5;  // runs that must agree on a change
+constexpr double kDoors = 0.5, kSeen = 0.5;
+constexpr double kAreaShare = 0.15;  // smaller changes of a room's area are drawing
+
+std::string text(const char* format, double value) {
+  char result[80];
+  std::snprintf(result, sizeof result, format, value);
+  return result;
+}
+
+bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
+
+RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
+                      const WatchOptions& options) {
+  RobotWatch watch;
+  watch.robot = robot;
+  Samples errors;
+  for (std::size_t i = 0; i < history.runs.size(); ++i) {
+    const HistoryRun& run = history.runs[i];
+    if (run.robot != robot) continue;
+    watch.latest = i;
+    const auto error = run.isPlaced ? trustedFigure(run, kMapError) : std::nullopt;
+    if (!error) continue;
+    watch.runs.push_back(i);
+    errors.push_back({run.time / kDay, *error});
+    if (*error <= options.limit && !isTorn(run)) watch.lastGood = i;
+  }
+  watch.errors = watchErrors(errors, options);
+  return watch;
+}
+
+std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
+                       const WatchOptions& options) {
+  const ErrorWatch& errors = watch.errors;
+  const auto dayOf = [&](std::size_t run) { return dayText(history.runs[run].time); };
+  if (errors.isOverLimit)
+    return "its map is above the limit of " + text("%.2f m", options.limit) +
+           (watch.lastGood ? "; the last good one is of " + dayOf(*watch.lastGood)
+                           : "; no good one is known");
+  if (errors.isDeclining) {
+    const std::string rate = text("%.3f m", 30 * errors.slope->perDay) + " in 30 days";
+    return "its map gets worse, by " + rate +
+           (errors.daysToLimit ? text("; the limit is reached in %.0f days", *errors.daysToLimit)
+                               : "");
+  }
+  if (errors.isChanged)
+    return "its map has been worse since " + dayOf(watch.runs[errors.change->first]) + ", by " +
+           text("%.2f m", errors.change->after - errors.change->before);
+  if (watch.runs.empty()) return "no run of it can be judged yet";
+  if (watch.runs.size() < options.nights) return "too few nights to see a trend";
+  return "its map is as good as ever";
+}
+
+/** What the runs say of one thing about one room. */
+struct RoomSeries {
+  std::vector<std::size_t> runs;
+  std::vector<double> values;
+
+  void add(std::size_t run, double value) { runs.push_back(run), values.push_back(value); }
+};
+
+/** By room and by what is counted. */
+using AllSeries = std::map<std::pair<std::string, std::string>, RoomSeries>;
+
+AllSeries seriesOf(const SiteHistory& history) {
+  AllSeries series;
+  for (std::size_t i = 0; i < history.runs.size(); ++i) {
+    const HistoryRun& run = history.runs[i];
+    if (!run.isPlaced || !trustedFigure(run, kMapError) || isTorn(run)) continue;
+    for (const RoomSeen& room : run.rooms) {
+      const bool isSeen = room.sighting == RoomSighting::seen;
+      if (room.sighting != RoomSighting::unvisited) series[{room.room, "seen"}].add(i, isSeen);
+      // Pieces of a room, or several in one, say nothing of its doors.
+      if (!isSeen || room.pieces != 1 || room.isMerged) continue;
+      series[{room.room, "doors"}].add(i, room.doors);
+      if (room.area) series[{room.room, "area"}].add(i, *room.area);
+    }
+  }
+  return series;
+}
+
+double toleranceOf(const std::string& what, const RoomSeries& series) {
+  if (what == "area") return kAreaShare * series.values.front();
+  return what == "doors" ? kDoors : kSeen;
+}
+
+}  // namespace
+
+bool SiteWatch::isAlarm() const {
+  return std::any_of(robots.begin(), robots.end(),
+                     [](const RobotWatch& robot) { return robot.errors.isAlarm(); });
+}
+
+SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
+  SiteWatch watch;
+  std::set<std::string> robots;
+  for (const HistoryRun& run : history.runs) robots.insert(run.robot);
+  for (const std::string& robot : robots) {
+    watch.robots.push_back(watchRobot(robot, history, options));
+    watch.robots.back().sentence = sentenceOf(watch.robots.back(), history, options);
+  }
+  for (const auto& [key, series] : seriesOf(history))
+    for (const LastingChange& change :
+         lastingChanges(series.values, toleranceOf(key.second, series), kAgreeing))
+      watch.changes.push_back(
+          {key.first, key.second, series.runs[change.first], change.before, change.after});
+  std::stable_sort(watch.changes.begin(), watch.changes.end(),
+                   [](const RoomChange& l, const RoomChange& r) { return l.run < r.run; });
+  return watch;
+}
+
+std::string changeText(const RoomChange& change, const SiteHistory& history) {
+  std::string name = change.room;
+  for (const KnownRoom& room : history.ledger.rooms)
+    if (room.id == change.room && room.name != room.id) name += " " + room.name;
+  const std::string since = " since " + dayText(history.runs[change.run].time);
+  if (change.what == "seen")
+    return name + (change.after > change.before ? ": is there" : ": is gone") + since;
+  if (change.what == "area")
+    return name + text(": %.1f m²", change.after) + text(" instead of %.1f m²", change.before) +
+           since;
+  return name + text(change.after == 1 ? ": %.0f door" : ": %.0f doors", change.after) +
+         text(" instead of %.0f", change.before) + since;
+}
+
+}  // namespace roomgraph

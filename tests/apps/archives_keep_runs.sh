@@ -1,0 +1,116 @@
+# `roomgraph archive` keeps each run once, whatever happens, and says what it knows.
+. "$(dirname "$0")/common.sh"
+
+# night N: the map of two rooms as night N has it: the same walls in another file.
+night() {
+  rooms room.pgm
+  { printf 'P5\n# night %d\n' "$1"; tail -n +2 room.pgm; } > "night$1.pgm"
+}
+for n in $(seq 12); do night "$n"; done
+add() { "$roomgraph" archive "$@" --resolution 0.05 -q; }
+count() { sqlite3 "$1" "SELECT count(*) FROM run"; }
+whole() {
+  [ "$(sqlite3 "$1" 'PRAGMA integrity_check; PRAGMA foreign_key_check')" = ok ] ||
+    fail "$1 is damaged"
+  # Each run that could be judged has its figures and rooms, and nobody else has any.
+  [ "$(sqlite3 "$1" "SELECT count(*) FROM run WHERE state = 'placed' AND id NOT IN
+    (SELECT run FROM figure)")" = 0 ] || fail "a run of $1 without figures"
+}
+
+expect 0 add site.db add night1.pgm night2.pgm night3.pgm --robot anna --time 2026-11-01
+[ "$(count site.db)" = 3 ] || fail "not three runs"
+whole site.db
+[ "$(sqlite3 site.db "SELECT count(*) FROM figure WHERE name = 'map_error_m' AND meaningful")" = 3 ] ||
+  fail "three runs of one site are not judged"
+[ "$(sqlite3 site.db 'SELECT group_concat(id) FROM room')" = R1,R2 ] || fail "other rooms"
+[ -z "$(sqlite3 site.db "SELECT 1 FROM settings WHERE options NOT LIKE '%load_grid.resolution=0.05%'")" ] ||
+  fail "no options"
+
+# What is known is not added again, under whatever name.
+cp site.db before.db
+cp night1.pgm again.pgm
+expect 0 "$roomgraph" archive site.db add again.pgm night2.pgm --resolution 0.05 --robot berta
+grep -qx 'again.pgm: is known already' out || fail "not said to be known"
+cmp <(sqlite3 site.db .dump) <(sqlite3 before.db .dump)
+
+# A map that cannot be read is a line; the others are added.
+head -c 1000 night5.pgm > damaged.pgm
+expect 1 add site.db add damaged.pgm night4.pgm
+one_line err damaged.pgm
+[ "$(count site.db)" = 4 ] || fail "the good one was not added"
+expect 1 add other.db add damaged.pgm
+one_line err damaged.pgm
+expect 2 add site.db add night5.pgm --time yesterday
+one_line err yesterday
+expect 1 "$roomgraph" archive none.db report
+one_line err none.db "no such archive"
+expect 1 "$roomgraph" archive night1.pgm report
+one_line err night1.pgm
+expect 2 "$roomgraph" archive site.db report --site lab
+one_line err lab
+
+# Files that are gone, or others now, are not compared with, and that is said.
+mv night1.pgm gone.pgm
+cp night9.pgm night2.pgm
+expect 0 add site.db add night5.pgm
+[ "$(grep -c 'is gone or another file now: not compared with$' err)" = 2 ] || fail "not said"
+[ "$(sqlite3 site.db 'SELECT count(*) FROM compared WHERE comparison = (SELECT max(id) FROM comparison)')" = 3 ] ||
+  fail "compared with others than those that are there"
+mv gone.pgm night1.pgm
+night 2
+
+# Another building is kept as that, and not compared with.
+{ printf 'P5\n300 200\n255\n'
+  awk 'BEGIN { for (y = 0; y < 200; ++y) for (x = 0; x < 300; ++x) {
+    wall = x < 3 || y < 3 || x >= 297 || y >= 197 || (x - 120) ^ 2 + (y - 90) ^ 2 < 900
+    printf "%s", wall ? "#" : "~" } }' |
+    tr '#~' '\000\377'; } > hall.pgm
+expect 0 "$roomgraph" archive site.db add hall.pgm --resolution 0.05
+grep -q 'another site' out || fail "the hall is not told apart"
+whole site.db
+
+# Lists, reports and exports.
+expect 0 "$roomgraph" archive site.db list
+[ "$(wc -l < out)" = 7 ] || fail "not a line per run"
+expect 0 "$roomgraph" archive site.db report
+grep -q '^  anna: ' out || fail "no line on anna"
+expect 0 "$roomgraph" archive site.db report --fail-on-alarm
+expect 0 "$roomgraph" archive site.db export -o runs.csv
+[ "$(wc -l < runs.csv)" = 7 ] || fail "not a line per run in the csv"
+expect 0 "$roomgraph" archive site.db export --format json -o archive.json
+python3 -c 'import json; assert len(json.load(open("archive.json"))["sites"][0]["runs"]) == 6'
+expect 0 "$roomgraph" archive site.db export --format prometheus
+grep -q '^roomgraph_map_error_metres{site="site",robot="anna"} ' out || fail "no gauge"
+
+# Maps that got worse are an alarm: here by hand, as if five nights had been bad.
+cp site.db bad.db
+sqlite3 bad.db "UPDATE figure SET value = 2 WHERE name = 'map_error_m';
+  UPDATE run SET robot = 'anna'"
+expect 0 "$roomgraph" archive bad.db report
+grep -q 'anna: its map is above the limit of 0.30 m; no good one is known$' out || { cat out; fail "no alarm"; }
+expect 3 "$roomgraph" archive bad.db report --fail-on-alarm
+expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
+
+# Two at once lose nothing and double nothing.
+two=(night{1..6}.pgm)
+(add both.db add "${two[@]}" --robot one) & first=$!
+(add both.db add night{6,5,4,3,2,1}.pgm --robot two) & second=$!
+wait $first && wait $second || fail "one of two at once has failed"
+[ "$(count both.db)" = 6 ] || fail "$(count both.db) runs of two at once, not 6"
+whole both.db
+
+# Killed again and again, at ever later moments, then let go: the same runs as without.
+for tenths in 1 2 3 4 5 6 7 8 9 10 12 14 16; do
+  timeout -s KILL "$(awk "BEGIN { print $tenths / 10 }")" \
+    "$roomgraph" archive killed.db add night{1..6}.pgm --resolution 0.05 -q 2> /dev/null || true
+  [ ! -e killed.db ] || [ -z "$(sqlite3 killed.db .tables)" ] || whole killed.db
+done
+expect 0 add killed.db add night{1..6}.pgm
+[ "$(count killed.db)" = 6 ] || fail "not 6 runs after being killed"
+expect 0 add calm.db add night{1..6}.pgm
+for table in "run ORDER BY sha256" "figure" "sighting"; do
+  columns='*'
+  [ "$table" != "run ORDER BY sha256" ] || columns='sha256, state, reason'
+  cmp <(sqlite3 killed.db "SELECT $columns FROM $table") \
+    <(sqlite3 calm.db "SELECT $columns FROM $table")
+done

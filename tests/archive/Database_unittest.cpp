@@ -1,0 +1,73 @@
+#include "Database.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "roomgraph/base/Error.h"
+#include "sample_nights.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(Database, valuesComeBackAsTheyWere) {
+  const test::Folder folder;
+  Database database(folder.file("a.db"), true);
+  database.run("CREATE TABLE t (a TEXT, b REAL, c INTEGER, d REAL)");
+  const std::string odd("a'b\0c\xc3\xa9", 7);
+  Statement(database, "INSERT INTO t VALUES (?, ?, ?, ?)")
+      .with(odd, 0.1, std::int64_t(1) << 40, std::optional<double>())
+      .run();
+  Statement row(database, "SELECT * FROM t");
+  ASSERT_TRUE(row.step());
+  EXPECT_EQ(row.text(0), odd);
+  EXPECT_EQ(row.number(1), 0.1);
+  EXPECT_EQ(row.integer(2), std::int64_t(1) << 40);
+  EXPECT_FALSE(row.numberIfAny(3));
+  EXPECT_FALSE(row.step());
+}
+
+TEST(Database, whatIsNotCommittedIsUndone) {
+  const test::Folder folder;
+  Database database(folder.file("a.db"), true);
+  database.run("CREATE TABLE t (a INTEGER)");
+  {
+    Transaction transaction(database);
+    database.run("INSERT INTO t VALUES (1)");
+  }
+  EXPECT_EQ(database.number("SELECT count(*) FROM t"), 0);
+  Transaction transaction(database);
+  database.run("INSERT INTO t VALUES (1)");
+  transaction.commit();
+  EXPECT_EQ(database.number("SELECT count(*) FROM t"), 1);
+}
+
+TEST(Database, aNameWithAMeaningForSqliteIsAFile) {
+  const test::Folder folder;
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder.file(""));
+  { Database(":memory:", true).run("CREATE TABLE t (a INTEGER)"); }
+  EXPECT_TRUE(std::filesystem::exists(":memory:"));
+  std::filesystem::current_path(before);
+}
+
+TEST(Database, failuresAreOneLineWithFileAndRemedy) {
+  const test::Folder folder;
+  const std::string text = folder.file("text.db");
+  std::ofstream(text) << std::string(4096, 'x');
+  for (const std::string& file : {folder.file("none.db"), text}) {
+    try {
+      Database database(file, false);
+      database.number("SELECT count(*) FROM sqlite_schema");
+      FAIL() << file;
+    } catch (const DataError& error) {
+      const std::string line = error.what();
+      EXPECT_EQ(line.rfind(file + ": ", 0), 0U) << line;
+      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("none.db")));
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,61 @@
+#include "roomgraph/archive/choose_record.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+bool any(const KnownRun&) { return true; }
+
+/** Runs of falling quality: the first is the best. */
+std::vector<KnownRun> runs(std::size_t count) {
+  std::vector<KnownRun> result(count);
+  for (std::size_t i = 0; i < count; ++i)
+    result[i].sha256 = std::to_string(i), result[i].time = double(i),
+    result[i].error = 0.1 + 0.01 * double(i);
+  return result;
+}
+
+TEST(ChooseRecord, halfAreTheLatestAndHalfTheBest) {
+  EXPECT_EQ(chooseRecord(runs(50), 8, any), (Indices{0, 1, 2, 3, 46, 47, 48, 49}));
+}
+
+TEST(ChooseRecord, fewRunsAreAllChosenOnce) {
+  EXPECT_EQ(chooseRecord({}, 8, any), Indices{});
+  EXPECT_EQ(chooseRecord(runs(3), 8, any), (Indices{0, 1, 2}));
+  EXPECT_EQ(chooseRecord(runs(8), 8, any), (Indices{0, 1, 2, 3, 4, 5, 6, 7}));
+}
+
+TEST(ChooseRecord, theBestAreAmongTheLastHundred) {
+  EXPECT_EQ(chooseRecord(runs(200), 4, any), (Indices{100, 101, 198, 199}));
+}
+
+TEST(ChooseRecord, tornAndUnsureRunsAreNotAmongTheBest) {
+  std::vector<KnownRun> some = runs(20);
+  some[0].isBroken = true;
+  some[1].error.reset();
+  EXPECT_EQ(chooseRecord(some, 4, any), (Indices{2, 3, 18, 19}));
+  for (KnownRun& run : some) run.error.reset();
+  EXPECT_EQ(chooseRecord(some, 4, any), (Indices{16, 17, 18, 19}));
+}
+
+TEST(ChooseRecord, runsOfAnotherSiteAreNever) {
+  std::vector<KnownRun> some = runs(6);
+  some[5].isPlaced = some[0].isPlaced = false;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{1, 2, 3, 4}));
+}
+
+TEST(ChooseRecord, othersTakeThePlaceOfRunsWhoseFilesAreGone) {
+  std::vector<std::string> asked;
+  const auto isThere = [&](const KnownRun& run) {
+    asked.push_back(run.sha256);
+    return run.sha256 != "49" && run.sha256 != "0";
+  };
+  EXPECT_EQ(chooseRecord(runs(50), 4, isThere), (Indices{1, 2, 47, 48}));
+  EXPECT_EQ(asked, (std::vector<std::string>{"49", "48", "47", "0", "1", "2"}));
+}
+
+}  // namespace
+}  // namespace roomgraph

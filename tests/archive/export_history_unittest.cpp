@@ -1,0 +1,100 @@
+#include "roomgraph/archive/export_history.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sample_nights.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<WatchedSite> oneSite() {
+  WatchedSite site;
+  site.history.site = "office \"A\"";
+  for (int n = 0; n < 12; ++n) site.history.runs.push_back(test::historyRun("anna", n, 0.1));
+  site.history.runs.push_back(test::historyRun("=berta", 12, 0.5));
+  site.history.runs.back().isPlaced = false;
+  site.history.runs.back().figures.clear();
+  site.watch = watchSite(site.history, {});
+  return {site};
+}
+
+TEST(ExportHistory, csvHasALinePerRunAndAsManyFieldsInEach) {
+  const std::string text = historyCsv(oneSite());
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 14);
+  EXPECT_NE(text.find("anna,1970-01-02T00:00:00Z,1anna.simplemap,1anna,placed,0.1000,0.0500,0.2000"
+                      ",1,,,"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("'=berta"), std::string::npos);
+  EXPECT_NE(text.find("other site,,,,0"), std::string::npos);
+  std::size_t begin = 0, commas = std::string::npos;
+  while (begin < text.size()) {
+    const std::size_t end = text.find('\n', begin);
+    const auto count = std::size_t(
+        std::count(text.begin() + std::ptrdiff_t(begin), text.begin() + std::ptrdiff_t(end), ','));
+    if (commas == std::string::npos) commas = count;
+    EXPECT_EQ(count, commas);
+    begin = end + 1;
+  }
+}
+
+TEST(ExportHistory, jsonHasAllOfIt) {
+  const auto json = nlohmann::json::parse(historyJson(oneSite()));
+  EXPECT_EQ(json["format"], "roomgraph/archive");
+  const auto& site = json["sites"][0];
+  EXPECT_EQ(site["site"], "office \"A\"");
+  EXPECT_EQ(site["runs"].size(), 13U);
+  EXPECT_EQ(site["runs"][0]["figures"]["map_error_m"]["value"], 0.1);
+  EXPECT_EQ(site["robots"].size(), 2U);
+  EXPECT_EQ(site["robots"][1]["judged_runs"], 12);
+  EXPECT_EQ(site["robots"][1]["last_good"]["sha256"], "11anna");
+  EXPECT_TRUE(site["robots"][0]["last_good"].is_null());
+}
+
+TEST(ExportHistory, jsonFollowsTheSchema) {
+  std::ostringstream schemaFile;
+  schemaFile << std::ifstream(ROOMGRAPH_ARCHIVE_SCHEMA).rdbuf();
+  rapidjson::Document schemaText, document;
+  schemaText.Parse(schemaFile.str().c_str());
+  ASSERT_FALSE(schemaText.HasParseError());
+  std::vector<WatchedSite> sites = oneSite();
+  SiteHistory& history = sites[0].history;
+  RoomSeen room;
+  room.room = "R1";
+  history.runs[0].rooms = {room};
+  sites[0].watch.changes = {{"R1", "doors", 0, 3, 2}};
+  history.ledger.rooms.emplace_back();
+  document.Parse(historyJson(sites).c_str());
+  ASSERT_FALSE(document.HasParseError());
+  const rapidjson::SchemaDocument schema(schemaText);
+  rapidjson::SchemaValidator validator(schema);
+  EXPECT_TRUE(document.Accept(validator)) << validator.GetInvalidSchemaKeyword();
+}
+
+TEST(ExportHistory, prometheusHasEachGaugeOnceWithItsHelp) {
+  const std::string text = historyPrometheus(oneSite());
+  EXPECT_NE(text.find("roomgraph_map_error_metres{site=\"office \\\"A\\\"\",robot=\"anna\"} 0.1\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("roomgraph_over_limit{site=\"office \\\"A\\\"\",robot=\"anna\"} 0\n"),
+            std::string::npos);
+  EXPECT_EQ(text.find("roomgraph_map_error_metres{site=\"office \\\"A\\\"\",robot=\"=berta\"}"),
+            std::string::npos);
+  EXPECT_NE(text.find("# TYPE roomgraph_declining gauge\n"), std::string::npos);
+}
+
+TEST(ExportHistory, textHasALinePerRobot) {
+  const std::string text = historyText(oneSite()[0]);
+  EXPECT_NE(text.find("  anna: its map is as good as ever\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  =berta: no run of it can be judged yet\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace roomgraph

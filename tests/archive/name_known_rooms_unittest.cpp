@@ -1,0 +1,54 @@
+#include "name_known_rooms.h"
+
+#include <gtest/gtest.h>
+
+#include "sample_nights.h"
+
+namespace roomgraph {
+namespace {
+
+using test::squareRoom;
+
+std::vector<std::string> idsOf(const Comparison& comparison) {
+  std::vector<std::string> ids;
+  for (const SiteRoom& room : comparison.rooms) ids.push_back(room.id);
+  return ids;
+}
+
+TEST(NameKnownRooms, aRoomOfOneRunIsNotRememberedOneOfTwoIs) {
+  SiteFile ledger;
+  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
+  nameKnownRooms(first, ledger, "a.db");
+  ASSERT_EQ(ledger.rooms.size(), 3U);
+
+  Comparison torn = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
+  torn.rooms.push_back(squareRoom("R4", {20, 20}, {"4"}));
+  nameKnownRooms(torn, ledger, "a.db");
+  EXPECT_EQ(ledger.rooms.size(), 3U);
+  EXPECT_EQ(idsOf(torn), (std::vector<std::string>{"R1", "R2", "R3"}));
+
+  Comparison real = test::night("s", "a", 5, 0.1, {"2", "3"}).comparison;
+  real.rooms.push_back(squareRoom("R4", {20, 20}, {"5", "2"}));
+  nameKnownRooms(real, ledger, "a.db");
+  EXPECT_EQ(ledger.rooms.size(), 4U);
+}
+
+TEST(NameKnownRooms, aKnownRoomThatOneRunStillHasIsTold) {
+  SiteFile ledger;
+  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
+  nameKnownRooms(first, ledger, "a.db");
+  Comparison later = first;
+  later.rooms[2].runs.resize(1);
+  nameKnownRooms(later, ledger, "a.db");
+  EXPECT_EQ(idsOf(later), idsOf(first));
+}
+
+TEST(NameKnownRooms, theRoomsOfTheFirstTwoRunsAreTakenAsTheyAre) {
+  SiteFile ledger;
+  Comparison alone = test::night("s", "a", 1, 0.1).comparison;
+  nameKnownRooms(alone, ledger, "a.db");
+  EXPECT_EQ(ledger.rooms.size(), 3U);
+}
+
+}  // namespace
+}  // namespace roomgraph

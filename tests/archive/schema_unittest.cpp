@@ -1,0 +1,64 @@
+#include "schema.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "roomgraph/base/Error.h"
+#include "sample_nights.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(Schema, anOlderArchiveIsBroughtUpToDateAndKeepsWhatItHas) {
+  const test::Folder folder;
+  Database database(folder.file("a.db"), true);
+  std::vector<std::string> steps{"CREATE TABLE t (a INTEGER)"};
+  migrate(database, steps);
+  database.run("INSERT INTO t VALUES (7)");
+  steps.push_back("ALTER TABLE t ADD COLUMN b INTEGER DEFAULT 3");
+  steps.push_back("UPDATE t SET b = a + b");
+  migrate(database, steps);
+  EXPECT_EQ(database.number("SELECT b FROM t"), 10);
+  migrate(database, steps);  // nothing is done twice
+  EXPECT_EQ(database.number("SELECT b FROM t"), 10);
+}
+
+TEST(Schema, aStepThatFailsChangesNothing) {
+  const test::Folder folder;
+  Database database(folder.file("a.db"), true);
+  migrate(database, {"CREATE TABLE t (a INTEGER)"});
+  EXPECT_THROW(migrate(database, {"", "INSERT INTO t VALUES (1); INSERT INTO none VALUES (1)"}),
+               DataError);
+  EXPECT_EQ(database.number("SELECT count(*) FROM t"), 0);
+  EXPECT_EQ(database.number("PRAGMA user_version"), 1);
+}
+
+TEST(Schema, aLaterArchiveAndOtherDatabasesAreRefused) {
+  const test::Folder folder;
+  Database later(folder.file("later.db"), true);
+  migrate(later, schemaSteps());
+  later.run("PRAGMA user_version = 99");
+  EXPECT_THROW(migrate(later, schemaSteps()), DataError);
+  Database other(folder.file("other.db"), true);
+  other.run("CREATE TABLE t (a INTEGER)");
+  EXPECT_THROW(migrate(other, schemaSteps()), DataError);
+  EXPECT_EQ(other.number("PRAGMA application_id"), 0);
+}
+
+TEST(Schema, severalThreadsMakeOneArchive) {
+  const test::Folder folder;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 6; ++i)
+    threads.emplace_back([&] {
+      Database database(folder.file("a.db"), true);
+      database.tryRun("PRAGMA journal_mode = WAL");
+      migrate(database, schemaSteps());
+    });
+  for (std::thread& thread : threads) thread.join();
+  Database database(folder.file("a.db"), false);
+  EXPECT_EQ(database.number("PRAGMA user_version"), std::int64_t(schemaSteps().size()));
+}
+
+}  // namespace
+}  // namespace roomgraph
