@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <exception>
 
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/draw.h"
 #include "roomgraph/report/graph_json.h"
-#include "roomgraph/report/write_file.h"
 
 int main(int count, char** arguments) try {
   if (count != 2) return std::fprintf(stderr, "usage: 01_extract MAP\n"), 2;

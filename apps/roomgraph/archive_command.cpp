@@ -12,9 +12,9 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/map_formats.h"
 #include "roomgraph/report/PairFolder.h"
-#include "roomgraph/report/write_file.h"
 #include "run_in_order.h"
 #include "terminal.h"
 

@@ -12,13 +12,13 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/files/InputFile.h"
+#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/report/PairFolder.h"
-#include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/site_json.h"
-#include "roomgraph/report/write_file.h"
 #include "run_in_order.h"
 
 namespace roomgraph {

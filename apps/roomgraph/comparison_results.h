@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "roomgraph/compare/gate.h"
+#include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/grid/load_grid.h"
 #include "roomgraph/relate/Run.h"
-#include "roomgraph/report/StagedFiles.h"
 
 namespace roomgraph {
 

@@ -10,12 +10,12 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/map_formats.h"
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
-#include "roomgraph/report/StagedFiles.h"
 #include "roomgraph/report/ros_map.h"
-#include "roomgraph/report/write_file.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -10,10 +10,10 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/load_scans.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
-#include "roomgraph/report/StagedFiles.h"
-#include "roomgraph/report/write_file.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -6,8 +6,8 @@
 #include "extract_map.h"
 #include "option_arguments.h"
 #include "output_names.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/map_formats.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <thread>
 
-#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/files/StagedFiles.h"
 
 namespace roomgraph {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
+#include "roomgraph/files/InputFile.h"
 #include "roomgraph/report/read_graph_json.h"
 
 namespace roomgraph {

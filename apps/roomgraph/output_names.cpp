@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/map_formats.h"
 
 namespace roomgraph {

@@ -7,8 +7,8 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 namespace {

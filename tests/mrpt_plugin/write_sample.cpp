@@ -4,11 +4,11 @@
 #include <exception>
 #include <iostream>
 
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
 #include "roomgraph/report/names.h"
-#include "roomgraph/report/write_file.h"
 #include "sample_graph.h"
 
 namespace {

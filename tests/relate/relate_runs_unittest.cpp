@@ -9,7 +9,7 @@
 
 #include "drawn_building.h"
 #include "pair_bytes.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/read_labels.h"
-#include "roomgraph/report/write_file.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

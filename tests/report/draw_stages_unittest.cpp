@@ -4,9 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "TestFolder.h"
 #include "png_pixels.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/report/write_file.h"
+#include "roomgraph/files/write_file.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

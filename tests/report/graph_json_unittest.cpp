@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "TestFolder.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

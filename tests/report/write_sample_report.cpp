@@ -1,5 +1,5 @@
 // write_sample_report FILE: a report for the tests in a browser.
-#include "roomgraph/report/write_file.h"
+#include "roomgraph/files/write_file.h"
 #include "sample_comparison.h"
 
 int main(int argc, char** argv) {

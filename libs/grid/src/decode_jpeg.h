@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/grid/byte_reader.h"
+#include "roomgraph/files/byte_reader.h"
 
 namespace roomgraph {
 

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "pixel_grey.h"
-#include "whole_stream.h"
+#include "roomgraph/files/whole_stream.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/map_formats.h"
 #include "roomgraph/grid/mrpt_object.h"
 

@@ -6,7 +6,7 @@
 
 #include "place_scans.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/load_scans.h"
 #include "roomgraph/grid/mrpt_object.h"
 

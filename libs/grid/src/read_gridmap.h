@@ -1,6 +1,6 @@
 #pragma once
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/GreyMap.h"
-#include "roomgraph/grid/checked_file.h"
 #include "roomgraph/grid/load_grid.h"
 
 namespace roomgraph {

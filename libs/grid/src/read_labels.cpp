@@ -7,7 +7,7 @@
 #include "decode_png.h"
 #include "flip_rows.h"
 #include "read_image.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 
 namespace roomgraph {
 namespace {

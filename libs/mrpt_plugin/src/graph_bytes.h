@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 
 namespace roomgraph {

@@ -2,9 +2,9 @@
 
 #include "graph_bytes.h"
 #include "object_bytes.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
+#include "roomgraph/files/write_file.h"
 #include "roomgraph/grid/mrpt_object.h"
-#include "roomgraph/report/write_file.h"
 
 namespace roomgraph {
 

@@ -5,7 +5,7 @@
 
 #include "by_straightness.h"
 #include "pair_bytes.h"
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 
 namespace roomgraph {
 

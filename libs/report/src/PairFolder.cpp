@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
-#include "roomgraph/report/write_file.h"
+#include "roomgraph/files/InputFile.h"
+#include "roomgraph/files/write_file.h"
 
 namespace roomgraph {
 

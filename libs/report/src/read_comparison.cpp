@@ -2,9 +2,9 @@
 
 #include "JsonNode.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/json_fault.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/files/InputFile.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

@@ -6,8 +6,8 @@
 #include "JsonNode.h"
 #include "read_areas.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/json_fault.h"
+#include "roomgraph/files/InputFile.h"
 #include "roomgraph/report/names.h"
 
 namespace roomgraph {

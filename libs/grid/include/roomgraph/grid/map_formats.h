@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/load_grid.h"
 
 namespace roomgraph {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "roomgraph/grid/byte_reader.h"
+#include "roomgraph/files/byte_reader.h"
 
 namespace roomgraph {
 

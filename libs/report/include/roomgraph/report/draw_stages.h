@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
+#include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/pipeline/Stages.h"
-#include "roomgraph/report/StagedFiles.h"
 
 namespace roomgraph {
 

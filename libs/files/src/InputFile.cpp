@@ -1,4 +1,4 @@
-#include "roomgraph/base/InputFile.h"
+#include "roomgraph/files/InputFile.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

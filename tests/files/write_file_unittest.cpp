@@ -1,11 +1,11 @@
-#include "roomgraph/report/write_file.h"
+#include "roomgraph/files/write_file.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "sample_stages.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/files/StagedFiles.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

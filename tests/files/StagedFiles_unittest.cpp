@@ -1,4 +1,4 @@
-#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/files/StagedFiles.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -6,9 +6,9 @@
 
 #include <filesystem>
 
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/report/write_file.h"
-#include "sample_stages.h"
+#include "roomgraph/files/write_file.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/grid/byte_reader.h"
+#include "roomgraph/files/byte_reader.h"
 
 namespace roomgraph {
 

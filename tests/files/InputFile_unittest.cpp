@@ -1,4 +1,4 @@
-#include "roomgraph/base/InputFile.h"
+#include "roomgraph/files/InputFile.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,11 +1,11 @@
-#include "roomgraph/grid/checked_file.h"
+#include "roomgraph/files/checked_file.h"
 
 #include <openssl/evp.h>
 #include <zlib.h>
 
 #include <algorithm>
 
-#include "whole_stream.h"
+#include "roomgraph/files/whole_stream.h"
 #include "zstd_frame.h"
 
 namespace roomgraph {

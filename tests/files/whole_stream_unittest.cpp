@@ -1,4 +1,4 @@
-#include "whole_stream.h"
+#include "roomgraph/files/whole_stream.h"
 
 #include <gtest/gtest.h>
 

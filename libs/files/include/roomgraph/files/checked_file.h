@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/InputFile.h"
-#include "roomgraph/grid/byte_reader.h"
+#include "roomgraph/files/InputFile.h"
+#include "roomgraph/files/byte_reader.h"
 
 namespace roomgraph {
 

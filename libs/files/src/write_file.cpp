@@ -1,11 +1,11 @@
-#include "roomgraph/report/write_file.h"
+#include "roomgraph/files/write_file.h"
 
 #include <unistd.h>
 
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/report/StagedFiles.h"
+#include "roomgraph/files/StagedFiles.h"
 
 namespace roomgraph {
 
