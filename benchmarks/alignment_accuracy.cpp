@@ -16,7 +16,7 @@
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
 namespace {

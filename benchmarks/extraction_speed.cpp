@@ -19,7 +19,7 @@
 #include "FloorPlan.h"
 #include "make_office.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "write_map.h"
 

@@ -17,7 +17,7 @@
 #include "floor_plans.h"
 #include "room_rules.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/match/match_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 #include "turn_map.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/relate/estimate_scale.h"
 #include "simulated_site.h"

@@ -4,7 +4,7 @@
 #include <exception>
 
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/draw.h"
 #include "roomgraph/report/graph_json.h"

@@ -13,7 +13,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
 #include "terminal.h"

@@ -7,7 +7,7 @@
 
 #include "roomgraph/compare/gate.h"
 #include "roomgraph/files/StagedFiles.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/grid/LoadGridOptions.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {

@@ -12,7 +12,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/grid/load_scans.h"
+#include "roomgraph/map_files/load_scans.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
 #include "terminal.h"
 

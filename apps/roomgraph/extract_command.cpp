@@ -7,7 +7,7 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -8,8 +8,8 @@
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
-#include "roomgraph/grid/load_grid.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/draw_stages.h"
 

@@ -14,7 +14,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/checked_file.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -13,7 +13,7 @@
 #include "roomgraph/files/InputFile.h"
 #include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/report/stability_progress.h"
 #include "roomgraph/report/write_stability.h"
 #include "run_in_order.h"

@@ -2,9 +2,9 @@
 #include "ByteSource.h"
 #include "as_file.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/grid/load_grid.h"
-#include "roomgraph/grid/load_keyframes.h"
-#include "roomgraph/grid/read_labels.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/map_files/read_labels.h"
 
 namespace {
 

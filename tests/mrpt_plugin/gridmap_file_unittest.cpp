@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "roomgraph/grid/binarize.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
 namespace {

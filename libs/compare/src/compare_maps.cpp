@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "roomgraph/grid/binarize.h"
-#include "roomgraph/grid/load_grid.h"
+#include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
 

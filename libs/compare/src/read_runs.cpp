@@ -8,7 +8,8 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
-#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/load_keyframes.h"
 #include "roomgraph/pipeline/extract.h"
 #include "run_names.h"
 

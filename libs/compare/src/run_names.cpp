@@ -6,7 +6,7 @@
 #include <set>
 
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/grid/load_keyframes.h"
+#include "roomgraph/map_files/load_keyframes.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/relate/Run.h"
 

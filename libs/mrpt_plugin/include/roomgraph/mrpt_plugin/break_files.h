@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/grid/load_scans.h"
+#include "roomgraph/map_files/load_scans.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
 

@@ -2,9 +2,9 @@
 #include <string>
 
 #include "roomgraph/base/Options.h"
+#include "roomgraph/grid/LoadGridOptions.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/clear_clutter.h"
-#include "roomgraph/grid/load_grid.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/rooms/find_rooms.h"
 #include "roomgraph/rooms/join_doors.h"

@@ -1,0 +1,38 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/files/checked_file.h"
+#include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/grid/LoadGridOptions.h"
+
+namespace roomgraph {
+
+// In:   a map file
+// Out:  the entry of its format
+// Next: loadGrid
+
+/** A kind of map file. All that knows one stands in mapFormats() and in its reader; the program's
+ *  help, the names of its results and the texts of errors follow from the table. */
+struct MapFormat {
+  const char* kind;                     ///< as in GreyMap::source and in results
+  std::vector<const char*> extensions;  ///< usual ones; files are recognised by content
+  const char* name;                     ///< for people
+  bool (*looksLike)(CheckedFile& file);
+  GreyMap (*read)(CheckedFile& file, const LoadGridOptions& options);
+};
+
+/** All of them, in the order in which they are tried. */
+const std::vector<MapFormat>& mapFormats();
+
+/** For people: "MRPT grid map, ROS map or picture". */
+std::string mapFormatNames();
+/** For people: "MRPT grid map (.gridmap), ROS map (.yaml, .yml) or picture (.png)". */
+std::string mapFormatsText();
+
+/** The X of the results of a map: the file's name without its folder, ".gz" and then the extension
+ *  of a format: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat"
+ *  stays. */
+std::string mapStem(const std::string& mapFile);
+
+}  // namespace roomgraph

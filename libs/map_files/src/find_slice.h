@@ -1,0 +1,56 @@
+#pragma once
+#include <mrpt/math/TPoint3D.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "roomgraph/grid/LoadGridOptions.h"
+
+namespace roomgraph {
+
+// In:   the points of a site
+// Out:  Slice
+// Next: sliceScan
+
+/** Where in space there are points: cubes of kCube, each once. */
+class Voxels {
+ public:
+  static constexpr double kCube = 0.1;  ///< [m]
+
+  /** Points farther than 10 km from the origin, or than 100 m above or below it, are left out. */
+  void add(double x, double y, double z);
+  bool empty() const { return cubes_.empty(); }
+
+  struct Column {
+    std::int32_t x = 0, y = 0;
+  };
+  /** The columns in which there is a point at each height, by height, then in no order. */
+  std::vector<std::vector<Column>> layers() const;
+  double lowest() const;  ///< of layers()[0], its lower face [m]
+
+ private:
+  std::unordered_set<std::uint64_t> cubes_;
+};
+
+/** A horizontal band of a site. */
+struct Slice {
+  double floor = 0;          ///< its height in the frame of the points [m]
+  double low = 0, high = 0;  ///< of the band, above the floor [m]
+  bool isFlat = false;       ///< all points lie in one plane, without a floor
+
+  bool contains(double z) const { return isFlat || (z - floor >= low && z - floor <= high); }
+};
+
+/** Finds the floor, the lowest height at which much of the site is covered, and the band above it
+ *  in which walls have the longest straight pieces; below lintels, so that doors stay open. Bands
+ *  equal within a twentieth: the lowest. options.sliceLow and .sliceHigh, where not both 0, are the
+ *  band. */
+Slice findSlice(const Voxels& voxels, const LoadGridOptions& options);
+
+/** For people: "heights 0.6 to 1.1 m above the floor at -1 m". */
+std::string sliceText(const Slice& slice);
+
+}  // namespace roomgraph

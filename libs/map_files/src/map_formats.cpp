@@ -1,0 +1,71 @@
+#include "roomgraph/map_files/map_formats.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "read_bare_image.h"
+#include "read_gridmap.h"
+#include "read_metric_map.h"
+#include "read_ros_map.h"
+#include "read_simplemap.h"
+
+namespace roomgraph {
+namespace {
+
+/** "a, b or c". */
+std::string listed(std::string (*textOf)(const MapFormat&)) {
+  const std::vector<MapFormat>& formats = mapFormats();
+  std::string text;
+  for (const MapFormat& format : formats) {
+    if (&format != &formats.front()) text += &format == &formats.back() ? " or " : ", ";
+    text += textOf(format);
+  }
+  return text;
+}
+
+bool endsWith(const std::string& name, const std::string& end) {
+  return name.size() > end.size() &&
+         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
+           return a == std::tolower(static_cast<unsigned char>(b));
+         });
+}
+
+}  // namespace
+
+const std::vector<MapFormat>& mapFormats() {
+  static const std::vector<MapFormat> formats = {
+      {"gridmap", {".gridmap"}, "MRPT grid map", isGridmap, readGridmap},
+      {"simplemap", {".simplemap"}, "MRPT simplemap", isSimplemap, readSimplemap},
+      {"metric_map", {".mm"}, "MOLA metric map", isMetricMap, readMetricMap},
+      {"ros_map", {".yaml", ".yml"}, "ROS map", isRosMap, readRosMap},
+      {"image", {".png", ".pgm", ".bmp", ".jpg", ".jpeg"}, "picture", isBareImage, readBareImage},
+  };
+  return formats;
+}
+
+std::string mapFormatNames() {
+  return listed([](const MapFormat& format) { return std::string(format.name); });
+}
+
+std::string mapFormatsText() {
+  return listed([](const MapFormat& format) {
+    std::string text = format.name;
+    const char* separator = " (";
+    for (const char* extension : format.extensions)
+      text += separator + std::string(extension), separator = ", ";
+    return text + ")";
+  });
+}
+
+std::string mapStem(const std::string& mapFile) {
+  std::string name = std::filesystem::path(mapFile).filename().string();
+  for (const std::string end : {".gz", ".zst"})
+    if (endsWith(name, end)) name.resize(name.size() - end.size());
+  for (const MapFormat& format : mapFormats())
+    for (const std::string end : format.extensions)
+      if (endsWith(name, end)) return name.substr(0, name.size() - end.size());
+  return name;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,23 @@
+#pragma once
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include "roomgraph/map_files/mrpt_object.h"
+
+namespace roomgraph {
+
+/** Reads what follows the header of a CObservation2DRangeScan, versions 0 to 8, its end included.
+ *  Ranges that are no length (NaN, negative) become invalid ones. Throws DataError where anything
+ *  contradicts the format or a number is absurd. */
+void readScan(ByteReader& in, const ObjectHeader& header, mrpt::obs::CObservation2DRangeScan& scan);
+
+/** Reads the pose that follows the header of a CObservationOdometry, versions 0 to 2, and leaves
+ *  the rest. */
+mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header);
+
+/** Reads a time of MRPT's: 100 ns from 1601 on; 0, which is INVALID_TIMESTAMP, stands for none. */
+mrpt::Clock::time_point readTime(ByteReader& in);
+
+/** Reads a text with its length before it. */
+std::string readText(ByteReader& in);
+
+}  // namespace roomgraph

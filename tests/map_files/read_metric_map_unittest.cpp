@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_cloud.h"
+#include "map_files.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/map_files/load_grid.h"
+
+namespace roomgraph {
+namespace {
+
+using test::raw;
+
+std::string text(const std::string& characters) {
+  return raw(std::uint32_t(characters.size())) + characters;
+}
+
+/** A metric map of the layers, each a name and the bytes of its object. */
+std::string metricMap(int version, const std::vector<std::pair<std::string, std::string>>& layers,
+                      const std::string& features = std::string(12, '\0')) {
+  const std::string name = "mp2p_icp::metric_map_t";
+  std::string bytes = std::string(1, char(0x80 | name.size())) + name + char(version) +
+                      text("std::vector") + text("TLine3D") + features +
+                      raw(std::uint32_t(layers.size()));
+  for (const auto& [layer, object] : layers) bytes += text(layer) + object;
+  if (version >= 1)
+    bytes += text("std::optional") + text("uint64_t") + '\1' + raw<std::uint64_t>(7) +
+             text("std::optional") + text("std::string") + '\0';
+  if (version >= 5) bytes += '\1' + text("site: lab\n");
+  return bytes + "\x88";
+}
+
+class MetricMap : public testing::Test {
+ protected:
+  GreyMap load(const std::string& bytes, const std::string& layer = {}) const {
+    LoadGridOptions options;
+    options.layer = layer;
+    return loadGrid(dir_.write("map.mm", bytes), options);
+  }
+  std::string errorOf(const std::string& bytes, const std::string& layer = {}) const {
+    try {
+      load(bytes, layer);
+      return {};
+    } catch (const DataError& error) {
+      return error.what();
+    }
+  }
+  const test::TempDir dir_;
+  const std::string grid_ = test::streamed(test::smallGrid());
+  const std::string points_ = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10,
+                                                   test::roomPoints(), std::string(9, '\x88'));
+  const std::string voxels_ = "\x95mrpt::maps::CVoxelMap\1" + std::string(40, '\x88');
+};
+
+TEST_F(MetricMap, itsGridLayerIsReadInEveryVersion) {
+  const GreyMap expected = loadGrid(dir_.write("a.gridmap", grid_), {});
+  for (int version = 0; version <= 5; ++version) {
+    const std::string bytes =
+        metricMap(version, {{"raw", points_}, {"odd", voxels_}, {"gridmap", grid_}});
+    for (const std::string& stored : {bytes, test::gzipped(bytes), test::zstd(bytes, false)}) {
+      const GreyMap map = load(stored);
+      EXPECT_EQ(map.grey, expected.grey) << version;
+      EXPECT_EQ(map.frame.origin.x, expected.frame.origin.x);
+      EXPECT_EQ(map.source.kind, "metric_map");
+    }
+  }
+}
+
+TEST_F(MetricMap, linesAndPlanesAreSteppedOver) {
+  const std::string features = raw(2u) + std::string(96, '\x88') + raw(1u) +
+                               std::string(56, '\x88') + raw(2u) + std::string(96, '\x88');
+  EXPECT_EQ(load(metricMap(3, {{"gridmap", grid_}}, features)).frame.width, 5);
+}
+
+TEST_F(MetricMap, pointsAreSlicedAndTheirFloorIsFree) {
+  const GreyMap map = load(metricMap(3, {{"raw", points_}}));
+  const Grid grid = binarize(map, {});
+  int walls = 0;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x) {
+      if (grid.at({x, y}) != State::occupied) continue;
+      const Point p = grid.frame.center({x, y});
+      EXPECT_NEAR(std::max(std::abs(p.x), std::abs(p.y)), 2, 0.08);
+      ++walls;
+    }
+  EXPECT_GT(walls, 250);
+  EXPECT_TRUE(grid.isFree({0.5, 0.5}));
+  EXPECT_FALSE(grid.isFree({2.3, 0}));
+  ASSERT_EQ(map.notes.size(), 1u);
+  EXPECT_EQ(map.notes[0].code, "slice");
+}
+
+TEST_F(MetricMap, aLayerIsReadByItsName) {
+  const std::string bytes = metricMap(3, {{"raw", points_}, {"gridmap", grid_}});
+  EXPECT_EQ(load(bytes, "gridmap").frame.width, 5);
+  EXPECT_GT(load(bytes, "raw").frame.width, 50);
+  const std::string text = errorOf(bytes, "walls");
+  EXPECT_NE(text.find("'walls'"), std::string::npos) << text;
+  EXPECT_NE(text.find("gridmap (COccupancyGridMap2D)"), std::string::npos) << text;
+  EXPECT_NE(errorOf(metricMap(3, {{"odd", voxels_}}), "odd").find("CVoxelMap"), std::string::npos);
+}
+
+TEST_F(MetricMap, withoutGridOrFloorItSaysWhatIsMissing) {
+  EXPECT_NE(errorOf(metricMap(3, {{"odd", voxels_}})).find("no layer with a grid or points"),
+            std::string::npos);
+  EXPECT_NE(errorOf(metricMap(3, {})).find("none"), std::string::npos);
+  test::Points flat;
+  for (int i = 0; i < 100; ++i) flat.emplace_back(float(i) * 0.1f, 1.f, 0.16f);
+  const std::string lidar = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10, flat, "");
+  EXPECT_NE(errorOf(metricMap(1, {{"2d_lidar", lidar}})).find("one height only"),
+            std::string::npos);
+}
+
+TEST_F(MetricMap, cutsAndLiesAreRefused) {
+  const std::string bytes = metricMap(3, {{"raw", points_}, {"gridmap", grid_}});
+  for (std::size_t size = 1; size < bytes.size() - 200; size += 1 + size / 8)
+    EXPECT_NE(errorOf(bytes.substr(0, size)), "") << size;
+  for (const std::uint32_t count : {0xffffffffu, 100'000u}) {
+    EXPECT_NE(errorOf(metricMap(3, {{"gridmap", grid_}}, raw(count) + std::string(8, '\0'))), "");
+    std::string layers = metricMap(3, {{"gridmap", grid_}});
+    layers.replace(layers.find(raw(1u) + text("gridmap")), 4, raw(count));
+    EXPECT_NE(errorOf(layers), "");
+  }
+  EXPECT_NE(errorOf(metricMap(6, {{"gridmap", grid_}})).find("only 0 to 5 are known"),
+            std::string::npos);
+}
+
+TEST_F(MetricMap, whatMolaWroteGivesTheGridInIt) {
+  const std::string file = test::sharedFile("mrpt_new/mvsim-warehouse01.mm");
+  const std::string layer = test::sharedFile("mrpt_new/warehouse_layer_of_mm.gridmap");
+  if (file.empty() || layer.empty()) GTEST_SKIP() << "MOLA's maps are not beside the source tree";
+  const GreyMap map = loadGrid(file, {}), expected = loadGrid(layer, {});
+  EXPECT_EQ(map.grey, expected.grey);
+  EXPECT_EQ(map.frame.origin.x, expected.frame.origin.x);
+  EXPECT_EQ(map.frame.resolution, expected.frame.resolution);
+  EXPECT_THROW(loadGrid(test::sharedFile("mrpt_new/local_001.mm"), {}), DataError);
+}
+
+}  // namespace
+}  // namespace roomgraph
