@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/read_labels.h"
 
 namespace roomgraph {
 namespace {

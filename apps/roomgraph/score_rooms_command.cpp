@@ -4,7 +4,7 @@
 
 #include "Command.h"
 #include "roomgraph/evaluation/score_rooms.h"
-#include "roomgraph/map_files/read_labels.h"
+#include "roomgraph/images/read_labels.h"
 #include "roomgraph/report/write_score.h"
 #include "terminal.h"
 

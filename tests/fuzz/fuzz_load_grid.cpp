@@ -2,9 +2,9 @@
 #include "ByteSource.h"
 #include "as_file.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/load_keyframes.h"
-#include "roomgraph/map_files/read_labels.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "TestFolder.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/map_files/read_labels.h"
+#include "roomgraph/images/read_labels.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

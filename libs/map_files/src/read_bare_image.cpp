@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "read_image.h"
+#include "roomgraph/images/read_image.h"
 
 namespace roomgraph {
 

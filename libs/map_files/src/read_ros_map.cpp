@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "read_image.h"
+#include "roomgraph/images/read_image.h"
 #include "turn_map.h"
 
 namespace roomgraph {

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "View.h"
-#include "png_bytes.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Polyline.h"
+#include "roomgraph/images/png_bytes.h"
 #include "roomgraph/topology/TopologyGraph.h"
 
 namespace roomgraph {

@@ -1,6 +1,6 @@
 #pragma once
 #include "View.h"
-#include "png_bytes.h"
+#include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
 

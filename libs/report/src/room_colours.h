@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "png_bytes.h"
 #include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
 

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "png_bytes.h"
+#include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
 namespace {

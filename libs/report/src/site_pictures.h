@@ -2,10 +2,10 @@
 #include <string>
 #include <vector>
 
-#include "png_bytes.h"
 #include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
 

@@ -1,12 +1,9 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
+
+#include "roomgraph/images/Colour.h"
 
 namespace roomgraph {
-
-struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
-};
 
 /** How a run is told from the others, by its place in the ranking: colour and shape repeat after 7
  *  and 6 runs, so 42 runs in a row have different marks. The colours are those of Okabe and Ito

@@ -1,4 +1,4 @@
-#include "roomgraph/map_files/read_labels.h"
+#include "roomgraph/images/read_labels.h"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -1,4 +1,4 @@
-#include "png_bytes.h"
+#include "roomgraph/images/png_bytes.h"
 
 #include <png.h>
 #include <zlib.h>

@@ -1,4 +1,4 @@
-#include "read_image.h"
+#include "roomgraph/images/read_image.h"
 
 #include <algorithm>
 #include <cctype>

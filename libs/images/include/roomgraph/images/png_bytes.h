@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/report/run_marks.h"
+#include "roomgraph/images/Colour.h"
 
 namespace roomgraph {
 

@@ -1,4 +1,4 @@
-#include "roomgraph/map_files/read_labels.h"
+#include "roomgraph/images/read_labels.h"
 
 #include <algorithm>
 #include <new>
@@ -6,8 +6,8 @@
 #include "decode_pgm.h"
 #include "decode_png.h"
 #include "flip_rows.h"
-#include "read_image.h"
 #include "roomgraph/files/checked_file.h"
+#include "roomgraph/images/read_image.h"
 
 namespace roomgraph {
 namespace {
