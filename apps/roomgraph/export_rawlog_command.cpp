@@ -12,8 +12,8 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/map_files/load_scans.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
+#include "roomgraph/scans/load_scans.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -13,10 +13,10 @@
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/load_run_info.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/report/read_graph_json.h"
+#include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
 
 namespace roomgraph {

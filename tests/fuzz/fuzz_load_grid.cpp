@@ -4,7 +4,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "roomgraph/map_files/load_scans.h"
+#include "roomgraph/scans/load_scans.h"
 
 namespace roomgraph::test {
 

@@ -6,8 +6,8 @@
 
 #include "roomgraph/archive/choose_record.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/map_files/load_run_info.h"
 #include "roomgraph/map_files/map_sha256.h"
+#include "roomgraph/scans/load_run_info.h"
 
 namespace roomgraph {
 namespace {

@@ -9,8 +9,8 @@
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/load_keyframes.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/scans/load_keyframes.h"
 #include "run_names.h"
 
 namespace roomgraph {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "find_slice.h"
 #include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/scans/find_slice.h"
 
 namespace roomgraph {
 

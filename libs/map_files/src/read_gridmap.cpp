@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "find_slice.h"
 #include "grid_of_points.h"
-#include "read_cloud.h"
 #include "read_gridmap.h"
-#include "read_observation.h"
+#include "roomgraph/scans/find_slice.h"
+#include "roomgraph/scans/read_cloud.h"
+#include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {

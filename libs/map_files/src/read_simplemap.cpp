@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "place_scans.h"
 #include "read_gridmap.h"
 #include "roomgraph/base/Options.h"
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/place_scans.h"
 
 namespace roomgraph {
 namespace {

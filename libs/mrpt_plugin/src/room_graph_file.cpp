@@ -4,7 +4,7 @@
 #include "object_bytes.h"
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 

@@ -6,7 +6,7 @@
 #include "roomgraph/align/WallPoint.h"
 #include "roomgraph/align/scan_axes.h"
 #include "roomgraph/geometry/PointSums.h"
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 

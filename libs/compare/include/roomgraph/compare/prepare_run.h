@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/map_files/load_keyframes.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/relate/Run.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 

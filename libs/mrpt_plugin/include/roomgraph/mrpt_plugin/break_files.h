@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/map_files/load_scans.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
+#include "roomgraph/scans/load_scans.h"
 
 namespace roomgraph {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
-#include "roomgraph/map_files/load_scans.h"
+#include "roomgraph/scans/load_scans.h"
 
 namespace roomgraph {
 

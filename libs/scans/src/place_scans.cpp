@@ -1,4 +1,4 @@
-#include "place_scans.h"
+#include "roomgraph/scans/place_scans.h"
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "read_cloud.h"
+#include "roomgraph/scans/read_cloud.h"
 
 namespace roomgraph {
 

@@ -15,7 +15,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 namespace {

@@ -8,7 +8,7 @@
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 namespace {

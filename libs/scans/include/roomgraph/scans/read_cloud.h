@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 

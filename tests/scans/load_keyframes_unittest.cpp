@@ -1,4 +1,4 @@
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -8,7 +8,7 @@
 
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/map_files/load_scans.h"
+#include "roomgraph/scans/load_scans.h"
 
 namespace roomgraph {
 namespace {

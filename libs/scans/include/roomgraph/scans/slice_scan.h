@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "find_slice.h"
-#include "read_cloud.h"
+#include "roomgraph/scans/find_slice.h"
+#include "roomgraph/scans/read_cloud.h"
 
 namespace roomgraph {
 

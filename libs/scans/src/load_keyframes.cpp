@@ -1,14 +1,14 @@
-#include "roomgraph/map_files/load_keyframes.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 #include <mrpt/core/Clock.h>
 
 #include <cmath>
 
-#include "place_scans.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/checked_file.h"
-#include "roomgraph/map_files/load_scans.h"
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/load_scans.h"
+#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/place_scans.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "point_bytes.h"
-#include "read_observation.h"
+#include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {

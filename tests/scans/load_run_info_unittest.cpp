@@ -1,4 +1,4 @@
-#include "roomgraph/map_files/load_run_info.h"
+#include "roomgraph/scans/load_run_info.h"
 
 #include <gtest/gtest.h>
 

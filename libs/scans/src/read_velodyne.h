@@ -1,5 +1,5 @@
 #pragma once
-#include "read_cloud.h"
+#include "roomgraph/scans/read_cloud.h"
 
 namespace roomgraph {
 

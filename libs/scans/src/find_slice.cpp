@@ -1,4 +1,4 @@
-#include "find_slice.h"
+#include "roomgraph/scans/find_slice.h"
 
 #include <algorithm>
 #include <cmath>

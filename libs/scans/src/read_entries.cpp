@@ -1,7 +1,7 @@
-#include "read_entries.h"
+#include "roomgraph/scans/read_entries.h"
 
-#include "read_observation.h"
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {

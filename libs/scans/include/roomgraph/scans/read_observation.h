@@ -1,7 +1,7 @@
 #pragma once
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 

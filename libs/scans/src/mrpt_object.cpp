@@ -1,4 +1,4 @@
-#include "roomgraph/map_files/mrpt_object.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 #include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3DPDFParticles.h>

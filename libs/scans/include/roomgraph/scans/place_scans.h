@@ -2,9 +2,9 @@
 #include <functional>
 #include <optional>
 
-#include "read_entries.h"
 #include "roomgraph/base/Notes.h"
-#include "slice_scan.h"
+#include "roomgraph/scans/read_entries.h"
+#include "roomgraph/scans/slice_scan.h"
 
 namespace roomgraph {
 

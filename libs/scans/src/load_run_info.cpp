@@ -1,10 +1,10 @@
-#include "roomgraph/map_files/load_run_info.h"
+#include "roomgraph/scans/load_run_info.h"
 
 #include <mrpt/system/datetime.h>
 
 #include <algorithm>
 
-#include "read_entries.h"
+#include "roomgraph/scans/read_entries.h"
 
 namespace roomgraph {
 namespace {

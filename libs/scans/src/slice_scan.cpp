@@ -1,4 +1,4 @@
-#include "slice_scan.h"
+#include "roomgraph/scans/slice_scan.h"
 
 #include <algorithm>
 #include <array>

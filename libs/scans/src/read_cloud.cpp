@@ -1,12 +1,12 @@
-#include "read_cloud.h"
+#include "roomgraph/scans/read_cloud.h"
 
 #include <cmath>
 
 #include "external_file.h"
 #include "point_bytes.h"
 #include "read_depth_scan.h"
-#include "read_observation.h"
 #include "read_velodyne.h"
+#include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "read_observation.h"
+#include "roomgraph/scans/read_observation.h"
 
 #include <cmath>
 
