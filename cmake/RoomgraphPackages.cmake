@@ -1,4 +1,5 @@
-# Debian packages, by cpack: roomgraph (the program), roomgraph-mrpt (the library that MRPT's programs
+# Debian packages, by cpack: roomgraph (the program), roomgraph-view (the window, where there is
+# mrpt-gui), roomgraph-mrpt (the library that MRPT's programs
 # load) and libroomgraph-dev.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the roomgraph developers" CACHE STRING "Maintainer of the packages")
@@ -6,6 +7,9 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program mrpt dev)
+if(TARGET roomgraph_view)
+  list(APPEND CPACK_COMPONENTS_ALL view)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
@@ -17,6 +21,12 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "rooms and paths of 2D grid maps
  and compares several maps of one building.")
 # Leaflet and D3 are part of the program; the fonts of its pictures are not.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS fonts-dejavu-core)
+
+set(CPACK_DEBIAN_VIEW_PACKAGE_NAME roomgraph-view)
+set(CPACK_DEBIAN_VIEW_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_VIEW_DESCRIPTION "window on maps, runs and comparisons of roomgraph
+ Shows a map with its graph, a run with its path and scans, and several runs
+ laid on each other, with the places where they break.")
 
 set(CPACK_DEBIAN_MRPT_PACKAGE_NAME roomgraph-mrpt)
 set(CPACK_DEBIAN_MRPT_PACKAGE_SECTION science)
@@ -37,7 +47,8 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION "rooms and paths of 2D grid maps - development 
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" own_licence)
 file(READ "${PROJECT_SOURCE_DIR}/libs/report/src/page/licences.txt" embedded_licences)
 file(WRITE "${PROJECT_BINARY_DIR}/copyright" "${own_licence}\n${embedded_licences}")
-foreach(component PROGRAM MRPT DEV)
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} component)
   string(TOLOWER ${component} name)
   install(FILES "${PROJECT_BINARY_DIR}/copyright" COMPONENT ${name}
     DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME}")

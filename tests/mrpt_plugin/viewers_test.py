@@ -161,4 +161,5 @@ def main():
         return run(*sys.argv[1:], home)
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -11,7 +11,9 @@ rm -rf "$work"
 mkdir -p "$work"
 (cd "$build" && cpack -B "$work/packages" > "$work/cpack.log") || { cat "$work/cpack.log"; exit 1; }
 
-for package in roomgraph roomgraph-mrpt libroomgraph-dev; do
+packages=(roomgraph roomgraph-mrpt libroomgraph-dev)
+[ ! -x "$build/bin/roomgraph-view" ] || packages+=(roomgraph-view)
+for package in "${packages[@]}"; do
   mkdir "$work/$package"
   dpkg-deb -x "$work"/packages/"${package}"_*.deb "$work/$package"
   test -f "$work/$package/usr/share/doc/$package/copyright"

@@ -55,6 +55,44 @@ viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double heig
   return lines;
 }
 
+/** Where the horizontal line at `y` crosses the polygon, ascending. */
+std::vector<double> crossings(const Polygon& polygon, double y) {
+  std::vector<double> xs;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      if ((a.y > y) != (b.y > y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  };
+  add(polygon.outer);
+  for (const Ring& hole : polygon.holes) add(hole);
+  std::sort(xs.begin(), xs.end());
+  return xs;
+}
+
+/** The middle of the longest of some horizontal lines in the room: inside of it, also where it is a
+ *  ring or an angle and its centre is not. */
+Point labelPlace(const SiteRoom& room) {
+  if (room.polygon.outer.size() < 3) return room.center;
+  const Box box = boundingBox(room.polygon.outer);
+  Point best = room.center;
+  double longest = 0;
+  constexpr int rows = 31;
+  for (int row = 0; row < rows; ++row) {
+    const double y = box.low.y + (box.high.y - box.low.y) * (row + 0.5) / rows;
+    const std::vector<double> xs = crossings(room.polygon, y);
+    for (std::size_t i = 0; i + 1 < xs.size(); i += 2)
+      if (xs[i + 1] - xs[i] > longest + 0.01)
+        longest = xs[i + 1] - xs[i], best = {(xs[i] + xs[i + 1]) / 2, y};
+  }
+  return best;
+}
+
+/** Where the name of a room is put: in its middle, if that lies in it. */
+Point namePlace(const SiteRoom& room) {
+  return sideOf(room.polygon, room.center) == Side::inside ? room.center : labelPlace(room);
+}
+
 viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, double height) {
   auto names = viz::CSetOfObjects::Create();
   names->setName("room names");
@@ -63,8 +101,9 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, double heigh
                                      viz::FILL);
     text->setColor_u8({kRoomOutlineColor.r, kRoomOutlineColor.g, kRoomOutlineColor.b});
     const auto box = text->getBoundingBox();
-    text->setLocation(room.center.x - double(box.min.x + box.max.x) / 2,
-                      room.center.y - double(box.min.y + box.max.y) / 2, height);
+    const Point place = namePlace(room);
+    text->setLocation(place.x - double(box.min.x + box.max.x) / 2,
+                      place.y - double(box.min.y + box.max.y) / 2, height);
     names->insert(text);
   }
   return names;

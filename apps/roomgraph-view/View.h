@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
+#include "roomgraph/relate/Run.h"
+
+namespace roomgraph {
+
+/** What there is to look at: one map with its graph, or runs of a site. */
+struct View {
+  Comparison comparison;  ///< of one map: its run alone, and that without a score
+  std::vector<Run> runs;  ///< in the order of the comparison's; those without a map are missing
+  /** Of one map, with which it is extracted anew when an option changes. */
+  std::optional<GreyMap> map;
+  ExtractOptions options;
+  std::optional<CRoomGraph> graph;
+
+  const Run* runNamed(const std::string& name) const;
+  /** Of the run at this place of the comparison; empty without scans. */
+  const std::vector<PathPose>& path(std::size_t run) const { return comparison.runs[run].path; }
+};
+
+/** Reads what was named: one map, several runs, which are compared, or a comparison.json with its
+ *  maps behind it. Those that are not named are looked for beside it, one folder above and in the
+ *  current one. `say` is told what could not be used.
+ *  @throws DataError and UsageError where nothing is left to look at. */
+View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
+              const std::function<void(const std::string&)>& say);
+
+/** Extracts the one map anew, with the options of the view. */
+void extractAgain(View& view);
+
+}  // namespace roomgraph

@@ -1,0 +1,55 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "ViewState.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
+
+namespace roomgraph {
+
+/** A view in 3D. Its objects are made once; update() moves and hides them. */
+class ViewScene {
+ public:
+  /** `view` must live as long as this. */
+  explicit ViewScene(const View& view);
+
+  /** Shows the state, with what readState says of it above, and these lines below. */
+  void update(const ViewState& state, const std::vector<std::string>& below);
+  /** Draws the graph anew after extractAgain(). */
+  void drawGraphAgain();
+
+  MrptScene::Ptr scene() const { return scene_; }
+  /** What can be switched on and off, from below to above. */
+  const std::vector<std::string>& layers() const { return layers_; }
+  /** Round all that there is [m]. */
+  Box box() const { return box_; }
+  /** Round what is to be seen of a break [m]. */
+  Box boxAt(const MapBreak& tear) const;
+
+ private:
+  void addComparison();
+  void addPaths();
+  void addLayer(const std::string& name, const viz::CSetOfObjects::Ptr& objects);
+  bool isAtBreak(const ViewState& state) const;
+  void updateFrame(const ViewState& state);
+  void updateBreak(const ViewState& state);
+  void hideLayers(const ViewState& state);
+  void write(const std::vector<std::string>& above, const std::vector<std::string>& below);
+
+  const View& view_;
+  MrptScene::Ptr scene_;
+  std::vector<std::string> layers_;
+  viz::CSetOfObjects::Ptr frame_, tear_;
+  std::optional<std::size_t> shownBreak_;
+  Box box_;
+};
+
+/** What is near enough and far enough to be drawn from this far away [m]; layers that lie close to
+ *  each other are not told apart where the range is too wide. */
+void clipFor(double away, MrptScene& scene);
+
+/** Makes the camera of the scene look straight down at all of the box [m], in a picture that is
+ *  `aspect` times as wide as high. Returns how far away it is then [m]. */
+double lookDown(MrptScene& scene, const Box& box, double aspect);
+
+}  // namespace roomgraph

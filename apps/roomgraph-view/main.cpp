@@ -1,0 +1,117 @@
+#include <mrpt/img/CImage.h>
+#include <mrpt/opengl/CFBORender.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+
+#include "ViewWindow.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/version.h"
+
+namespace roomgraph {
+namespace {
+
+enum ExitCode { kDone = 0, kBadData = 1, kBadUsage = 2 };
+
+struct Arguments {
+  std::vector<std::string> files;
+  std::string screenshot;
+  std::vector<int> size{1280, 860};
+  std::optional<std::size_t> run, frame, tear;  // counted from 1, 0 and 1
+};
+
+void say(const std::string& text) {
+  std::fprintf(stderr, "roomgraph-view: %s\n", printable(text).c_str());
+}
+
+ViewState stateOf(const Arguments& arguments, const View& view) {
+  ViewState state;
+  if (arguments.tear) {
+    if (*arguments.tear < 1 || *arguments.tear > view.comparison.breaks.size())
+      throw UsageError("--break: there are " + std::to_string(view.comparison.breaks.size()) +
+                       ", counted from 1");
+    lookAtBreak(*arguments.tear - 1, view, state);
+  }
+  if (arguments.run) {
+    if (*arguments.run < 1 || *arguments.run > view.comparison.runs.size())
+      throw UsageError("--run: there are " + std::to_string(view.comparison.runs.size()) +
+                       ", counted from 1");
+    state.run = *arguments.run - 1;
+  }
+  state.frame = arguments.frame.value_or(state.frame);
+  return state;
+}
+
+/** Draws into memory: no display is needed. */
+void writeScreenshot(const Arguments& arguments, const View& view) {
+  const ViewState state = stateOf(arguments, view);
+  ViewScene drawn(view);
+  drawn.update(state, {});
+  const Box box = state.tear ? drawn.boxAt(view.comparison.breaks[*state.tear]) : drawn.box();
+  const auto width = unsigned(arguments.size[0]), height = unsigned(arguments.size[1]);
+  lookDown(*drawn.scene(), box, double(width) / height);
+  mrpt::opengl::CFBORender render(width, height);
+  render.setCamera(*drawn.scene(), drawn.scene()->getViewport()->getCamera());
+  mrpt::img::CImage picture(width, height, mrpt::img::CH_RGB);
+  render.render_RGB(*drawn.scene(), picture);
+  if (!picture.saveToFile(arguments.screenshot))
+    throw DataError(arguments.screenshot + ": cannot be written: name another file, as .png");
+  std::printf("%s\n", printable(arguments.screenshot).c_str());
+}
+
+void declare(Arguments& arguments, CLI::App& app) {
+  app.add_option("FILE", arguments.files,
+                 "A map, several runs of one site, or a comparison.json with or without its maps.")
+      ->type_name("")
+      ->required();
+  app.add_option("--screenshot", arguments.screenshot,
+                 "Write a picture (.png) instead of opening a window; needs no display.")
+      ->type_name("FILE");
+  app.add_option("--size", arguments.size, "Of the window or picture.")
+      ->type_name("WIDTH HEIGHT")
+      ->expected(2)
+      ->check(CLI::Range(100, 10000))
+      ->capture_default_str();
+  app.add_option("--run", arguments.run, "The run whose way is shown, by rank from 1.")
+      ->type_name("N");
+  app.add_option("--key-frame", arguments.frame, "The key frame that is shown, from 0.")
+      ->type_name("K");
+  app.add_option("--break", arguments.tear, "The break that is shown, from 1.")->type_name("N");
+}
+
+int run(int count, char** words) {
+  CLI::App app("Look at maps, runs and comparisons.", "roomgraph-view");
+  app.set_version_flag("--version", version());
+  Arguments arguments;
+  declare(arguments, app);
+  try {
+    app.parse(count, words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
+    say(std::string(error.what()) + " (see 'roomgraph-view --help')");
+    return kBadUsage;
+  }
+  View view = loadView(arguments.files, ExtractOptions(), say);
+  if (arguments.screenshot.empty())
+    showWindow(view, stateOf(arguments, view), arguments.size[0], arguments.size[1]);
+  else
+    writeScreenshot(arguments, view);
+  return kDone;
+}
+
+}  // namespace
+}  // namespace roomgraph
+
+int main(int count, char** words) {
+  try {
+    return roomgraph::run(count, words);
+  } catch (const roomgraph::UsageError& error) {
+    roomgraph::say(error.what());
+    return roomgraph::kBadUsage;
+  } catch (const std::exception& error) {
+    roomgraph::say(error.what());
+    return roomgraph::kBadData;
+  }
+}

@@ -1,0 +1,32 @@
+# `roomgraph-view --screenshot` draws without a display. The first argument is roomgraph-view.
+. "$(dirname "$0")/common.sh"
+unset DISPLAY WAYLAND_DISPLAY
+view=$roomgraph maps=$source_dir/share/roomgraph/maps
+command -v identify > /dev/null || { echo "skipped: no imagemagick"; exit 77; }
+
+# pixels FILE COLOUR: how many there are
+pixels() { convert "$1" -fill white +opaque "$2" -fill black -opaque "$2" -format '%[fx:(1-mean)*w*h]' info: | cut -d. -f1; }
+
+expect 0 "$view" "$maps/office_run4.simplemap.gz" --key-frame 60 --screenshot one.png
+[ "$(identify -format '%wx%h' one.png)" = 1280x860 ] || fail "size"
+[ "$(pixels one.png 'rgb(200,30,30)')" -gt 100 ] || fail "no scan"
+[ "$(pixels one.png 'rgb(0,110,82)')" -gt 100 ] || fail "no rooms"
+
+expect 0 "$view" "$maps"/office_run[124].simplemap.gz --break 1 --screenshot break.png --size 640 480
+[ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
+[ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
+
+# The README has the help as it is.
+expect 0 "$view" --help
+sed -n '/^<!-- help -->/,/^<!-- end -->/p' "$source_dir/apps/roomgraph-view/README.md" |
+  grep -v '^<!--\|^```' | diff -B - out || fail "apps/roomgraph-view/README.md has another help"
+
+expect 2 "$view" "$maps/office_run4.simplemap.gz" --break 1 --screenshot none.png
+one_line err --break
+expect 2 "$view"
+expect 2 "$view" "$maps/office_run4.simplemap.gz" --run 2 --screenshot none.png
+expect 1 "$view" missing.simplemap --screenshot none.png
+one_line err missing.simplemap
+expect 1 "$view" "$maps/office_run4.simplemap.gz"
+one_line err --screenshot
+[ ! -e none.png ] || fail "a picture of nothing"
