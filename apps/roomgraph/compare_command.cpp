@@ -1,5 +1,6 @@
 #include "compare_command.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -27,6 +28,7 @@ namespace {
 struct CompareArguments {
   CompareMapsOptions compare;
   GateArguments gate;
+  std::vector<std::string> candidates;  ///< files that the gate judges; empty for all
   OptionArguments options;
   std::vector<std::string> files;
   std::string folder = ".";
@@ -75,13 +77,22 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
 }
 
+/** The record and the candidates, each file once. */
+std::vector<std::string> allFiles(const CompareArguments& arguments) {
+  std::vector<std::string> files = arguments.files;
+  for (const std::string& file : arguments.candidates)
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  return files;
+}
+
 void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& files) {
-  std::vector<std::string> inputs = arguments.files, results = files.all();
+  std::vector<std::string> inputs = allFiles(arguments), results = files.all();
   for (const std::string& result : results)
     if (!arguments.names.empty() && wouldBeSameFile(arguments.names, result))
       throw UsageError(arguments.names + ": would be replaced by a result: choose another file " +
                        "with --names");
-  results.push_back(arguments.names);
+  for (const std::string& more : {arguments.names, arguments.gate.junit, arguments.gate.summary})
+    results.push_back(more);
   inputs.push_back(arguments.compare.reference);
   for (const std::string& result : results)
     for (const std::string& input : inputs)
@@ -96,6 +107,19 @@ SiteFile readSite(const std::string& file) {
   return parseSiteJson(readFile(file), file);
 }
 
+/** The names of the candidates. */
+std::vector<std::string> candidatesOf(const CompareArguments& arguments,
+                                      const Comparison& comparison) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& run) {
+    const std::vector<std::string>& files = arguments.candidates;
+    if (std::find(files.begin(), files.end(), run.file) != files.end()) names.push_back(run.name);
+  };
+  for (const ComparedRun& run : comparison.runs) add(run);
+  for (const LeftOutRun& run : comparison.leftOut) add(run);
+  return names;
+}
+
 void printNote(const std::string& file, const Note& note) {
   const bool isGuess = note.code == "assumed_resolution";
   printError(file + ": note: " + note.text + (isGuess ? "; --estimate-scale finds it" : ""));
@@ -108,7 +132,7 @@ std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
   options.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   if (!arguments.isQuiet) options.onNote = printNote;
-  ReadRuns read = readRuns(arguments.files, options);
+  ReadRuns read = readRuns(allFiles(arguments), options);
   std::optional<PairFolder> cache;
   if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();
   Comparison comparison = compareMaps(read, options);
@@ -117,7 +141,7 @@ std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
 }
 
 void check(const CompareArguments& arguments) {
-  if (arguments.files.size() + (arguments.compare.reference.empty() ? 0 : 1) < 2)
+  if (allFiles(arguments).size() + (arguments.compare.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
 }
 
@@ -134,7 +158,7 @@ bool printLeftOut(const Comparison& comparison) {
 
 int run(const CompareArguments& arguments) {
   check(arguments);
-  const GateOptions gate = gateOf(arguments.gate);
+  GateOptions gate = gateOf(arguments.gate);
   const ResultFiles files(arguments.folder);
   checkNotReplaced(arguments, files);
   makeWritableFolder(arguments.folder);
@@ -143,10 +167,12 @@ int run(const CompareArguments& arguments) {
   auto [read, comparison] = compared(arguments);
   if (site) nameRooms(comparison.rooms, *site, arguments.names);
   StagedFiles staged;
+  gate.candidates = candidatesOf(arguments, comparison);
   const bool isStruck = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
   if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
   addResults(comparison, read.runs, files, staged);
+  addGateFiles(comparison, arguments.gate, staged);
   std::vector<std::string> breakFiles;
   if (arguments.writesBreaks)
     breakFiles = addBreakFiles(comparison, read.runs, toOptions(arguments.options).loadGrid,
@@ -154,10 +180,9 @@ int run(const CompareArguments& arguments) {
   staged.commit();
   const bool isUnread = printLeftOut(comparison);
   if (!arguments.isQuiet) printResults(comparison, files, breakFiles);
-  if (!isStruck) return isUnread ? kBadData : kDone;
-  printComplaints(comparison);
-  if (site) printError(arguments.names + ": left as it was, as the gate strikes");
-  return kStruck;
+  const int exitCode = exitCodeOf(comparison, isStruck);
+  if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
+  return exitCode == kDone && isUnread ? kBadData : exitCode;
 }
 
 }  // namespace
@@ -170,6 +195,11 @@ std::function<int()> compareCommand(CLI::App& app) {
       ->required();
   declareRunning(*arguments, app);
   declareGate(arguments->gate, app);
+  app.add_option("--candidate", arguments->candidates,
+                 "One more map, and only it is judged by the gate: the others are the record, "
+                 "which may be bad. May be given several times.")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "Command.h"
 #include "error_line.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
@@ -13,6 +14,7 @@
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_report.h"
+#include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/site_geojson.h"
 #include "terminal.h"
 
@@ -32,6 +34,16 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
                  "Exit with 3 where a run has a score below this (0 to 100), or none.")
       ->type_name("SCORE")
       ->check(CLI::Range(0.0, 100.0));
+  app.add_option("--fail-above", arguments.failAbove,
+                 "Exit with 3 where a run has a map error above this, or none that can be trusted "
+                 "[m].")
+      ->type_name("M")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--fail-worse-by", arguments.failWorseBy,
+                 "Exit with 3 where the map error of a run is by more than this above that of the "
+                 "best three other runs (their median), or cannot be trusted [m].")
+      ->type_name("M")
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--fail-on", arguments.failOn,
                  "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
                  "less than " +
@@ -42,6 +54,12 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
+  app.add_option("--junit", arguments.junit,
+                 "Also write what the gate says as JUnit XML, for CI systems.")
+      ->type_name("FILE");
+  app.add_option("--summary", arguments.summary,
+                 "Also write ranking and gate as a Markdown page, for CI systems.")
+      ->type_name("FILE");
 }
 
 GateOptions gateOf(const GateArguments& arguments) {
@@ -50,7 +68,21 @@ GateOptions gateOf(const GateArguments& arguments) {
   const auto isAsked = [&](const char* what) {
     return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
   };
-  return {arguments.failBelow, isAsked("coverage"), isAsked("broken"), isAsked("not-same-site")};
+  for (const auto& most : {arguments.failAbove, arguments.failWorseBy})
+    if (most && std::isnan(*most))
+      throw UsageError("--fail-above, --fail-worse-by: nan is no length: give one in metres");
+  GateOptions gate;
+  gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
+  gate.maxWorse = arguments.failWorseBy;
+  gate.failsOnCoverage = isAsked("coverage"), gate.failsOnBreaks = isAsked("broken");
+  gate.failsOnOtherSites = isAsked("not-same-site");
+  return gate;
+}
+
+void addGateFiles(const Comparison& comparison, const GateArguments& arguments,
+                  StagedFiles& staged) {
+  if (!arguments.junit.empty()) staged.add(arguments.junit, gateJunit(comparison));
+  if (!arguments.summary.empty()) staged.add(arguments.summary, gateMarkdown(comparison));
 }
 
 bool addGate(Comparison& comparison, const GateOptions& gate) {
@@ -106,6 +138,17 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
 
 void printComplaints(const Comparison& comparison) {
   for (const std::string& line : comparison.gate->complaints) printError(line);
+}
+
+int exitCodeOf(const Comparison& comparison, bool isStruck) {
+  if (isStruck) {
+    printComplaints(comparison);
+    return kStruck;
+  }
+  const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
+                                      [](const ComparedRun& run) { return run.score.has_value(); });
+  if (!isCompared) printError("compare: nothing was compared: no two maps lie in one site");
+  return isCompared ? kDone : kBadData;
 }
 
 void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }

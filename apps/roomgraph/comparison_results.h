@@ -21,16 +21,21 @@ struct ResultFiles {
   std::string report, json, runs, rooms, site, scene;
 };
 
-/** --fail-below and --fail-on. */
+/** --fail-below, --fail-above, --fail-worse-by, --fail-on, --junit and --summary. */
 struct GateArguments {
-  std::optional<double> failBelow;
+  std::optional<double> failBelow, failAbove, failWorseBy;
   std::vector<std::string> failOn;
+  std::string junit, summary;  ///< files; empty for none
 };
 
 void declareGate(GateArguments& arguments, CLI::App& app);
 
 /** @throws UsageError for a score that is none. */
 GateOptions gateOf(const GateArguments& arguments);
+
+/** The files for CI systems that are asked for. */
+void addGateFiles(const Comparison& comparison, const GateArguments& arguments,
+                  StagedFiles& staged);
 
 /** Adds the verdict of a gate that asks for anything; whether it strikes. */
 bool addGate(Comparison& comparison, const GateOptions& gate);
@@ -51,6 +56,10 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);
 void printComplaints(const Comparison& comparison);
+
+/** What a call ends with that is struck by its gate or not: kBadData where nothing was compared,
+ *  which is said. */
+int exitCodeOf(const Comparison& comparison, bool isStruck);
 void printError(const std::string& text);
 
 }  // namespace roomgraph

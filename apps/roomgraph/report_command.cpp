@@ -1,5 +1,6 @@
 #include "report_command.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "Command.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct ReportArguments {
   std::string comparison;
-  std::vector<std::string> maps;
+  std::vector<std::string> maps, candidates;
   GateArguments gate;
   std::string folder;
   bool isQuiet = false;
@@ -28,23 +29,35 @@ std::filesystem::path folderOf(const ReportArguments& arguments) {
   return folder.empty() ? "." : folder;
 }
 
+/** A name that is none of them would be judged by nothing. */
+void checkCandidates(const ReportArguments& arguments, const Comparison& comparison) {
+  for (const std::string& name : arguments.candidates) {
+    const auto isIt = [&](const auto& run) { return run.name == name; };
+    if (std::none_of(comparison.runs.begin(), comparison.runs.end(), isIt) &&
+        std::none_of(comparison.leftOut.begin(), comparison.leftOut.end(), isIt))
+      throw UsageError("--candidate: " + name + " is no run of " + arguments.comparison);
+  }
+}
+
 int run(const ReportArguments& arguments) {
-  const GateOptions gate = gateOf(arguments.gate);
+  GateOptions gate = gateOf(arguments.gate);
+  gate.candidates = arguments.candidates;
   const ResultFiles files(folderOf(arguments));
   for (const std::string& map : arguments.maps)
     for (const std::string& result : files.all())
       if (areSameFile(map, result))
         throw UsageError(result + ": would replace a map: choose another folder with --output");
   Comparison comparison = readComparison(arguments.comparison);
+  checkCandidates(arguments, comparison);
   const std::vector<Run> runs = readMapsOf(comparison, arguments.maps);
   const bool isStruck = addGate(comparison, gate);
   makeWritableFolder(folderOf(arguments).string());
   StagedFiles staged;
   addResults(comparison, runs, files, staged);
+  addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   if (!arguments.isQuiet) printResults(comparison, files, {});
-  if (isStruck) printComplaints(comparison);
-  return isStruck ? kStruck : kDone;
+  return exitCodeOf(comparison, isStruck);
 }
 
 }  // namespace
@@ -63,6 +76,10 @@ std::function<int()> reportCommand(CLI::App& app) {
                  "comparison where it is left out.")
       ->type_name("DIR");
   declareGate(arguments->gate, app);
+  app.add_option("--candidate", arguments->candidates,
+                 "Judge only the run of this name; may be given several times.")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   app.add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
   return [arguments] { return run(*arguments); };
 }

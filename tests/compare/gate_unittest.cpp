@@ -58,5 +58,71 @@ TEST(Gate, breaksAndOtherSitesAreNamed) {
                    "other: is not of the same site"}));
 }
 
+/** Runs a to e with these map errors; the last one cannot be trusted. */
+Comparison fiveRuns() {
+  Comparison comparison;
+  for (const double error : {0.1, 0.2, 0.4, 0.9, 0.05}) {
+    ComparedRun run;
+    run.name = std::string(1, char('a' + comparison.runs.size()));
+    run.score = RunScore{};
+    run.score->mapError = error, run.score->isMeaningful = error != 0.05;
+    comparison.runs.push_back(run);
+  }
+  return comparison;
+}
+
+TEST(Gate, mapErrorsMustBeSmallAndTold) {
+  GateOptions options;
+  options.maxError = 0.4;
+  EXPECT_EQ(gateVerdict(fiveRuns(), options).complaints,
+            (Lines{"d: its map error of 0.900 m is above 0.400 m",
+                   "e: its map error cannot be told: too little to compare"}));
+}
+
+TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
+  GateOptions options;
+  options.candidates = {"d"};
+  options.maxWorse = 0.7;  // the median of 0.1, 0.2 and 0.4 is 0.2
+  EXPECT_EQ(recordError(fiveRuns(), "d", {"d"}), 0.2);
+  EXPECT_TRUE(gateVerdict(fiveRuns(), options).isPassed());
+  options.maxWorse = 0.69;
+  EXPECT_EQ(
+      gateVerdict(fiveRuns(), options).complaints,
+      Lines{"d: its map error of 0.900 m is 0.700 m more than that of the best others, so more "
+            "than 0.690 m"});
+  EXPECT_EQ(gateVerdict(fiveRuns(), options).candidates, Lines{"d"});
+}
+
+TEST(Gate, onlyCandidatesAreJudgedAndTheyAreNotTheRecord) {
+  GateOptions options;
+  options.candidates = {"a"};
+  options.maxError = 0.1;
+  options.failsOnBreaks = options.failsOnOtherSites = true;
+  Comparison comparison = fiveRuns();
+  comparison.breaks = {{"d", {1, 2}, 0.1, 0.5, {}, {}}};
+  comparison.leftOut = {{"other", "other.gridmap", "is of another site", true}};
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  EXPECT_EQ(recordError(comparison, "a", {"a", "b", "c"}), 0.9);
+  EXPECT_FALSE(recordError(comparison, "a", {"b", "c", "d"}));
+}
+
+TEST(Gate, aCandidateThatIsNotComparedIsNeverGood) {
+  GateOptions options;
+  options.candidates = {"other"};
+  EXPECT_FALSE(options.asksNothing());
+  EXPECT_EQ(gateVerdict(sample(), options).complaints, Lines{"other: is not of the same site"});
+  options.candidates = {"damaged"};
+  EXPECT_EQ(gateVerdict(sample(), options).complaints, Lines{"damaged: could not be read"});
+  options.candidates = {"good"};
+  EXPECT_EQ(gateVerdict(sample(), options).complaints,
+            Lines{"good: its map error cannot be told: too little to compare"});
+}
+
+TEST(Gate, nothingToJudgeIsNoPass) {
+  GateOptions options;
+  options.failsOnBreaks = true;
+  EXPECT_EQ(gateVerdict({}, options).complaints, Lines{"no run is left to be judged"});
+}
+
 }  // namespace
 }  // namespace roomgraph

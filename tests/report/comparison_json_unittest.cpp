@@ -18,7 +18,7 @@ Comparison sample() {
   comparison.reference = comparison.runs[1].name;
   comparison.options.push_back({"compare", "aligned", "true", "", ""});
   comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
-  comparison.gate = GateVerdict{{"west: has no score"}};
+  comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
   return comparison;
 }
 

@@ -145,7 +145,10 @@ Json optionsJson(const std::vector<UsedOption>& options) {
 
 Json gateJson(const std::optional<GateVerdict>& gate) {
   if (!gate) return nullptr;
-  return {{"passed", gate->isPassed()}, {"complaints", gate->complaints}};
+  return {{"passed", gate->isPassed()},
+          {"complaints", gate->complaints},
+          {"candidates", gate->candidates},
+          {"asked", gate->asked}};
 }
 
 /** A list with one entry per line. */

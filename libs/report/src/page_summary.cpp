@@ -52,6 +52,13 @@ std::string goneSentence(const Comparison& comparison) {
          " missing where a run has looked: " + listed(names) + ".";
 }
 
+std::string gateSentence(const GateVerdict& gate) {
+  const std::string judged = gate.candidates.empty() ? "" : " of " + listed(gate.candidates);
+  const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked) + ")";
+  if (gate.isPassed()) return "The gate" + judged + " passes" + asked + ".";
+  return "The gate" + judged + " strikes" + asked + ": " + listed(gate.complaints) + ".";
+}
+
 /** Not those with a run that is left out. */
 std::size_t pairsOfSite(const Comparison& comparison) {
   std::set<std::string> names;
@@ -73,6 +80,7 @@ std::string pageCounts(const Comparison& comparison) {
 
 std::vector<std::string> pageSummary(const Comparison& comparison) {
   std::vector<std::string> sentences;
+  if (comparison.gate) sentences.push_back(gateSentence(*comparison.gate));
   if (!comparison.runs.empty() && comparison.runs[0].score && comparison.runs.size() > 2)
     sentences.push_back("Why " + comparison.runs[0].name + ": " + comparison.runs[0].reason + ".");
   if (comparison.reference)

@@ -172,9 +172,15 @@ UsedOption option(const std::string& section, const std::string& name, const Jso
 
 std::optional<GateVerdict> gate(const JsonNode& node) {
   if (node.json.is_null()) return std::nullopt;
-  GateVerdict verdict;
-  for (const JsonNode& line : node["complaints"].list()) verdict.complaints.push_back(line.text());
-  return verdict;
+  const auto lines = [&](const char* key) {
+    std::vector<std::string> texts;
+    for (const JsonNode& line : node[key].list()) texts.push_back(line.text());
+    return texts;
+  };
+  // Files of earlier versions have the complaints alone.
+  const bool isWhole = node.contains("candidates") && node.contains("asked");
+  if (!isWhole) return GateVerdict{lines("complaints"), {}, {}};
+  return GateVerdict{lines("complaints"), lines("candidates"), lines("asked")};
 }
 
 Comparison comparison(const JsonNode& top) {

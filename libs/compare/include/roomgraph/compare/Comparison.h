@@ -61,7 +61,9 @@ struct UsedOption {
 
 /** What a gate says of a comparison. */
 struct GateVerdict {
-  std::vector<std::string> complaints;  ///< a line for each thing that must not be
+  std::vector<std::string> complaints;  ///< "run: what is wrong" for each thing that must not be
+  std::vector<std::string> candidates;  ///< names of the runs that were judged; empty for all
+  std::vector<std::string> asked;       ///< what was asked, a line each
 
   bool isPassed() const { return complaints.empty(); }
 };

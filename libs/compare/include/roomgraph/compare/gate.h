@@ -15,17 +15,31 @@ namespace roomgraph {
 /** What must not be. */
 struct GateOptions {
   std::optional<double> minScore;  ///< each run must have a score, and this one at least
+  /** Each run must have a map error that can be trusted, and at most this one [m]. */
+  std::optional<double> maxError;
+  /** The same: at most so much more than the best of the other runs, see recordError [m]. */
+  std::optional<double> maxWorse;
   bool failsOnCoverage = false;    ///< a run has seen less than kPartialCoverage
   bool failsOnBreaks = false;      ///< a run has a break
   bool failsOnOtherSites = false;  ///< a run is of another site
+  /** Names of the runs that are judged: the others are the record. Each must be there, and have a
+   *  map error that can be trusted. Empty where all are judged. */
+  std::vector<std::string> candidates;
 
   bool asksNothing() const {
-    return !minScore && !failsOnCoverage && !failsOnBreaks && !failsOnOtherSites;
+    return !minScore && !maxError && !maxWorse && !failsOnCoverage && !failsOnBreaks &&
+           !failsOnOtherSites && candidates.empty();
   }
 };
 
 /** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or
- *  not; a reference needs neither. */
+ *  not, map errors only where they can be trusted; a reference needs none of them. Where no run is
+ *  left to judge, that is a complaint. */
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
+
+/** The median of the three least map errors that can be trusted, of runs that are neither this one
+ *  nor among the candidates [m]; nothing where there is none. */
+std::optional<double> recordError(const Comparison& comparison, const std::string& run,
+                                  const std::vector<std::string>& candidates);
 
 }  // namespace roomgraph

@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Comparison with the verdict of its gate
+// Out:  text of files for CI systems
+// Next: a file
+
+/** JUnit XML, as Jenkins, GitLab and others show it: a test for each run that was judged, which
+ *  fails with what the gate says of it; one for what it says of no run. Without a gate every run
+ *  passes. */
+std::string gateJunit(const Comparison& comparison);
+
+/** A Markdown page, as GitHub shows it below a job: the verdicts, and a table of the runs. */
+std::string gateMarkdown(const Comparison& comparison);
+
+}  // namespace roomgraph

@@ -1,0 +1,137 @@
+#include "roomgraph/report/gate_report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/utf8_text.h"
+
+namespace roomgraph {
+namespace {
+
+/** What the gate says of a run. */
+struct JudgedRun {
+  std::string name;
+  std::vector<std::string> complaints;
+};
+
+/** The complaints are "run: what is wrong"; those of no run that is known stand below "gate". */
+std::vector<JudgedRun> judgedRuns(const Comparison& comparison) {
+  const GateVerdict gate = comparison.gate.value_or(GateVerdict{});
+  const auto isJudged = [&](const std::string& name) {
+    const auto& names = gate.candidates;
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<JudgedRun> runs;
+  for (const ComparedRun& run : comparison.runs)
+    if (run.name != comparison.reference && isJudged(run.name)) runs.push_back({run.name, {}});
+  for (const LeftOutRun& run : comparison.leftOut)
+    if (isJudged(run.name)) runs.push_back({run.name, {}});
+  JudgedRun rest{"gate", {}};
+  for (const std::string& line : gate.complaints) {
+    JudgedRun* owner = &rest;
+    for (JudgedRun& run : runs)
+      if (line.rfind(run.name + ": ", 0) == 0) owner = &run;
+    const std::size_t begin = owner == &rest ? 0 : owner->name.size() + 2;
+    owner->complaints.push_back(line.substr(begin));
+  }
+  if (!rest.complaints.empty() || runs.empty()) runs.push_back(rest);
+  return runs;
+}
+
+std::string xmlText(const std::string& given) {
+  std::string text;
+  for (const char c : printable(utf8Text(given))) switch (c) {
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      case '&':
+        text += "&amp;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      default:
+        text += c;
+    }
+  return text;
+}
+
+/** In a table of Markdown, as text and nothing else. */
+std::string markdownText(const std::string& given) {
+  std::string text;
+  for (const char c : printable(utf8Text(given))) {
+    if (std::string("\\`*_{}[]<>|#&").find(c) != std::string::npos) text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
+std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) {
+  char figures[100] = " - | - | - ";
+  if (run.score)
+    std::snprintf(figures, sizeof figures, "%.3f | %.3f to %.3f | %.0f%s", run.score->mapError,
+                  run.score->errorLow, run.score->errorHigh, run.score->score,
+                  run.score->isMeaningful ? "" : " (too little to judge by)");
+  std::string verdict = "not judged";
+  for (const JudgedRun& one : judged)
+    if (one.name == run.name)
+      verdict =
+          one.complaints.empty() ? "passes" : "**" + markdownText(joined(one.complaints)) + "**";
+  return "| " + (run.rank ? std::to_string(run.rank) : "-") + " | " + markdownText(run.name) +
+         " | " + figures + " | " + verdict + " |\n";
+}
+
+}  // namespace
+
+std::string gateJunit(const Comparison& comparison) {
+  const std::vector<JudgedRun> runs = judgedRuns(comparison);
+  const auto failures = std::count_if(runs.begin(), runs.end(),
+                                      [](const JudgedRun& run) { return !run.complaints.empty(); });
+  const std::string counts =
+      "tests=\"" + std::to_string(runs.size()) + "\" failures=\"" + std::to_string(failures) + "\"";
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
+                     ">\n <testsuite name=\"roomgraph\" " + counts + " errors=\"0\">\n";
+  for (const JudgedRun& run : runs) {
+    text += "  <testcase classname=\"roomgraph\" name=\"" + xmlText(run.name) + "\"";
+    if (run.complaints.empty())
+      text += "/>\n";
+    else
+      text +=
+          ">\n   <failure message=\"" + xmlText(joined(run.complaints)) + "\"/>\n  </testcase>\n";
+  }
+  return text + " </testsuite>\n</testsuites>\n";
+}
+
+std::string gateMarkdown(const Comparison& comparison) {
+  const std::vector<JudgedRun> judged = judgedRuns(comparison);
+  std::string text = "## " + markdownText(comparison.verdict) + "\n\n";
+  if (comparison.gate) {
+    text += comparison.gate->isPassed() ? "The gate passes" : "**The gate strikes**";
+    const std::string asked = joined(comparison.gate->asked);
+    text += (asked.empty() ? "" : ": asked was " + markdownText(asked)) + ".\n\n";
+    for (const std::string& line : comparison.gate->complaints)
+      text += "- " + markdownText(line) + "\n";
+    if (!comparison.gate->isPassed()) text += "\n";
+  }
+  text +=
+      "| rank | run | map error [m] | in 4 of 5 cases [m] | score | gate |\n"
+      "|---|---|---|---|---|---|\n";
+  for (const ComparedRun& run : comparison.runs) text += rowOf(run, judged);
+  for (const LeftOutRun& run : comparison.leftOut)
+    text += "| - | " + markdownText(run.name) +
+            " | - | - | - | left out: " + markdownText(run.reason) + " |\n";
+  return text;
+}
+
+}  // namespace roomgraph

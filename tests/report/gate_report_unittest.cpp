@@ -1,0 +1,62 @@
+#include "roomgraph/report/gate_report.h"
+
+#include <gtest/gtest.h>
+
+#include "sample_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Comparison twoRuns() {
+  Comparison comparison;
+  comparison.runs.resize(2);
+  comparison.runs[0].name = "a", comparison.runs[0].rank = 1;
+  comparison.runs[0].score = RunScore{};
+  comparison.runs[0].score->mapError = 0.05, comparison.runs[0].score->isMeaningful = true;
+  comparison.runs[1].name = "b <&\"|*>\n";
+  comparison.leftOut = {{"c", "c.gridmap", "ends too early", false}};
+  comparison.verdict = "a is the best";
+  return comparison;
+}
+
+TEST(GateJunit, aTestForEachRunFailsWithItsComplaints) {
+  Comparison comparison = twoRuns();
+  comparison.gate =
+      GateVerdict{{"b <&\"|*>\n: is torn", "b <&\"|*>\n: is bad", "c: no score"}, {}, {}};
+  const std::string text = gateJunit(comparison);
+  EXPECT_TRUE(has(text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\"")) << text;
+  EXPECT_TRUE(has(text, "name=\"a\"/>\n")) << text;
+  EXPECT_TRUE(
+      has(text, "name=\"b &lt;&amp;&quot;|*&gt;?\">\n   <failure message=\"is torn; is bad\"/>"))
+      << text;
+}
+
+TEST(GateJunit, onlyTheCandidatesAreTests) {
+  Comparison comparison = twoRuns();
+  comparison.gate = GateVerdict{{}, {"a"}, {"no break"}};
+  EXPECT_TRUE(has(gateJunit(comparison), "tests=\"1\" failures=\"0\""));
+}
+
+TEST(GateJunit, whatIsSaidOfNoRunIsATestOfItsOwn) {
+  Comparison comparison = twoRuns();
+  comparison.gate = GateVerdict{{"no run is left to be judged"}, {}, {}};
+  EXPECT_TRUE(has(gateJunit(comparison), "name=\"gate\">\n   <failure message=\"no run is left"));
+  EXPECT_TRUE(has(gateJunit({}), "name=\"gate\"/>"));
+}
+
+TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
+  Comparison comparison = twoRuns();
+  comparison.gate = GateVerdict{{"b <&\"|*>\n: is torn"}, {}, {"no break"}};
+  const std::string text = gateMarkdown(comparison);
+  EXPECT_TRUE(has(text, "## a is the best\n\n**The gate strikes**: asked was no break.\n")) << text;
+  EXPECT_TRUE(has(text, "| 1 | a | 0.050 | 0.000 to 0.000 | 100 | passes |\n")) << text;
+  EXPECT_TRUE(has(text, "| - | b \\<\\&\"\\|\\*\\>? |")) << text;
+  EXPECT_TRUE(has(text, "left out: ends too early |\n")) << text;
+}
+
+}  // namespace
+}  // namespace roomgraph
