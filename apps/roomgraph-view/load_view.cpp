@@ -5,10 +5,10 @@
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/grid/load_keyframes.h"
-#include "roomgraph/grid/map_formats.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 namespace {
