@@ -5,6 +5,7 @@
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
