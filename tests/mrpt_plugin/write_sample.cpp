@@ -8,7 +8,7 @@
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/topology/kind_names.h"
 #include "sample_graph.h"
 
 namespace {

@@ -10,9 +10,9 @@
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/json/rounded.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/csv_text.h"
-#include "roomgraph/report/names.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/rounded.h"
 
 namespace roomgraph {
 

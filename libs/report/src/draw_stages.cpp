@@ -9,7 +9,7 @@
 #include "render.h"
 #include "result_scene.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "json_text.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/json_text.h"
 #include "roomgraph/report/straight_pieces.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

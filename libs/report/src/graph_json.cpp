@@ -2,8 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "json_text.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/json_text.h"
+#include "roomgraph/json/rounded.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

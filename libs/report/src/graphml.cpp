@@ -3,7 +3,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/rounded.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

@@ -8,7 +8,8 @@
 #include <set>
 
 #include "roomgraph/geometry/thinned_line.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/rounded.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

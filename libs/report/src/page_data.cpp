@@ -8,7 +8,7 @@
 
 #include "base64.h"
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/rounded.h"
 #include "roomgraph/report/run_marks.h"
 #include "site_pictures.h"
 

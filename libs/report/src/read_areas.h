@@ -1,6 +1,6 @@
 #pragma once
-#include "JsonNode.h"
 #include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/json/JsonNode.h"
 
 namespace roomgraph {
 

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "JsonNode.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/json_fault.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/files/InputFile.h"
+#include "roomgraph/json/JsonNode.h"
+#include "roomgraph/json/json_fault.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

@@ -3,12 +3,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "JsonNode.h"
 #include "read_areas.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/json_fault.h"
 #include "roomgraph/files/InputFile.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/json/JsonNode.h"
+#include "roomgraph/json/json_fault.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

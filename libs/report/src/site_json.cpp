@@ -5,8 +5,8 @@
 
 #include "json_places.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/json_fault.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/json/json_fault.h"
 
 namespace roomgraph {
 namespace {

@@ -1,11 +1,9 @@
-#include "json_text.h"
+#include "roomgraph/json/json_text.h"
 
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-
-#include "roomgraph/report/names.h"
 
 namespace roomgraph {
 namespace {

@@ -15,9 +15,4 @@ std::optional<VertexKind> kindOfName(const std::string& name);
 /** "room" for a path inside of a room, "corridor" for any other. */
 const char* kindName(const Edge& edge);
 
-/** Metres (or m2) as files hold them: rounded to 0.1 mm, never "-0". Files hold no more than that,
- *  so that reading and writing again gives the same bytes. */
-double rounded(double value);
-Point rounded(Point p);
-
 }  // namespace roomgraph

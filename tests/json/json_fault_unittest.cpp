@@ -1,4 +1,4 @@
-#include "roomgraph/base/json_fault.h"
+#include "roomgraph/json/json_fault.h"
 
 #include <gtest/gtest.h>
 

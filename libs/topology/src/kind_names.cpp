@@ -1,4 +1,4 @@
-#include "roomgraph/report/names.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {
@@ -31,12 +31,5 @@ std::optional<VertexKind> kindOfName(const std::string& name) {
 }
 
 const char* kindName(const Edge& edge) { return edge.room ? "room" : "corridor"; }
-
-double rounded(double value) {
-  constexpr double kPerMetre = 1e4;
-  return std::round(value * kPerMetre) / kPerMetre + 0.0;
-}
-
-Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
 }  // namespace roomgraph

@@ -1,4 +1,4 @@
-#include "JsonNode.h"
+#include "roomgraph/json/JsonNode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,11 @@
+#pragma once
+#include "roomgraph/geometry/Point.h"
+
+namespace roomgraph {
+
+/** Metres (or m2) as files hold them: rounded to 0.1 mm, never "-0". Files hold no more than that,
+ *  so that reading and writing again gives the same bytes. */
+double rounded(double value);
+Point rounded(Point p);
+
+}  // namespace roomgraph

@@ -1,0 +1,14 @@
+#include "roomgraph/json/rounded.h"
+
+#include <cmath>
+
+namespace roomgraph {
+
+double rounded(double value) {
+  constexpr double kPerMetre = 1e4;
+  return std::round(value * kPerMetre) / kPerMetre + 0.0;
+}
+
+Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
+
+}  // namespace roomgraph
