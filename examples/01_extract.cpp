@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <exception>
 
+#include "roomgraph/drawing/draw.h"
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/report/draw.h"
 #include "roomgraph/report/graph_json.h"
 
 int main(int count, char** arguments) try {

@@ -8,10 +8,10 @@
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/drawing/draw_stages.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/report/draw_stages.h"
 
 namespace roomgraph {
 namespace {

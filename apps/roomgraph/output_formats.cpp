@@ -5,10 +5,10 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/drawing/draw.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
 #include "roomgraph/report/area_labels_png.h"
-#include "roomgraph/report/draw.h"
 #include "roomgraph/report/geojson.h"
 #include "roomgraph/report/graph_json.h"
 #include "roomgraph/report/graphml.h"

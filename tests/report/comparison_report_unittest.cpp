@@ -8,7 +8,7 @@
 #include "base64.h"
 #include "page_data.h"
 #include "page_summary.h"
-#include "roomgraph/report/run_marks.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {

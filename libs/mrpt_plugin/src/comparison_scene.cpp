@@ -6,8 +6,8 @@
 
 #include "look_from_above.h"
 #include "object_bytes.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/colors.h"
-#include "roomgraph/report/run_marks.h"
 
 namespace roomgraph {
 namespace {

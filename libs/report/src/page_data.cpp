@@ -8,8 +8,8 @@
 
 #include "base64.h"
 #include "roomgraph/base/utf8_text.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/json/rounded.h"
-#include "roomgraph/report/run_marks.h"
 #include "site_pictures.h"
 
 namespace roomgraph {

@@ -10,8 +10,8 @@
 #include "page_values.h"
 #include "room_rows.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/run_marks.h"
 #include "site_pictures.h"
 
 namespace roomgraph {

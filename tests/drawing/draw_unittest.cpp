@@ -1,4 +1,4 @@
-#include "roomgraph/report/draw.h"
+#include "roomgraph/drawing/draw.h"
 
 #include <gtest/gtest.h>
 

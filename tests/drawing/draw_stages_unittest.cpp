@@ -1,4 +1,4 @@
-#include "roomgraph/report/draw_stages.h"
+#include "roomgraph/drawing/draw_stages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "roomgraph/report/run_marks.h"
+#include "roomgraph/drawing/run_marks.h"
 
 #include <iterator>
 
