@@ -5,9 +5,9 @@
 
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/files/write_file.h"
+#include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/report/graph_json.h"
 
 int main(int count, char** arguments) try {
   if (count != 2) return std::fprintf(stderr, "usage: 01_extract MAP\n"), 2;

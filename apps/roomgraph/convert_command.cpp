@@ -12,11 +12,11 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/files/write_file.h"
+#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
-#include "roomgraph/report/ros_map.h"
 #include "terminal.h"
 
 namespace roomgraph {

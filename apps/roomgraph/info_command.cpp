@@ -11,11 +11,11 @@
 #include "option_arguments.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/files/checked_file.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
-#include "roomgraph/report/read_graph_json.h"
 #include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
 

@@ -4,7 +4,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/InputFile.h"
-#include "roomgraph/report/read_graph_json.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 
 namespace roomgraph {
 namespace {

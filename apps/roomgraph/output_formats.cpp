@@ -6,13 +6,13 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/drawing/draw.h"
+#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/geojson.h"
+#include "roomgraph/graph_files/graph_json.h"
+#include "roomgraph/graph_files/graphml.h"
+#include "roomgraph/graph_files/osm_xml.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
-#include "roomgraph/report/area_labels_png.h"
-#include "roomgraph/report/geojson.h"
-#include "roomgraph/report/graph_json.h"
-#include "roomgraph/report/graphml.h"
-#include "roomgraph/report/osm_xml.h"
 
 namespace roomgraph {
 namespace {

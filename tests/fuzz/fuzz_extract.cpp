@@ -5,13 +5,13 @@
 
 #include "graph_rules.h"
 #include "odd_maps.h"
+#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/geojson.h"
+#include "roomgraph/graph_files/graph_json.h"
+#include "roomgraph/graph_files/graphml.h"
+#include "roomgraph/graph_files/osm_xml.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/report/area_labels_png.h"
-#include "roomgraph/report/geojson.h"
-#include "roomgraph/report/graph_json.h"
-#include "roomgraph/report/graphml.h"
-#include "roomgraph/report/osm_xml.h"
-#include "roomgraph/report/read_graph_json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgraph;

@@ -5,10 +5,10 @@
 #include "ByteSource.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/graph_files/graph_json.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/report/graph_json.h"
-#include "roomgraph/report/read_graph_json.h"
 #include "roomgraph/report/site_json.h"
 
 namespace {

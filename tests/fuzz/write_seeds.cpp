@@ -13,11 +13,11 @@
 
 #include "MapText.h"
 #include "as_file.h"
+#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/pipeline/extract.h"
-#include "roomgraph/report/area_labels_png.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/report/graph_json.h"
 #include "roomgraph/report/site_json.h"
 #include "sample_comparison.h"
 

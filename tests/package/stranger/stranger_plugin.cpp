@@ -1,7 +1,7 @@
 // Writes an empty map's graph as JSON and as MRPT's bytes: enough to see that both link.
+#include <roomgraph/graph_files/graph_json.h>
 #include <roomgraph/mrpt_plugin/register_classes.h>
 #include <roomgraph/mrpt_plugin/room_graph_file.h>
-#include <roomgraph/report/graph_json.h>
 
 int main() {
   roomgraph::registerMrptClasses();

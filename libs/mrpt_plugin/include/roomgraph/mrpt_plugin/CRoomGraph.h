@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
+#include "roomgraph/graph_files/GraphFile.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
-#include "roomgraph/report/GraphFile.h"
 
 namespace roomgraph {
 

@@ -1,4 +1,4 @@
-#include "roomgraph/report/osm_xml.h"
+#include "roomgraph/graph_files/osm_xml.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "roomgraph/report/straight_pieces.h"
+#include "straight_pieces.h"
 
 #include <gtest/gtest.h>
 

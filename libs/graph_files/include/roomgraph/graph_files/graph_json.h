@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/report/GraphFile.h"
+#include "roomgraph/graph_files/GraphFile.h"
 
 namespace roomgraph {
 

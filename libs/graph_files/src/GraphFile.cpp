@@ -1,4 +1,4 @@
-#include "roomgraph/report/GraphFile.h"
+#include "roomgraph/graph_files/GraphFile.h"
 
 #include <filesystem>
 

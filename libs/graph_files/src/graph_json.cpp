@@ -1,4 +1,4 @@
-#include "roomgraph/report/graph_json.h"
+#include "roomgraph/graph_files/graph_json.h"
 
 #include <nlohmann/json.hpp>
 

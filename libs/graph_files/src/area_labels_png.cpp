@@ -1,4 +1,4 @@
-#include "roomgraph/report/area_labels_png.h"
+#include "roomgraph/graph_files/area_labels_png.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "roomgraph/report/read_graph_json.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "TestFolder.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/report/graph_json.h"
+#include "roomgraph/graph_files/graph_json.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

@@ -1,4 +1,4 @@
-#include "roomgraph/report/geojson.h"
+#include "roomgraph/graph_files/geojson.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "roomgraph/report/geojson.h"
+#include "roomgraph/graph_files/geojson.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "roomgraph/json/json_text.h"
-#include "roomgraph/report/straight_pieces.h"
 #include "roomgraph/topology/kind_names.h"
+#include "straight_pieces.h"
 
 namespace roomgraph {
 namespace {

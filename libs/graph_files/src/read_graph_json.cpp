@@ -1,4 +1,4 @@
-#include "roomgraph/report/read_graph_json.h"
+#include "roomgraph/graph_files/read_graph_json.h"
 
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-#include "roomgraph/report/graphml.h"
+#include "roomgraph/graph_files/graphml.h"
 
 #include <charconv>
 #include <cmath>

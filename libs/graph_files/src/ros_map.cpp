@@ -1,4 +1,4 @@
-#include "roomgraph/report/ros_map.h"
+#include "roomgraph/graph_files/ros_map.h"
 
 #include <charconv>
 
