@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_DEV_DESCRIPTION "rooms and paths of 2D grid maps - development 
 
 # The licences of all that is in them, as Debian looks for them.
 file(READ "${PROJECT_SOURCE_DIR}/LICENSE" own_licence)
-file(READ "${PROJECT_SOURCE_DIR}/libs/report/src/page/licences.txt" embedded_licences)
+file(READ "${PROJECT_SOURCE_DIR}/libs/page/src/embedded/licences.txt" embedded_licences)
 file(WRITE "${PROJECT_BINARY_DIR}/copyright" "${own_licence}\n${embedded_licences}")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} component)

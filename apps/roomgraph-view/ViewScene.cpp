@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "read_place.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
-#include "roomgraph/report/run_marks.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "roomgraph/base/printable.h"
-#include "roomgraph/report/names.h"
+#include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/report/comparison_report.h"
+#include "roomgraph/page/comparison_report.h"
 
 #include "page_data.h"
 #include "page_files.h"

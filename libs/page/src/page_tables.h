@@ -4,7 +4,7 @@
 
 #include "kainjow/mustache.hpp"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/report/comparison_report.h"
+#include "roomgraph/page/comparison_report.h"
 
 namespace roomgraph {
 

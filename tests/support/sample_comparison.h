@@ -4,7 +4,6 @@
 
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/compare_runs.h"
-#include "roomgraph/report/comparison_report.h"
 
 namespace roomgraph::test {
 
