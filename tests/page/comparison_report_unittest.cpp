@@ -38,7 +38,7 @@ TEST(ComparisonReport, holdsVerdictRunsRoomsBreaksPairsAndWhatWasLeftOut) {
        {"morning is the best map", "Kitchen", "garage.gridmap", "split_at_doors",
         "does not lie in the same site as the others", "Leaflet", "Michael Bostock"})
     EXPECT_NE(html.find(text), std::string::npos) << text;
-  EXPECT_EQ(count(html, "class=\"room\""), 5u);
+  EXPECT_EQ(count(html, "class=\"room\"") + count(html, "class=\"room same\""), 5u);
   EXPECT_EQ(count(html, "class=\"break\""), 2u);
   EXPECT_EQ(count(html, "data-layer=\"run-"), 4u);
 }
@@ -141,6 +141,44 @@ TEST(PageSummary, saysWhatStandsOut) {
                       "1 room is missing where a run has looked: R3 in " + name + ".",
                       "1 file is left out: garage."}));
   EXPECT_TRUE(pageSummary({}).empty());
+}
+
+TEST(PageSummary, pairsOfLowConfidenceAreNamed) {
+  Comparison comparison = sample().comparison;
+  comparison.pairs[1].confidence = 0.68;
+  const std::vector<std::string> said = pageSummary(comparison);
+  EXPECT_EQ(std::count(said.begin(), said.end(),
+                       "1 pair is laid on each other with a confidence under 0.9: look at morning "
+                       "on " +
+                           std::string(kHostileName) + " (0.68)."),
+            1);
+}
+
+TEST(ComparisonReport, atFirstTheBestRunAndTheTornOnesAreShown) {
+  const auto shown = [](const Comparison& comparison) {
+    const std::string html = comparisonReport(comparison, sample().runs);
+    std::string found;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (html.find("data-layer=\"run-" + std::to_string(i) + "\" checked") != std::string::npos)
+        found += std::to_string(i);
+    return found;
+  };
+  Comparison comparison = sample().comparison;
+  EXPECT_EQ(shown(comparison), "02");
+  comparison.breaks.clear();
+  EXPECT_EQ(shown(comparison), "0123");
+}
+
+TEST(PageData, pathsAndPosesAtBreaksAreThere) {
+  const auto data = nlohmann::json::parse(pageData(sample().comparison, sample().runs));
+  ASSERT_EQ(data["runs"][0]["path"].size(), 20u);
+  EXPECT_TRUE(data["runs"][0]["path"][0][2].is_null());
+  EXPECT_NEAR(data["runs"][0]["path"][19][2].get<double>(), 0.05 * 19 / 20, 1e-3);
+  EXPECT_TRUE(data["runs"][3]["path"].empty());
+  EXPECT_EQ(data["breaks"][0]["frame"], 12);
+  EXPECT_EQ(data["breaks"][0]["untorn"][0], 8);
+  EXPECT_TRUE(data["breaks"][1]["frame"].is_null());
+  EXPECT_TRUE(data["breaks"][1]["drawn"].is_null());
 }
 
 TEST(Base64, isThatOfTheStandard) {

@@ -5,6 +5,7 @@ import base64
 import json
 import os
 import pathlib
+import re
 import select
 import shutil
 import subprocess
@@ -151,7 +152,7 @@ def check(is_so, what):
 
 def chosen(browser):
     """The rooms that are marked in the ledger and on the map."""
-    return (browser.value("Array.from(document.querySelectorAll('tr.chosen'), r => r.dataset.room)"),
+    return (browser.value("Array.from(document.querySelectorAll('tr.room.chosen'), r => r.dataset.room)"),
             browser.value("Array.from(document.querySelectorAll('path.chosen'),"
                           " p => p.getAttribute('data-room'))"))
 
@@ -192,7 +193,9 @@ def the_map_leads_to_rows(browser):
 
 def layers_are_switched_by_keyboard(browser):
     images = "document.querySelectorAll('.leaflet-runs-pane img').length"
-    check(browser.value(images) == 4, "not every run is shown at first")
+    check(browser.value(images) == 2, "not the best run and the torn one are shown at first")
+    browser.click_on('button[data-show="all"]')
+    check(browser.value(images) == 4, "not every run is shown")
     browser.value("document.querySelector('input[data-layer=\"run-1\"]').focus()")
     browser.press(" ", 32, " ")
     check(browser.value(images) == 3, "the space bar does not hide a run")
@@ -230,6 +233,60 @@ def breaks_and_sorting_work(browser):
           "the room with the largest shift is not on top")
 
 
+def breaks_and_marks_belong_together(browser):
+    marks = "document.querySelectorAll('.break-mark').length"
+    paths = "document.querySelectorAll('.leaflet-paths-pane path').length"
+    browser.click_on('button[data-show="all"]')
+    check(browser.value(marks) == 2, "a mark is missing")
+    browser.click_on('tr[data-break="0"] td')
+    check(browser.value("document.querySelector('#break-0').classList.contains('chosen') &&"
+                        " document.querySelectorAll('.break-mark.chosen').length") == 1,
+          "row and mark of a break are not chosen together")
+    check(browser.value("document.querySelectorAll('.leaflet-paths-pane path[stroke=\"#00825a\"]')"
+                        ".length") == 1, "the torn piece is not shown where it belongs")
+    check(browser.value("document.querySelector('#break-0').cells[5].textContent") == "12",
+          "the key frame is not told")
+    before = browser.value(paths)
+    browser.click_on('input[data-layer="run-2"]')
+    check(browser.value(marks) == 0, "a hidden run keeps its marks")
+    check(browser.value(paths) < before, "a hidden run keeps its path")
+    browser.click_on('tr[data-break="1"] td')
+    check(browser.value(marks) == 2, "the run of a chosen break is not shown")
+    check(browser.value("document.querySelectorAll('tr.break.chosen').length") == 1,
+          "more than one break is chosen")
+
+
+def the_ledger_can_be_filtered(browser):
+    rows = ("Array.from(document.querySelectorAll('tr.room'))"
+            ".filter(r => r.getClientRects().length).map(r => r.dataset.room).sort().join()")
+    check(browser.value(rows) == "0,1,2,3,4", "not all rooms are listed")
+    browser.click_on("#only-different")
+    check(browser.value(rows) == "0,1,2,3", f"what differs is {browser.value(rows)}")
+    browser.click_on("#only-different")
+    check(browser.value(rows) == "0,1,2,3,4", "the rooms do not come back")
+
+
+def the_picture_is_in_the_first_screen(browser):
+    browser.resize(1400, 900)
+    browser.value("scrollTo({top: 0, behavior: 'instant'})")
+    browser.settle()
+    check(browser.value("document.querySelector('#map').getBoundingClientRect().bottom") <= 900,
+          "the map ends below the first screen")
+
+
+def it_is_dark_where_that_is_preferred(browser, folder):
+    light = "getComputedStyle(document.body).backgroundColor"
+    check(browser.value(light) == "rgb(255, 255, 255)", "it is not light")
+    browser.ask("Emulation.setEmulatedMedia",
+                {"features": [{"name": "prefers-color-scheme", "value": "dark"}]})
+    check(browser.value(light) == "rgb(23, 28, 36)", "it is not dark")
+    check(browser.value("getComputedStyle(document.querySelector('#map')).backgroundColor")
+          == "rgb(255, 255, 255)", "the map is not paper")
+    browser.settle()
+    browser.save_picture(folder / "dark.png")
+    browser.ask("Emulation.setEmulatedMedia", {"features": []})
+
+
 def names_strike_nothing(browser):
     check(browser.value("window.struck") is None, "a name was run as code")
     check(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "a name made an image")
@@ -263,6 +320,10 @@ def it_asks_for_nothing_and_complains_of_nothing(browser, url):
 def it_can_be_printed(browser, folder):
     content = browser.save_print(folder / "report.pdf")
     check(content.startswith(b"%PDF") and len(content) > 20000, "the print is empty")
+    sides = {tuple(map(float, box.split()[2:4])) for box in
+             re.findall(rb"/MediaBox \[([^]]*)\]", content)}
+    check(any(wide > high for wide, high in sides) and any(wide < high for wide, high in sides),
+          f"the table of measures has no wide page: {sides}")
     check(browser.value("document.querySelector('#map').style.width") == "",
           "the map keeps the size of the paper")
 
@@ -284,6 +345,8 @@ def main():
             browser.resize(1400, 900)
             browser.open(report.as_uri())
             browser.save_picture(folder / "wide.png")
+            the_picture_is_in_the_first_screen(browser)
+            it_is_dark_where_that_is_preferred(browser, folder)
             all_pictures_are_whole(browser)
             names_strike_nothing(browser)
             layers_are_switched_by_keyboard(browser)
@@ -291,6 +354,8 @@ def main():
             the_map_leads_to_rows(browser)
             browser.save_picture(folder / "chosen.png")
             breaks_and_sorting_work(browser)
+            breaks_and_marks_belong_together(browser)
+            the_ledger_can_be_filtered(browser)
             names_strike_nothing(browser)
             it_can_be_printed(browser, folder)
             for width in (1000, 400):

@@ -1,5 +1,6 @@
 // write_sample_report FILE: a report for the tests in a browser.
 #include "roomgraph/files/write_file.h"
+#include "roomgraph/page/comparison_report.h"
 #include "sample_comparison.h"
 
 int main(int argc, char** argv) {

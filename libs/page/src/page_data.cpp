@@ -60,6 +60,18 @@ double heatCellOf(const Box& site, const std::vector<PlacedMap>& maps) {
   return cell;
 }
 
+/** [x, y, error] of each key frame; the error is null where it cannot be told. */
+Json pathJson(const std::vector<PathPose>& path) {
+  Json points = Json::array();
+  for (const PathPose& at : path)
+    points.push_back({number(at.pose.x), number(at.pose.y), number(at.error)});
+  return points;
+}
+
+Json poseJson(const Transform2D& pose) {
+  return {number(pose.x), number(pose.y), number(pose.phi)};
+}
+
 Json runJson(const ComparedRun& run, std::size_t index, const SitePicture& picture) {
   const auto of = [&](double RunScore::*member) {
     return run.score ? number((*run.score).*member) : Json(nullptr);
@@ -71,6 +83,7 @@ Json runJson(const ComparedRun& run, std::size_t index, const SitePicture& pictu
           {"meaningful", run.score && run.score->isMeaningful},
           {"colour", colourText(index)},
           {"shape", runShape(index)},
+          {"path", pathJson(run.path)},
           {"picture", pictureJson(picture)}};
 }
 
@@ -116,7 +129,10 @@ Json breakJson(const MapBreak& bend, const std::map<std::string, std::size_t>& r
   return {{"run", found == runs.end() ? Json(nullptr) : Json(found->second)},
           {"place", pointJson(bend.place)},
           {"turn", number(bend.rotation * 180 / M_PI)},
-          {"shift", number(bend.shift)}};
+          {"shift", number(bend.shift)},
+          {"frame", bend.keyFrame ? Json(*bend.keyFrame) : Json()},
+          {"drawn", bend.torn ? poseJson(bend.torn->drawn) : Json()},
+          {"untorn", bend.torn ? poseJson(bend.torn->untorn) : Json()}};
 }
 
 /** JSON never needs these characters but in strings, where they may be written as numbers. */

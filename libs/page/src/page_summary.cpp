@@ -59,6 +59,17 @@ std::string gateSentence(const GateVerdict& gate) {
   return "The gate" + judged + " strikes" + asked + ": " + listed(gate.complaints) + ".";
 }
 
+std::string doubtSentence(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const ComparedPair& pair : comparison.pairs)
+    if (pair.isSameSite && pair.confidence < kSureConfidence)
+      names.push_back(pair.a + " on " + pair.b + " (" + fixedText(pair.confidence, 2) + ")");
+  if (names.empty()) return "";
+  return counted(names.size(), "pair is", "pairs are") +
+         " laid on each other with a confidence under " + fixedText(kSureConfidence, 1) +
+         ": look at " + listed(names) + ".";
+}
+
 /** Not those with a run that is left out. */
 std::size_t pairsOfSite(const Comparison& comparison) {
   std::set<std::string> names;
@@ -88,6 +99,8 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
   if (!comparison.breaks.empty()) sentences.push_back(breaksSentence(comparison));
   const std::string gone = goneSentence(comparison);
   if (!gone.empty()) sentences.push_back(gone);
+  const std::string doubt = doubtSentence(comparison);
+  if (!doubt.empty()) sentences.push_back(doubt);
   if (!comparison.leftOut.empty()) {
     std::vector<std::string> names;
     for (const LeftOutRun& run : comparison.leftOut) names.push_back(run.name);

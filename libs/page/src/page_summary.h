@@ -6,12 +6,16 @@
 
 namespace roomgraph {
 
+/** A pair that is laid on each other with less confidence is to be looked at. */
+constexpr double kSureConfidence = 0.9;
+
 /** How many runs, pairs of them and rooms are compared: "4 runs of one site, 6 pairs, 5 rooms and
  *  corridors". */
 std::string pageCounts(const Comparison& comparison);
 
-/** What stands out, a plain sentence each: why the best run is best, which runs bend, which rooms
- *  are missing where a run has looked, what was left out. Empty for a site without anything. */
+/** What stands out, a plain sentence each: why the best run is best, which runs are torn, which
+ *  rooms are missing where a run has looked, which pairs are doubtful, what was left out. Empty for
+ *  a site without anything. */
 std::vector<std::string> pageSummary(const Comparison& comparison);
 
 }  // namespace roomgraph

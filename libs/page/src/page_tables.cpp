@@ -9,6 +9,7 @@
 #include "page_summary.h"
 #include "page_values.h"
 #include "room_rows.h"
+#include "roomgraph/base/time_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
@@ -97,6 +98,8 @@ class Tables {
       row.set("y", fixedText(bend.place.y, 1));
       row.set("turn", fixedText(bend.rotation * 180 / M_PI, 1));
       row.set("shift", fixedText(bend.shift, 2));
+      row.set("frame", bend.keyFrame ? std::to_string(*bend.keyFrame) : "–");
+      row.set("time", bend.time ? timeText(*bend.time) : "–");
       rows << row;
     }
     return rows;
@@ -110,6 +113,7 @@ class Tables {
       row.set("b", text(pair.b));
       row.set("same", flag(pair.isSameSite));
       row.set("confidence", fixedText(pair.confidence, 2));
+      row.set("doubtful", flag(pair.isSameSite && pair.confidence < kSureConfidence));
       row.set("overlap", pair.transform ? percentText(pair.overlap) : "–");
       const Measure* distance = find(pair.measures, "wall_distance");
       row.set("distance", distance ? valueText(distance->value, "m") : "–");
@@ -166,8 +170,14 @@ class Tables {
     for (const Measure& measure : allMeasures())
       measures << measureCell(find(run.measures, measure.name));
     row.set("measures", measures);
-    row.set("isShown", flag(i < kMostShown));
+    row.set("isShown", flag(isShownAtFirst(i)));
     return row;
+  }
+
+  /** The best run and those that are torn; all where none is. */
+  bool isShownAtFirst(std::size_t i) const {
+    if (i >= kMostShown) return false;
+    return i == 0 || comparison_.breaks.empty() || breaksOf(comparison_.runs[i].name) > 0;
   }
 
   std::size_t breaksOf(const std::string& run) const {

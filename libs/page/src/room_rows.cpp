@@ -1,5 +1,7 @@
 #include "room_rows.h"
 
+#include <algorithm>
+
 #include "page_data.h"
 #include "page_values.h"
 
@@ -52,6 +54,10 @@ void setChanges(data& row, const SiteRoom& room) {
   };
   add(split, "split"), add(merged, "merged"), add(gained, "new door"), add(lost, "lost door");
   row.set("changes", changes);
+  const bool isSeenByAll =
+      std::all_of(room.runs.begin(), room.runs.end(),
+                  [](const RoomInRun& one) { return one.sighting == RoomSighting::seen; });
+  row.set("isSame", flag(isSeenByAll && changes.empty()));
 }
 
 data roomRow(const SiteRoom& room, std::size_t i) {

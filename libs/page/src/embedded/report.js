@@ -51,8 +51,8 @@
       [low, high].forEach((end) => row.append("line").attr("x1", x(end)).attr("x2", x(end))
         .attr("y1", y - 5).attr("y2", y + 5).attr("stroke", run.colour).attr("stroke-width", 1.5));
       row.append("path").attr("d", run.shape).attr("transform", "translate(" + x(value) + "," + y + ")")
-        .attr("fill", run.meaningful ? run.colour : "#fff")
-        .attr("stroke", run.meaningful ? "#fff" : run.colour)
+        .attr("class", run.meaningful ? "full" : "hollow")
+        .attr(run.meaningful ? "fill" : "stroke", run.colour)
         .attr("stroke-width", run.meaningful ? 1 : 1.8);
     });
   }
@@ -103,11 +103,14 @@
   const bounds = (box) => L.latLngBounds(latLng(box[0]), latLng(box[1]));
   const map = L.map("map", {
     crs: L.CRS.Simple, attributionControl: false, zoomSnap: 0.25, zoomDelta: 0.5, minZoom: -6,
-    maxZoom: 9, wheelPxPerZoomLevel: 90, zoomAnimation: false, fadeAnimation: false,
+    maxZoom: 9, wheelPxPerZoomLevel: 90, scrollWheelZoom: false, zoomAnimation: false, fadeAnimation: false,
     markerZoomAnimation: false,
   });
   let isWhole = true;  // the whole site is shown, and nobody has moved the picture
   map.on("dragstart zoomstart", () => { isWhole = false; });
+  // The wheel scrolls the page until the map was clicked, and again when the mouse has left it.
+  map.on("mousedown focus", () => map.scrollWheelZoom.enable());
+  map.getContainer().addEventListener("mouseleave", () => map.scrollWheelZoom.disable());
 
   function home() {
     map.fitBounds(bounds(data.box), {animate: false, padding: [8, 8]});
@@ -117,6 +120,7 @@
   map.createPane("heat").style.zIndex = 320;
   map.createPane("runs").style.zIndex = 300;
   map.createPane("rooms").style.zIndex = 410;
+  map.createPane("paths").style.zIndex = 415;
   map.createPane("labels").style.zIndex = 420;  // below the markers
   map.getPane("labels").style.pointerEvents = "none";
 
@@ -196,7 +200,7 @@
   const rooms = data.rooms.map(makeRoom);
   layers.rooms = L.layerGroup(rooms.map((room) => room.shape).concat(rooms.map((room) => room.label)));
 
-  function makeBreak(bend) {
+  function makeBreak(bend, i) {
     const run = data.runs[bend.run] || {name: "", colour: "#000"};
     const icon = element("span");
     icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="26" height="26" aria-hidden="true">' +
@@ -207,12 +211,99 @@
       icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26], popupAnchor: [0, -8]})});
     const said = element("div");
     said.append(element("b", {}, run.name), element("br"),
-      "turns by " + fixed(bend.turn, 1) + "° and shifts by " + fixed(bend.shift, 2) + " m here");
+      "turns by " + fixed(bend.turn, 1) + "° and shifts by " + fixed(bend.shift, 2) + " m here" +
+      (bend.frame === null ? "" : ", from key frame " + bend.frame + " on"));
+    marker.on("click", () => markBreak(i, true));
     return marker.bindPopup(said);
   }
 
   const breaks = data.breaks.map(makeBreak);
-  layers.breaks = L.layerGroup(breaks);
+  layers.breaks = L.layerGroup();
+  layers.paths = L.layerGroup();
+
+  // ---- Paths: the colour of a piece says how wrong what was drawn from there is.
+
+  const errorColours = [[0.1, "#1a9850"], [0.25, "#a6b818"], [0.5, "#f08c1d"], [Infinity, "#d7191c"]];
+  const untold = "#4a5a78", drawnColour = "#d55e00", untornColour = "#00825a";
+
+  function colourOfError(error) {
+    return error === null ? untold : errorColours.find((entry) => error <= entry[0])[1];
+  }
+
+  /** Neighbouring pieces of one colour are one line. */
+  function makePath(run) {
+    const lines = [];
+    run.path.forEach((at, k) => {
+      if (k === 0) return;
+      const colour = colourOfError(at[2]), last = lines[lines.length - 1];
+      if (last && last.colour === colour) last.points.push(latLng(at));
+      else lines.push({colour: colour, points: [latLng(run.path[k - 1]), latLng(at)]});
+    });
+    return L.layerGroup(lines.map((line) => L.polyline(line.points,
+      {pane: "paths", color: line.colour, weight: 2.5, opacity: 0.9, interactive: false})));
+  }
+
+  const paths = data.runs.map(makePath);
+
+  function legendOfPaths() {
+    const host = one("#path-legend");
+    errorColours.forEach((entry, k) => {
+      const part = element("span"), swatch = element("i");
+      swatch.style.background = entry[1];
+      part.append(swatch, k + 1 < errorColours.length ? "to " + entry[0] + " m" : "more");
+      host.append(part);
+    });
+  }
+
+  /** The next key frames in both poses of a break, and the way from the one to the other. */
+  function bothPoses(bend) {
+    const run = data.runs[bend.run];
+    if (!run || bend.frame === null || !bend.drawn) return L.layerGroup();
+    const turn = bend.untorn[2] - bend.drawn[2], c = Math.cos(turn), s = Math.sin(turn);
+    const behind = run.path.slice(bend.frame, bend.frame + 11);
+    const before = run.path.slice(Math.max(0, bend.frame - 10), bend.frame);
+    const untorn = behind.map(([x, y]) => {
+      const dx = x - bend.drawn[0], dy = y - bend.drawn[1];
+      return [bend.untorn[0] + c * dx - s * dy, bend.untorn[1] + s * dx + c * dy];
+    });
+    const line = (points, colour, more) => L.polyline(points.map(latLng),
+      Object.assign({pane: "paths", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
+    const dots = (points, colour) => points.map((point) => L.circleMarker(latLng(point),
+      {pane: "paths", radius: 4, color: "#fff", weight: 1, fillColor: colour, fillOpacity: 1, interactive: false}));
+    return L.layerGroup([line(before, "#00529b"), line(behind, drawnColour), line(untorn, untornColour)]
+      .concat(dots(before, "#00529b"), dots(behind, drawnColour), dots(untorn, untornColour),
+        behind.map((point, k) => line([point, untorn[k]], "#17202e", {weight: 1, dashArray: "2,3"}))));
+  }
+
+  let chosenBreak = null, posesOfBreak = null;
+
+  /** Highlights a break in both places; shows its poses. */
+  function markBreak(i, goesToRow) {
+    if (chosenBreak !== null) setBreak(chosenBreak, false);
+    if (posesOfBreak) posesOfBreak.remove();
+    chosenBreak = i;
+    setBreak(i, true);
+    posesOfBreak = bothPoses(data.breaks[i]).addTo(map);
+    if (goesToRow) one("#break-" + i).scrollIntoView({block: "nearest"});
+    one("#said").textContent = "Break " + (i + 1) + " of " + data.breaks.length + " is chosen.";
+  }
+
+  function setBreak(i, isChosen) {
+    const row = one("#break-" + i);
+    row.classList.toggle("chosen", isChosen);
+    if (isChosen) row.setAttribute("aria-current", "true"); else row.removeAttribute("aria-current");
+    const made = breaks[i].getElement();
+    if (made) made.classList.toggle("chosen", isChosen);
+  }
+
+  /** Marks and paths are those of the runs that are shown. */
+  function showOfRuns() {
+    layers.breaks.clearLayers();
+    layers.paths.clearLayers();
+    const isOn = (run) => !boxOf("run-" + run) || boxOf("run-" + run).checked;
+    data.breaks.forEach((bend, i) => { if (isOn(bend.run)) layers.breaks.addLayer(breaks[i]); });
+    paths.forEach((path, i) => { if (isOn(i)) layers.paths.addLayer(path); });
+  }
 
   // ---- Layer switches.
 
@@ -225,6 +316,7 @@
       box.closest("label").classList.toggle("off", !isOn);
     }
     if (isOn) layers[name].addTo(map); else layers[name].remove();
+    if (name.startsWith("run-")) showOfRuns();
   }
 
   function showRuns(isOn) { data.runs.forEach((run, i) => show("run-" + i, isOn(i))); }
@@ -346,10 +438,12 @@
   }
 
   function chooseBreak(i) {
+    const bend = data.breaks[i];
     show("breaks", true);
+    if (boxOf("run-" + bend.run)) show("run-" + bend.run, true);
     isWhole = false;
-    const place = latLng(data.breaks[i].place);
-    map.setView(place, Math.max(map.getZoom(), 4.5), {animate: false});
+    map.setView(latLng(bend.place), Math.max(map.getZoom(), 4.5), {animate: false});
+    markBreak(i, false);
     breaks[i].openPopup();
     one(".picture").scrollIntoView({block: "nearest"});
   }
@@ -384,6 +478,17 @@
     const rows = all("tr", body).map((row) => ({row: row, value: value(row)}));
     rows.sort((a, b) => (isDown ? -1 : 1) * compare(a.value, b.value));
     body.append(...rows.map((entry) => entry.row));
+  }
+
+  function wireFilter() {
+    const box = one("#only-different"), table = one("#rooms");
+    if (!box) return;
+    const apply = () => {
+      table.classList.toggle("only-different", box.checked);
+      one("#nothing-differs").hidden = !box.checked || all("tr.room:not(.same)", table).length > 0;
+    };
+    box.addEventListener("change", apply);
+    apply();
   }
 
   function wireSorting() {
@@ -436,7 +541,9 @@
 
   addControls();
   home();
+  legendOfPaths();
   wireLayers();
+  wireFilter();
   wireRows("tr.room", (row) => choose(Number(row.dataset.room), "row"));
   wireRows("tr.break", (row) => chooseBreak(Number(row.dataset.break)));
   wireSorting();
