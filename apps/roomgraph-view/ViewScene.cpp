@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kPathHeight = 2, kFrameHeight = 2.2;  // above all maps [m]
 constexpr double kWorstError = 0.5;                    // drawn red from here on [m]
+constexpr std::uint8_t kFaint = 70;                    // of 255
 constexpr float kDotRadius = 0.08f;                    // of a key frame [m]
 constexpr float kRobotRadius = 0.25f;                  // [m]
 constexpr mrpt::img::TColor kScan{200, 30, 30}, kRobot{20, 20, 20}, kText{30, 34, 40};
@@ -201,7 +202,11 @@ void ViewScene::hideLayers(const ViewState& state) {
       object->setVisibility(state.hidden.count(name) == 0);
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
     if (const auto path = scene_->getByName("path " + std::to_string(i)))
-      path->setVisibility(i == state.run);
+      path->setVisibility(i == state.run && !state.tear);
+  // What was seen at a break is to stand out from the maps.
+  for (const ComparedRun& run : view_.comparison.runs)
+    if (const auto walls = scene_->getByName(run.name))
+      walls->setColorA_u8(state.tear ? kFaint : 255);
   if (!state.isFlickering) return;
   const std::size_t other = state.run == 0 ? 1 : 0;
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)

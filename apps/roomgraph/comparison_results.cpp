@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "Command.h"
 #include "error_line.h"
@@ -112,13 +113,16 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
     names.push_back((folder / name).string());
     staged.add(names.back(), bytes);
   };
+  std::map<std::string, std::vector<RobotScan>> scansOf;  // by run
   for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
     const MapBreak& tear = comparison.breaks[i];
     const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
     const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
     const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
     if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
-    const std::vector<RobotScan> scans = loadScans(run->file, reading);
+    const auto [known, isNew] = scansOf.try_emplace(tear.run);
+    if (isNew) known->second = loadScans(run->file, reading);
+    const std::vector<RobotScan>& scans = known->second;
     const std::string stem = "comparison.break" + std::to_string(i + 1);
     for (const bool isUntorn : {false, true})
       add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),

@@ -242,7 +242,7 @@ def breaks_and_marks_belong_together(browser):
     check(browser.value("document.querySelector('#break-0').classList.contains('chosen') &&"
                         " document.querySelectorAll('.break-mark.chosen').length") == 1,
           "row and mark of a break are not chosen together")
-    check(browser.value("document.querySelectorAll('.leaflet-paths-pane path[stroke=\"#00825a\"]')"
+    check(browser.value("document.querySelectorAll('.leaflet-poses-pane path[stroke=\"#00825a\"]')"
                         ".length") == 1, "the torn piece is not shown where it belongs")
     check(browser.value("document.querySelector('#break-0').cells[5].textContent") == "12",
           "the key frame is not told")
@@ -254,6 +254,9 @@ def breaks_and_marks_belong_together(browser):
     check(browser.value(marks) == 2, "the run of a chosen break is not shown")
     check(browser.value("document.querySelectorAll('tr.break.chosen').length") == 1,
           "more than one break is chosen")
+    browser.click_on('button[data-show="fit"]')
+    check(browser.value("document.querySelectorAll('tr.break.chosen, .leaflet-poses-pane path')"
+                        ".length") == 0, "the whole site still shows a break")
 
 
 def the_ledger_can_be_filtered(browser):

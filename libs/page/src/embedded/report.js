@@ -121,6 +121,7 @@
   map.createPane("runs").style.zIndex = 300;
   map.createPane("rooms").style.zIndex = 410;
   map.createPane("paths").style.zIndex = 415;
+  map.createPane("poses").style.zIndex = 416;
   map.createPane("labels").style.zIndex = 420;  // below the markers
   map.getPane("labels").style.pointerEvents = "none";
 
@@ -267,9 +268,9 @@
       return [bend.untorn[0] + c * dx - s * dy, bend.untorn[1] + s * dx + c * dy];
     });
     const line = (points, colour, more) => L.polyline(points.map(latLng),
-      Object.assign({pane: "paths", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
+      Object.assign({pane: "poses", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
     const dots = (points, colour) => points.map((point) => L.circleMarker(latLng(point),
-      {pane: "paths", radius: 4, color: "#fff", weight: 1, fillColor: colour, fillOpacity: 1, interactive: false}));
+      {pane: "poses", radius: 4, color: "#fff", weight: 1, fillColor: colour, fillOpacity: 1, interactive: false}));
     return L.layerGroup([line(before, "#00529b"), line(behind, drawnColour), line(untorn, untornColour)]
       .concat(dots(before, "#00529b"), dots(behind, drawnColour), dots(untorn, untornColour),
         behind.map((point, k) => line([point, untorn[k]], "#17202e", {weight: 1, dashArray: "2,3"}))));
@@ -277,11 +278,19 @@
 
   let chosenBreak = null, posesOfBreak = null;
 
-  /** Highlights a break in both places; shows its poses. */
-  function markBreak(i, goesToRow) {
+  /** Ends what markBreak has begun. */
+  function leaveBreak() {
     if (chosenBreak !== null) setBreak(chosenBreak, false);
     if (posesOfBreak) posesOfBreak.remove();
+    chosenBreak = posesOfBreak = null;
+    map.getPane("paths").style.opacity = 1;
+  }
+
+  /** Highlights a break in both places; shows its poses, and the paths faintly. */
+  function markBreak(i, goesToRow) {
+    leaveBreak();
     chosenBreak = i;
+    map.getPane("paths").style.opacity = 0.2;
     setBreak(i, true);
     posesOfBreak = bothPoses(data.breaks[i]).addTo(map);
     if (goesToRow) one("#break-" + i).scrollIntoView({block: "nearest"});
@@ -343,7 +352,11 @@
       show(name, box.checked);
     });
     all("button[data-show]").forEach((button) =>
-      button.addEventListener("click", () => shows[button.dataset.show]()));
+      button.addEventListener("click", () => {
+        leaveBreak();
+        map.closePopup();
+        shows[button.dataset.show]();
+      }));
     all("label[data-run]").forEach((label) => {
       const run = Number(label.dataset.run);
       const isOn = () => boxOf("run-" + run).checked;
@@ -445,7 +458,7 @@
     map.setView(latLng(bend.place), Math.max(map.getZoom(), 4.5), {animate: false});
     markBreak(i, false);
     breaks[i].openPopup();
-    one(".picture").scrollIntoView({block: "nearest"});
+    one("#map").scrollIntoView({block: "center"});
   }
 
   /** A click, Enter or the space bar on a row. */
