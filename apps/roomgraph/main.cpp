@@ -2,6 +2,7 @@
 
 #include "Command.h"
 #include "archive_command.h"
+#include "collect_command.h"
 #include "compare_command.h"
 #include "config_command.h"
 #include "convert_command.h"
@@ -10,10 +11,12 @@
 #include "extract_command.h"
 #include "info_command.h"
 #include "interruption.h"
+#include "plan_command.h"
 #include "report_command.h"
 #include "roomgraph/base/version.h"
 #include "score_rooms_command.h"
 #include "stability_command.h"
+#include "task_command.h"
 #include "terminal.h"
 #include "usage_fault.h"
 
@@ -28,6 +31,9 @@ constexpr Command kCommands[] = {
     {"report", "Write the results of a comparison anew, and ask a gate again.", reportCommand},
     {"archive", "Keep the runs of a site night by night, and say whether its maps get worse.",
      archiveCommand},
+    {"plan", "Write the tasks that bring an archive of many sites up to date.", planCommand},
+    {"task", "Do a task of a plan, unless it is done already.", taskCommand},
+    {"collect", "Put what came out of the tasks of a plan into the archive.", collectCommand},
     {"stability",
      "Measure how well the graphs of maps withstand noise on the walls, as in the paper.",
      stabilityCommand},

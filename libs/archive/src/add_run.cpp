@@ -1,50 +1,15 @@
 #include "roomgraph/archive/add_run.h"
 
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 
-#include "roomgraph/archive/choose_record.h"
+#include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/map_sha256.h"
-#include "roomgraph/scans/load_run_info.h"
 
 namespace roomgraph {
 namespace {
 
 namespace fs = std::filesystem;
-
-double timeOf(const std::string& file) {
-  if (const auto info = loadRunInfo(file); info && info->start) return *info->start;
-  // C++17 has no clock in common with that of files, so the distance to now is taken.
-  const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file);
-  const auto written = std::chrono::system_clock::now() -
-                       std::chrono::duration_cast<std::chrono::system_clock::duration>(age);
-  return double(
-      std::chrono::duration_cast<std::chrono::seconds>(written.time_since_epoch()).count());
-}
-
-bool isThere(const KnownRun& run) {
-  try {
-    return mapSha256(run.file) == run.sha256;
-  } catch (const DataError&) {
-    return false;
-  }
-}
-
-/** The files of the runs to compare with. */
-std::vector<std::string> recordOf(const Archive& archive, const AddRunOptions& options) {
-  const std::vector<KnownRun> runs = archive.runs(options.site);
-  const auto isUsable = [&](const KnownRun& run) {
-    const bool isUsed = isThere(run);
-    if (!isUsed) options.onMissing(run);
-    return isUsed;
-  };
-  std::vector<std::string> files;
-  for (const std::size_t i : chooseRecord(runs, options.most, isUsable))
-    files.push_back(runs[i].file);
-  return files;
-}
 
 /** All that is to be compared. @throws DataError where the new map cannot be read. */
 ReadRuns readAll(std::vector<std::string> files, const std::string& added,
@@ -87,8 +52,12 @@ AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& 
   Addition addition;
   addition.site = options.site;
   addition.runs = {{sha256, options.robot, added, options.time.value_or(0)}};
-  const ReadRuns read = readAll(recordOf(archive, options), added, options);
-  if (!options.time) addition.runs.front().time = timeOf(added);
+  std::vector<std::string> files;
+  for (const KnownRun& run :
+       recordRuns(archive.runs(options.site), options.most, options.onMissing))
+    files.push_back(run.file);
+  const ReadRuns read = readAll(files, added, options);
+  if (!options.time) addition.runs.front().time = runTime(added);
   addition.comparison = compareMaps(read, options.compare);
   return resultOf(addition, archive.record(addition));
 }

@@ -1,0 +1,79 @@
+#include "plan_command.h"
+
+#include <memory>
+
+#include "Command.h"
+#include "FleetFolder.h"
+#include "comparison_results.h"
+#include "option_arguments.h"
+#include "roomgraph/files/InputFile.h"
+#include "roomgraph/fleet/plan_fleet.h"
+#include "roomgraph/fleet/read_run_list.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+struct PlanArguments {
+  std::string list, archive, folder;
+  std::size_t most = PlanFleetOptions().most;
+  OptionArguments options;
+  bool isQuiet = false;
+};
+
+int run(const PlanArguments& arguments) {
+  PlanFleetOptions options;
+  options.most = arguments.most;
+  options.compare.extract = toOptions(arguments.options);
+  std::size_t unread = 0;
+  options.onUnread = [&](const std::string& line) {
+    printError(line);
+    ++unread;
+  };
+  options.onMissing = [](const KnownRun& run) {
+    printError(run.file + ": note: is gone or another file now: not compared with");
+  };
+  const std::string folder = std::filesystem::path(arguments.list).parent_path().string();
+  const std::vector<ListedRun> listed =
+      readRunList(readFile(arguments.list), arguments.list, folder);
+  const Archive archive(arguments.archive, Archive::Access::orNew);
+  const std::vector<FleetTask> tasks = planFleet(listed, archive, options);
+  const FleetFolder fleet(arguments.folder);
+  fleet.write(tasks, options.compare);
+  std::size_t news = 0;
+  for (const FleetTask& task : tasks) news += task.newRuns;
+  if (!arguments.isQuiet)
+    print(std::to_string(tasks.size()) + " tasks for " + std::to_string(news) + " new of " +
+          std::to_string(listed.size()) + " runs\n");
+  return unread == 0 ? kDone : kBadData;
+}
+
+}  // namespace
+
+std::function<int()> planCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<PlanArguments>();
+  app.add_option("LIST", arguments->list,
+                 "CSV file with a line per run: columns 'site' and 'file', and 'robot' and 'time' "
+                 "where they are known. Files are told from its folder on.")
+      ->type_name("")
+      ->required();
+  app.add_option("--archive", arguments->archive,
+                 "Archive of all sites; made if it is not there. What it knows is not done again.")
+      ->type_name("FILE")
+      ->required();
+  app.add_option("-o,--output", arguments->folder,
+                 "Folder for the tasks (tasks.jsonl, a line each), the options and the results.")
+      ->type_name("DIR")
+      ->required();
+  app.add_option("--compare-with", arguments->most,
+                 "How many runs of the archive the new ones of a site are compared with.")
+      ->type_name("N")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  app.add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
+  declareConfig(arguments->options, app);
+  declareReading(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,90 @@
+#include "task_command.h"
+
+#include <memory>
+
+#include "Command.h"
+#include "FleetFolder.h"
+#include "comparison_results.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/files/write_file.h"
+#include "roomgraph/fleet/do_task.h"
+#include "roomgraph/report/comparison_json.h"
+#include "run_in_order.h"
+
+namespace roomgraph {
+namespace {
+
+struct TaskArguments {
+  std::string folder;
+  std::size_t first = 0, last = 0;
+  unsigned threads = 1;  // engines give each core a task of its own
+};
+
+std::string linesOf(const std::vector<std::string>& failures) {
+  std::string text;
+  for (const std::string& line : failures) text += line + "\n";
+  return text;
+}
+
+/** Keeps what came out, and says whether all maps could be used. */
+bool keep(const FleetFolder& fleet, const FleetTask& task, const TaskResult& result) {
+  const std::string document = comparisonJson(result.comparison);
+  std::error_code error;
+  if (result.failures.empty()) {
+    writeFileAtomically(fleet.resultOf(task).string(), document);
+    std::filesystem::remove(fleet.failuresOf(task), error);
+    std::filesystem::remove(fleet.partOf(task), error);
+    return true;
+  }
+  for (const std::string& line : result.failures) printError(line);
+  writeFileAtomically(fleet.partOf(task).string(), document);
+  writeFileAtomically(fleet.failuresOf(task).string(), linesOf(result.failures));
+  return false;
+}
+
+bool isDone(const FleetFolder& fleet, const FleetTask& task, const CompareMapsOptions& options) {
+  std::error_code error;
+  if (std::filesystem::exists(fleet.resultOf(task), error)) return true;
+  makeWritableFolder(fleet.resultOf(task).parent_path().string());
+  try {
+    return keep(fleet, task, doTask(task, options));
+  } catch (const DataError& failure) {
+    printError(failure.what());
+    writeFileAtomically(fleet.failuresOf(task).string(), linesOf({failure.what()}));
+    return false;
+  }
+}
+
+int run(const TaskArguments& arguments) {
+  const FleetFolder fleet(arguments.folder);
+  const std::vector<FleetTask> tasks = fleet.tasks();
+  CompareMapsOptions options = fleet.options();
+  options.compare.forEach = onThreads(arguments.threads, false);
+  const std::size_t last = arguments.last == 0 ? arguments.first : arguments.last;
+  if (arguments.first < 1 || arguments.first > tasks.size() || last < arguments.first)
+    throw UsageError("task: there are tasks 1 to " + std::to_string(tasks.size()));
+  int exitCode = kDone;
+  for (std::size_t i = arguments.first; i <= last && i <= tasks.size(); ++i)
+    if (!isDone(fleet, tasks[i - 1], options)) exitCode = kBadData;
+  return exitCode;
+}
+
+}  // namespace
+
+std::function<int()> taskCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<TaskArguments>();
+  app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan'.")
+      ->type_name("")
+      ->required();
+  app.add_option("FIRST", arguments->first, "Number of the task, from 1 on.")
+      ->type_name("")
+      ->required();
+  app.add_option("LAST", arguments->last, "The last of several tasks.")->type_name("");
+  app.add_option("--threads", arguments->threads,
+                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,172 @@
+# A fleet's plan gives the same bytes one task after the other, with GNU parallel and on a Slurm
+# cluster one node of which dies at work; a damaged map costs itself alone, and the next night only
+# what is new. Needs GNU parallel and, for Slurm, root: what cannot be run is skipped with 77.
+. "$(dirname "$0")/common.sh"
+share=$source_dir/share/roomgraph
+command -v parallel > /dev/null || { echo "skipped: there is no GNU parallel"; exit 77; }
+
+# Ten sites of three runs each: the same two rooms in different files, another width for each site.
+mkdir maps bin
+echo site,file,robot,time > list.csv
+for site in $(seq 10); do
+  rooms room.pgm $((160 + 4 * site))
+  for night in 1 2 3; do
+    { printf 'P5\n# site %d night %d\n' "$site" "$night"; tail -n +2 room.pgm; } \
+      > "maps/s$site-$night.pgm"
+    echo "site$site,maps/s$site-$night.pgm,anna,2026-11-0$night" >> list.csv
+  done
+done
+# Of the last site, one file ends in the middle.
+head -c 3000 maps/s10-3.pgm > cut.pgm
+mv cut.pgm maps/s10-3.pgm
+results() { (cd "$1/results" && find . -name '*.json' | sort | xargs sha256sum); }
+runs() { sqlite3 "$1" 'SELECT site, sha256, robot, time, state, reason FROM run ORDER BY 1, 2'; }
+damage() { grep -q "site10: .*s10-3.pgm: .*cut short" "$1" || { cat "$1"; fail "no damage in $1"; }; }
+
+# One after the other.
+expect 0 "$roomgraph" plan list.csv --archive serial.db -o serial --resolution 0.05
+grep -qx '10 tasks for 30 new of 30 runs' out || { cat out; fail "another plan"; }
+expect 1 "$roomgraph" task serial 1 10
+one_line err s10-3.pgm
+expect 2 "$roomgraph" task serial 11
+results serial > serial.results
+[ "$(wc -l < serial.results)" = 10 ] || fail "not ten results"
+expect 1 "$roomgraph" collect serial --archive serial.db
+grep -qx '9 of 10 tasks are done, 29 runs are new in the archive' out || { cat out; fail "collected"; }
+damage err
+runs serial.db > serial.runs
+# What is done is not done again, and collected once.
+touch -d 2001-01-01 serial/results/*/comparison.json
+expect 1 "$roomgraph" task serial 1 10
+[ "$(find serial/results -name comparison.json -newermt 2001-01-02 | wc -l)" = 0 ] || fail "done twice"
+expect 1 "$roomgraph" collect serial --archive serial.db
+runs serial.db | cmp - serial.runs
+
+# The next night: one new run is one task, for its site alone, and the map that was mended another.
+{ printf 'P5\n# site 3 night 4\n'; rooms room.pgm 172; tail -n +2 room.pgm; } > maps/s3-4.pgm
+echo "site3,maps/s3-4.pgm,anna,2026-11-04" >> list.csv
+expect 0 "$roomgraph" plan list.csv --archive serial.db -o second --resolution 0.05
+grep -qx '2 tasks for 2 new of 31 runs' out || { cat out; fail "another plan"; }
+grep -q '"site":"site3".*"new":1.*s3-4.*s3-1.*s3-2.*s3-3' second/tasks.jsonl || fail "another task"
+sed -i '$d' list.csv
+# A plan of other options, or of files that have changed since, is not done.
+sed -i 's/^resolution = .*/resolution = 0.06/' second/options.ini
+expect 1 "$roomgraph" task second 1
+one_line err "other options"
+
+# With GNU parallel.
+ln -s "$roomgraph" bin/roomgraph
+PATH=$PWD/bin:$PATH
+expect 1 "$share/parallel/night" list.csv parallel.db parallel --resolution 0.05
+damage err
+results parallel | cmp - serial.results
+runs parallel.db | cmp - serial.runs
+
+# On Slurm, two nodes on this machine.
+missing=
+for program in munged slurmctld slurmd sbatch; do
+  PATH=$PATH:/usr/sbin command -v $program > /dev/null || missing="$missing $program"
+done
+[ -z "$missing" ] || { echo "skipped: there is no$missing"; exit 77; }
+[ "$(id -u)" = 0 ] || { echo "skipped: only root can start Slurm"; exit 77; }
+PATH=$PATH:/usr/sbin
+mkdir slurm
+cd slurm
+started=()
+stop() {
+  [ ${#started[@]} -eq 0 ] || kill -KILL "${started[@]}" 2> /dev/null || true
+  rm -rf "$work"
+}
+trap stop EXIT
+# free COUNT: ports of this machine that nobody listens on.
+free() {
+  python3 -c "
+import socket
+sockets = [socket.socket() for _ in range($1)]
+for one in sockets: one.bind(('127.0.0.1', 0))
+print(*(one.getsockname()[1] for one in sockets))"
+}
+read -r control first second < <(free 3)
+host=$(hostname -s)
+head -c 1024 /dev/urandom > key
+chmod 400 key
+cat > slurm.conf <<END
+ClusterName=test
+SlurmctldHost=$host(127.0.0.1)
+SlurmctldPort=$control
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=socket=$PWD/munge.socket
+CredType=cred/munge
+StateSaveLocation=$PWD/state
+SlurmctldPidFile=$PWD/slurmctld.pid
+SlurmctldLogFile=$PWD/slurmctld.log
+SlurmdPidFile=$PWD/%n.pid
+SlurmdSpoolDir=$PWD/%n
+SlurmdLogFile=$PWD/%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+ReturnToService=2
+MinJobAge=300
+NodeName=n1 NodeHostname=$host NodeAddr=127.0.0.1 Port=$first CPUs=2 RealMemory=500
+NodeName=n2 NodeHostname=$host NodeAddr=127.0.0.1 Port=$second CPUs=2 RealMemory=500
+PartitionName=all Nodes=n1,n2 Default=YES MaxTime=10 State=UP
+END
+echo CgroupPlugin=cgroup/v1 > cgroup.conf
+mkdir state
+export SLURM_CONF=$PWD/slurm.conf
+# start PROGRAM...: in the background, to be stopped at the end.
+start() { "$@" > "$(basename "$1").out" 2>&1 & started+=($!); }
+start munged --foreground --force --key-file="$PWD/key" --socket="$PWD/munge.socket" \
+  --pid-file="$PWD/munged.pid" --log-file="$PWD/munged.log" --seed-file="$PWD/munged.seed"
+# until_true COMMAND...: a minute at most.
+until_true() {
+  timeout 60 bash -c 'until "$@" > /dev/null 2>&1; do sleep 0.2; done' - "$@" || {
+    tail -n 5 ./*.log ./*.out >&2
+    fail "waited in vain for: $*"
+  }
+}
+until_true test -S munge.socket
+start slurmctld -D
+start slurmd -D -N n1
+start slurmd -D -N n2
+second_node=${started[-1]}
+until_true bash -c '[ "$(sinfo -h -t idle -o %D)" = 2 ]'
+cd ..
+# The second node takes tasks and never ends them: its machine is about to die.
+rm bin/roomgraph
+cat > bin/roomgraph <<END
+#!/bin/bash
+if [ "\${SLURMD_NODENAME-}" = n2 ]; then
+  echo \$PPID \$\$ >> "$work/hanging"
+  exec sleep 10000
+fi
+exec "$roomgraph" "\$@"
+END
+chmod +x bin/roomgraph
+{ code=0
+  WAIT=1 "$share/slurm/night" list.csv slurm.db slurm-run --resolution 0.05 > night.out 2>&1 || code=$?
+  echo $code > night.code; } &
+night=$!
+cd slurm
+until_true test -s ../hanging
+kill -KILL "$second_node"
+while read -r watcher task; do kill -KILL "$watcher" "$task" 2> /dev/null || true; done < ../hanging
+scontrol update nodename=n2 state=down reason=died
+cd ..
+# Slurm lets such tasks wait for two minutes before it starts them again.
+until_true bash -c "
+  for task in \$(squeue -h -r -t PD -n roomgraph -o %i); do
+    scontrol update jobid=\$task starttime=now
+  done
+  [ -s night.code ]"
+wait $night
+[ "$(cat night.code)" = 1 ] || { cat night.out slurm-run/log/*; fail "night ended with $(cat night.code)"; }
+damage slurm-run/log/collect.txt
+results slurm-run | cmp - serial.results
+runs slurm.db | cmp - serial.runs
