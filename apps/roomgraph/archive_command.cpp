@@ -13,6 +13,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/files/write_file.h"
+#include "roomgraph/history_page/history_page.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -29,7 +30,7 @@ struct ArchiveArguments {
   std::size_t most = AddRunOptions().most;
   OptionArguments options;
   WatchOptions watch;
-  std::string format = "csv", output;
+  std::string format = "csv", output, page;
   unsigned threads = 0;
   bool isQuiet = false, failsOnAlarm = false;
   CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
@@ -200,10 +201,13 @@ int list(const ArchiveArguments& arguments) {
 
 int report(const ArchiveArguments& arguments) {
   bool isAlarm = false;
-  for (const WatchedSite& site : sitesToTell(arguments)) {
-    print(historyText(site));
+  const std::vector<WatchedSite> sites = sitesToTell(arguments);
+  for (const WatchedSite& site : sites) {
+    if (!arguments.isQuiet) print(historyText(site));
     isAlarm = isAlarm || site.watch.isAlarm();
   }
+  if (!arguments.page.empty())
+    writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));
   return arguments.failsOnAlarm && isAlarm ? kStruck : kDone;
 }
 
@@ -237,6 +241,11 @@ std::function<int()> archiveCommand(CLI::App& app) {
   declareAdd(*arguments, *arguments->add);
   declareSite(*arguments, *arguments->report);
   declareWatch(*arguments, *arguments->report);
+  arguments->report
+      ->add_option("-o,--output", arguments->page,
+                   "Also write it as a page for the browser, with plots.")
+      ->type_name("FILE");
+  arguments->report->add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
   arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
                               "Exit with 3 where the maps of a robot get worse.");
   declareSite(*arguments, *arguments->list);

@@ -60,6 +60,7 @@ PATH=$PWD/bin:$PATH
 expect 1 "$share/parallel/night" list.csv parallel.db parallel --resolution 0.05
 damage err
 results parallel | cmp - serial.results
+grep -q '<p class="counts">10 sites, 10 robots, 29 runs' parallel/fleet.html || fail "no page"
 runs parallel.db | cmp - serial.runs
 
 # On Slurm, two nodes on this machine.
@@ -170,3 +171,4 @@ wait $night
 damage slurm-run/log/collect.txt
 results slurm-run | cmp - serial.results
 runs slurm.db | cmp - serial.runs
+cmp slurm-run/fleet.html parallel/fleet.html

@@ -6,6 +6,7 @@
 
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/utf8_text.h"
+#include "roomgraph/base/xml_text.h"
 
 namespace roomgraph {
 namespace {
@@ -38,27 +39,6 @@ std::vector<JudgedRun> judgedRuns(const Comparison& comparison) {
   }
   if (!rest.complaints.empty() || runs.empty()) runs.push_back(rest);
   return runs;
-}
-
-std::string xmlText(const std::string& given) {
-  std::string text;
-  for (const char c : printable(utf8Text(given))) switch (c) {
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '&':
-        text += "&amp;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
-  return text;
 }
 
 /** In a table of Markdown, as text and nothing else. */
