@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "Command.h"
 #include "comparison_results.h"
@@ -26,7 +27,7 @@ struct ArchiveArguments {
   std::string archive;
   std::string site;  ///< empty for the only one, or the name of the archive
   std::vector<std::string> files;
-  std::string robot = "robot", time, cache;
+  std::string robot = "robot", time, kept, cache;
   std::size_t most = AddRunOptions().most;
   OptionArguments options;
   WatchOptions watch;
@@ -69,6 +70,10 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
+  app.add_option("--keep", arguments.kept,
+                 "Folder for copies of the maps, for where the next night takes the place of the "
+                 "file: later runs are compared with the copies.")
+      ->type_name("DIR");
   app.add_option("--cache", arguments.cache,
                  "Folder that keeps what is found of each pair of maps, as for 'roomgraph "
                  "compare'.")
@@ -130,6 +135,7 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
 AddRunOptions optionsOf(const ArchiveArguments& arguments) {
   AddRunOptions options;
   options.robot = arguments.robot, options.most = arguments.most;
+  options.kept = arguments.kept;
   if (!arguments.time.empty()) {
     options.time = parseTime(arguments.time);
     if (!options.time)
@@ -139,9 +145,6 @@ AddRunOptions optionsOf(const ArchiveArguments& arguments) {
   options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.compare.onUnread = [](const LeftOutRun& run) {
     printError(run.file + ": is not compared with: " + run.reason);
-  };
-  options.onMissing = [](const KnownRun& run) {
-    printError(run.file + ": note: is gone or another file now: not compared with");
   };
   return options;
 }
@@ -162,6 +165,13 @@ std::string lineOf(const std::string& file, const AddedRun& run) {
   return text + printable(run.reason) + "\n";
 }
 
+std::string missingText(const std::set<std::string>& files) {
+  const std::string more =
+      files.size() == 1 ? "" : " (and " + std::to_string(files.size() - 1) + " more)";
+  return *files.begin() + more +
+         ": note: is gone or another file now: not compared with; --keep keeps copies";
+}
+
 /** Adds one run after the other, so that what is done stays whatever happens to the rest. */
 int add(const ArchiveArguments& arguments) {
   AddRunOptions options = optionsOf(arguments);
@@ -170,6 +180,8 @@ int add(const ArchiveArguments& arguments) {
   std::optional<PairFolder> cache;
   if (!arguments.cache.empty())
     options.compare.compare.kept = cache.emplace(arguments.cache).kept();
+  std::set<std::string> missing;
+  options.onMissing = [&](const KnownRun& run) { missing.insert(run.file); };
   int exitCode = kDone;
   for (const std::string& file : arguments.files) {
     try {
@@ -181,6 +193,7 @@ int add(const ArchiveArguments& arguments) {
       exitCode = kBadData;
     }
   }
+  if (!missing.empty()) printError(missingText(missing));
   if (cache && !cache->failure().empty()) printError(cache->failure());
   return exitCode;
 }

@@ -53,11 +53,22 @@ one_line err lab
 mv night1.pgm gone.pgm
 cp night9.pgm night2.pgm
 expect 0 add site.db add night5.pgm
-[ "$(grep -c 'is gone or another file now: not compared with$' err)" = 2 ] || fail "not said"
+one_line err night1.pgm "(and 1 more): note: is gone or another file now"
 [ "$(sqlite3 site.db 'SELECT count(*) FROM compared WHERE comparison = (SELECT max(id) FROM comparison)')" = 3 ] ||
   fail "compared with others than those that are there"
 mv gone.pgm night1.pgm
 night 2
+
+# A file that the next night takes the place of is kept as a copy, and compared with.
+for n in 6 7 8; do
+  cp "night$n.pgm" latest.pgm
+  expect 0 add kept.db add latest.pgm --keep kept --time "2026-11-0$n"
+  [ ! -s err ] || { cat err; fail "something is missing"; }
+done
+rm latest.pgm
+[ "$(sqlite3 kept.db "SELECT count(*) FROM figure WHERE name = 'map_error_m' AND meaningful")" = 3 ] ||
+  fail "not compared with the copies"
+[ "$(find kept -name latest.pgm | wc -l)" = 3 ] || fail "not three copies"
 
 # Another building is kept as that, and not compared with.
 { printf 'P5\n300 200\n255\n'

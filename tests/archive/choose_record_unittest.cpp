@@ -47,6 +47,13 @@ TEST(ChooseRecord, runsOfAnotherSiteAreNever) {
   EXPECT_EQ(chooseRecord(some, 8, any), (Indices{1, 2, 3, 4}));
 }
 
+TEST(ChooseRecord, noMoreThanAHundredFilesAreAskedFor) {
+  std::size_t asked = 0;
+  const auto isThere = [&](const KnownRun&) { return ++asked == 0; };
+  EXPECT_EQ(chooseRecord(runs(1000), 8, isThere), Indices{});
+  EXPECT_EQ(asked, 100U);
+}
+
 TEST(ChooseRecord, othersTakeThePlaceOfRunsWhoseFilesAreGone) {
   std::vector<std::string> asked;
   const auto isThere = [&](const KnownRun& run) {

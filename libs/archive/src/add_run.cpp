@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "roomgraph/archive/keep_map.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/map_sha256.h"
@@ -30,7 +31,7 @@ ReadRuns readAll(std::vector<std::string> files, const std::string& added,
   throw DataError(added + ": " + failure);
 }
 
-AddedRun resultOf(const Addition& addition, const Added& added) {
+AddedRun resultOf(const Addition& addition, const std::string& file, const Added& added) {
   AddedRun result;
   result.wasKnown = added.runs == 0;  // another program was faster
   result.roomsFailed = added.roomsFailed;
@@ -39,7 +40,7 @@ AddedRun resultOf(const Addition& addition, const Added& added) {
     if (run.sha256 == addition.runs.front().sha256)
       result.isPlaced = true, result.score = run.score, result.reason = run.reason;
   for (const LeftOutRun& run : comparison.leftOut)
-    if (run.file == addition.runs.front().file) result.reason = run.reason;
+    if (run.file == file) result.reason = run.reason;
   return result;
 }
 
@@ -59,7 +60,11 @@ AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& 
   const ReadRuns read = readAll(files, added, options);
   if (!options.time) addition.runs.front().time = runTime(added);
   addition.comparison = compareMaps(read, options.compare);
-  return resultOf(addition, archive.record(addition));
+  if (!options.kept.empty()) addition.runs.front().file = keepMap(added, sha256, options.kept);
+  const Added result = archive.record(addition);
+  if (result.runs == 0 && !archive.knows(options.site, sha256))
+    throw DataError(added + ": was changed while it was added: add it again");
+  return resultOf(addition, added, result);
 }
 
 }  // namespace roomgraph

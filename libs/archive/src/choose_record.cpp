@@ -6,7 +6,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLast = 100;  // rooms change over years, so the best of all times is no judge
+// Rooms change over years, so the best of all times is no judge; nor are the files of years asked
+// for.
+constexpr std::size_t kLast = 100;
 
 /** Fills a list of runs, each once, up to a number. */
 class Choice {
@@ -40,10 +42,10 @@ class Choice {
 std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
                                       const std::function<bool(const KnownRun&)>& isUsable) {
   std::vector<std::size_t> latest, best;
-  for (std::size_t i = runs.size(); i-- > 0;)
+  for (std::size_t i = runs.size(); i-- > 0 && latest.size() < kLast;)
     if (runs[i].isPlaced) latest.push_back(i);
-  for (std::size_t i = 0; i < std::min(kLast, latest.size()); ++i)
-    if (runs[latest[i]].error && !runs[latest[i]].isBroken) best.push_back(latest[i]);
+  for (const std::size_t i : latest)
+    if (runs[i].error && !runs[i].isBroken) best.push_back(i);
   std::stable_sort(best.begin(), best.end(),
                    [&](std::size_t l, std::size_t r) { return *runs[l].error < *runs[r].error; });
   Choice choice(runs, isUsable);

@@ -12,4 +12,9 @@ std::string mapSha256(const std::string& name) {
   return sha256Of(content, picture.content());
 }
 
+std::string pictureOfMap(const std::string& name) {
+  CheckedFile file(name);
+  return isRosMap(file) ? pictureOfRosMap(file) : "";
+}
+
 }  // namespace roomgraph

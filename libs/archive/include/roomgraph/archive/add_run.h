@@ -18,6 +18,7 @@ struct AddRunOptions {
   std::optional<double> time;  ///< of the run [s since 1970]; none for what the file tells
   std::size_t most = 8;        ///< runs that it is compared with
   CompareMapsOptions compare;  ///< without a reference
+  std::string kept;            ///< folder for a copy of the map, see keepMap; empty for none
   /** Told of each run that would be compared with, but whose file is gone or another one now. */
   std::function<void(const KnownRun&)> onMissing = [](const KnownRun&) {};
 };

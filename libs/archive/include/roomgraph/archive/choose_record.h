@@ -13,9 +13,9 @@ namespace roomgraph {
 // Next: addRun
 
 /** At most `most` indices into `runs` (which stand in the order of time), in their order: first the
- *  latest half, then those with the least map error among the last hundred, without breaks, then
- *  more of the latest. Runs of another site are none of them, nor those that are not `isUsable`,
- *  which is asked of no more runs than needed. */
+ *  latest half, then those with the least map error, without breaks, then more of the latest; all
+ *  of them among the last hundred. Runs of another site are none of them, nor those that are not
+ *  `isUsable`, which is asked of no more runs than needed. */
 std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
                                       const std::function<bool(const KnownRun&)>& isUsable);
 

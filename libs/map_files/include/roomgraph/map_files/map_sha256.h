@@ -12,4 +12,7 @@ namespace roomgraph {
  *  @throws DataError where the file, or the picture, cannot be read. */
 std::string mapSha256(const std::string& name);
 
+/** The picture that a ROS map names; empty for any other map. @throws DataError like mapSha256. */
+std::string pictureOfMap(const std::string& name);
+
 }  // namespace roomgraph
