@@ -8,6 +8,7 @@
 #include "Command.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
+#include "output_names.h"
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/base/Error.h"
@@ -212,6 +213,13 @@ int list(const ArchiveArguments& arguments) {
   return kDone;
 }
 
+void writeOutput(const ArchiveArguments& arguments, const std::string& file,
+                 const std::string& text) {
+  if (wouldBeSameFile(file, arguments.archive))
+    throw UsageError(file + ": is the archive itself: choose another file with --output");
+  writeFileAtomically(file, text);
+}
+
 int report(const ArchiveArguments& arguments) {
   bool isAlarm = false;
   const std::vector<WatchedSite> sites = sitesToTell(arguments);
@@ -220,7 +228,7 @@ int report(const ArchiveArguments& arguments) {
     isAlarm = isAlarm || site.watch.isAlarm();
   }
   if (!arguments.page.empty())
-    writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));
+    writeOutput(arguments, arguments.page, historyPage(sites, arguments.watch));
   return arguments.failsOnAlarm && isAlarm ? kStruck : kDone;
 }
 
@@ -232,7 +240,7 @@ int exportAll(const ArchiveArguments& arguments) {
   if (arguments.output.empty())
     print(text);
   else
-    writeFileAtomically(arguments.output, text);
+    writeOutput(arguments, arguments.output, text);
   return kDone;
 }
 

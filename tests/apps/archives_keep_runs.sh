@@ -104,6 +104,14 @@ grep -q 'anna: its map is above the limit of 0.30 m; no good one is known$' out 
 expect 3 "$roomgraph" archive bad.db report --fail-on-alarm
 expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
 
+# The archive is not replaced by what is told of it.
+cp site.db before.db
+for call in report export; do
+  expect 2 "$roomgraph" archive site.db $call -o ./site.db
+  one_line err "the archive itself"
+done
+cmp site.db before.db
+
 # Two at once lose nothing and double nothing.
 two=(night{1..6}.pgm)
 (add both.db add "${two[@]}" --robot one) & first=$!
