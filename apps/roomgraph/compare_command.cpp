@@ -171,12 +171,12 @@ int run(const CompareArguments& arguments) {
   const bool isStruck = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
   if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
-  addResults(comparison, read.runs, files, staged);
-  addGateFiles(comparison, arguments.gate, staged);
   std::vector<std::string> breakFiles;
   if (arguments.writesBreaks)
     breakFiles = addBreakFiles(comparison, read.runs, toOptions(arguments.options).loadGrid,
                                arguments.folder, staged);
+  addResults(comparison, read.runs, files, breakFiles, staged);
+  addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   const bool isUnread = printLeftOut(comparison);
   if (!arguments.isQuiet) printResults(comparison, files, breakFiles);

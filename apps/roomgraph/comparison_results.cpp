@@ -92,8 +92,12 @@ bool addGate(Comparison& comparison, const GateOptions& gate) {
   return !comparison.gate->isPassed();
 }
 
-void addResults(const Comparison& comparison, const std::vector<Run>& runs,
-                const ResultFiles& files, StagedFiles& staged) {
+void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
+                const std::vector<std::string>& more, StagedFiles& staged) {
+  comparison.files.clear();
+  for (const std::vector<std::string>& names : {files.all(), more})
+    for (const std::string& name : names)
+      comparison.files.push_back(std::filesystem::path(name).filename().string());
   const std::string document = comparisonJson(comparison);
   // All else is made from what is saved, with its rounding, so that it can be made anew.
   const Comparison saved = parseComparisonJson(document, files.json);

@@ -40,9 +40,10 @@ void addGateFiles(const Comparison& comparison, const GateArguments& arguments,
 /** Adds the verdict of a gate that asks for anything; whether it strikes. */
 bool addGate(Comparison& comparison, const GateOptions& gate);
 
-/** All results of a comparison. `runs` are those whose maps are drawn. */
-void addResults(const Comparison& comparison, const std::vector<Run>& runs,
-                const ResultFiles& files, StagedFiles& staged);
+/** All results of a comparison. `runs` are those whose maps are drawn, `more` the names of files
+ *  that are written besides. */
+void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
+                const std::vector<std::string>& more, StagedFiles& staged);
 
 /** For each break with a key frame: logs of the scans before and behind it, as the run has them and
  *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from

@@ -53,7 +53,7 @@ int run(const ReportArguments& arguments) {
   const bool isStruck = addGate(comparison, gate);
   makeWritableFolder(folderOf(arguments).string());
   StagedFiles staged;
-  addResults(comparison, runs, files, staged);
+  addResults(comparison, runs, files, {}, staged);
   addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   if (!arguments.isQuiet) printResults(comparison, files, {});

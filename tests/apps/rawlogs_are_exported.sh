@@ -25,6 +25,7 @@ expect 0 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o o --break-file
 for end in rawlog untorn.rawlog 3Dscene; do
   grep -qF "o/comparison.break1.$end" out || fail "no $end"
   gzip -t "o/comparison.break1.$end"
+  grep -q "^\"files\": .*\"comparison.break1.$end\"" o/comparison.json || fail "$end is not listed"
   [ ! -e "o/comparison.break2.$end" ] || fail "more than the one break"
 done
 [ "$(gzip -dc o/comparison.break1.rawlog | grep -ao CSensoryFrame | wc -l)" -eq 20 ] || fail "20"

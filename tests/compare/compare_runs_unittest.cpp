@@ -217,7 +217,7 @@ TEST(ComparisonJson, followsTheSchema) {
   EXPECT_EQ(schemaComplaint(comparisonJson({})), "");
   for (const std::string name :
        {"runs", "pairs", "rooms", "breaks", "verdict", "map_error_low", "same_site", "runner_up",
-        "meaningful", "path", "error_m", "pose_drawn", "pose_untorn"}) {
+        "meaningful", "path", "error_m", "pose_drawn", "pose_untorn", "files"}) {
     std::string broken = good;
     broken.replace(broken.find("\"" + name + "\""), name.size() + 2, "\"x\"");
     EXPECT_NE(schemaComplaint(broken), "") << name;

@@ -18,6 +18,16 @@ TEST(RunMarks, tell42RunsApart) {
   EXPECT_EQ(marks.size(), 42u);
 }
 
+TEST(RunMarks, fourteenRunsHaveTheirOwnColours) {
+  std::set<std::tuple<int, int, int>> colours;
+  for (std::size_t run = 0; run < 14; ++run) {
+    const Colour colour = runColour(run);
+    colours.insert({colour.red, colour.green, colour.blue});
+    EXPECT_LT(colour.red + colour.green + colour.blue, 570) << "shows on white";
+  }
+  EXPECT_EQ(colours.size(), 14u);
+}
+
 TEST(RunMarks, shapesOfOneNameHaveOnePath) {
   std::set<std::pair<std::string, std::string>> shapes;
   std::set<std::string> names;

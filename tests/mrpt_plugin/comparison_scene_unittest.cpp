@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace roomgraph {
 namespace {
@@ -69,7 +70,39 @@ TEST(ComparisonScene, roomsAndBreaksAreThereWhereThereAreAny) {
   comparison.rooms = {room};
   comparison.breaks = {{"b", {1, 2}, 0.1, 0.5, {}, {}}};
   MrptScene with = comparisonScene(comparison, runs());
-  for (const char* name : {"rooms", "room names", "breaks"}) EXPECT_TRUE(with.getByName(name));
+  for (const char* name : {"rooms", "room names", "breaks", "legend"})
+    EXPECT_TRUE(with.getByName(name)) << name;
+}
+
+/** The places of the texts of a set, by what they say. */
+std::map<std::string, Point> textsIn(MrptScene& scene, const char* name) {
+  const auto set = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(name));
+  std::map<std::string, Point> texts;
+  for (std::size_t i = 0; set && set->getByClass<viz::CText3D>(i); ++i) {
+    const auto text = set->getByClass<viz::CText3D>(i);
+    texts[text->getString()] = {text->getPoseX(), text->getPoseY()};
+  }
+  return texts;
+}
+
+TEST(ComparisonScene, namesRunsAndBreaks) {
+  Comparison comparison = twoRuns();
+  comparison.breaks = {{"b", {1, 2}, 0.1, 0.5, 7, {}, {}}};
+  MrptScene scene = comparisonScene(comparison, runs());
+  EXPECT_EQ(textsIn(scene, "legend").size(), 2u);
+  EXPECT_EQ(textsIn(scene, "breaks").count("b, key frame 7"), 1u);
+}
+
+TEST(ComparisonScene, aNameLiesInItsRoomAlsoWhereTheMiddleDoesNot) {
+  Comparison comparison = twoRuns();
+  SiteRoom ring;
+  ring.id = ring.name = "C1", ring.center = {5, 5};
+  ring.polygon = {{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}}};
+  comparison.rooms = {ring};
+  MrptScene scene = comparisonScene(comparison, runs());
+  const auto texts = textsIn(scene, "room names");
+  ASSERT_EQ(texts.count("C1"), 1u);
+  EXPECT_NE(sideOf(ring.polygon, texts.at("C1")), Side::outside);
 }
 
 TEST(ComparisonScene, isReadByMrpt) {

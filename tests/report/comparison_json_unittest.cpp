@@ -19,6 +19,7 @@ Comparison sample() {
   comparison.options.push_back({"compare", "aligned", "true", "", ""});
   comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
   comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
+  comparison.files = {"report.html", "comparison.json"};
   return comparison;
 }
 
@@ -27,6 +28,7 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     const std::string text = comparisonJson(comparison);
     const Comparison again = parseComparisonJson(text, "comparison.json");
     EXPECT_EQ(comparisonJson(again), text);
+    EXPECT_EQ(again.files, comparison.files);
     ASSERT_EQ(again.breaks.size(), comparison.breaks.size());
     for (std::size_t i = 0; i < again.breaks.size(); ++i)
       EXPECT_EQ(bool(again.breaks[i].torn), bool(comparison.breaks[i].torn));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "look_from_above.h"
 #include "object_bytes.h"
@@ -12,9 +13,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLayerHeight = 0.1;   // between runs [m]
-constexpr double kBreakRadius = 0.6;   // [m]
-constexpr double kLetterHeight = 0.5;  // [m]
+constexpr double kLayerHeight = 0.1;    // between runs [m]
+constexpr double kBreakRadius = 0.6;    // [m]
+constexpr double kLetterHeight = 0.5;   // [m]
+constexpr std::size_t kMostNamed = 14;  // as many as have colours of their own
 
 mrpt::img::TColor colourOf(std::size_t run) {
   const Colour c = runColour(run);
@@ -70,20 +72,37 @@ std::vector<double> crossings(const Polygon& polygon, double y) {
   return xs;
 }
 
-/** The middle of the longest of some horizontal lines in the room: inside of it, also where it is a
- *  ring or an angle and its centre is not. */
+/** The same polygon with x and y exchanged. */
+Polygon exchanged(Polygon polygon) {
+  const auto exchange = [](Ring& ring) {
+    for (Point& p : ring) std::swap(p.x, p.y);
+  };
+  exchange(polygon.outer);
+  for (Ring& hole : polygon.holes) exchange(hole);
+  return polygon;
+}
+
+/** A place with much room on all sides: of the middles of some horizontal lines in the room, moved
+ *  to the middle of the vertical line through them, the one whose shorter line is longest. */
 Point labelPlace(const SiteRoom& room) {
   if (room.polygon.outer.size() < 3) return room.center;
   const Box box = boundingBox(room.polygon.outer);
+  const Polygon across = exchanged(room.polygon);
   Point best = room.center;
-  double longest = 0;
+  double most = 0;
   constexpr int rows = 31;
   for (int row = 0; row < rows; ++row) {
     const double y = box.low.y + (box.high.y - box.low.y) * (row + 0.5) / rows;
     const std::vector<double> xs = crossings(room.polygon, y);
-    for (std::size_t i = 0; i + 1 < xs.size(); i += 2)
-      if (xs[i + 1] - xs[i] > longest + 0.01)
-        longest = xs[i + 1] - xs[i], best = {(xs[i] + xs[i + 1]) / 2, y};
+    for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
+      const double x = (xs[i] + xs[i + 1]) / 2;
+      const std::vector<double> ys = crossings(across, x);
+      for (std::size_t k = 0; k + 1 < ys.size(); k += 2) {
+        const double shorter = std::min(xs[i + 1] - xs[i], ys[k + 1] - ys[k]);
+        if (y < ys[k] || y > ys[k + 1] || shorter < most + 0.01) continue;
+        most = shorter, best = {x, (ys[k] + ys[k + 1]) / 2};
+      }
+    }
   }
   return best;
 }
@@ -109,6 +128,27 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, double heigh
   return names;
 }
 
+viz::CText3D::Ptr written(const std::string& words, mrpt::img::TColor colour, Point place,
+                          double height) {
+  auto text = viz::CText3D::Create(words, "sans", kLetterHeight, viz::FILL);
+  text->setColor_u8(colour);
+  text->setLocation(place.x, place.y, height);
+  return text;
+}
+
+/** The names of the first runs in their colours, below the maps, which lie in `box`; makes it
+ *  larger. */
+viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, Box& box, double height) {
+  auto legend = viz::CSetOfObjects::Create();
+  legend->setName("legend");
+  constexpr double line = 1.6 * kLetterHeight;
+  for (std::size_t i = 0; i < runs.size() && i < kMostNamed; ++i) {
+    box.low.y -= line;
+    legend->insert(written(runs[i].name, colourOf(i), box.low, height));
+  }
+  return legend;
+}
+
 viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, double height) {
   std::map<std::string, std::size_t> places;
   for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
@@ -122,6 +162,10 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, double height) {
     ring->setColor_u8(colourOf(found == places.end() ? 0 : found->second));
     ring->setLocation(bend.place.x, bend.place.y, height);
     rings->insert(ring);
+    std::string words = bend.run;
+    if (bend.keyFrame) words += ", key frame " + std::to_string(*bend.keyFrame);
+    rings->insert(written(words, ring->getColor_u8(),
+                          bend.place + Point{-kBreakRadius, 1.2 * kBreakRadius}, height));
   }
   return rings;
 }
@@ -164,7 +208,9 @@ MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& 
     scene.insert(namesOf(comparison.rooms, top + kLayerHeight));
   }
   if (!comparison.breaks.empty()) scene.insert(breaksOf(comparison, top + 2 * kLayerHeight));
-  lookFromAbove(scene, boxOf(placed));
+  Box box = boxOf(placed);
+  if (!comparison.runs.empty()) scene.insert(legendOf(comparison.runs, box, top));
+  lookFromAbove(scene, box);
   return scene;
 }
 

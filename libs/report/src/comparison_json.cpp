@@ -182,6 +182,7 @@ std::string comparisonJson(const Comparison& comparison) {
   text += lines("breaks", comparison.breaks, breakJson);
   text += "\"options\": " + lineOf(optionsJson(comparison.options)) + ",\n";
   text += "\"gate\": " + lineOf(gateJson(comparison.gate)) + ",\n";
+  text += "\"files\": " + lineOf(Json(comparison.files)) + ",\n";
   return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
 }
 

@@ -199,6 +199,7 @@ Comparison comparison(const JsonNode& top) {
     for (const auto& [name, node] : members(keys))
       result.options.push_back(option(section, name, node));
   result.gate = gate(top["gate"]);
+  for (const JsonNode& file : top["files"].list()) result.files.push_back(file.text());
   result.verdict = top["verdict"].text();
   return result;
 }

@@ -80,6 +80,7 @@ struct Comparison {
   std::string verdict;                   ///< one line
   std::vector<UsedOption> options;       ///< all that were used, in the order of the work
   std::optional<GateVerdict> gate;       ///< none where nothing was asked
+  std::vector<std::string> files;        ///< all that was written of it, without their folder
 };
 
 }  // namespace roomgraph

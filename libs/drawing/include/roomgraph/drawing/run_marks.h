@@ -5,9 +5,9 @@
 
 namespace roomgraph {
 
-/** How a run is told from the others, by its place in the ranking: colour and shape repeat after 7
- *  and 6 runs, so 42 runs in a row have different marks. The colours are those of Okabe and Ito
- *  that show on white. */
+/** How a run is told from the others, by its place in the ranking: colour and shape repeat after 14
+ *  and 6 runs, so 42 runs in a row have different marks. The first 7 colours are those of Okabe and
+ *  Ito that show on white. */
 Colour runColour(std::size_t run);
 
 /** An SVG path within -6 to 6, y down. */

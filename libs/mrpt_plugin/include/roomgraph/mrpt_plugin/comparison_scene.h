@@ -16,7 +16,8 @@ namespace roomgraph {
 /** The runs laid on each other, in the frame of the site [m]. For each run a set of objects with
  *  its name and its pose holds the middles of its wall cells, in the colour that it has in the
  *  report, the best on top, a few centimetres apart. Then "rooms" (outlines), "room names" and
- *  "breaks" (rings in the colour of the run), where there are any. The camera looks from above.
+ *  "breaks" (rings in the colour of the run, with its name and key frame), where there are any, and
+ *  "legend" (the names of the runs in their colours). The camera looks from above.
  *  `runs` are looked up by name: a run whose map is not among them is not drawn. O(cells). */
 MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs);
 
