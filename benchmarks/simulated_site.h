@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/compare/compare_related.h"
 
 namespace roomgraph {
 

@@ -26,6 +26,8 @@ function(roomgraph_add_library name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    # What only the libraries and programs of this tree include; it is not installed.
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/internal>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
   roomgraph_compile_options(${target})
@@ -34,7 +36,9 @@ function(roomgraph_add_library name)
   endif()
   install(TARGETS ${target} EXPORT roomgraph ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     COMPONENT dev)
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+  if(IS_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/include")
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+  endif()
 endfunction()
 
 # roomgraph_add_test(LIB STEP... ) builds tests/LIB/STEP_unittest.cpp, one program per lib.

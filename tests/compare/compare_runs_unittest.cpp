@@ -12,6 +12,7 @@
 #include "drawn_building.h"
 #include "drawn_graph.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/compare/compare_related.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
@@ -119,7 +120,7 @@ TEST(CompareRuns, aPairThatContradictsTheSiteIsFollowedAgain) {
     walls->pose = halfTurn * walls->pose;
     for (FollowedPatch& patch : walls->patches) patch.pose = halfTurn * patch.pose;
   }
-  const Comparison result = compareRuns(runs, related, {});
+  const Comparison result = compareRelated(runs, related, {});
   for (const ComparedPair& pair : result.pairs)
     EXPECT_LT(measureOf(pair, "global_accuracy").value.value_or(99), 0.5) << pair.a << pair.b;
 }
@@ -158,9 +159,9 @@ TEST(CompareRuns, aRunThatLiesInOneOfTwoTurnsIsOfTheSite) {
                                          run("b", drawnBuilding(1, {0, 0, 0.5}))};
   MapPairs related = test::related(runs);
   related(0, 1).alignment.confidence = 0.4, related(0, 1).alignment.runnerUpConfidence = 0.35;
-  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 2u);
+  EXPECT_EQ(compareRelated(runs, related, {}).runs.size(), 2u);
   related(0, 1).alignment.runnerUpConfidence = 0.05;
-  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
+  EXPECT_EQ(compareRelated(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
 }
 
 TEST(CompareRuns, aReferenceIsWhatAllAreMeasuredAgainst) {
@@ -186,7 +187,7 @@ TEST(CompareRuns, nothingToCompareIsSaid) {
 }
 
 TEST(CompareRuns, refusesAWrongNumberOfPairs) {
-  EXPECT_THROW(compareRuns(threeGoodAndABentRun(), MapPairs(), {}), UsageError);
+  EXPECT_THROW(compareRelated(threeGoodAndABentRun(), MapPairs(), {}), UsageError);
   CompareRunsOptions options;
   options.reference = 3;
   EXPECT_THROW(compareRuns({}, options), UsageError);

@@ -7,7 +7,10 @@
 #include <sstream>
 #include <string>
 
+#include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/relate/estimate_scale.h"
+#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 namespace {

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "roomgraph/compare/compare_related.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/relate/estimate_scale.h"
 
 namespace roomgraph {
 
@@ -47,7 +49,7 @@ std::vector<UsedOption> usedOptions(CompareMapsOptions options) {
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) {
   CompareRunsOptions compare = options.compare;
   compare.reference = read.reference;
-  Comparison result = compareRuns(
+  Comparison result = compareRelated(
       read.runs, relateRuns(read.runs, compare.areAligned, compare.forEach, compare.kept), compare);
   result.leftOut.insert(result.leftOut.end(), read.leftOut.begin(), read.leftOut.end());
   std::sort(result.leftOut.begin(), result.leftOut.end(),

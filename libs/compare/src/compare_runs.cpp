@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/breaks/site_breaks.h"
+#include "roomgraph/compare/compare_related.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/place_runs.h"
 #include "roomgraph/score/estimate_map_errors.h"
+#include "roomgraph/score/run_score.h"
 #include "summarize.h"
 
 namespace roomgraph {
@@ -42,20 +45,20 @@ bool haveScans(const Site& site) {
 
 }  // namespace
 
-Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
-                       const CompareRunsOptions& options) {
+Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
+                          const CompareRunsOptions& options) {
   check(runs, related, options);
   const ForEach& forEach = options.forEach;
   // Every function here has its section in docs/scoring.md.
-  const Site site = placeRuns(runs, related, options.poses, options.reference);
+  const Site site = placeRuns(runs, related, {}, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
   const Consensus consensus = siteConsensus(site, pairs, forEach);
   // Without scans, how far the maps bend apart tells their errors better.
   const auto errors = haveScans(site) ? consensus.errors : errorsByBends(site, bends);
-  const RunScores scores = scoreRuns(bends, errors, site.reference, options.score);
+  const RunScores scores = scoreRuns(bends, errors, site.reference, {});
   const Trust trust = trustOf(scores, site.reference);
-  const auto breaks = siteBreaks(site, pairs, consensus, trust, options.breaks, forEach);
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, {}, forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   return summarize(runs, related, {site, consensus, scores, breaks, measures, rooms});
@@ -67,8 +70,8 @@ Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options)
   const std::string reference = hasReference ? runs[*options.reference].name : "";
   sortRuns(runs);
   if (hasReference) sorted.reference = placeOf(reference, runs);
-  return compareRuns(runs, relateRuns(runs, options.areAligned, options.forEach, options.kept),
-                     sorted);
+  return compareRelated(runs, relateRuns(runs, options.areAligned, options.forEach, options.kept),
+                        sorted);
 }
 
 }  // namespace roomgraph

@@ -10,6 +10,7 @@
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/relate/estimate_scale.h"
 #include "roomgraph/scans/load_keyframes.h"
 #include "run_names.h"
 
@@ -106,7 +107,7 @@ class Reader {
     for (MapFile& file : files_) {
       if (!file.picture) continue;
       const Grid grid = binarize(*file.picture, options_.extract.binarize);
-      if (const auto found = estimateScale(grid, tellers, options_.scale, options_.compare.forEach))
+      if (const auto found = estimateScale(grid, tellers, {}, options_.compare.forEach))
         file.picture->frame = rescaled({file.picture->frame, {}}, found->resolution).frame;
       else
         refuse(file);

@@ -6,6 +6,7 @@
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/relate/relate_runs.h"
+#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 

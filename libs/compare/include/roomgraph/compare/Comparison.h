@@ -8,7 +8,7 @@
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "roomgraph/measures/Measure.h"
-#include "roomgraph/score/run_score.h"
+#include "roomgraph/score/RunScore.h"
 
 namespace roomgraph {
 

@@ -8,7 +8,6 @@
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
-#include "roomgraph/relate/estimate_scale.h"
 
 namespace roomgraph {
 
@@ -22,7 +21,6 @@ struct CompareMapsOptions {
   CompareRunsOptions compare;   ///< its reference is that of the file below
   std::string reference;        ///< map file to measure all runs against; empty for none
   bool estimatesScale = false;  ///< of bare pictures
-  EstimateScaleOptions scale;   ///< how that is done
   /** Told of each file that cannot be read, in the order of the files, on the calling thread. */
   std::function<void(const LeftOutRun&)> onUnread = [](const LeftOutRun&) {};
   /** Told in the same way what is odd about a file that was read. */

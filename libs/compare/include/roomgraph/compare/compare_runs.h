@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/relate/relate_runs.h"
-#include "roomgraph/relate/site_poses.h"
-#include "roomgraph/score/run_score.h"
+#include "roomgraph/relate/KeptPairs.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
@@ -18,10 +16,7 @@ namespace roomgraph {
 // Next: comparisonJson, comparisonReport
 
 struct CompareRunsOptions {
-  bool areAligned = false;  ///< all maps are in one frame already
-  SitePosesOptions poses;
-  RunScoreOptions score;
-  SiteBreaksOptions breaks;
+  bool areAligned = false;               ///< all maps are in one frame already
   std::optional<std::size_t> reference;  ///< the run to measure the others against
   KeptPairs kept;              ///< where pairs are kept from call to call; changes nothing
   ForEach forEach = oneByOne;  ///< changes no number
@@ -39,10 +34,5 @@ struct CompareRunsOptions {
  *  O(runs^2 * walls).
  *  @throws UsageError where there is no such reference, or two runs have one name. */
 Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
-
-/** The same for runs that are related already, as relateRuns gives it, in the order of sortRuns.
- *  @throws UsageError also where `related` are not those of as many runs. */
-Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
-                       const CompareRunsOptions& options);
 
 }  // namespace roomgraph

@@ -2,7 +2,7 @@
 #include <mutex>
 #include <string>
 
-#include "roomgraph/relate/relate_runs.h"
+#include "roomgraph/relate/KeptPairs.h"
 
 namespace roomgraph {
 

@@ -1,11 +1,9 @@
 #pragma once
-#include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/base/PairTable.h"
+#include "roomgraph/relate/KeptPairs.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/relate_maps.h"
 
@@ -22,13 +20,6 @@ using MapPairs = PairTable<MapPair>;
 /** The run through which all others are related: of those that have seen at least half as much as
  *  the largest, the one with the straightest walls; of equal ones the first. 0 for no runs. */
 std::size_t hubOf(const std::vector<Run>& runs);
-
-/** Where pairs are kept from call to call, as pairBytes under a name that stands for both maps and
- *  the hub. Called from any thread; must not throw. What cannot be read is worked out again. */
-struct KeptPairs {
-  std::function<std::optional<std::string>(const std::string& name)> read;
-  std::function<void(const std::string& name, const std::string& bytes)> write;
-};
 
 /** What relateMaps gives for each two runs: first those with the hub, then the others by
  *  relateMapsOver, which saves nearly all of the search. With `areAligned` by relateAlignedMaps.

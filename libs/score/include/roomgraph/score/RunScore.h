@@ -1,0 +1,18 @@
+#pragma once
+#include <cstddef>
+
+namespace roomgraph {
+
+/** What the walls of one run say against those of the others. */
+struct RunScore {
+  double bend = 0;   ///< against the others, each weighted by its trust [m]
+  double share = 0;  ///< of the walls that the others have, too; weighted alike
+  double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
+  double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
+  double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1
+  double support = 0;         ///< wall points that were compared
+  std::size_t others = 0;     ///< runs it was compared with
+  bool isMeaningful = false;  ///< see scoreRuns
+};
+
+}  // namespace roomgraph
