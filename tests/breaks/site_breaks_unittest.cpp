@@ -33,7 +33,7 @@ struct DrivenSite {
     for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
     site.poses.assign(runs.size(), {});
     const auto matches = test::exactMatches(truth);
-    consensus.poses = findConsensus(consensus.submaps, matches, {});
+    consensus.poses = findConsensus(consensus.submaps, matches, {}).best;
     consensus.errors = mapErrors(consensus.submaps, matches, consensus.poses);
   }
   DrivenSite(const DrivenSite&) = delete;

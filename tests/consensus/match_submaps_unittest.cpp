@@ -31,15 +31,22 @@ const Building& building() {
   return the;
 }
 
-/** Matches of a run in another, whose pose in it is known. */
-std::vector<SubmapMatch> matchesOf(const roomgraph::Run& of, const roomgraph::Run& in,
+std::vector<MatchedPiece> piecesOf(const roomgraph::Run& of, const roomgraph::Run& in,
                                    const Transform2D& pose) {
   return matchSubmaps(of, runSubmaps(of), in, runSubmaps(in),
-                      followWalls(of.map, in.map, {pose}, {}), pose);
+                      followWalls(of.map, in.map, {pose}, {}), {pose});
 }
 
-void expectTrue(const std::vector<SubmapMatch>& matches, const roomgraph::Run& of,
-                const roomgraph::Run& in) {
+/** All matches of a run in another, whose pose in it is known. */
+MatchedPiece matchesOf(const roomgraph::Run& of, const roomgraph::Run& in,
+                       const Transform2D& pose) {
+  MatchedPiece all;
+  for (const MatchedPiece& piece : piecesOf(of, in, pose))
+    all.insert(all.end(), piece.begin(), piece.end());
+  return all;
+}
+
+void expectTrue(const MatchedPiece& matches, const roomgraph::Run& of, const roomgraph::Run& in) {
   const RunSubmaps ofSubmaps = runSubmaps(of), inSubmaps = runSubmaps(in);
   std::set<std::uint32_t> found;
   for (const SubmapMatch& match : matches) {
@@ -86,6 +93,18 @@ TEST(MatchSubmaps, inAnotherBuildingThereAreNone) {
   EXPECT_TRUE(matchesOf(flat, other, {}).empty());
   EXPECT_TRUE(matchSubmaps(run, runSubmaps(run), run, runSubmaps(run), {}, {}).empty())
       << "where no wall was followed";
+}
+
+TEST(MatchSubmaps, aTornRunIsFoundInTwoPieces) {
+  const roomgraph::Run in = building().run({}, true);
+  roomgraph::Run of = in;
+  of.scans = scanWalls(test::broken(building().frames, 18, 0.4, {1, 2}));
+  const auto pieces = piecesOf(of, in, {});
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_EQ(pieces[0].front().submap, 0u);
+  EXPECT_EQ(pieces[0].back().submap, 17u);
+  EXPECT_EQ(pieces[1].front().submap, 18u);
+  EXPECT_EQ(piecesOf(in, in, {}).size(), 1u) << "a sound one is in one piece";
 }
 
 /** Scans that are named, with an end each. */

@@ -17,12 +17,17 @@ using test::Way;
 
 const std::vector<double> kNoSlack{1, 1, 1};
 
+std::vector<double> allBelieved(const std::vector<RunMatches>& matches) {
+  return std::vector<double>(matches.size(), 1.0);
+}
+
 TEST(PoseGraph, whatFitsStaysAsItIs) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
   const std::vector<RunSubmaps> runs{drawnSubmaps(truth[0]), drawnSubmaps(truth[1])};
   const std::vector<RunMatches> matches = test::exactMatches(truth);
   for (const StartIs start : {StartIs::rough, StartIs::good}) {
-    const auto found = solvePoseGraph({runs, matches, kNoSlack, {}}, truth, start);
+    const auto found =
+        solvePoseGraph({runs, matches, kNoSlack, allBelieved(matches), {}}, truth, start);
     EXPECT_LT(found.cost, 1e-9);
     EXPECT_LT(test::misplaced(found.poses, truth), 1e-6);
   }
@@ -35,7 +40,8 @@ TEST(PoseGraph, aRoughStartIsMended) {
   const std::vector<RunMatches> matches = test::exactMatches(truth);
   const SubmapPoses start{truth[0], test::drifting(truth[1], 0.01),
                           test::moved(truth[2], {0.5, -0.3, 0.1})};
-  const auto found = solvePoseGraph({runs, matches, kNoSlack, {}}, start, StartIs::rough);
+  const auto found =
+      solvePoseGraph({runs, matches, kNoSlack, allBelieved(matches), {}}, start, StartIs::rough);
   EXPECT_LT(test::misplaced(found.poses, truth), 0.02);
 }
 
@@ -43,8 +49,8 @@ TEST(PoseGraph, theReferenceDoesNotMove) {
   const Way way = roundTheBlock(), bent = test::drifting(way, 0.01);
   const std::vector<RunSubmaps> runs{drawnSubmaps(way), drawnSubmaps(bent)};
   const std::vector<RunMatches> matches = test::exactMatches({way, way});
-  const auto found =
-      solvePoseGraph({runs, matches, kNoSlack, 1}, startPoses(runs, matches, 1), StartIs::rough);
+  const auto found = solvePoseGraph({runs, matches, kNoSlack, allBelieved(matches), 1},
+                                    startPoses(runs, matches, 1), StartIs::rough);
   for (std::size_t k = 0; k < bent.size(); ++k) {
     EXPECT_EQ(found.poses[1][k].x, bent[k].x);
     EXPECT_EQ(found.poses[1][k].y, bent[k].y);
@@ -58,11 +64,11 @@ TEST(PoseGraph, itsAxesStraightenALonelyRun) {
   const Way bent = test::drifting(way, 0.004);
   std::vector<RunSubmaps> runs{drawnSubmaps(bent)};
   for (std::size_t k = 0; k < way.size(); ++k) runs[0].submaps[k].axes = ScanAxes{-way[k].phi, 1};
-  const auto found = solvePoseGraph({runs, {}, {1}, {}}, {bent}, StartIs::rough);
+  const auto found = solvePoseGraph({runs, {}, {1}, {}, {}}, {bent}, StartIs::rough);
   EXPECT_LT(test::displacement(found.poses[0], way), 0.3 * test::displacement(bent, way));
   for (RunSubmaps& run : runs)
     for (Submap& submap : run.submaps) submap.axes.reset();
-  const auto without = solvePoseGraph({runs, {}, {1}, {}}, {bent}, StartIs::rough);
+  const auto without = solvePoseGraph({runs, {}, {1}, {}, {}}, {bent}, StartIs::rough);
   EXPECT_LT(test::displacement(without.poses[0], bent), 1e-9);
 }
 

@@ -24,7 +24,7 @@ const Drive& drive() {
 
 std::vector<std::optional<Transform2D>> trackOf(const std::vector<Keyframe>& frames) {
   const FollowedWalls known = followWalls(drive().map, drive().map, {{}}, {});
-  return trackScans(scanWalls(frames), drive().map.patches, known, {}, drive().map, {});
+  return trackScans(scanWalls(frames), drive().map.patches, known, {{}}, drive().map, {});
 }
 
 TEST(TrackScans, eachScanLiesWhereItWasTaken) {
@@ -41,7 +41,7 @@ TEST(TrackScans, eachScanLiesWhereItWasTaken) {
 TEST(TrackScans, whatIsNotInTheMapIsNotFound) {
   const MapForAlignment other = mapForAlignment(test::squareHall({40, 40, 0}), {});
   for (const auto& pose :
-       trackScans(scanWalls(drive().frames), drive().map.patches, {}, {}, other, {}))
+       trackScans(scanWalls(drive().frames), drive().map.patches, {}, {{}}, other, {}))
     EXPECT_FALSE(pose);
   EXPECT_TRUE(trackScans({}, {}, {}, {}, other, {}).empty());
 }

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace roomgraph {
 namespace {
 
-// The interval: a factor and some metres. Round numbers, looked at on thirty runs of three sites.
-constexpr double kFactor = 0.10, kFactorPerRun = 0.5;  // standard deviation of the log error
-constexpr double kUnseen = 0.5;                        // the same for what nobody else has seen
-constexpr double kPlace = 0.02, kPlacePerRun = 0.1;    // [m]
+// The interval: a factor and some metres. Round numbers, so that 75 to 90 % of the true errors lie
+// in it on the sites of benchmarks/README.md, with ten, five and three runs.
+constexpr double kFactor = 0.05, kFactorPerRun = 0.5;  // standard deviation of the log error
+constexpr double kUnseen = 0.3;                        // the same for what nobody else has seen
+constexpr double kPlace = 0.01, kPlacePerRun = 0.06;   // [m]
 constexpr double kEightyPercent = 1.28;
 
 /** Sums over places in two frames, so that the best motion from one to the other and what it
@@ -73,24 +75,25 @@ double restAt(const PointSums& points, const Transform2D& l, const Transform2D& 
       std::max(0.0, turned + 2 * (x * apart.x + y * apart.y) + squaredNorm(apart.shift())));
 }
 
-/** The share of what each run has drawn that was found in another run. */
-std::vector<double> seenShares(const std::vector<RunSubmaps>& runs,
-                               const std::vector<RunMatches>& matches) {
+/** Of each submap of each run, whether it was found in another run, or another in it. */
+std::vector<std::vector<bool>> seenSubmaps(const std::vector<RunSubmaps>& runs,
+                                           const std::vector<RunMatches>& matches) {
   std::vector<std::vector<bool>> isSeen;
   for (const RunSubmaps& run : runs) isSeen.emplace_back(run.submaps.size());
   for (const RunMatches& pair : matches)
     for (const SubmapMatch& match : pair.matches)
       isSeen[pair.of][match.submap] = isSeen[pair.in][match.in] = true;
-  std::vector<double> shares;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    double seen = 0, all = 0;
-    for (std::size_t k = 0; k < isSeen[r].size(); ++k) {
-      const double count = runs[r].submaps[k].points.count;
-      all += count, seen += isSeen[r][k] ? count : 0;
-    }
-    shares.push_back(all > 0 ? seen / all : 0);
+  return isSeen;
+}
+
+/** The share of what a run has drawn that others have, too. */
+double seenShare(const RunSubmaps& run, const std::vector<bool>& isSeen) {
+  double seen = 0, all = 0;
+  for (std::size_t k = 0; k < isSeen.size(); ++k) {
+    const double count = run.submaps[k].points.count;
+    all += count, seen += isSeen[k] ? count : 0;
   }
-  return shares;
+  return all > 0 ? seen / all : 0;
 }
 
 void addInterval(MapError& error, std::size_t runs) {
@@ -106,7 +109,7 @@ void addInterval(MapError& error, std::size_t runs) {
 
 std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
                                 const std::vector<RunMatches>& matches, const SubmapPoses& poses) {
-  const std::vector<double> seen = seenShares(runs, matches);
+  auto isSeen = seenSubmaps(runs, matches);
   std::vector<MapError> errors(runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const auto& submaps = runs[r].submaps;
@@ -114,7 +117,8 @@ std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
     for (std::size_t k = 0; k < submaps.size(); ++k)
       all.add(submaps[k].points, submaps[k].pose, poses[r][k]);
     MapError& error = errors[r];
-    error.error = all.rest(), error.pose = all.motion(), error.seen = seen[r];
+    error.error = all.rest(), error.pose = all.motion();
+    error.seen = seenShare(runs[r], isSeen[r]), error.isSeen = std::move(isSeen[r]);
     for (std::size_t k = 0; k < submaps.size(); ++k)
       error.errors.push_back(restAt(submaps[k].points, poses[r][k], error.pose * submaps[k].pose));
     addInterval(error, runs.size());

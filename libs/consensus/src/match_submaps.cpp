@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/consensus/track_scans.h"
 
@@ -60,42 +61,55 @@ std::optional<SubmapMatch> matchAt(std::uint32_t submap, const Transform2D& subm
   return SubmapMatch{submap, *in, relative, meeting.share(), false};
 }
 
-}  // namespace
-
-std::vector<SubmapMatch> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
-                                      const RunSubmaps& inSubmaps, const FollowedWalls& followed,
-                                      const Transform2D& whole) {
-  std::vector<SubmapMatch> matches;
-  const auto take = [&](std::uint32_t submap, const Transform2D& pose, const Meeting& meeting) {
-    if (const auto match =
-            matchAt(submap, ofSubmaps.submaps[submap].pose, pose, meeting, inSubmaps))
-      matches.push_back(*match);
-  };
-  if (followed.patches.empty()) return matches;
-  if (ofSubmaps.areScans) {
-    const auto track = trackScans(of.scans, of.map.patches, followed, whole, in.map, {});
-    for (std::uint32_t k = 0; k < track.size(); ++k) {
-      if (!track[k]) continue;
-      Meeting meeting(in.map, inSubmaps, *track[k]);
-      for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
-      take(k, *track[k], meeting);
-    }
-    return matches;
-  }
+std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
+                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed) {
+  std::map<int, MatchedPiece> layers;
   for (const FollowedPatch& patch : followed.patches) {
     Meeting meeting(in.map, inSubmaps, patch.pose);
     for (const std::uint32_t wall : of.map.patches[patch.patch].own)
       meeting.add(of.map.walls[wall]);
-    take(patch.patch, patch.pose, meeting);
+    const Transform2D& submap = ofSubmaps.submaps[patch.patch].pose;
+    if (const auto match = matchAt(patch.patch, submap, patch.pose, meeting, inSubmaps))
+      layers[patch.layer].push_back(*match);
   }
-  return matches;
+  std::vector<MatchedPiece> pieces;
+  for (auto& [layer, piece] : layers) pieces.push_back(std::move(piece));
+  return pieces;
 }
 
-std::vector<SubmapMatch> sameScans(const Run& a, const Run& b) {
+/** Whether the run lies otherwise at the place `at` than it did at the scan before. */
+bool isJump(const Transform2D& before, const Transform2D& now, Point at) {
+  constexpr PoseTolerance kSteady{0.12, 0.6};
+  return !areNear(before, now, at, kSteady);
+}
+
+}  // namespace
+
+std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
+                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed,
+                                       const std::vector<Transform2D>& wholes) {
+  if (followed.patches.empty()) return {};
+  if (!ofSubmaps.areScans) return matchPatches(of, ofSubmaps, in, inSubmaps, followed);
+  const auto track = trackScans(of.scans, of.map.patches, followed, wholes, in.map, {});
+  std::vector<MatchedPiece> pieces;
+  std::optional<std::size_t> last;
+  for (std::uint32_t k = 0; k < track.size(); ++k) {
+    if (!track[k]) continue;
+    if (!last || isJump(*track[*last], *track[k], of.scans[k].at())) pieces.emplace_back();
+    last = k;
+    Meeting meeting(in.map, inSubmaps, *track[k]);
+    for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
+    const auto match = matchAt(k, ofSubmaps.submaps[k].pose, *track[k], meeting, inSubmaps);
+    if (match) pieces.back().push_back(*match);
+  }
+  return pieces;
+}
+
+MatchedPiece sameScans(const Run& a, const Run& b) {
   std::unordered_map<std::uint64_t, std::uint32_t> inB;
   for (std::uint32_t k = 0; k < b.scans.size(); ++k)
     if (b.scans[k].ends.count > 0) inB.emplace(b.scans[k].scanId, k);
-  std::vector<SubmapMatch> matches;
+  MatchedPiece matches;
   for (std::uint32_t k = 0; k < a.scans.size(); ++k) {
     const auto same = inB.find(a.scans[k].scanId);
     if (a.scans[k].ends.count > 0 && same != inB.end())

@@ -6,17 +6,12 @@
 #include <cmath>
 #include <memory>
 
-#include "link_noise.h"
+#include "graph_terms.h"
 
 namespace roomgraph {
 namespace {
 
-// Standard deviations of what is laid on each other [m, rad], and their weights beside a link.
-constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01, kMatchWeight = 0.25;
-constexpr double kSamePlace = 0.03, kSameTurn = 0.005, kSameWeight = 0.5;
-constexpr double kAxesTurn = 0.03;
-// Widths of the kernels in these units.
-constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
+constexpr double kAxesTurn = 0.03, kAxesWidth = 6;  // standard deviation [rad], and of the kernel
 // Kernels start this many times as wide and are halved from stage to stage.
 constexpr double kFirstStretch = 8;
 constexpr int kStages = 6, kStageSteps = 6, kLastSteps = 18;
@@ -90,14 +85,14 @@ class Solver {
       for (const Transform2D& pose : start[r]) values_[r].push_back({pose.x, pose.y, pose.phi});
     axes_ = axesOfAll(graph.runs, start);
     for (std::size_t r = 0; r < graph.runs.size(); ++r) addRun(r);
-    for (const RunMatches& matches : graph.matches)
-      for (const SubmapMatch& match : matches.matches) addMatch(matches, match);
+    for (std::size_t m = 0; m < graph.matches.size(); ++m) addMatches(m);
     hold();
   }
 
   PoseGraphSolution solve(StartIs startIs) {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.logging_type = ceres::SILENT;
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
@@ -135,11 +130,8 @@ class Solver {
 
   void addRun(std::size_t r) {
     const RunSubmaps& run = graph_.runs[r];
-    for (const SubmapLink& link : run.links) {
-      const Transform2D step = stepOf(run, link);
-      problem_.AddResidualBlock(new RelativePose(step, linkNoise(step).times(graph_.slack[r])),
-                                kernel(kLinkWidth, 1), value(r, link.from), value(r, link.to));
-    }
+    for (const SubmapLink& link : run.links)
+      addTerm(linkTerm(run, link, graph_.slack[r]), value(r, link.from), value(r, link.to));
     for (std::uint32_t k = 0; k < run.submaps.size(); ++k)
       if (const auto& axes = run.submaps[k].axes)
         problem_.AddResidualBlock(new AlongAxes(axes->turn),
@@ -148,12 +140,16 @@ class Solver {
                                   value(r, k), &axes_);
   }
 
-  void addMatch(const RunMatches& matches, const SubmapMatch& match) {
-    const LinkNoise noise =
-        match.isSameScan ? LinkNoise{kSamePlace, kSameTurn} : LinkNoise{kMatchPlace, kMatchTurn};
-    const double weight = match.weight * (match.isSameScan ? kSameWeight : kMatchWeight);
-    problem_.AddResidualBlock(new RelativePose(match.pose, noise), kernel(kMatchWidth, weight),
-                              value(matches.in, match.in), value(matches.of, match.submap));
+  void addMatches(std::size_t m) {
+    const RunMatches& matches = graph_.matches[m];
+    for (const SubmapMatch& match : matches.matches)
+      addTerm(matchTerm(match, graph_.belief[m]), value(matches.in, match.in),
+              value(matches.of, match.submap));
+  }
+
+  void addTerm(const GraphTerm& term, double* from, double* to) {
+    problem_.AddResidualBlock(new RelativePose(term.measured, term.noise),
+                              kernel(term.width, term.weight), from, to);
   }
 
   /** Keeps in place what nothing else would. */

@@ -12,6 +12,7 @@ struct PoseGraph {
   const std::vector<RunSubmaps>& runs;
   const std::vector<RunMatches>& matches;
   std::vector<double> slack;             ///< of each run: how far its links give way, 1 at first
+  std::vector<double> belief;            ///< of each of `matches`: how far it is taken for right
   std::optional<std::size_t> reference;  ///< the run that stays as it is
 };
 

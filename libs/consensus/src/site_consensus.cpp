@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -22,29 +23,74 @@ std::vector<std::size_t> distinctRuns(const Site& site, const DistinctMaps& maps
   return order;
 }
 
+constexpr std::size_t kMostWholes = 12;
+constexpr PoseTolerance kSameWhole{0.3, 3.0};  // what lies nearer is found by tracking
+
+/** Where a run may lie in the site as a whole, site <- run, the likeliest first: as it does, and
+ *  where the search for its pairs found that it fits as well. A piece of it may lie there. */
+std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::size_t run) {
+  std::vector<Transform2D> wholes{site.poses[run]};
+  const Point middle = site.runs[run]->map.middle();
+  std::vector<std::vector<Transform2D>> byPair;
+  std::size_t most = 0;
+  for (std::size_t j = 0; j < site.runs.size(); ++j) {
+    if (j == run) continue;
+    const bool isFirst = j < run;
+    byPair.emplace_back();
+    for (const Transform2D& pose : (isFirst ? pairs(j, run) : pairs(run, j)).alignment.poses)
+      byPair.back().push_back(site.poses[j] * (isFirst ? pose : pose.inverse()));
+    most = std::max(most, byPair.back().size());
+  }
+  for (std::size_t rank = 0; rank < most; ++rank)
+    for (const std::vector<Transform2D>& poses : byPair) {
+      if (rank >= poses.size() || wholes.size() >= kMostWholes) continue;
+      if (std::none_of(wholes.begin(), wholes.end(), [&](const Transform2D& known) {
+            return areNear(known, poses[rank], middle, kSameWhole);
+          }))
+        wholes.push_back(poses[rank]);
+    }
+  return wholes;
+}
+
 /** All matches between the runs named in `order`, by their places there. */
 std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
                                   const std::vector<std::size_t>& order,
                                   const std::vector<RunSubmaps>& submaps, const ForEach& forEach) {
   const std::size_t n = order.size();
-  std::vector<RunMatches> all(n * n);
+  std::vector<std::vector<Transform2D>> wholes;  // site <- run
+  for (const std::size_t run : order) wholes.push_back(wholesOf(site, pairs, run));
+  std::vector<std::vector<MatchedPiece>> found(n * n);
   forEach(n * n, [&](std::size_t k) {
     const std::size_t a = k / n, b = k % n, i = order[a], j = order[b];
-    all[k].of = a, all[k].in = b;
     if (a == b) return;
-    const Transform2D whole = site.poses[j].inverse() * site.poses[i];
-    all[k].matches = matchSubmaps(*site.runs[i], submaps[a], *site.runs[j], submaps[b],
-                                  followedIn(pairs, i, j), whole);
-    if (a > b) return;
-    const auto same = sameScans(*site.runs[i], *site.runs[j]);
-    all[k].matches.insert(all[k].matches.end(), same.begin(), same.end());
+    std::vector<Transform2D> wholesInJ;
+    for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
+    found[k] = matchSubmaps(*site.runs[i], submaps[a], *site.runs[j], submaps[b],
+                            followedIn(pairs, i, j), wholesInJ);
+    if (a < b) found[k].push_back(sameScans(*site.runs[i], *site.runs[j]));
   });
+  std::vector<RunMatches> all;
+  for (std::size_t k = 0; k < n * n; ++k)
+    for (MatchedPiece& piece : found[k])
+      if (!piece.empty()) all.push_back({k / n, k % n, std::move(piece)});
   return all;
+}
+
+/** Lets the intervals hold what another solution has, which may be the right one. */
+void widen(std::vector<MapError>& errors, const std::vector<MapError>& others) {
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    errors[i].low = std::min(errors[i].low, others[i].low);
+    errors[i].high = std::max(errors[i].high, others[i].high);
+  }
 }
 
 }  // namespace
 
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
+  const std::size_t runs = site.runs.size();
+  if (std::all_of(site.runs.begin(), site.runs.end(),
+                  [](const Run* r) { return r->scans.empty(); }))
+    return {std::vector<RunSubmaps>(runs), SubmapPoses(runs), std::vector<MapError>(runs)};
   const DistinctMaps maps(bendsOf(pairs));
   const std::vector<std::size_t> order = distinctRuns(site, maps);
   std::vector<RunSubmaps> submaps(order.size());
@@ -56,13 +102,14 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& 
   ConsensusOptions options;
   if (site.reference) options.reference = placeOf(*site.reference);
   options.forEach = forEach;
-  const SubmapPoses poses = findConsensus(submaps, matches, options);
-  std::vector<MapError> errors = mapErrors(submaps, matches, poses);
+  const ConsensusPoses poses = findConsensus(submaps, matches, options);
+  std::vector<MapError> errors = mapErrors(submaps, matches, poses.best);
+  for (const SubmapPoses& other : poses.others) widen(errors, mapErrors(submaps, matches, other));
   if (order.size() == 1 && site.runs.size() > 1) errors.front().seen = 1;  // by its copies
   Consensus result;
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     result.submaps.push_back(submaps[placeOf(i)]);
-    result.poses.push_back(poses[placeOf(i)]);
+    result.poses.push_back(poses.best[placeOf(i)]);
     result.errors.push_back(errors[placeOf(i)]);
   }
   return result;

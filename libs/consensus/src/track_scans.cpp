@@ -17,8 +17,9 @@ constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
-constexpr std::size_t kSpinStride = 3, kSpinTries = 6;
-constexpr double kSpinNear = 0.3;  // [m]
+constexpr std::size_t kSpinTries = 6;
+constexpr std::size_t kRoughStride = 3, kRoughWalls = 30;
+constexpr double kRoughNear = 0.3;  // [m]
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 double qualityAt(const ScanWalls& scan, const MapForAlignment& in, const Transform2D& pose,
@@ -55,12 +56,12 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const Transform2D& whole, const MapForAlignment& in,
-          const TrackScansOptions& options)
+          const FollowedWalls& followed, const std::vector<Transform2D>& wholes,
+          const MapForAlignment& in, const TrackScansOptions& options)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
-        whole_(whole),
+        wholes_(wholes),
         in_(in),
         options_(options),
         candidates_(scans.size()) {}
@@ -91,8 +92,11 @@ class Tracker {
     if (before)
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     // Other answers are wanted for a scan that fits well, too, but not for each.
-    if (way == Way::forth && (bestQuality(k) < options_.sureQuality || k % kLookAround == 0))
+    if (way == Way::forth && (bestQuality(k) < options_.sureQuality || k % kLookAround == 0)) {
       for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
+      for (const Transform2D& pose : wholes_)
+        if (roughQualityAt(k, pose) >= options_.minQuality) tryFrom(k, pose);
+    }
     if (before && bestQuality(k) < options_.spinQuality && isJustLost(k, before->front()))
       spin(k, before->front());
     auto& found = candidates_[k];
@@ -147,11 +151,17 @@ class Tracker {
       for (const Point off : kSpinOffsets) {
         const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
         const Transform2D pose = carrying(scans_[k].at(), at + off, phi);
-        tries.emplace_back(qualityAt(scans_[k], in_, pose, options_, kSpinStride, kSpinNear), pose);
+        tries.emplace_back(roughQualityAt(k, pose), pose);
       }
     std::stable_sort(tries.begin(), tries.end(),
                      [](const auto& l, const auto& r) { return l.first > r.first; });
     for (std::size_t i = 0; i < kSpinTries; ++i) tryFrom(k, tries[i].second);
+  }
+
+  /** What a pose that is some decimetres off may come to, by a part of the walls. */
+  double roughQualityAt(std::size_t k, const Transform2D& pose) const {
+    const std::size_t stride = std::max<std::size_t>(1, scans_[k].walls.size() / kRoughWalls);
+    return qualityAt(scans_[k], in_, pose, options_, stride, kRoughNear);
   }
 
   Transform2D fitted(const ScanWalls& scan, Transform2D pose) const {
@@ -159,7 +169,9 @@ class Tracker {
       const double share = double(i) / std::max(1, options_.iterations - 1);
       WallFit fit(pose, scan.at(),
                   options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share));
-      for (const WallPoint& point : scan.walls) fit.add(point, in_);
+      // The first steps only have to come near: a part of the walls will do.
+      const std::size_t stride = i < options_.iterations / 2 ? kRoughStride : 1;
+      for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
       if (!fit.isEnough()) break;
       pose = fit.improved();
     }
@@ -210,14 +222,14 @@ class Tracker {
 
   /** A way starts where the maps as a whole fit. */
   double startCost(const Candidate& at) const {
-    const bool isMain = areNear(at.pose, whole_, scans_[at.scan].at(), kAsMapsBend);
+    const bool isMain = areNear(at.pose, wholes_.front(), scans_[at.scan].at(), kAsMapsBend);
     return isMain ? 0 : 2 * options_.jumpCost;
   }
 
   const std::vector<ScanWalls>& scans_;
   const WallPatches& patches_;
   const FollowedWalls& followed_;
-  const Transform2D whole_;
+  const std::vector<Transform2D>& wholes_;
   const MapForAlignment& in_;
   const TrackScansOptions& options_;
   std::vector<std::vector<Candidate>> candidates_;
@@ -226,10 +238,13 @@ class Tracker {
 
 }  // namespace
 
-std::vector<std::optional<Transform2D>> trackScans(
-    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
-    const Transform2D& whole, const MapForAlignment& in, const TrackScansOptions& options) {
-  return Tracker(scans, patches, followed, whole, in, options).track();
+std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
+                                                   const WallPatches& patches,
+                                                   const FollowedWalls& followed,
+                                                   const std::vector<Transform2D>& wholes,
+                                                   const MapForAlignment& in,
+                                                   const TrackScansOptions& options) {
+  return Tracker(scans, patches, followed, wholes, in, options).track();
 }
 
 }  // namespace roomgraph

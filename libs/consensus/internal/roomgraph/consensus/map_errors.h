@@ -18,6 +18,7 @@ struct MapError {
   double seen = 0;             ///< share of what it has drawn that others have, too, 0 to 1
   Transform2D pose;            ///< site <- run, the best turn and shift
   std::vector<double> errors;  ///< of each submap, root mean square [m]
+  std::vector<bool> isSeen;    ///< of each submap: whether others have it, too
 };
 
 /** The map error of each run whose submaps lie at `poses` (those of findConsensus). The interval

@@ -21,15 +21,19 @@ struct SubmapMatch {
   bool isSameScan = false;   ///< both are one scan of one drive, so `pose` changes nothing
 };
 
+/** What of one run was found in another in one piece: right or wrong, it is so together. */
+using MatchedPiece = std::vector<SubmapMatch>;
+
 /** Finds each submap of `of` in the map of `in`: scans by trackScans, patches as they were
- *  `followed`; `whole` (in <- of) is where the runs lie as a whole. Submaps of which less than
- *  45 % lies on walls there are not found. By submap; a patch that was followed in two layers is
- *  found twice. Cost: that of trackScans. */
-std::vector<SubmapMatch> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
-                                      const RunSubmaps& inSubmaps, const FollowedWalls& followed,
-                                      const Transform2D& whole);
+ *  `followed`; `wholes` (in <- of) is where the runs may lie as a whole, the likeliest first.
+ *  Submaps of which less than 45 % lies on walls there are not found. The pieces are the stretches
+ *  of a track between its jumps, or the layers in which patches were followed; within each by
+ *  submap. Cost: that of trackScans. */
+std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
+                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed,
+                                       const std::vector<Transform2D>& wholes);
 
 /** The scans that both runs have, as runs over one log do. O((a + b) * log b). */
-std::vector<SubmapMatch> sameScans(const Run& a, const Run& b);
+MatchedPiece sameScans(const Run& a, const Run& b);
 
 }  // namespace roomgraph

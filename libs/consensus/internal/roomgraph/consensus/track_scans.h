@@ -34,12 +34,16 @@ struct TrackScansOptions {
 
 /** For each scan its pose (in <- run) in the map `in`, none where it is not found there: the
  *  likeliest way of all scans through that map (Viterbi 1967). A scan is looked for where the
- *  scans before and behind it lie, where the run's patches near by were `followed`, and, where
+ *  scans before and behind it lie, where the run's patches near by were `followed`, where the run
+ *  may lie as a whole by one of `wholes` (in <- run, at least one, the likeliest first), and, where
  *  that fails, at any turn where the robot has just been, as a map that is torn goes on from the
- *  same place. A way that begins far from where the run lies as a `whole` (in <- run) costs as
- *  much as a jump. Deterministic. O(scans * candidates * walls of a scan). */
-std::vector<std::optional<Transform2D>> trackScans(
-    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
-    const Transform2D& whole, const MapForAlignment& in, const TrackScansOptions& options);
+ *  same place. A way that begins far from the first of `wholes` costs as much as two jumps.
+ *  Deterministic. O(scans * candidates * walls of a scan). */
+std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
+                                                   const WallPatches& patches,
+                                                   const FollowedWalls& followed,
+                                                   const std::vector<Transform2D>& wholes,
+                                                   const MapForAlignment& in,
+                                                   const TrackScansOptions& options);
 
 }  // namespace roomgraph
