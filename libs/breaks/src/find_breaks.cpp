@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "roomgraph/base/statistics.h"
@@ -79,54 +78,14 @@ class JumpFinder {
   const FindBreaksOptions& options_;
 };
 
-/** What one track shows at a scan. */
-struct Sighting {
-  Jump jump;
-  std::size_t track = 0;
-};
-
-ScanBreak breakOf(const std::vector<Sighting>& seen) {
-  ScanBreak found;
-  std::vector<double> scans, rotations, shifts;
-  for (const Sighting& sighting : seen) {
-    scans.push_back(double(sighting.jump.scan));
-    rotations.push_back(sighting.jump.rotation);
-    shifts.push_back(sighting.jump.shift);
-    found.seenIn.push_back(sighting.track);
-  }
-  found.scan = std::size_t(median(scans));
-  found.rotation = median(rotations), found.shift = median(shifts);
-  return found;
-}
-
 }  // namespace
 
-std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans,
-                                  const std::vector<ScanTrack>& tracks,
-                                  const std::vector<double>& weights,
+std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
                                   const FindBreaksOptions& options) {
-  std::vector<Sighting> all;
-  for (std::size_t t = 0; t < tracks.size(); ++t) {
-    const std::vector<Jump> steps = stepsOf(scans, tracks[t]);
-    for (const Jump& jump : JumpFinder(steps, options).find()) all.push_back({jump, t});
-  }
-  std::sort(all.begin(), all.end(), [](const Sighting& l, const Sighting& r) {
-    return l.jump.scan != r.jump.scan ? l.jump.scan < r.jump.scan : l.track < r.track;
-  });
+  const std::vector<Jump> steps = stepsOf(scans, track);
   std::vector<ScanBreak> breaks;
-  for (std::size_t i = 0; i < all.size();) {
-    std::vector<Sighting> seen;
-    const std::size_t first = all[i].jump.scan;
-    for (; i < all.size() && all[i].jump.scan <= first + options.sameScan; ++i)
-      if (std::none_of(seen.begin(), seen.end(),
-                       [&](const Sighting& other) { return other.track == all[i].track; }))
-        seen.push_back(all[i]);
-    double weight = 0;
-    for (const Sighting& sighting : seen) weight += weights[sighting.track];
-    if (2 * weight <= std::accumulate(weights.begin(), weights.end(), 0.0)) continue;
-    breaks.push_back(breakOf(seen));
-    std::sort(breaks.back().seenIn.begin(), breaks.back().seenIn.end());
-  }
+  for (const Jump& jump : JumpFinder(steps, options).find())
+    breaks.push_back({jump.scan, jump.rotation, jump.shift});
   return breaks;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/breaks/place_break.h"
 
 namespace roomgraph {
 namespace {
@@ -46,15 +47,23 @@ class BreakSearch {
     for (std::size_t k = 0; k < run.scans.size(); ++k)
       track.push_back(consensus_.poses[run_][k] * run.scans[k].pose.inverse());
     std::vector<MapBreak> breaks;
-    for (const ScanBreak& found : findBreaks(run.scans, {track}, {1}, options_.findBreaks)) {
-      const std::size_t k = found.scan;
-      const Transform2D step = consensus_.poses[run_][k - 1].inverse() * consensus_.poses[run_][k];
-      const Transform2D& pose = site_.poses[run_];
-      const Transform2D untorn = pose * run.scans[k - 1].pose * step;
-      breaks.push_back({run.name, untorn.shift(), found.rotation, found.shift, k, run.scans[k].time,
-                        TornPose{pose * run.scans[k].pose, untorn}});
-    }
+    for (const ScanBreak& found : findBreaks(run.scans, track, options_.findBreaks))
+      breaks.push_back(breakOf(found));
     return breaks;
+  }
+
+  MapBreak breakOf(const ScanBreak& found) const {
+    const Run& run = *site_.runs[run_];
+    const auto& poses = consensus_.poses[run_];
+    const std::size_t k = found.scan;
+    const std::size_t place = placeBreak(run.scans, consensus_.errors[run_].isSeen, k);
+    // What would mend the run: untorn <- run, for all from the break on.
+    const Transform2D mend =
+        run.scans[k - 1].pose * poses[k - 1].inverse() * poses[k] * run.scans[k].pose.inverse();
+    const ScanWalls& scan = run.scans[place];
+    const Transform2D& pose = site_.poses[run_];
+    const TornPose torn{pose * scan.pose, pose * mend * scan.pose};
+    return {run.name, torn.untorn.shift(), found.rotation, found.shift, place, scan.time, torn};
   }
 
   /** Of a run without scans: whether it lies in the others as two rigid pieces. */
