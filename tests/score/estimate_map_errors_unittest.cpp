@@ -55,6 +55,16 @@ TEST(EstimateMapErrors, twoMapsAreToldApartByTheirDeviations) {
   EXPECT_NEAR(std::hypot(told[0]->error, told[1]->error), bends(0, 1).bend, 0.1);
 }
 
+TEST(EstimateMapErrors, aTornMapBetweenTwoSoundOnesIsTheBadOneHoweverStraight) {
+  for (const double torn : {0.7, 4.0, 30.0}) {
+    const PairBends bends = bendsOf({torn, 0.1, 0.2});
+    const auto found = estimateMapErrors(bends, {0.009, 0.01, 0.011}, {}, {});
+    EXPECT_NEAR(found[0]->error, torn, 0.15 * torn);
+    EXPECT_LT(found[1]->error, 0.5) << torn;
+    EXPECT_LT(found[2]->error, 0.5) << torn;
+  }
+}
+
 TEST(EstimateMapErrors, onlyTheRatioOfTheDeviationsCounts) {
   MapErrorOptions options;
   options.deviationNoise = 0;

@@ -38,11 +38,6 @@ std::size_t placeOf(const std::string& name, const std::vector<Run>& runs) {
   return place;
 }
 
-bool haveScans(const Site& site) {
-  return std::all_of(site.runs.begin(), site.runs.end(),
-                     [](const Run* run) { return !run->scans.empty(); });
-}
-
 }  // namespace
 
 Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
@@ -54,8 +49,7 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
   const Consensus consensus = siteConsensus(site, pairs, forEach);
-  // Without scans, how far the maps bend apart tells their errors better.
-  const auto errors = haveScans(site) ? consensus.errors : errorsByBends(site, bends);
+  const std::vector<MapError> errors = siteErrors(site, bends, consensus);
   const RunScores scores = scoreRuns(bends, errors, site.reference, {});
   const Trust trust = trustOf(scores, site.reference);
   const auto breaks = siteBreaks(site, pairs, consensus, trust, {}, forEach);

@@ -18,6 +18,23 @@ constexpr double kEightyPercent = 1.2816;  // standard deviations either way tha
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/** What a residual costs, and the weight that its square has for the next step. */
+struct Kernel {
+  double cost = 0, slope = 0;
+};
+
+/** An outlier moves little. */
+Kernel cauchy(double r, double width) {
+  const double s = 1 + (r / width) * (r / width);
+  return {width * width / 2 * std::log(s), 1 / s};
+}
+
+/** An outlier counts as far as it is off. */
+Kernel pseudoHuber(double r, double width) {
+  const double s = std::sqrt(1 + (r / width) * (r / width));
+  return {width * width * (s - 1), 1 / s};
+}
+
 /** What the logs of the errors, and the log of the deviations' free factor behind them, have to
  *  explain. */
 class Problem {
@@ -107,9 +124,9 @@ class Problem {
     if (pair.share <= 0) return;
     const double vi = std::exp(2 * x[i]), vj = std::exp(2 * x[j]), both = std::sqrt(vi + vj);
     const double r = std::log((pair.bend + options_.bendNoise) / (both + options_.bendNoise));
-    const double width = r > 0 ? options_.above : options_.below;
-    const double s = 1 + (r / width) * (r / width), w = pair.share / s;
-    out.cost += pair.share * width * width / 2 * std::log(s);
+    const auto [cost, slope] = r > 0 ? cauchy(r, options_.above) : pseudoHuber(r, options_.below);
+    const double w = pair.share * slope;
+    out.cost += pair.share * cost;
     const double scale = 1 / (both * (both + options_.bendNoise));
     const double ji = -vi * scale, jj = -vj * scale;
     out.g[i] += w * r * ji, out.g[j] += w * r * jj;
@@ -122,9 +139,10 @@ class Problem {
     const double e = std::exp(x[i]);
     const double r = std::log(e + options_.errorNoise) - *told_[std::size_t(i)] - x[n_];
     const double share = r > 0 ? mostShare_[std::size_t(i)] : 1;
-    const double w = options_.deviationWeight * share * share;
+    const auto [cost, slope] = cauchy(r, options_.deviationWidth);
+    const double w = options_.deviationWeight * share * share * slope;
     const double j = e / (e + options_.errorNoise);
-    out.cost += w * r * r / 2;
+    out.cost += options_.deviationWeight * share * share * cost;
     out.g[i] += w * r * j, out.g[n_] -= w * r;
     out.h(i, i) += w * j * j, out.h(n_, n_) += w;
     out.h(i, n_) -= w * j, out.h(n_, i) -= w * j;
@@ -231,6 +249,13 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends) {
     errors[i].seen = isCopyOfAll ? 1 : isKnown ? mostShare(bends, i) : 0;
   }
   return errors;
+}
+
+std::vector<MapError> siteErrors(const Site& site, const PairBends& bends,
+                                 const Consensus& consensus) {
+  const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
+                                     [](const Run* run) { return !run->scans.empty(); });
+  return haveScans ? consensus.errors : errorsByBends(site, bends);
 }
 
 }  // namespace roomgraph

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
 
@@ -16,27 +16,31 @@ namespace roomgraph {
 
 /** The constants, fitted to simulated runs whose true error is known: see docs/scoring.md. */
 struct MapErrorOptions {
-  double bendNoise = 0.02;        ///< of a bend that is 0 [m]
-  double above = 1.0;             ///< log of bend over errors beyond which a pair counts less
-  double below = 0.5;             ///< the same for bends that are too small: maps err alike, too
-  double deviationWeight = 0.3;   ///< of one map's axisDeviation beside one pair
+  double bendNoise = 0.02;       ///< of a bend that is 0 [m]
+  double above = 1.0;            ///< log of bend over errors beyond which a pair counts less
+  double below = 0.5;            ///< the same for bends that are too small
+  double deviationWeight = 0.3;  ///< of one map's axisDeviation beside one pair
+  double deviationWidth =
+      2;  ///< log of error over what the deviation tells: beyond, it counts less
   double deviationPower = 1.6;    ///< of the deviation in the error
   double deviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
   double errorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
   double leastError = 0.0025;     ///< errors below this are none [m]
-  double mostError = 5;           ///< [m]
+  double mostError = 60;          ///< as far as walls are followed [m]
   double spread = 0.25;           ///< standard deviation of a residual's log, for the interval
   double leastSpread = 0.15;      ///< of an error's log, however many pairs there are
 };
 
 /** The errors that explain the bends and the deviations best. Two maps with errors e and f should
- *  bend sqrt(e^2 + f^2) apart, if each errs in its own way; log residuals count as in a Cauchy
- *  distribution, so that one outlier moves little. The deviations tell errors up to a factor that
- *  is free, as it depends on the building; one that tells less error than the bends counts by the
- *  square of the largest share of walls that its map has in common with another, as a small piece
- *  of a site is straight whatever it is worth. None for a map with no pair. With `truth`, that map
- *  has no error, its deviation does not count, and none is given for it. O(n^3) a step, at most
- *  200 steps for each of two starts. */
+ *  bend sqrt(e^2 + f^2) apart, if each errs in its own way. A log residual counts as in a Cauchy
+ *  distribution where a pair bends more than that, so that one outlier moves little, but as far as
+ *  it goes where it bends less: maps that err by metres do not agree within decimetres by chance.
+ *  The deviations tell errors up to a factor that is free, as it depends on the building, and count
+ *  as in a Cauchy distribution, too, since a map that is torn square stays straight; one that tells
+ *  less error than the bends counts by the square of the largest share of walls that its map has in
+ *  common with another, as a small piece of a site is straight whatever it is worth. None for a map
+ *  with no pair. With `truth`, that map has no error, its deviation does not count, and none is
+ *  given for it. O(n^3) a step, at most 200 steps for each of two starts. */
 std::vector<std::optional<MapError>> estimateMapErrors(
     const PairBends& bends, const std::vector<std::optional<double>>& deviations,
     std::optional<std::size_t> truth, const MapErrorOptions& options);
@@ -45,5 +49,10 @@ std::vector<std::optional<MapError>> estimateMapErrors(
  *  scans: one estimate for all copies of a map. `seen` is the largest share of walls in common with
  *  another map, 0 for a run that has none. Cost: that of estimateMapErrors. */
 std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends);
+
+/** The map error of each run of a site: that of the consensus where all runs have scans, else that
+ *  of errorsByBends, as patches of walls alone make a poor pose graph. */
+std::vector<MapError> siteErrors(const Site& site, const PairBends& bends,
+                                 const Consensus& consensus);
 
 }  // namespace roomgraph
