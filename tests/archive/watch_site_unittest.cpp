@@ -74,6 +74,20 @@ TEST(WatchSite, roomsThatGoOrGrowAreTold) {
   EXPECT_EQ(changeText(watch.changes[1], history), "R2: is gone since 1970-01-13");
 }
 
+TEST(WatchSite, theAreaOfACorridorIsNotAskedFor) {
+  SiteHistory history;
+  for (int n = 0; n < 20; ++n) {
+    HistoryRun run = historyRun("anna", n, 0.1);
+    run.rooms = {seen("C1", 1, n < 10 ? 20 : 30)};
+    history.runs.push_back(run);
+  }
+  EXPECT_EQ(watchSite(history, {}).changes.size(), 1U);
+  KnownRoom corridor;
+  corridor.id = "C1", corridor.isCorridor = true;
+  history.ledger.rooms = {corridor};
+  EXPECT_TRUE(watchSite(history, {}).changes.empty());
+}
+
 TEST(WatchSite, runsThatAreTornOrOfAnotherSiteSayNothingOfRooms) {
   SiteHistory history = sixtyNights();
   for (std::size_t i = 60; i < history.runs.size(); ++i) {

@@ -82,6 +82,9 @@ using AllSeries = std::map<std::pair<std::string, std::string>, RoomSeries>;
 
 AllSeries seriesOf(const SiteHistory& history) {
   AllSeries series;
+  std::set<std::string> corridors;
+  for (const KnownRoom& room : history.ledger.rooms)
+    if (room.isCorridor) corridors.insert(room.id);
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
     if (!run.isPlaced || !trustedFigure(run, kMapError) || isTorn(run)) continue;
@@ -91,7 +94,9 @@ AllSeries seriesOf(const SiteHistory& history) {
       // Pieces of a room, or several in one, say nothing of its doors.
       if (!isSeen || room.pieces != 1 || room.isMerged) continue;
       series[{room.room, "doors"}].add(i, room.doors);
-      if (room.area) series[{room.room, "area"}].add(i, *room.area);
+      // Where a corridor is cut from the next is no wall that could have moved.
+      if (room.area && corridors.count(room.room) == 0)
+        series[{room.room, "area"}].add(i, *room.area);
     }
   }
   return series;
