@@ -96,6 +96,16 @@ TEST(SiteConsensus, copiesOfAMapShareOneResult) {
   EXPECT_EQ(two.consensus().errors[0].error, result.errors[0].error) << "a copy has no vote";
 }
 
+TEST(SiteConsensus, ofACopyWithoutScansTheOneWithScansCounts) {
+  DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
+  const Consensus before = site.consensus();
+  site.runs[0].scans.clear();
+  const Consensus after = site.consensus();
+  EXPECT_EQ(after.poses[2].size(), site.runs[2].scans.size());
+  EXPECT_EQ(after.errors[2].error, before.errors[2].error);
+  EXPECT_EQ(after.errors[0].error, before.errors[0].error);
+}
+
 TEST(SiteConsensus, whereAllAreCopiesThereIsNoError) {
   const DrivenSite site({drive(), drive()}, {{}, {}});
   for (const MapError& error : site.consensus().errors) {

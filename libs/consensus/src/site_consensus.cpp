@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "roomgraph/align/near_poses.h"
@@ -11,11 +12,25 @@
 namespace roomgraph {
 namespace {
 
-/** The runs whose maps are no copies, straightest first: the likeliest to be sound. */
-std::vector<std::size_t> distinctRuns(const Site& site, const DistinctMaps& maps) {
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (maps.isFirst(i)) order.push_back(i);
+/** For each run the one that counts of those with its map: the first with as many scans; for one
+ *  without scans the first that has some, as they tell more. */
+std::vector<std::size_t> standIns(const Site& site, const DistinctMaps& maps) {
+  const auto scansOf = [&](std::size_t run) { return site.runs[run]->scans.size(); };
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    chosen.push_back(maps.firstOf(i));
+    for (std::size_t j = site.runs.size(); j-- > 0;)
+      if (maps.firstOf(j) == maps.firstOf(i) &&
+          (scansOf(i) > 0 ? scansOf(j) == scansOf(i) : scansOf(j) > 0))
+        chosen.back() = j;
+  }
+  return chosen;
+}
+
+/** The runs that count, straightest first: the likeliest to be sound. */
+std::vector<std::size_t> orderOf(const Site& site, const std::vector<std::size_t>& standIns) {
+  const std::set<std::size_t> distinct(standIns.begin(), standIns.end());
+  std::vector<std::size_t> order(distinct.begin(), distinct.end());
   std::stable_sort(order.begin(), order.end(), [&](std::size_t l, std::size_t r) {
     return site.runs[l]->map.axisDeviation.value_or(M_PI) <
            site.runs[r]->map.axisDeviation.value_or(M_PI);
@@ -91,13 +106,13 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& 
   if (std::all_of(site.runs.begin(), site.runs.end(),
                   [](const Run* r) { return r->scans.empty(); }))
     return {std::vector<RunSubmaps>(runs), SubmapPoses(runs), std::vector<MapError>(runs)};
-  const DistinctMaps maps(bendsOf(pairs));
-  const std::vector<std::size_t> order = distinctRuns(site, maps);
+  const std::vector<std::size_t> counted = standIns(site, DistinctMaps(bendsOf(pairs)));
+  const std::vector<std::size_t> order = orderOf(site, counted);
   std::vector<RunSubmaps> submaps(order.size());
   forEach(order.size(), [&](std::size_t a) { submaps[a] = runSubmaps(*site.runs[order[a]]); });
   const auto matches = matchRuns(site, pairs, order, submaps, forEach);
   const auto placeOf = [&](std::size_t run) {
-    return std::size_t(std::find(order.begin(), order.end(), maps.firstOf(run)) - order.begin());
+    return std::size_t(std::find(order.begin(), order.end(), counted[run]) - order.begin());
   };
   ConsensusOptions options;
   if (site.reference) options.reference = placeOf(*site.reference);
