@@ -95,6 +95,35 @@ TEST(CompareRuns, theBestRunThatHasSeenLittleIsSaidToHaveDoneSo) {
   EXPECT_NE(result.verdict.find("it has seen"), std::string::npos) << result.verdict;
 }
 
+TEST(CompareRuns, aSecondSiteAmongTheRunsIsNamed) {
+  const Comparison result =
+      compared({run("a", drawnBuilding(1, {})), run("b", drawnBuilding(1, {1, 2, 0.3})),
+                run("c", drawnBuilding(1, {4, 0, -0.2})), run("x", drawnBuilding(4, {})),
+                run("y", drawnBuilding(4, {3, 1, 0.1}))});
+  ASSERT_EQ(result.runs.size(), 3u);
+  ASSERT_EQ(result.leftOut.size(), 2u);
+  for (const LeftOutRun& one : result.leftOut)
+    EXPECT_EQ(one.reason, "lies in another site: x and y");
+  EXPECT_NE(result.verdict.find("There are 2 sites, of which only the first is compared: "
+                                "{a, b and c}, {x and y}."),
+            std::string::npos)
+      << result.verdict;
+}
+
+TEST(CompareRuns, runsOfOneDriveAreSaidToBeThat) {
+  std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
+  for (const std::size_t i : {0u, 1u})
+    for (std::uint64_t id = 1; id <= 9; ++id) {
+      runs[i].scans.emplace_back();
+      runs[i].scans.back().scanId = id;
+      runs[i].scans.back().ends.add({1, 1});
+    }
+  const std::string both = runs[0].name + " and " + runs[1].name;
+  EXPECT_NE(compared(runs).verdict.find(" 2 runs are of one drive (" + both + ")"),
+            std::string::npos)
+      << compared(runs).verdict;
+}
+
 TEST(CompareRuns, theMeasuresOfGraphsFollowThoseOfWalls) {
   std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
   for (roomgraph::Run& one : runs) one.graph = test::drawnGraph();  // anywhere in the map

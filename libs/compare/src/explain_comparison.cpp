@@ -69,4 +69,26 @@ std::string verdictOf(const Comparison& result) {
   return text + ".";
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  return text;
+}
+
+std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
+  std::string text =
+      formatted(" There are %zu sites, of which only the first is compared: ", sites.size());
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    text += (i == 0 ? "{" : ", {") + listed(sites[i]) + "}";
+  return text + ".";
+}
+
+std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t runsOfSite) {
+  const bool areAll = names.size() == runsOfSite;
+  return formatted(" %s%zu runs are of one drive", areAll ? "All " : "", names.size()) +
+         (areAll ? "" : " (" + listed(names) + ")") +
+         ": what they get wrong together does not show.";
+}
+
 }  // namespace roomgraph

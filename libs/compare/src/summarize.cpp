@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "explain_comparison.h"
+#include "roomgraph/consensus/shared_drives.h"
 #include "run_path.h"
 
 namespace roomgraph {
@@ -81,13 +82,41 @@ std::vector<SiteRoom> roomsOf(const Findings& found, const std::vector<ComparedR
   return rooms;
 }
 
+std::vector<std::string> namesOf(const std::vector<Run>& runs,
+                                 const std::vector<std::size_t>& some) {
+  std::vector<std::string> names;
+  for (const std::size_t run : some) names.push_back(runs[run].name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const Site& site) {
   std::vector<LeftOutRun> leftOut;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (!std::binary_search(site.members.begin(), site.members.end(), i))
-      leftOut.push_back(
-          {runs[i].name, runs[i].file, "does not lie in the same site as the others", true});
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (std::binary_search(site.members.begin(), site.members.end(), i)) continue;
+    std::string reason = "does not lie in the same site as the others";
+    for (const std::vector<std::size_t>& other : site.others)
+      if (std::binary_search(other.begin(), other.end(), i))
+        reason = "lies in another site: " + listed(namesOf(runs, other));
+    leftOut.push_back({runs[i].name, runs[i].file, reason, true});
+  }
   return leftOut;
+}
+
+/** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
+std::string caveatsOf(const std::vector<Run>& runs, const Site& site) {
+  std::string text;
+  if (!site.others.empty()) {
+    std::vector<std::vector<std::string>> sites{namesOf(runs, site.members)};
+    for (const auto& other : site.others) sites.push_back(namesOf(runs, other));
+    text += otherSitesNote(sites);
+  }
+  for (const std::vector<std::size_t>& drive : sharedDrives(site.runs)) {
+    std::vector<std::size_t> members;
+    for (const std::size_t run : drive) members.push_back(site.members[run]);
+    text += sharedDriveNote(namesOf(runs, members), site.runs.size());
+  }
+  return text;
 }
 
 }  // namespace
@@ -103,7 +132,7 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   result.pairs = pairsOf(runs, related, found);
   result.rooms = roomsOf(found, result.runs);
   result.leftOut = leftOutOf(runs, found.site);
-  result.verdict = verdictOf(result);
+  result.verdict = verdictOf(result) + caveatsOf(runs, found.site);
   return result;
 }
 

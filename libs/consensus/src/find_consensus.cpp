@@ -8,6 +8,7 @@
 #include "move_pieces.h"
 #include "pose_graph.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/consensus/shared_drives.h"
 #include "start_poses.h"
 
 namespace roomgraph {
@@ -30,7 +31,7 @@ std::vector<bool> shareTheirDrive(const std::vector<RunSubmaps>& runs,
     const auto same = double(std::count_if(pair.matches.begin(), pair.matches.end(),
                                            [](const SubmapMatch& m) { return m.isSameScan; }));
     for (const std::size_t run : {pair.of, pair.in})
-      if (same > kShared * double(runs[run].submaps.size())) shared[run] = true;
+      if (same > kSharedDrive * double(runs[run].submaps.size())) shared[run] = true;
   }
   return shared;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "roomgraph/align/near_poses.h"
@@ -26,26 +27,29 @@ bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
          alignment.confidence + alignment.runnerUpConfidence >= kJoined;
 }
 
-/** The runs of the site, see placeRuns. */
-std::vector<std::size_t> membersOf(const MapPairs& related, const SitePosesOptions& options,
-                                   std::optional<std::size_t> reference) {
+/** The runs in sets of those that are joined, that of the site first; see placeRuns. */
+std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related,
+                                              const SitePosesOptions& options,
+                                              std::optional<std::size_t> reference) {
   const std::size_t runs = related.things();
   UnionFind sets(runs);
   for (const auto& [a, b] : related.pairs())
     if (isJoined(related(a, b), options)) sets.join(std::uint32_t(a), std::uint32_t(b));
-  std::vector<std::size_t> set;  // of each run the first run it is joined to
-  for (std::uint32_t i = 0; i < runs; ++i) set.push_back(sets.find(i));
-  std::vector<std::pair<std::size_t, double>> size(runs);  // of each set: runs, then confidence
-  for (const std::size_t s : set) ++size[s].first;
+  std::vector<std::vector<std::size_t>> sites(runs);
+  std::vector<double> confidence(runs);
+  for (std::uint32_t i = 0; i < runs; ++i) sites[sets.find(i)].push_back(i);
   for (const auto& [a, b] : related.pairs())
-    if (isJoined(related(a, b), options)) size[set[a]].second += related(a, b).alignment.confidence;
-  const std::size_t chosen =
-      reference ? set[*reference]
-                : std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
-  std::vector<std::size_t> members;
-  for (std::size_t i = 0; i < runs; ++i)
-    if (set[i] == chosen) members.push_back(i);
-  return members;
+    if (isJoined(related(a, b), options))
+      confidence[sets.find(std::uint32_t(a))] += related(a, b).alignment.confidence;
+  const auto set = [&](std::size_t run) { return sets.find(std::uint32_t(run)); };
+  const auto rank = [&](const std::vector<std::size_t>& site) {
+    if (site.empty()) return std::make_tuple(false, std::size_t(0), 0.0);
+    const bool hasReference = reference && set(*reference) == set(site.front());
+    return std::make_tuple(hasReference, site.size(), confidence[set(site.front())]);
+  };
+  std::stable_sort(sites.begin(), sites.end(),
+                   [&](const auto& l, const auto& r) { return rank(l) > rank(r); });
+  return sites;
 }
 
 /** The run of a site that the others fit best. */
@@ -71,7 +75,10 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
                const SitePosesOptions& options, std::optional<std::size_t> reference) {
   Site site;
   if (runs.empty()) return site;
-  site.members = membersOf(related, options, reference);
+  auto sites = sitesIn(related, options, reference);
+  site.members = std::move(sites.front());
+  for (std::size_t i = 1; i < sites.size() && sites[i].size() > 1; ++i)
+    site.others.push_back(std::move(sites[i]));
   const std::size_t n = site.members.size();
   for (std::size_t i = 0; i < n; ++i) {
     site.runs.push_back(&runs[site.members[i]]);

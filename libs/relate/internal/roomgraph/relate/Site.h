@@ -14,6 +14,9 @@ struct Site {
   std::vector<Transform2D> poses;        ///< site <- run
   std::vector<std::size_t> members;      ///< their places among all runs, ascending
   std::optional<std::size_t> reference;  ///< of `runs`: the one that counts as the truth
+  /** Runs that lie in each other but not in this site, two or more together: their places among all
+   *  runs, ascending. */
+  std::vector<std::vector<std::size_t>> others{};
 };
 
 /** How much each run of a site counts as a judge of the others: 0 to 1. */
