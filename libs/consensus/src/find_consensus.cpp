@@ -22,7 +22,6 @@ constexpr PoseTolerance kRoughly{0.35, 3.0}, kBorneOut{0.15, 1.0};
 constexpr double kLeastBelief = 1e-3;
 constexpr double kGivenUp = 45;  // half the robust squared residual of a link that is 20 m off
 constexpr double kAboutAsGood = 1.25;  // cost beside that of the best
-constexpr double kShared = 0.2;        // of a run's scans, to share the drive of another
 
 std::vector<bool> shareTheirDrive(const std::vector<RunSubmaps>& runs,
                                   const std::vector<RunMatches>& matches) {
