@@ -86,17 +86,8 @@ int run(const ConvertArguments& arguments) {
   const MapOutput& output = outputNamed(arguments.format);
   checkOutputNames(arguments.maps, arguments.folder, output.extensions);
   makeWritableFolder(arguments.folder);
-  int exitCode = kDone;
-  for (const std::string& file : arguments.maps) {
-    try {
-      convert(file, output, options, arguments.folder);
-    } catch (...) {
-      const Failure failure = currentFailure(file);
-      std::fputs(failure.line.c_str(), stderr);
-      exitCode = std::max(exitCode, failure.exitCode);
-    }
-  }
-  return exitCode;
+  return doEach(arguments.maps,
+                [&](const std::string& file) { convert(file, output, options, arguments.folder); });
 }
 
 }  // namespace

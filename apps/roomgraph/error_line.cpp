@@ -1,5 +1,7 @@
 #include "error_line.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <exception>
 
 #include "Command.h"
@@ -23,6 +25,21 @@ Failure currentFailure(const std::string& file) {
   } catch (const std::exception&) {
     return {line, kBadData};
   }
+}
+
+int doEach(const std::vector<std::string>& files,
+           const std::function<void(const std::string& file)>& job) {
+  int exitCode = kDone;
+  for (const std::string& file : files) {
+    try {
+      job(file);
+    } catch (...) {
+      const Failure failure = currentFailure(file);
+      std::fputs(failure.line.c_str(), stderr);
+      exitCode = std::max(exitCode, failure.exitCode);
+    }
+  }
+  return exitCode;
 }
 
 }  // namespace roomgraph

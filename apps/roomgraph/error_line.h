@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace roomgraph {
 
@@ -15,5 +17,10 @@ struct Failure {
 /** The exception that is being handled, as one line. `file` is put in front of messages that do not
  *  name the file themselves. */
 Failure currentFailure(const std::string& file);
+
+/** Does the job for each file in turn. One that fails costs a line on stderr, and the others are
+ *  done all the same. Gives the exit code: the largest of the failures', or kDone. */
+int doEach(const std::vector<std::string>& files,
+           const std::function<void(const std::string& file)>& job);
 
 }  // namespace roomgraph

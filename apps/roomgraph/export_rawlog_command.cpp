@@ -47,21 +47,13 @@ int run(const RawlogArguments& arguments) {
   const ExtractOptions options = toOptions(arguments.options);
   checkOutputNames(arguments.runs, arguments.folder, {"rawlog"});
   makeWritableFolder(arguments.folder);
-  int exitCode = kDone;
-  for (const std::string& file : arguments.runs) {
-    try {
-      const std::string name = outputFile(arguments.folder, file, "rawlog");
-      StagedFiles staged;
-      staged.add(name, rawlogBytes(stretchOf(file, arguments, options)));
-      staged.commit();
-      print(printable(name) + "\n");
-    } catch (...) {
-      const Failure failure = currentFailure(file);
-      std::fputs(failure.line.c_str(), stderr);
-      exitCode = std::max(exitCode, failure.exitCode);
-    }
-  }
-  return exitCode;
+  return doEach(arguments.runs, [&](const std::string& file) {
+    const std::string name = outputFile(arguments.folder, file, "rawlog");
+    StagedFiles staged;
+    staged.add(name, rawlogBytes(stretchOf(file, arguments, options)));
+    staged.commit();
+    print(printable(name) + "\n");
+  });
 }
 
 }  // namespace

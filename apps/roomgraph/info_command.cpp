@@ -83,21 +83,13 @@ std::string infoText(const std::string& file, const ExtractOptions& options) {
 
 int run(const InfoArguments& arguments) {
   const ExtractOptions options = toOptions(arguments.options);
-  int exitCode = kDone;
-  for (const std::string& file : arguments.files) {
-    try {
-      std::string heading = &file == &arguments.files.front() ? "" : "\n";
-      heading += printable(file) + ":\n";
-      // What is known of a run is worth telling even where no grid can be built from it.
-      if (const auto info = loadRunInfo(file)) print(std::exchange(heading, {}) + runText(*info));
-      print(heading + infoText(file, options));
-    } catch (...) {
-      const Failure failure = currentFailure(file);
-      std::fputs(failure.line.c_str(), stderr);
-      exitCode = std::max(exitCode, failure.exitCode);
-    }
-  }
-  return exitCode;
+  return doEach(arguments.files, [&](const std::string& file) {
+    std::string heading = &file == &arguments.files.front() ? "" : "\n";
+    heading += printable(file) + ":\n";
+    // What is known of a run is worth telling even where no grid can be built from it.
+    if (const auto info = loadRunInfo(file)) print(std::exchange(heading, {}) + runText(*info));
+    print(heading + infoText(file, options));
+  });
 }
 
 }  // namespace
