@@ -14,6 +14,7 @@ std::string comparisonReport(const Comparison& comparison, const std::vector<Run
   page.set("style", page_files::kReportCss);
   page.set("script", page_files::kReportJs);
   page.set("licences", page_files::kLicencesTxt);
+  page.set("document", pageDocument(comparison));
   page.set("data", pageData(comparison, runs));
   return kainjow::mustache::mustache(page_files::kReportHtml).render(page);
 }

@@ -8,8 +8,11 @@
 
 namespace roomgraph {
 
-/** What the scripts of the report draw: runs with their pictures, heat map, rooms and breaks. JSON
- *  that may stand in a script element: it holds no '<', '>' or '&'. */
+/** comparison.json, as it may stand in a script element: the same JSON without '<', '>' and '&'. */
+std::string pageDocument(const Comparison& comparison);
+
+/** What the scripts of the report draw and that document does not have: the box of the site, the
+ *  heat map, and colour, shape and picture of each run, in its order. JSON as in pageDocument. */
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** "#rrggbb". */

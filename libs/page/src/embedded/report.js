@@ -2,7 +2,11 @@
 // What the tables of the page cannot do alone: the plot, the map, and the links between map and
 // tables. Names are only ever set as text, never as HTML.
 (function () {
-  const data = JSON.parse(document.getElementById("data").textContent);
+  const read = (id) => JSON.parse(document.getElementById(id).textContent);
+  // comparison.json, as it was saved; with each run what only this page draws.
+  const data = read("comparison"), drawn = read("data");
+  data.runs.forEach((run, i) => Object.assign(run, drawn.runs[i]));
+  const placeOf = new Map(data.runs.map((run, i) => [run.name, i]));  // in data.runs
   const all = (selector, root) => Array.from((root || document).querySelectorAll(selector));
   const one = (selector) => document.querySelector(selector);
 
@@ -39,7 +43,7 @@
         .attr("text-anchor", "middle").text(tick);
     });
     runs.forEach((run, i) => {
-      const [low, value, high] = run[panel.key];
+      const [low, value, high] = panel.figures(run);
       if (value === null) return;
       const y = panel.top + (i + 0.5) * rowHeight;
       const row = svg.append("g").attr("class", "figure");
@@ -71,9 +75,12 @@
     });
   }
 
+  const scoreOf = (run) => [run.score_low, run.score, run.score_high];
+  const errorOf = (run) => [run.map_error_low, run.map_error_m, run.map_error_high];
+
   /** As wide as the page, or as asked. */
   function drawRanking(asked) {
-    const runs = data.runs.filter((run) => run.score[1] !== null);
+    const runs = data.runs.filter((run) => run.score !== null);
     const host = one("#plot");
     host.textContent = "";
     if (!runs.length) return;
@@ -83,16 +90,16 @@
     const left = Math.min(isNarrow ? 110 : 230, 36 + 7.4 * longest);
     const panelWidth = isNarrow ? width - left - 16 : (width - left - gap - 20) / 2;
     const block = top + runs.length * rowHeight + 26;
-    const most = Math.max(0.1, ...runs.map((run) => run.error[2] || 0));
+    const most = Math.max(0.1, ...runs.map((run) => run.map_error_high || 0));
     const svg = d3.select(host).append("svg")
       .attr("viewBox", "0 0 " + width + " " + (isNarrow ? 2 * block + 10 : block))
       .attr("width", width).attr("role", "img")
       .attr("aria-label", "Score and map error of each run with intervals; the table below has the numbers.");
     drawNames(svg, runs, left, top, rowHeight, width);
     if (isNarrow) drawNames(svg, runs, left, block + 10 + top, rowHeight, width);
-    drawPanel(svg, {key: "score", title: "Score", note: "100 is best", digits: 1, domain: [0, 100],
+    drawPanel(svg, {figures: scoreOf, title: "Score", note: "100 is best", digits: 1, domain: [0, 100],
       left: left, top: top, width: panelWidth}, runs, rowHeight);
-    drawPanel(svg, {key: "error", title: "Map error [m]", note: "0 is best", digits: 2,
+    drawPanel(svg, {figures: errorOf, title: "Map error [m]", note: "0 is best", digits: 2,
       domain: [0, 1.02 * most], left: isNarrow ? left : left + panelWidth + gap,
       top: isNarrow ? block + 10 + top : top, width: panelWidth}, runs, rowHeight);
   }
@@ -113,7 +120,7 @@
   map.getContainer().addEventListener("mouseleave", () => map.scrollWheelZoom.disable());
 
   function home() {
-    map.fitBounds(bounds(data.box), {animate: false, padding: [8, 8]});
+    map.fitBounds(bounds(drawn.box), {animate: false, padding: [8, 8]});
     isWhole = true;
   }
 
@@ -136,8 +143,8 @@
     layers["run-" + i] = run.picture
       ? pictureLayer(run.picture, "runs", "Walls of " + run.name, {zIndex: data.runs.length - i}) : L.layerGroup();
   });
-  layers.heat = data.heat
-    ? pictureLayer(data.heat, "heat", "Where the runs disagree", {className: "crisp"}) : L.layerGroup();
+  layers.heat = drawn.heat
+    ? pictureLayer(drawn.heat, "heat", "Where the runs disagree", {className: "crisp"}) : L.layerGroup();
 
   const plainRoom = {color: "#33415c", weight: 1.2, opacity: 0.75, fillColor: "#33415c",
     fillOpacity: 0.02, dashArray: null};
@@ -145,8 +152,10 @@
   const chosenRoom = {color: "#17202e", weight: 4, opacity: 1, fillColor: "#ffd84d",
     fillOpacity: 0.45, dashArray: null};
 
-  const styleOf = (room) => (room.corridor ? plainCorridor : plainRoom);
+  const styleOf = (room) => (room.kind === "corridor" ? plainCorridor : plainRoom);
   const roomName = (room) => (room.name && room.name !== room.id ? room.id + " " + room.name : room.id);
+
+  const ringsOf = (room) => (room.polygon.length ? [room.polygon] : []).concat(room.holes);
 
   /** Where a horizontal line enters and leaves a room, in pairs. */
   function crossings(rings, y) {
@@ -161,12 +170,13 @@
   /** The middle of a room where that lies in it; else, as in a corridor round a yard, the middle of
    *  the widest of some lines through it. */
   function labelPlace(room) {
-    const before = crossings(room.rings, room.center[1]).filter((x) => x < room.center[0]).length;
-    if (!room.rings.length || before % 2 === 1) return room.center;
-    const ys = room.rings[0].map((point) => point[1]), low = Math.min(...ys), high = Math.max(...ys);
-    let best = room.center, width = 0;
+    const rings = ringsOf(room);
+    const before = crossings(rings, room.y).filter((x) => x < room.x).length;
+    if (!rings.length || before % 2 === 1) return [room.x, room.y];
+    const ys = rings[0].map((point) => point[1]), low = Math.min(...ys), high = Math.max(...ys);
+    let best = [room.x, room.y], width = 0;
     for (let k = 0.5; k < 20; ++k) {
-      const y = low + (high - low) * k / 20, found = crossings(room.rings, y);
+      const y = low + (high - low) * k / 20, found = crossings(rings, y);
       for (let i = 0; i + 1 < found.length; i += 2) {
         if (found[i + 1] - found[i] <= width) continue;
         width = found[i + 1] - found[i];
@@ -178,9 +188,10 @@
 
   function makeRoom(room, i) {
     const options = Object.assign({pane: "rooms", className: "room-shape"}, styleOf(room));
-    const shape = room.rings.length
-      ? L.polygon(room.rings.map((ring) => ring.map(latLng)), options)
-      : L.circleMarker(latLng(room.center), Object.assign({radius: 8}, options));
+    const rings = ringsOf(room);
+    const shape = rings.length
+      ? L.polygon(rings.map((ring) => ring.map(latLng)), options)
+      : L.circleMarker([room.y, room.x], Object.assign({radius: 8}, options));
     shape.on("add", () => {
       const path = shape.getElement();
       path.setAttribute("data-room", i);
@@ -202,18 +213,18 @@
   layers.rooms = L.layerGroup(rooms.map((room) => room.shape).concat(rooms.map((room) => room.label)));
 
   function makeBreak(bend, i) {
-    const run = data.runs[bend.run] || {name: "", colour: "#000"};
+    const run = data.runs[placeOf.get(bend.run)] || {name: "", colour: "#000"};
     const icon = element("span");
     icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="26" height="26" aria-hidden="true">' +
       '<path d="M0,-10.5L11,9H-11Z" stroke="#fff" stroke-width="2" stroke-linejoin="round"/>' +
       '<path d="M-3.5,7L1.5,1L-2,-0.5L2,-6" fill="none" stroke="#fff" stroke-width="1.8"/></svg>';
     icon.querySelector("path").setAttribute("fill", run.colour);
-    const marker = L.marker(latLng(bend.place), {keyboard: false, alt: "Break of " + run.name,
+    const marker = L.marker([bend.y, bend.x], {keyboard: false, alt: "Break of " + run.name,
       icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26], popupAnchor: [0, -8]})});
     const said = element("div");
     said.append(element("b", {}, run.name), element("br"),
-      "turns by " + fixed(bend.turn, 1) + "° and shifts by " + fixed(bend.shift, 2) + " m here" +
-      (bend.frame === null ? "" : ", from key frame " + bend.frame + " on"));
+      "turns by " + fixed(bend.rotation_deg, 1) + "° and shifts by " + fixed(bend.shift_m, 2) + " m here" +
+      (bend.key_frame === null ? "" : ", from key frame " + bend.key_frame + " on"));
     marker.on("click", () => markBreak(i, true));
     return marker.bindPopup(said);
   }
@@ -236,9 +247,9 @@
     const lines = [];
     run.path.forEach((at, k) => {
       if (k === 0) return;
-      const colour = colourOfError(at[2]), last = lines[lines.length - 1];
-      if (last && last.colour === colour) last.points.push(latLng(at));
-      else lines.push({colour: colour, points: [latLng(run.path[k - 1]), latLng(at)]});
+      const colour = colourOfError(at.error_m), last = lines[lines.length - 1];
+      if (last && last.colour === colour) last.points.push([at.y, at.x]);
+      else lines.push({colour: colour, points: [[run.path[k - 1].y, run.path[k - 1].x], [at.y, at.x]]});
     });
     return L.layerGroup(lines.map((line) => L.polyline(line.points,
       {pane: "paths", color: line.colour, weight: 2.5, opacity: 0.9, interactive: false})));
@@ -258,15 +269,15 @@
 
   /** The next key frames in both poses of a break, and the way from the one to the other. */
   function bothPoses(bend) {
-    const run = data.runs[bend.run];
-    if (!run || bend.frame === null || !bend.drawn) return L.layerGroup();
-    const turn = bend.untorn[2] - bend.drawn[2], c = Math.cos(turn), s = Math.sin(turn);
-    const behind = run.path.slice(bend.frame, bend.frame + 11);
-    const before = run.path.slice(Math.max(0, bend.frame - 10), bend.frame);
-    const untorn = behind.map(([x, y]) => {
-      const dx = x - bend.drawn[0], dy = y - bend.drawn[1];
-      return [bend.untorn[0] + c * dx - s * dy, bend.untorn[1] + s * dx + c * dy];
-    });
+    const run = data.runs[placeOf.get(bend.run)];
+    if (!run || bend.key_frame === null || !bend.pose_drawn) return L.layerGroup();
+    const [x0, y0, phi0] = bend.pose_drawn, [x1, y1, phi1] = bend.pose_untorn;
+    const turn = phi1 - phi0, c = Math.cos(turn), s = Math.sin(turn);
+    const places = (from, to) => run.path.slice(from, to).map((at) => [at.x, at.y]);
+    const behind = places(bend.key_frame, bend.key_frame + 11);
+    const before = places(Math.max(0, bend.key_frame - 10), bend.key_frame);
+    const untorn = behind.map(([x, y]) =>
+      [x1 + c * (x - x0) - s * (y - y0), y1 + s * (x - x0) + c * (y - y0)]);
     const line = (points, colour, more) => L.polyline(points.map(latLng),
       Object.assign({pane: "poses", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
     const dots = (points, colour) => points.map((point) => L.circleMarker(latLng(point),
@@ -310,7 +321,7 @@
     layers.breaks.clearLayers();
     layers.paths.clearLayers();
     const isOn = (run) => !boxOf("run-" + run) || boxOf("run-" + run).checked;
-    data.breaks.forEach((bend, i) => { if (isOn(bend.run)) layers.breaks.addLayer(breaks[i]); });
+    data.breaks.forEach((bend, i) => { if (isOn(placeOf.get(bend.run))) layers.breaks.addLayer(breaks[i]); });
     paths.forEach((path, i) => { if (isOn(i)) layers.paths.addLayer(path); });
   }
 
@@ -372,8 +383,8 @@
 
   function doorsText(room) {
     const parts = [];
-    if (room.gained) parts.push("+" + room.gained);
-    if (room.lost) parts.push("−" + room.lost);
+    if (room.doors_gained) parts.push("+" + room.doors_gained);
+    if (room.doors_lost) parts.push("−" + room.doors_lost);
     return parts.join(" ") || (room.sighting === "seen" ? "same" : "–");
   }
 
@@ -395,14 +406,15 @@
     const row = element("tr", {class: "details"}), cell = element("td", {colspan: "4"});
     const table = element("table"), head = element("tr"), body = element("tbody");
     const titles = ["Run", "", "Shift", "Area", "Outline", "Doors"];
-    if (room.corridor) titles.push("Length");
+    if (room.kind === "corridor") titles.push("Length");
     titles.forEach((title, i) => head.append(element("th", {scope: "col", class: i > 1 ? "n" : ""}, title)));
     room.runs.forEach((said) => {
-      const line = element("tr"), run = data.runs[said.run];
-      line.append(element("th", {scope: "row"}, run ? run.name : "?"), element("td", {}, stateText(said)));
-      const outline = said.outline === null ? "–" : Math.round(100 * said.outline) + " %";
-      const figures = [metres(said.shift), signedPercent(said.area), outline, doorsText(said)];
-      if (room.corridor) figures.push(metres(said.length));
+      const line = element("tr");
+      line.append(element("th", {scope: "row"}, said.run), element("td", {}, stateText(said)));
+      const outline = said.boundary_agreement === null ? "–"
+        : Math.round(100 * said.boundary_agreement) + " %";
+      const figures = [metres(said.shift_m), signedPercent(said.area_change), outline, doorsText(said)];
+      if (room.kind === "corridor") figures.push(metres(said.length_error_m));
       figures.forEach((figure) => line.append(element("td", {class: "n"}, figure)));
       body.append(line);
     });
@@ -451,11 +463,11 @@
   }
 
   function chooseBreak(i) {
-    const bend = data.breaks[i];
+    const bend = data.breaks[i], layer = "run-" + placeOf.get(bend.run);
     show("breaks", true);
-    if (boxOf("run-" + bend.run)) show("run-" + bend.run, true);
+    if (boxOf(layer)) show(layer, true);
     isWhole = false;
-    map.setView(latLng(bend.place), Math.max(map.getZoom(), 4.5), {animate: false});
+    map.setView([bend.y, bend.x], Math.max(map.getZoom(), 4.5), {animate: false});
     markBreak(i, false);
     breaks[i].openPopup();
     one("#map").scrollIntoView({block: "center"});
