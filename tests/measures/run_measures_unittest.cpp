@@ -17,8 +17,8 @@ roomgraph::Run square(double seen) {
   return run;
 }
 
-std::vector<Measure> coverage(const std::vector<roomgraph::Run>& runs,
-                              const std::vector<Transform2D>& poses, const PairBends& bends) {
+std::vector<MeasuredValue> coverage(const std::vector<roomgraph::Run>& runs,
+                                    const std::vector<Transform2D>& poses, const PairBends& bends) {
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
   site.poses = poses;
@@ -41,7 +41,7 @@ TEST(RunMeasures, copiesThatArePlacedApartAreNoOtherWitnesses) {
   const auto measures = coverage(runs, {{}, {5, 0, 0}, {5, 0, 0}, {5, 0, 0}}, bends);
   EXPECT_NEAR(measures[0].value.value(), 0.5, 0.02);
   for (const std::size_t i : {1, 2, 3}) EXPECT_NEAR(measures[i].value.value(), 1, 1e-9) << i;
-  for (const Measure& measure : measures) {
+  for (const MeasuredValue& measure : measures) {
     EXPECT_GE(measure.low.value(), 0);
     EXPECT_LE(measure.high.value(), 1);
     EXPECT_LE(measure.low.value(), measure.value.value());

@@ -9,7 +9,7 @@ namespace roomgraph {
 // After the attributes of Schwertfeger and Birk (2015); the formulas are ours
 // In:   GraphMatch
 // Out:  GraphComparison: how far two graphs agree
-// Next: graphMeasuresOf
+// Next: graphMeasureOf
 
 /** How many hops apart the pairs of vertices are whose distances are compared. */
 constexpr std::array<std::size_t, 4> kConsistencyHops{1, 2, 4, 8};

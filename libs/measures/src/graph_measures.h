@@ -1,9 +1,9 @@
 #pragma once
-#include <vector>
+#include <functional>
 
+#include "MeasuredValue.h"
 #include "compare_graphs.h"
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/measures/Measure.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/relate/relate_runs.h"
 
@@ -11,8 +11,8 @@ namespace roomgraph {
 
 // Ours
 // In:   the runs of a site, placed, with their graphs
-// Out:  Measure
-// Next: compareRuns
+// Out:  MeasuredValue
+// Next: measureSite
 
 /** What the graphs of each two runs say of each other; a is the one with the lower index. */
 using ComparedGraphs = PairTable<GraphComparison>;
@@ -21,16 +21,18 @@ using ComparedGraphs = PairTable<GraphComparison>;
 ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs,
                               const ForEach& forEach = oneByOne);
 
-/** Of one run against the others: `path_coverage`, `global_accuracy`, `relative_accuracy`,
- *  `consistency_1`, `_2`, `_4`, `_8`, `path_length_error`, `path_frechet` and `nearest_vertex`, see
- *  GraphComparison. Each is the mean over the others, weighted by trust times support; root mean
- *  square for both accuracies. Meaningful with three runs and enough support (10 vertices, paths or
- *  pairs of vertices; 20 m of paths). */
-std::vector<Measure> graphMeasuresOf(const ComparedGraphs& graphs, const Trust& trust,
-                                     std::size_t run);
+/** A figure of a comparison, and how several of them are taken together. */
+struct GraphFigure {
+  /** Of the first of the two graphs, or of the second. */
+  std::function<Figure(const GraphComparison&, bool isFirst)> of;
+  bool isSquared = false;  ///< means are taken of its square
+};
 
-/** The same figures of one pair, in the same order and without an interval: coverage and nearest
- *  vertices of both ways together. Meaningful by support alone. */
-std::vector<Measure> graphMeasuresOfPair(const GraphComparison& graphs);
+/** Of one run against the others: the mean over them, weighted by trust times support. */
+MeasuredValue graphMeasureOf(const GraphFigure& figure, const ComparedGraphs& graphs,
+                             const Trust& trust, std::size_t run);
+
+/** Of one pair, without an interval: both ways together. */
+MeasuredValue graphMeasureOfPair(const GraphFigure& figure, const GraphComparison& graphs);
 
 }  // namespace roomgraph

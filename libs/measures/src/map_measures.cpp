@@ -48,41 +48,41 @@ std::vector<Witness> witnessesOf(const Site& site, const MapPairs& pairs, const 
 }
 
 /** Scans tell where a run breaks, so that its pieces need not be guessed from its walls. */
-void countBreaks(Measure& measure, const Site& site, const MapPairs& pairs, const Trust& trust,
-                 std::size_t run, std::size_t breaks) {
+MeasuredValue countBreaks(const Site& site, const MapPairs& pairs, const Trust& trust,
+                          std::size_t run, std::size_t breaks) {
   std::size_t others = 0;
   for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(pairs, trust, run, j);
-  if (others == 0) return;
-  measure.value = double(breaks), measure.support = double(site.runs[run]->scans.size());
-  measure.isMeaningful = others >= 2 && measure.support >= kMinScans;
+  if (others == 0) return {};
+  const double scans = double(site.runs[run]->scans.size());
+  return {double(breaks), scans, {}, {}, others >= kFewestOthers, kMinScans};
+}
+
+MeasuredValue overWalls(std::optional<double> value, const Run& run) {
+  return {value, double(run.map.walls.size())};
 }
 
 }  // namespace
 
-std::vector<Measure> ownMeasuresOf(const Run& run) {
-  const double walls = double(run.map.walls.size());
+MeasuredValue wallDoublingOf(const Run& run) { return overWalls(wallDoubling(run.map), run); }
+
+MeasuredValue wallSharpnessOf(const Run& run) { return overWalls(run.map.wallSharpness, run); }
+
+MeasuredValue scanDisagreementOf(const Run& run) {
   const Figure scans = scanDisagreement(run.scans, {});
-  return {measureNamed("wall_doubling", wallDoubling(run.map), walls),
-          measureNamed("wall_sharpness", run.map.wallSharpness, walls),
-          measureNamed("scan_disagreement", scans.value, scans.support)};
+  return {scans.value, scans.support};
 }
 
-Measure brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust, std::size_t run,
-                     std::size_t breaks) {
-  Measure result = measureNamed("brokenness");
-  if (!site.runs[run]->scans.empty()) {
-    countBreaks(result, site, pairs, trust, run, breaks);
-    return result;
-  }
+MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust,
+                           std::size_t run, std::size_t breaks) {
+  if (!site.runs[run]->scans.empty()) return countBreaks(site, pairs, trust, run, breaks);
   const std::vector<Witness> witnesses = witnessesOf(site, pairs, trust, run);
   std::vector<double> supports;
   for (const Witness& witness : witnesses) supports.push_back(witness.walls);
-  measureOverOthers(result, supports, [&](std::size_t but) {
+  return measureOverOthers(supports, [&](std::size_t but) {
     auto value = medianPieces(witnesses, but);
     if (value) --*value;
     return value;
   });
-  return result;
 }
 
 }  // namespace roomgraph

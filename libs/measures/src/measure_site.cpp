@@ -1,14 +1,16 @@
 #include "roomgraph/measures/measure_site.h"
 
-#include "graph_measures.h"
-#include "map_measures.h"
-#include "run_measures.h"
+#include "measure_table.h"
 
 namespace roomgraph {
 namespace {
 
-void append(std::vector<Measure>& measures, const std::vector<Measure>& more) {
-  measures.insert(measures.end(), more.begin(), more.end());
+Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
+  Measure measure{kind.name,    measured.value, kind.unit,           measured.support,
+                  measured.low, measured.high,  /*meaningful*/ false};
+  measure.isMeaningful = measured.value && measured.hasEnoughOthers &&
+                         measured.support >= measured.leastSupport.value_or(kind.leastSupport);
+  return measure;
 }
 
 }  // namespace
@@ -18,23 +20,23 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                          const ForEach& forEach) {
   const std::size_t n = site.runs.size();
   if (n == 0) return {};
-  const DistanceTable distances = distancesOf(site, forEach);
-  const ComparedGraphs graphs = comparedGraphs(site, pairs, forEach);
-  const std::vector<Measure> coverage = coverageOf(site, bends);
-  const std::vector<std::vector<Measure>> rooms = roomMeasuresOf(site, trust, forEach);
+  const SiteEvidence evidence{site,
+                              pairs,
+                              bends,
+                              trust,
+                              breaks,
+                              coverageOf(site, bends),
+                              distancesOf(site, forEach),
+                              roomCounts(site, forEach),
+                              comparedGraphs(site, pairs, forEach)};
   SiteMeasures all{std::vector<std::vector<Measure>>(n), PairTable<std::vector<Measure>>(n)};
   forEach(n, [&](std::size_t i) {
-    all.runs[i] = {coverage[i], bendOf(bends, trust, i), axisDeviationOf(*site.runs[i])};
-    append(all.runs[i], wallMeasuresOf(distances, trust, i));
-    append(all.runs[i], rooms[i]);
-    append(all.runs[i], graphMeasuresOf(graphs, trust, i));
-    all.runs[i].push_back(brokennessOf(site, pairs, trust, i, breaks[i].size()));
-    append(all.runs[i], ownMeasuresOf(*site.runs[i]));
+    for (const MeasureRow& row : measureTable())
+      if (row.ofRun) all.runs[i].push_back(measureOf(row.kind, row.ofRun(evidence, i)));
   });
-  for (const auto& [i, j] : pairs.pairs()) {
-    all.pairs(i, j) = wallMeasuresOfPair(bends(i, j), distances, i, j);
-    append(all.pairs(i, j), graphMeasuresOfPair(graphs(i, j)));
-  }
+  for (const auto& [i, j] : pairs.pairs())
+    for (const MeasureRow& row : measureTable())
+      if (row.ofPair) all.pairs(i, j).push_back(measureOf(row.kind, row.ofPair(evidence, i, j)));
   return all;
 }
 

@@ -10,7 +10,7 @@ namespace roomgraph {
 // Ours: what a run tells of itself, without any other
 // In:   the scans of a run
 // Out:  how far they lie from what the run saw at another time
-// Next: ownMeasuresOf
+// Next: scanDisagreementOf
 
 struct ScanDisagreementOptions {
   double minApart = 5;        ///< path between two scans that are compared [m]

@@ -17,13 +17,6 @@ struct Measure {
   bool isMeaningful = false;  ///< enough other runs, and enough support
 };
 
-/** A measure without a value yet. @throws std::logic_error where no MeasureKind has this name: each
- *  measure must stand in the table. */
-Measure measureNamed(const std::string& name);
-
-/** The same with a value, meaningful by its support alone. */
-Measure measureNamed(const std::string& name, std::optional<double> value, double support);
-
 /** The measure of this name; null for none. */
 const Measure* find(const std::vector<Measure>& measures, const std::string& name);
 

@@ -5,7 +5,7 @@
 namespace roomgraph {
 
 /** A measure, and all that is said about it: tables, labels and tests are made from this. What it
- *  is computed from stands in docs/scoring.md; where, in measure_site. */
+ *  is computed from stands in docs/scoring.md. */
 struct MeasureKind {
   const char* name;      ///< as in the files
   const char* label;     ///< for people

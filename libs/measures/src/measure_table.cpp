@@ -1,0 +1,174 @@
+#include "measure_table.h"
+
+#include <algorithm>
+
+#include "map_measures.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kWalls = kFewestWalls;
+constexpr double kArea = 10;  // of the site [m2]
+constexpr double kRooms = 3;
+constexpr double kCount = 10;   // vertices, paths, or pairs of vertices
+constexpr double kLength = 20;  // of paths [m]
+constexpr double kScans = 10;
+
+/** A quantile of the distances between the walls of a run and those of the others. */
+MeasureRow wallDistance(const MeasureKind& kind, double share) {
+  return {kind,
+          [share](const SiteEvidence& all, std::size_t run) {
+            return wallDistanceOf(all.distances, all.trust, run, share);
+          },
+          [share](const SiteEvidence& all, std::size_t a, std::size_t b) {
+            return wallDistanceOfPair(all.distances, a, b, share);
+          }};
+}
+
+std::vector<MeasureRow> wallRows() {
+  return {
+      {{"coverage", "Coverage", "1", 0, "Of what two runs have seen free, the share it has seen."},
+       [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
+       {}},
+      {{"bend", "Bend away from the others", "m", kWalls,
+        "Mean bend against the others, by trust."},
+       [](const SiteEvidence& all, std::size_t run) { return bendOf(all.bends, all.trust, run); },
+       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
+         return bendOfPair(all.bends(a, b));
+       }},
+      {{"followed", "Walls found again", "1", kWalls, "Share of the walls that both have."},
+       {},
+       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
+         return followedOfPair(all.bends(a, b));
+       }},
+      {{"axis_deviation", "Walls off right angles, median", "deg", 0,
+        "Median angle between its walls and the nearer of its two main directions."},
+       [](const SiteEvidence& all, std::size_t run) {
+         return axisDeviationOf(*all.site.runs[run]);
+       },
+       {}},
+      {{"wall_distance_mean", "Wall distance, mean", "m", kWalls,
+        "Mean distance of the walls of both."},
+       {},
+       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
+         return meanWallDistanceOfPair(all.distances, a, b);
+       }},
+      wallDistance({"wall_distance", "Wall distance, median", "m", kWalls,
+                    "Median distance of its walls to those of the others."},
+                   0.5),
+      wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kWalls,
+                    "90th percentile of the same distances."},
+                   0.9)};
+}
+
+std::vector<MeasureRow> roomRows() {
+  return {{{"rooms_matched", "Rooms found again", "1", kRooms,
+            "Of the rooms of the others that it has seen, the share it has, too."},
+           [](const SiteEvidence& all, std::size_t run) {
+             return roomsMatchedOf(all.rooms, all.trust, run);
+           },
+           {}},
+          {{"room_coverage", "Room area of the others that it has", "1", kArea,
+            "Of the area of all rooms of the others, the share in rooms that it has, too."},
+           [](const SiteEvidence& all, std::size_t run) {
+             return roomCoverageOf(all.rooms, all.trust, run);
+           },
+           {}}};
+}
+
+MeasureRow ofGraphs(const MeasureKind& kind, const GraphFigure& figure) {
+  return {kind,
+          [figure](const SiteEvidence& all, std::size_t run) {
+            return graphMeasureOf(figure, all.graphs, all.trust, run);
+          },
+          [figure](const SiteEvidence& all, std::size_t a, std::size_t b) {
+            return graphMeasureOfPair(figure, all.graphs(a, b));
+          }};
+}
+
+MeasureRow ofGraphs(const MeasureKind& kind, Figure GraphComparison::*figure) {
+  return ofGraphs(kind, {[figure](const GraphComparison& g, bool) { return g.*figure; }});
+}
+
+MeasureRow rmsOfGraphs(const MeasureKind& kind, Figure GraphComparison::*figure) {
+  return ofGraphs(kind, {[figure](const GraphComparison& g, bool) { return g.*figure; }, true});
+}
+
+/** `hops` is one of kConsistencyHops. */
+GraphFigure consistencyOver(std::size_t hops) {
+  const auto found = std::find(kConsistencyHops.begin(), kConsistencyHops.end(), hops);
+  const std::size_t k = std::size_t(found - kConsistencyHops.begin());
+  return {[k](const GraphComparison& g, bool) { return g.consistency.at(k); }};
+}
+
+std::vector<MeasureRow> graphRows() {
+  using Graphs = GraphComparison;
+  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", kLength,
+                    "Of the path length of the others, the share it has, too."},
+                   {[](const Graphs& g, bool isA) { return isA ? g.coverageOfA : g.coverageOfB; }}),
+          rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kCount,
+                       "RMS distance of matched vertices in the frame of the site."},
+                      &Graphs::globalAccuracy),
+          rmsOfGraphs({"relative_accuracy", "Vertices off after the best fit, RMS", "m", kCount,
+                       "The same after the turn and shift that fit each pair best."},
+                      &Graphs::relativeAccuracy),
+          ofGraphs({"consistency_1", "Distances off, 1 hop", "1", kCount,
+                    "Median error of distances between vertices one path apart."},
+                   consistencyOver(1)),
+          ofGraphs(
+              {"consistency_2", "Distances off, 2 hops", "1", kCount, "The same, two paths apart."},
+              consistencyOver(2)),
+          ofGraphs({"consistency_4", "Distances off, 4 hops", "1", kCount,
+                    "The same, four paths apart."},
+                   consistencyOver(4)),
+          ofGraphs({"consistency_8", "Distances off, 8 hops", "1", kCount,
+                    "The same, eight paths apart."},
+                   consistencyOver(8)),
+          ofGraphs({"path_length_error", "Path lengths off, median", "1", kCount,
+                    "Median error of the lengths of matched paths."},
+                   &Graphs::lengthError),
+          ofGraphs({"path_frechet", "Paths apart (Fréchet), median", "m", kCount,
+                    "Median Fréchet distance of matched paths, their ends laid on each other."},
+                   &Graphs::frechet),
+          ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kCount,
+                    "Mean distance of its vertices to the nearest vertex of the other."},
+                   {[](const Graphs& g, bool isA) { return isA ? g.nearestA : g.nearestB; }})};
+}
+
+MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
+  return {
+      kind,
+      [figure](const SiteEvidence& all, std::size_t run) { return figure(*all.site.runs[run]); },
+      {}};
+}
+
+std::vector<MeasureRow> mapRows() {
+  return {{{"brokenness", "Extra pieces", "pieces", kWalls, "Rigid pieces of the map, less one."},
+           [](const SiteEvidence& all, std::size_t run) {
+             return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
+           },
+           {}},
+          ofMap({"wall_doubling", "Walls drawn twice", "1", kWalls,
+                 "Share of its walls that stand before another one that faces the same way."},
+                wallDoublingOf),
+          ofMap({"wall_sharpness", "Wall at the edge of free space", "1", kWalls,
+                 "Cells drawn as wall for each cell at the edge of free space."},
+                wallSharpnessOf),
+          ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kScans,
+                 "How far scans lie from what was seen at the same place at another time."},
+                scanDisagreementOf)};
+}
+
+}  // namespace
+
+const std::vector<MeasureRow>& measureTable() {
+  static const std::vector<MeasureRow> table = [] {
+    std::vector<MeasureRow> rows;
+    for (const auto& some : {wallRows(), roomRows(), graphRows(), mapRows()})
+      rows.insert(rows.end(), some.begin(), some.end());
+    return rows;
+  }();
+  return table;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,83 @@
+#include "room_measures.h"
+
+#include "measure_over_others.h"
+#include "roomgraph/match/match_rooms.h"
+#include "site_frame.h"
+
+namespace roomgraph {
+namespace {
+
+/** The rooms of a run, in the frame of the site. */
+std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
+  std::vector<GraphRoom> rooms = run.rooms;
+  for (GraphRoom& room : rooms) {
+    room.center = pose(room.center);
+    for (Point& p : room.shape.polygon.outer) p = pose(p);
+    for (Ring& hole : room.shape.polygon.holes)
+      for (Point& p : hole) p = pose(p);
+  }
+  return rooms;
+}
+
+RoomCount countRooms(const std::vector<GraphRoom>& others, const std::vector<bool>& isMatched,
+                     const MapForAlignment& map, const Transform2D& back) {
+  RoomCount count;
+  for (std::size_t r = 0; r < others.size(); ++r) {
+    if (isMatched[r]) ++count.matched;
+    if (isMatched[r] || isFreeIn(map, back(others[r].center))) ++count.visible;
+    const double size = area(others[r].shape.polygon);
+    count.area += size;
+    if (isMatched[r]) count.matchedArea += size;
+  }
+  return count;
+}
+
+/** The share `part` of `all` in the rooms of the others. */
+MeasuredValue shareOf(const RoomCounts& counts, const Trust& trust, std::size_t run,
+                      double RoomCount::*part, double RoomCount::*all) {
+  std::vector<double> supports;
+  for (std::size_t j = 0; j < trust.size(); ++j)
+    supports.push_back(j != run && trust[j] > 0 ? counts(run, j).*all : 0);
+  return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
+    RoomCount sum;
+    for (std::size_t j = 0; j < trust.size(); ++j) {
+      if (j == run || j == but) continue;
+      sum.*all += trust[j] * counts(run, j).*all;
+      sum.*part += trust[j] * counts(run, j).*part;
+    }
+    if (sum.*all <= 0) return std::nullopt;
+    return sum.*part / sum.*all;
+  });
+}
+
+}  // namespace
+
+RoomCounts roomCounts(const Site& site, const ForEach& forEach) {
+  const GridFrame frame = siteFrame(site);
+  const std::size_t n = site.runs.size();
+  std::vector<std::vector<GraphRoom>> rooms;
+  for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
+  RoomCounts counts(n);
+  forEach(n, [&](std::size_t i) {
+    for (std::size_t j = i + 1; j < n; ++j) {
+      std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
+      for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
+        ofI[match.base.index()] = true;
+        ofJ[match.other.index()] = true;
+      }
+      counts(i, j) = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
+      counts(j, i) = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
+    }
+  });
+  return counts;
+}
+
+MeasuredValue roomsMatchedOf(const RoomCounts& counts, const Trust& trust, std::size_t run) {
+  return shareOf(counts, trust, run, &RoomCount::matched, &RoomCount::visible);
+}
+
+MeasuredValue roomCoverageOf(const RoomCounts& counts, const Trust& trust, std::size_t run) {
+  return shareOf(counts, trust, run, &RoomCount::matchedArea, &RoomCount::area);
+}
+
+}  // namespace roomgraph
