@@ -9,6 +9,7 @@
 #include "render.h"
 #include "result_scene.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -16,9 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/** One step: what it is called, what it counts, what it shows. */
+/** One step: what it counts, what it shows. */
 struct Picture {
-  const char *name, *paper, *title;
   Json counts;
   Scene scene;
 };
@@ -30,7 +30,7 @@ std::vector<const Polygon*> polygonsOf(const Rooms& rooms) {
 }
 
 Picture gridPicture(const Stages& stages) {
-  Picture picture{"grid", "IV-C", "free, occupied and unknown cells", Json::object(), {}};
+  Picture picture;
   const auto& cells = stages.grid.cells;
   const auto count = [&](State state) { return std::count(cells.begin(), cells.end(), state); };
   picture.counts = {{"free", count(State::free)},
@@ -42,21 +42,16 @@ Picture gridPicture(const Stages& stages) {
 
 Picture sitesPicture(const Stages& stages) {
   const std::size_t count = stages.sites.cells.size();
-  Picture picture{"sites",
-                  "IV-C, III-A",
-                  "obstacles after thinning, the sites of the Voronoi diagram",
-                  Json::object({{"sites", count}}),
-                  {}};
+  Picture picture{Json::object({{"sites", count}}), {}};
   picture.scene.layers = [&stages](const Pen& pen) { drawSites(pen, stages.sites); };
   picture.scene.legend = {squareLegend(counted(count, "site", "sites"), ink::vermilion)};
   return picture;
 }
 
 /** The edges of the Voronoi diagram that a filter leaves. */
-Picture voronoiPicture(const char* name, const char* title, const Stages& stages,
-                       std::vector<bool> isShown) {
+Picture voronoiPicture(const Stages& stages, std::vector<bool> isShown) {
   const auto count = std::size_t(std::count(isShown.begin(), isShown.end(), true));
-  Picture picture{name, "III-A", title, Json::object({{"edges", count}}), {}};
+  Picture picture{Json::object({{"edges", count}}), {}};
   picture.scene.legend = {
       lineLegend(counted(count, "Voronoi edge", "Voronoi edges"), ink::blue, 1.2)};
   picture.scene.layers = [&stages, shown = std::move(isShown)](const Pen& pen) {
@@ -64,27 +59,6 @@ Picture voronoiPicture(const char* name, const char* title, const Stages& stages
         pen, stages.voronoi, [&](std::size_t e) { return shown[e]; }, ink::blue);
   };
   return picture;
-}
-
-std::vector<bool> finiteEdges(const VoronoiGraph& voronoi) {
-  std::vector<bool> isFinite;
-  for (const VoronoiEdge& edge : voronoi.edges) isFinite.push_back(!edge.isInfinite());
-  return isFinite;
-}
-
-std::vector<bool> insideEdges(const Stages& stages) {
-  std::vector<bool> isInside = finiteEdges(stages.voronoi);
-  for (std::size_t e = 0; e < isInside.size(); ++e) {
-    const VoronoiEdge& edge = stages.voronoi.edges[e];
-    if (isInside[e]) isInside[e] = stages.isInside[edge.source] && stages.isInside[edge.target];
-  }
-  return isInside;
-}
-
-std::vector<bool> clearEdges(const Stages& stages) {
-  std::vector<bool> isClear(stages.voronoi.edges.size());
-  for (const auto e : stages.clearEdges) isClear[e] = true;
-  return isClear;
 }
 
 Json graphCounts(const TopologyGraph& graph) {
@@ -96,9 +70,8 @@ Json graphCounts(const TopologyGraph& graph) {
   return counts;
 }
 
-Picture graphPicture(const char* name, const char* paper, const char* title,
-                     const TopologyGraph& graph, const Rooms* rooms) {
-  Picture picture{name, paper, title, graphCounts(graph), {}};
+Picture graphPicture(const TopologyGraph& graph, const Rooms* rooms) {
+  Picture picture{graphCounts(graph), {}};
   picture.scene.layers = [&graph, rooms](const Pen& pen) {
     if (rooms) drawRooms(pen, polygonsOf(*rooms));
     drawPaths(pen, graph);
@@ -110,11 +83,7 @@ Picture graphPicture(const char* name, const char* paper, const char* title,
 
 Picture roomsPicture(const Stages& stages) {
   const std::size_t count = stages.rooms.size();
-  Picture picture{"rooms",
-                  "III-B",
-                  "rooms, the inner polygons of the alpha shape",
-                  Json::object({{"rooms", count}}),
-                  {}};
+  Picture picture{Json::object({{"rooms", count}}), {}};
   picture.scene.layers = [&stages](const Pen& pen) {
     drawRooms(pen, polygonsOf(stages.rooms));
     for (const Room& room : stages.rooms)
@@ -124,22 +93,9 @@ Picture roomsPicture(const Stages& stages) {
   return picture;
 }
 
-/** Where the paths cross the rooms: the ends of the stretches inside of each path. */
-std::vector<Point> crossings(const Stages& stages) {
-  std::vector<Point> places;
-  for (std::size_t e = 0; e < stages.stretches.size(); ++e)
-    for (std::size_t s = 1; s < stages.stretches[e].size(); ++s)
-      places.push_back(pointAt(stages.largest.edges()[e].path.points, stages.stretches[e][s].from));
-  return places;
-}
-
 Picture borderPicture(const Stages& stages) {
   const std::vector<Point> places = crossings(stages);
-  Picture picture{"border_vertices",
-                  "III-C",
-                  "where paths cross the rooms' polygons",
-                  Json::object({{"crossings", places.size()}}),
-                  {}};
+  Picture picture{Json::object({{"crossings", places.size()}}), {}};
   picture.scene.layers = [&stages, places](const Pen& pen) {
     drawRooms(pen, polygonsOf(stages.rooms));
     drawPaths(pen, stages.largest);
@@ -154,8 +110,7 @@ Picture borderPicture(const Stages& stages) {
 }
 
 Picture resultPicture(const Stages& stages) {
-  Picture picture{"result", "III-G", "the room graph", graphCounts(stages.result.graph),
-                  resultScene(stages)};
+  Picture picture{graphCounts(stages.result.graph), resultScene(stages)};
   picture.counts["rooms"] = stages.result.rooms.size();
   return picture;
 }
@@ -165,10 +120,7 @@ Picture areasPicture(const Stages& stages) {
   const auto rooms = std::size_t(
       std::count_if(areas.begin(), areas.end(), [](const Area& area) { return area.isRoom(); }));
   const std::size_t corridors = areas.size() - rooms;
-  Picture picture{"areas",
-                  "ours",
-                  "rooms, pieces of corridor and passages",
-                  Json::object({{"rooms", rooms},
+  Picture picture{Json::object({{"rooms", rooms},
                                 {"corridors", corridors},
                                 {"passages", stages.areas.passages.size()},
                                 {"clutter", stages.cleared.clutter.size()}}),
@@ -184,25 +136,23 @@ Picture areasPicture(const Stages& stages) {
   return picture;
 }
 
+/** In the order of stageNames(). */
 std::vector<Picture> pictures(const Stages& s) {
   return {
       gridPicture(s),
       sitesPicture(s),
-      voronoiPicture("voronoi", "Voronoi diagram of the sites", s, finiteEdges(s.voronoi)),
-      voronoiPicture("inside", "without what lies outside", s, insideEdges(s)),
-      voronoiPicture("clear", "without what is too near to an obstacle", s, clearEdges(s)),
-      graphPicture("topology", "III-A", "runs of Voronoi edges joined to paths", s.topology,
-                   nullptr),
-      graphPicture("pruned", "III-A", "without dead ends that lead nowhere", s.pruned, nullptr),
-      graphPicture("joined", "III-A", "near vertices joined", s.joinedUp, nullptr),
-      graphPicture("largest", "III-A", "connected parts that are kept", s.largest, nullptr),
+      voronoiPicture(s, finiteEdges(s)),
+      voronoiPicture(s, insideEdges(s)),
+      voronoiPicture(s, clearEdges(s)),
+      graphPicture(s.topology, nullptr),
+      graphPicture(s.pruned, nullptr),
+      graphPicture(s.joinedUp, nullptr),
+      graphPicture(s.largest, nullptr),
       roomsPicture(s),
       borderPicture(s),
-      graphPicture("cut", "III-D, III-E", "paths cut at the border vertices, with room ids", s.cut,
-                   &s.rooms),
-      graphPicture("cleaned", "III-F", "without short dead ends at rooms", s.cleaned, &s.rooms),
-      graphPicture("doors", "ours", "doors between two rooms joined to one vertex", s.doors,
-                   &s.rooms),
+      graphPicture(s.cut, &s.rooms),
+      graphPicture(s.cleaned, &s.rooms),
+      graphPicture(s.doors, &s.rooms),
       resultPicture(s),
       areasPicture(s),
   };
@@ -228,15 +178,14 @@ void drawStages(const Stages& stages, const std::string& folder, StagedFiles& fi
   std::string list;
   std::size_t number = 0;
   for (Picture& picture : pictures(stages)) {
-    const std::string heading = twoDigits(++number) + " " + picture.name;
-    const std::string file = twoDigits(number) + "_" + picture.name + ".png";
-    picture.scene.title = heading + "  ·  " + picture.paper + "  ·  " + picture.title;
+    const StageName& stage = stageNames()[number];
+    const std::string heading = twoDigits(++number) + " " + stage.name;
+    const std::string file = twoDigits(number) + "_" + stage.name + ".png";
+    picture.scene.title = heading + "  ·  " + stage.paper + "  ·  " + stage.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
     files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
-    const Json entry{{"file", file},
-                     {"paper", picture.paper},
-                     {"title", picture.title},
-                     {"counts", picture.counts}};
+    const Json entry{
+        {"file", file}, {"paper", stage.paper}, {"title", stage.title}, {"counts", picture.counts}};
     list += (list.empty() ? "\n" : ",\n") + entry.dump();
   }
   files.add(

@@ -174,6 +174,7 @@ viz::CSetOfObjects::Ptr drawNumbers(const RoomGraph& graph, const Sheet& sheet) 
   auto numbers = viz::CSetOfObjects::Create();
   numbers->setName("room numbers");
   for (std::size_t i = 0; i < graph.rooms.size(); ++i) {
+    if (!graph.rooms[i].vertex) continue;
     const Vertex& vertex = graph.graph.vertex(graph.rooms[i].vertex);
     numbers->insert(drawNumber(i, vertex.at, discRadius(graph, vertex, sheet), sheet));
   }

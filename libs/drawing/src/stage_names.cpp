@@ -1,0 +1,55 @@
+#include "roomgraph/drawing/stage_names.h"
+
+namespace roomgraph {
+
+const std::vector<StageName>& stageNames() {
+  static const std::vector<StageName> names = {
+      {"grid", "IV-C", "free, occupied and unknown cells"},
+      {"sites", "IV-C, III-A", "obstacles after thinning, the sites of the Voronoi diagram"},
+      {"voronoi", "III-A", "Voronoi diagram of the sites"},
+      {"inside", "III-A", "without what lies outside"},
+      {"clear", "III-A", "without what is too near to an obstacle"},
+      {"topology", "III-A", "runs of Voronoi edges joined to paths"},
+      {"pruned", "III-A", "without dead ends that lead nowhere"},
+      {"joined", "III-A", "near vertices joined"},
+      {"largest", "III-A", "connected parts that are kept"},
+      {"rooms", "III-B", "rooms, the inner polygons of the alpha shape"},
+      {"border_vertices", "III-C", "where paths cross the rooms' polygons"},
+      {"cut", "III-D, III-E", "paths cut at the border vertices, with room ids"},
+      {"cleaned", "III-F", "without short dead ends at rooms"},
+      {"doors", "ours", "doors between two rooms joined to one vertex"},
+      {"result", "III-G", "the room graph"},
+      {"areas", "ours", "rooms, pieces of corridor and passages"}};
+  return names;
+}
+
+std::vector<bool> finiteEdges(const Stages& stages) {
+  std::vector<bool> isFinite;
+  for (const VoronoiEdge& edge : stages.voronoi.edges) isFinite.push_back(!edge.isInfinite());
+  return isFinite;
+}
+
+std::vector<bool> insideEdges(const Stages& stages) {
+  std::vector<bool> isInside = finiteEdges(stages);
+  for (std::size_t e = 0; e < isInside.size(); ++e) {
+    const VoronoiEdge& edge = stages.voronoi.edges[e];
+    if (isInside[e]) isInside[e] = stages.isInside[edge.source] && stages.isInside[edge.target];
+  }
+  return isInside;
+}
+
+std::vector<bool> clearEdges(const Stages& stages) {
+  std::vector<bool> isClear(stages.voronoi.edges.size());
+  for (const auto e : stages.clearEdges) isClear[e] = true;
+  return isClear;
+}
+
+std::vector<Point> crossings(const Stages& stages) {
+  std::vector<Point> places;
+  for (std::size_t e = 0; e < stages.stretches.size(); ++e)
+    for (std::size_t s = 1; s < stages.stretches[e].size(); ++s)
+      places.push_back(pointAt(stages.largest.edges()[e].path.points, stages.stretches[e][s].from));
+  return places;
+}
+
+}  // namespace roomgraph
