@@ -18,7 +18,9 @@ struct View {
   /** Of one map, with which it is extracted anew when an option changes. */
   std::optional<GreyMap> map;
   ExtractOptions options;
-  std::optional<CRoomGraph> graph;
+  std::optional<Stages> stages;     ///< of that map
+  std::optional<CRoomGraph> graph;  ///< their result
+  double seconds = 0;               ///< that the extraction took
 
   const Run* runNamed(const std::string& name) const;
   /** Of the run at this place of the comparison; empty without scans. */
@@ -32,7 +34,7 @@ struct View {
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const std::function<void(const std::string&)>& say);
 
-/** Extracts the one map anew, with the options of the view. */
+/** Extracts the one map anew, with the options of the view. What they do not change is kept. */
 void extractAgain(View& view);
 
 }  // namespace roomgraph

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw_marks.h"
+#include "draw_path.h"
+#include "draw_stage.h"
+#include "heights.h"
 #include "read_place.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
@@ -13,38 +17,22 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPathHeight = 2, kFrameHeight = 2.2;  // above all maps [m]
-constexpr double kWorstError = 0.5;                    // drawn red from here on [m]
-constexpr std::uint8_t kFaint = 70;                    // of 255
-constexpr float kDotRadius = 0.08f;                    // of a key frame [m]
-constexpr float kRobotRadius = 0.25f;                  // [m]
+constexpr double kFaint = 0.3;         // share of its colour that a faint wall keeps
+constexpr float kRobotRadius = 0.25f;  // [m]
 constexpr mrpt::img::TColor kScan{200, 30, 30}, kRobot{20, 20, 20}, kText{30, 34, 40};
 
-/** From green over yellow to red; blue where it cannot be told. */
-mrpt::img::TColor colourOfError(const std::optional<double>& error) {
-  if (!error) return {0, 82, 155};
-  const double bad = std::clamp(*error / kWorstError, 0.0, 1.0);
-  return {std::uint8_t(230 * std::min(1.0, 2 * bad)),
-          std::uint8_t(170 * std::min(1.0, 2 - 2 * bad)), 40};
-}
+constexpr const char* kGraphParts[] = {"map",       "rooms",    "room outlines", "ways in rooms",
+                                       "corridors", "vertices", "room numbers"};
 
-viz::CSetOfObjects::Ptr pathOf(const std::vector<PathPose>& path) {
-  auto set = viz::CSetOfObjects::Create();
-  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-    auto piece = viz::CSetOfLines::Create();
-    piece->setLineWidth(3);
-    piece->setColor_u8(colourOfError(path[k + 1].error));
-    const Transform2D &a = path[k].pose, &b = path[k + 1].pose;
-    piece->appendLine(a.x, a.y, kPathHeight, b.x, b.y, kPathHeight);
-    set->insert(piece);
-  }
-  for (const PathPose& at : path) {
-    auto disk = viz::CDisk::Create(kDotRadius, 0.0f);
-    disk->setColor_u8(colourOfError(at.error));
-    disk->setLocation(at.pose.x, at.pose.y, kPathHeight);
-    set->insert(disk);
-  }
-  return set;
+/** Points are never transparent, so faint ones have the colour that they would have. */
+mrpt::img::TColor wallColour(std::size_t run, bool isFaint) {
+  const Colour full = runColour(run);
+  if (!isFaint) return {full.red, full.green, full.blue};
+  const auto mixed = [](std::uint8_t colour, std::uint8_t paper) {
+    return std::uint8_t(kFaint * colour + (1 - kFaint) * paper);
+  };
+  return {mixed(full.red, kBackgroundColor.r), mixed(full.green, kBackgroundColor.g),
+          mixed(full.blue, kBackgroundColor.b)};
 }
 
 viz::CSetOfObjects::Ptr setNamed(const char* name) {
@@ -103,14 +91,15 @@ ViewScene::ViewScene(const View& view)
       scene_(MrptScene::Create()),
       frame_(setNamed("key frame")),
       tear_(setNamed("break")),
+      stage_(setNamed("stage")),
+      marks_(setNamed("marks")),
       box_(boxOf(view)) {
   if (view.graph)
     drawGraphAgain();
   else
     addComparison();
   addPaths();
-  scene_->insert(tear_);
-  scene_->insert(frame_);
+  for (const auto& set : {stage_, tear_, frame_, marks_}) scene_->insert(set);
   lookDown(*scene_, box_, 1.5);
 }
 
@@ -136,8 +125,8 @@ void ViewScene::drawGraphAgain() {
   const auto graph = drawGraph(*view_.graph);
   if (const auto old = scene_->getByName("room graph")) scene_->removeObject(old);
   scene_->insert(graph);
-  for (const char* name :
-       {"map", "rooms", "room outlines", "ways in rooms", "corridors", "vertices", "room numbers"})
+  shownStage_.reset();
+  for (const char* name : kGraphParts)
     if (graph->getByName(name) && std::find(layers_.begin(), layers_.end(), name) == layers_.end())
       layers_.push_back(name);
 }
@@ -146,7 +135,7 @@ void ViewScene::addPaths() {
   auto paths = viz::CSetOfObjects::Create();
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i) {
     if (view_.path(i).empty()) continue;
-    auto path = pathOf(view_.path(i));
+    auto path = drawPath(view_.path(i));
     path->setName("path " + std::to_string(i));
     paths->insert(path);
   }
@@ -155,7 +144,9 @@ void ViewScene::addPaths() {
 
 /** Where the scans at a break are shown in both poses already. */
 bool ViewScene::isAtBreak(const ViewState& state) const {
-  return state.tear && view_.comparison.breaks[*state.tear].keyFrame == state.frame;
+  if (!state.tear) return false;
+  const auto& keyFrame = view_.comparison.breaks[*state.tear].keyFrame;
+  return keyFrame && placeInPath(view_, state.run, *keyFrame) == state.frame;
 }
 
 void ViewScene::updateFrame(const ViewState& state) {
@@ -196,6 +187,20 @@ void ViewScene::updateBreak(const ViewState& state) {
     }
 }
 
+void ViewScene::updateStage(const ViewState& state) {
+  if (state.stage == shownStage_) return;
+  shownStage_ = state.stage;
+  stage_->clear();
+  if (state.stage && view_.stages) stage_->insert(drawStage(*view_.stages, *state.stage));
+}
+
+void ViewScene::updateMarks(const ViewState& state) {
+  marks_->clear();
+  if (!state.corners.empty()) marks_->insert(drawRuler(state.corners));
+  if (state.mode == Mode::look) marks_->insert(drawRead(view_, state));
+  if (state.mode == Mode::swipe) marks_->insert(drawSwipe(view_, state, box_, *scene_));
+}
+
 void ViewScene::hideLayers(const ViewState& state) {
   for (const std::string& name : layers_)
     if (const auto object = scene_->getByName(name))
@@ -203,38 +208,59 @@ void ViewScene::hideLayers(const ViewState& state) {
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
     if (const auto path = scene_->getByName("path " + std::to_string(i)))
       path->setVisibility(i == state.run && !state.tear);
-  // What was seen at a break is to stand out from the maps.
-  for (const ComparedRun& run : view_.comparison.runs)
-    if (const auto walls = scene_->getByName(run.name))
-      walls->setColorA_u8(state.tear ? kFaint : 255);
-  if (!state.isFlickering) return;
-  const std::size_t other = state.run == 0 ? 1 : 0;
-  for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
-    if (const auto walls = scene_->getByName(view_.comparison.runs[i].name))
-      walls->setVisibility(i == (state.isFlicked ? other : state.run));
+  hideGraph(state);
+  hideRuns(state);
 }
 
-void ViewScene::write(const std::vector<std::string>& above,
-                      const std::vector<std::string>& below) {
+/** A stage takes the place of the graph; a map that grows is the only one. */
+void ViewScene::hideGraph(const ViewState& state) {
+  if (!view_.graph) return;
+  for (const char* name : kGraphParts) {
+    const bool isMap = name == kGraphParts[0];
+    const auto part = scene_->getByName(name);
+    if (part && ((state.stage && !isMap) || (state.growsMap && !state.stage)))
+      part->setVisibility(false);
+  }
+}
+
+/** Which runs are seen, and how clearly. */
+void ViewScene::hideRuns(const ViewState& state) {
+  const auto other = otherRun(view_, state);
+  for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i) {
+    const auto walls = scene_->getByName(view_.comparison.runs[i].name);
+    if (!walls) continue;
+    const Transform2D pose = shownPose(view_, state, i);
+    walls->setPose(mrpt::poses::CPose3D(pose.x, pose.y, walls->getPoseZ(), pose.phi, 0, 0));
+    // What was seen at a break is to stand out from the maps.
+    const bool isShownThere = state.tear && state.other == i;
+    walls->setColor_u8(wallColour(i, state.tear && !isShownThere));
+    if (state.mode == Mode::swipe) walls->setVisibility(false);
+    if (state.mode == Mode::nudge) walls->setVisibility(i == state.run || i == other);
+    if (state.isFlickering) walls->setVisibility(i == (state.isFlicked ? *other : state.run));
+    if (state.tear && state.other) walls->setVisibility(isShownThere);
+    if (state.growsMap && i == state.run) walls->setVisibility(false);
+  }
+}
+
+void ViewScene::write(const ViewState& state) {
   const auto viewport = scene_->getViewport();
   viewport->clearTextMessages();
   mrpt::opengl::TFontParams font;
   font.vfont_name = "sans", font.vfont_scale = 12;
   font.color = mrpt::img::TColorf(kText);
   font.draw_shadow = true, font.shadow_color = {1, 1, 1, 1};
-  constexpr double lineHeight = 18, fromTop = 24, fromBottom = 8;  // [px]
-  for (std::size_t i = 0; i < above.size(); ++i)
-    viewport->addTextMessage(10, -fromTop - lineHeight * double(i), above[i], i, font);
-  for (std::size_t i = 0; i < below.size(); ++i)
-    viewport->addTextMessage(10, fromBottom + lineHeight * double(below.size() - 1 - i), below[i],
-                             above.size() + i, font);
+  constexpr double lineHeight = 18, fromTop = 24;  // [px]
+  const std::vector<std::string> lines = readState(view_, state);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    viewport->addTextMessage(10, -fromTop - lineHeight * double(i), lines[i], i, font);
 }
 
-void ViewScene::update(const ViewState& state, const std::vector<std::string>& below) {
+void ViewScene::update(const ViewState& state) {
   updateFrame(state);
   updateBreak(state);
+  updateStage(state);
+  updateMarks(state);
   hideLayers(state);
-  write(readState(view_, state), below);
 }
 
 Box ViewScene::boxAt(const MapBreak& tear) const {

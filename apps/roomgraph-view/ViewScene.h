@@ -13,8 +13,9 @@ class ViewScene {
   /** `view` must live as long as this. */
   explicit ViewScene(const View& view);
 
-  /** Shows the state, with what readState says of it above, and these lines below. */
-  void update(const ViewState& state, const std::vector<std::string>& below);
+  void update(const ViewState& state);
+  /** Writes into the picture what readState says of it. */
+  void write(const ViewState& state);
   /** Draws the graph anew after extractAgain(). */
   void drawGraphAgain();
 
@@ -33,14 +34,17 @@ class ViewScene {
   bool isAtBreak(const ViewState& state) const;
   void updateFrame(const ViewState& state);
   void updateBreak(const ViewState& state);
+  void updateStage(const ViewState& state);
+  void updateMarks(const ViewState& state);
   void hideLayers(const ViewState& state);
-  void write(const std::vector<std::string>& above, const std::vector<std::string>& below);
+  void hideRuns(const ViewState& state);
+  void hideGraph(const ViewState& state);
 
   const View& view_;
   MrptScene::Ptr scene_;
   std::vector<std::string> layers_;
-  viz::CSetOfObjects::Ptr frame_, tear_;
-  std::optional<std::size_t> shownBreak_;
+  viz::CSetOfObjects::Ptr frame_, tear_, stage_, marks_;
+  std::optional<std::size_t> shownBreak_, shownStage_;
   Box box_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "roomgraph/drawing/stage_names.h"
+
 namespace roomgraph {
 namespace {
 
@@ -21,43 +23,117 @@ void stepBreak(bool isForward, const View& view, ViewState& state) {
   lookAtBreak(before % count, view, state);
 }
 
-void nextRun(const View& view, ViewState& state) {
-  state.run = (state.run + 1) % view.comparison.runs.size();
-  state.tear.reset();
-  const std::size_t count = view.path(state.run).size();
+void stepStage(bool isForward, const View& view, ViewState& state) {
+  if (!view.stages) return;
+  const std::size_t count = stageNames().size();  // the result counts as one more
+  const std::size_t now = state.stage.value_or(count);
+  lookAtStage((now + (isForward ? 1 : count)) % (count + 1), state);
+}
+
+void showRun(std::size_t run, const View& view, ViewState& state) {
+  state.run = run;
+  state.nudge = {};
+  if (state.other == run) state.other.reset();
+  const std::size_t count = view.path(run).size();
   state.frame = count > 0 ? std::min(state.frame, count - 1) : 0;
+}
+
+void nextRun(const View& view, ViewState& state) {
+  state.tear.reset();
+  showRun((state.run + 1) % view.comparison.runs.size(), view, state);
+}
+
+void nextOther(const View& view, ViewState& state) {
+  const auto other = otherRun(view, state);
+  if (!other) return;
+  const std::size_t count = view.comparison.runs.size();
+  std::size_t next = (*other + 1) % count;
+  if (next == state.run) next = (next + 1) % count;
+  state.other = next;
+}
+
+void play(const View& view, ViewState& state) {
+  const std::size_t count = view.path(state.run).size();
+  if (!state.isPlaying && state.frame + 1 >= count) state.frame = 0;
+  state.isPlaying = !state.isPlaying && count > 0;
+}
+
+/** Into a mode, or out of it. */
+void change(Mode mode, const View& view, ViewState& state) {
+  const bool isLeft = state.mode == mode;
+  const bool needsOther = mode == Mode::swipe || mode == Mode::nudge;
+  if (!isLeft && needsOther && !otherRun(view, state)) return;
+  state.mode = isLeft ? Mode::look : mode;
+  state.corners.clear();
+  state.nudge = {};
+  state.swipe.reset();
+  if (state.mode != Mode::look) state.isFlickering = state.isFlicked = false;
+}
+
+void leave(ViewState& state) {
+  state.mode = Mode::look;
+  state.isFlickering = state.isFlicked = state.isPlaying = state.showsKeys = false;
+  state.nudge = {};
+  state.corners.clear();
+  state.swipe.reset();
+  state.tear.reset();
+  state.other.reset();
+  state.stage.reset();
+}
+
+void flicker(const View& view, ViewState& state) {
+  state.isFlickering = !state.isFlickering && otherRun(view, state);
+  state.isFlicked = false;
+  if (state.isFlickering) state.mode = Mode::look;
+}
+
+/** Steps along the path of the run. */
+void walk(Wish wish, const View& view, ViewState& state) {
+  const bool isForward = wish == Wish::nextFrame || wish == Wish::tenOn || wish == Wish::lastFrame;
+  const bool isFar = wish == Wish::firstFrame || wish == Wish::lastFrame;
+  const bool isOne = wish == Wish::nextFrame || wish == Wish::previousFrame;
+  step(isForward, isFar ? view.path(state.run).size() : isOne ? 1 : kStride, view, state);
 }
 
 }  // namespace
 
 void fulfil(Wish wish, const View& view, ViewState& state) {
-  const std::size_t count = view.path(state.run).size();
   switch (wish) {
     case Wish::nextFrame:
     case Wish::previousFrame:
-      return step(wish == Wish::nextFrame, 1, view, state);
     case Wish::tenOn:
     case Wish::tenBack:
-      return step(wish == Wish::tenOn, kStride, view, state);
     case Wish::firstFrame:
     case Wish::lastFrame:
-      return step(wish == Wish::lastFrame, count, view, state);
+      return walk(wish, view, state);
     case Wish::play:
-      if (!state.isPlaying && state.frame + 1 >= count) state.frame = 0;
-      state.isPlaying = !state.isPlaying && count > 0;
-      return;
+      return play(view, state);
     case Wish::nextRun:
       return nextRun(view, state);
+    case Wish::nextOther:
+      return nextOther(view, state);
     case Wish::nextBreak:
     case Wish::previousBreak:
       return stepBreak(wish == Wish::nextBreak, view, state);
     case Wish::flicker:
-      state.isFlickering = !state.isFlickering && view.comparison.runs.size() > 1;
-      state.isFlicked = false;
-      return;
+      return flicker(view, state);
     case Wish::grow:
       state.growsMap = !state.growsMap;
       return;
+    case Wish::nextStage:
+    case Wish::previousStage:
+      return stepStage(wish == Wish::nextStage, view, state);
+    case Wish::measure:
+      return change(Mode::measure, view, state);
+    case Wish::nudge:
+      return change(Mode::nudge, view, state);
+    case Wish::swipe:
+      return change(Mode::swipe, view, state);
+    case Wish::keys:
+      state.showsKeys = !state.showsKeys;
+      return;
+    case Wish::leave:
+      return leave(state);
   }
 }
 
@@ -66,8 +142,41 @@ void lookAtBreak(std::size_t tear, const View& view, ViewState& state) {
   state.tear = tear;
   state.isPlaying = false;
   for (std::size_t i = 0; i < view.comparison.runs.size(); ++i)
-    if (view.comparison.runs[i].name == place.run) state.run = i;
-  state.frame = place.keyFrame.value_or(0);
+    if (view.comparison.runs[i].name == place.run) showRun(i, view, state);
+  state.frame = placeInPath(view, state.run, place.keyFrame.value_or(0));
+}
+
+void lookAtStage(std::size_t stage, ViewState& state) {
+  state.stage = stage < stageNames().size() ? std::optional(stage) : std::nullopt;
+}
+
+std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame) {
+  const auto& path = view.path(run);
+  const auto found = std::find_if(path.begin(), path.end(),
+                                  [&](const PathPose& at) { return at.keyFrame >= keyFrame; });
+  return found == path.end() ? 0 : std::size_t(found - path.begin());
+}
+
+std::optional<std::size_t> otherRun(const View& view, const ViewState& state) {
+  if (view.comparison.runs.size() < 2) return std::nullopt;
+  return state.other.value_or(state.run == 0 ? 1 : 0);
+}
+
+void nudgeBy(Point shift, double turn, const View& view, ViewState& state) {
+  const Run* run = view.runNamed(view.comparison.runs[state.run].name);
+  if (state.mode != Mode::nudge || !run) return;
+  const Point pivot = shownPose(view, state, state.run)(run->map.middle());
+  state.nudge = carrying(pivot, pivot + shift, turn) * state.nudge;
+}
+
+Transform2D shownPose(const View& view, const ViewState& state, std::size_t run) {
+  const Transform2D& pose = view.comparison.runs[run].pose;
+  return run == state.run ? state.nudge * pose : pose;
+}
+
+bool isBusy(const ViewState& state) {
+  return state.mode != Mode::look || state.isFlickering || state.isPlaying || state.showsKeys ||
+         state.tear || state.stage;
 }
 
 bool playOn(const View& view, ViewState& state) {

@@ -3,21 +3,38 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "View.h"
 
 namespace roomgraph {
 
+/** What the mouse and the arrows are for. */
+enum class Mode {
+  look,     ///< click: read; arrows: walk
+  measure,  ///< click: a corner more of the line that is measured
+  nudge,    ///< arrows: move the run
+  swipe,    ///< the run is seen left of a line, the other one right of it
+};
+
 /** What of a view is shown. */
 struct ViewState {
-  std::size_t run = 0;              ///< whose way is walked
-  std::size_t frame = 0;            ///< key frame of that run
-  std::optional<std::size_t> tear;  ///< the break that is looked at, of Comparison::breaks
-  bool isPlaying = false;           ///< goes on by itself
-  bool isFlickering = false;        ///< the run and the best other one in turn
-  bool isFlicked = false;           ///< it is the other one's turn
-  bool growsMap = false;            ///< all that was seen up to the key frame
-  std::set<std::string> hidden;     ///< layers, by name
+  std::size_t run = 0;               ///< whose way is walked
+  std::optional<std::size_t> other;  ///< what the run is held against; else the best other one
+  std::size_t frame = 0;             ///< place in the path of that run
+  std::optional<std::size_t> tear;   ///< the break that is looked at, of Comparison::breaks
+  std::optional<std::size_t> stage;  ///< of the extraction, see stageNames(); none for its result
+  Mode mode = Mode::look;
+  bool isPlaying = false;        ///< goes on by itself
+  bool isFlickering = false;     ///< the run and the other one in turn
+  bool isFlicked = false;        ///< it is the other one's turn
+  bool growsMap = false;         ///< all that was seen up to the key frame, and no map
+  bool showsKeys = false;        ///< all keys are listed
+  std::optional<double> swipe;   ///< where the line of Mode::swipe is [m, x of the site]
+  Transform2D nudge;             ///< how far the run was moved by hand, site <- site
+  std::vector<Point> corners;    ///< of the line that is measured [m]
+  std::optional<Point> read;     ///< the place that was clicked last [m]
+  std::set<std::string> hidden;  ///< layers, by name
 };
 
 /** What the user may ask for, by a key or a button. */
@@ -30,10 +47,18 @@ enum class Wish {
   lastFrame,
   play,
   nextRun,
+  nextOther,
   nextBreak,
   previousBreak,
   flicker,
   grow,
+  nextStage,
+  previousStage,
+  measure,
+  nudge,
+  swipe,
+  keys,
+  leave,  ///< whatever was begun
 };
 
 /** Makes a wish true, as far as there is something to show. */
@@ -41,6 +66,25 @@ void fulfil(Wish wish, const View& view, ViewState& state);
 
 /** Looks at a break: its run, and the first key frame behind it. */
 void lookAtBreak(std::size_t tear, const View& view, ViewState& state);
+
+/** Shows a stage of the extraction; one behind the last is the result. */
+void lookAtStage(std::size_t stage, ViewState& state);
+
+/** Where in the path of a run this key frame is; the next one that has a scan where it has none. */
+std::size_t placeInPath(const View& view, std::size_t run, std::size_t keyFrame);
+
+/** The run that the shown one is held against; none where there is no other. */
+std::optional<std::size_t> otherRun(const View& view, const ViewState& state);
+
+/** Moves the run of Mode::nudge by this [m] and turns it by `turn` [rad], about the middle of its
+ *  map. */
+void nudgeBy(Point shift, double turn, const View& view, ViewState& state);
+
+/** Where a run lies, nudged or not: site <- run. */
+Transform2D shownPose(const View& view, const ViewState& state, std::size_t run);
+
+/** Whether there is something that Wish::leave would end. */
+bool isBusy(const ViewState& state);
 
 /** The time that flickering and playing need: called every half second of flickering, every tenth
  *  of playing. Whether anything changed. */

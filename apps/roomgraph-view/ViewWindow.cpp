@@ -2,36 +2,27 @@
 
 #include <mrpt/gui/CDisplayWindowGUI.h>
 #include <mrpt/math/TLine3D.h>
+#include <nanogui/opengl.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 
+#include "TimeLine.h"
+#include "ViewPanel.h"
+#include "nudge_fit.h"
 #include "read_place.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/printable.h"
+#include "view_keys.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr const char* kHelp =
-    "arrows: key frame | space: play | G: grow | tab: run | B: break | F: flicker | Home: all | "
-    "click: read | wheel: zoom | Esc: end";
-constexpr int kMostButtons = 8;  // of breaks
-constexpr int kClickReach = 3;   // how far the mouse may move in a click [px]
-
-const std::map<int, Wish>& wishes() {
-  static const std::map<int, Wish> keys = {
-      {GLFW_KEY_RIGHT, Wish::nextFrame}, {GLFW_KEY_LEFT, Wish::previousFrame},
-      {GLFW_KEY_UP, Wish::tenOn},        {GLFW_KEY_DOWN, Wish::tenBack},
-      {GLFW_KEY_PAGE_UP, Wish::tenOn},   {GLFW_KEY_PAGE_DOWN, Wish::tenBack},
-      {GLFW_KEY_SPACE, Wish::play},      {GLFW_KEY_TAB, Wish::nextRun},
-      {GLFW_KEY_B, Wish::nextBreak},     {GLFW_KEY_V, Wish::previousBreak},
-      {GLFW_KEY_F, Wish::flicker},       {GLFW_KEY_G, Wish::grow}};
-  return keys;
-}
+constexpr float kFontSize = 16, kLineHeight = 18, kTextMargin = 4, kTextFromTop = 4;  // [px]
+constexpr int kClickReach = 3;     // how far the mouse may move in a click [px]
+constexpr int kLineReach = 8;      // how near to the line of a swipe it is caught [px]
+constexpr double kSwipeStep = 50;  // of the keys , and ., in the width of the picture
 
 /** Tells at most so often that a time has passed. */
 class Beat {
@@ -49,15 +40,36 @@ class Beat {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/** Dark on light, from the left edge. */
+void drawText(NVGcontext* context, float top, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  nvgFontFace(context, "sans");
+  nvgFontSize(context, kFontSize);
+  nvgTextAlign(context, NVG_ALIGN_LEFT | NVG_ALIGN_TOP);
+  float width = 0;
+  for (const std::string& line : lines)
+    width = std::max(width, nvgTextBounds(context, 0, 0, line.c_str(), nullptr, nullptr));
+  nvgBeginPath(context);
+  nvgRect(context, 0, top, width + 4 * kTextMargin,
+          kLineHeight * float(lines.size()) + 2 * kTextMargin);
+  nvgFillColor(context, nvgRGBA(255, 255, 255, 225));
+  nvgFill(context);
+  nvgFillColor(context, nvgRGB(30, 34, 40));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    nvgText(context, 2 * kTextMargin, top + kTextMargin + kLineHeight * float(i), lines[i].c_str(),
+            nullptr);
+}
+
 class Window : public mrpt::gui::CDisplayWindowGUI {
  public:
   Window(View& view, const ViewState& state, int width, int height)
       : CDisplayWindowGUI("roomgraph-view", unsigned(width), unsigned(height), parameters()),
         view_(view),
         drawn_(view),
-        state_(state) {
+        state_(state),
+        panel_(*this, view, state_, drawn_.layers(), panelCalls()) {
     background_scene = drawn_.scene();
-    addPanel();
+    addTimeLine();
     performLayout();
     if (state_.tear)
       lookAtTear();
@@ -68,30 +80,48 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
 
  protected:
   bool keyboardEvent(int key, int scancode, int action, int modifiers) override {
-    if (action == GLFW_RELEASE)
+    const bool isShifted = (modifiers & GLFW_MOD_SHIFT) != 0;
+    if (action == GLFW_RELEASE || !(isKeyOfMode(key, isShifted) || isKeyOfAll(key, isShifted)))
       return CDisplayWindowGUI::keyboardEvent(key, scancode, action, modifiers);
-    const auto wish = wishes().find(key);
-    if (wish != wishes().end()) {
-      fulfil(wish->second, view_, state_);
-      if (state_.tear && (key == GLFW_KEY_B || key == GLFW_KEY_V)) lookAtTear();
-    } else if (key == GLFW_KEY_HOME) {
-      lookAt(drawn_.box());
-    } else if (key == GLFW_KEY_ESCAPE) {
-      nanogui::leave();
-    } else {
-      return CDisplayWindowGUI::keyboardEvent(key, scancode, action, modifiers);
-    }
     refresh();
     return true;
   }
 
   bool mouseButtonEvent(const nanogui::Vector2i& at, int button, bool isDown,
                         int modifiers) override {
-    const bool isOnMap = findWidget(at) == this;
-    if (button == GLFW_MOUSE_BUTTON_LEFT && isDown) pressed_ = at;
+    const bool isOnMap = findWidget(at) == this, isLeft = button == GLFW_MOUSE_BUTTON_LEFT;
+    if (isLeft && isDown) pressed_ = at;
+    if (isLeft && !isDown && isSwiping_) {
+      isSwiping_ = false;
+      return true;
+    }
+    if (isLeft && isDown && isOnMap && isOnLine(at)) return isSwiping_ = true;
     const bool isClick = !isDown && (at - pressed_).cwiseAbs().maxCoeff() <= kClickReach;
-    if (button == GLFW_MOUSE_BUTTON_LEFT && isOnMap && isClick) read(at);
+    if (isLeft && isOnMap && isClick) click(at);
     return CDisplayWindowGUI::mouseButtonEvent(at, button, isDown, modifiers);
+  }
+
+  bool mouseMotionEvent(const nanogui::Vector2i& at, const nanogui::Vector2i& by, int button,
+                        int modifiers) override {
+    if (!isSwiping_) return CDisplayWindowGUI::mouseMotionEvent(at, by, button, modifiers);
+    if (const auto place = placeAt(at)) state_.swipe = place->x;
+    refresh();
+    return true;
+  }
+
+  bool resizeEvent(const nanogui::Vector2i& size) override {
+    layTimeLine();
+    return CDisplayWindowGUI::resizeEvent(size);
+  }
+
+  /** What the scene itself writes in pictures stands on paper here. */
+  void draw(NVGcontext* context) override {
+    drawText(context, kTextFromTop, readState(view_, state_));
+    const std::vector<std::string> below = linesBelow();
+    drawText(context,
+             float(height() - bottom()) - kLineHeight * float(below.size()) - 2 * kTextMargin,
+             below);
+    CDisplayWindowGUI::draw(context);
   }
 
   void drawContents() override {
@@ -108,82 +138,82 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     return parameters;
   }
 
-  void addPanel() {
-    nanogui::Window* panel = new nanogui::Window(this, "roomgraph");
-    panel->setLayout(
-        new nanogui::BoxLayout(nanogui::Orientation::Vertical, nanogui::Alignment::Fill, 8, 3));
-    panel->setPosition({10, 110});
-    for (const std::string& layer : drawn_.layers()) addLayer(*panel, layer);
-    if (view_.comparison.runs.size() > 1 || !view_.path(0).empty()) addFrames(*panel);
-    addBreaks(*panel);
-    if (view_.map) addOptions(*panel);
+  ViewPanel::Calls panelCalls() {
+    return {[this](Wish wish) { fulfilAndShow(wish); },
+            [this](std::size_t tear) {
+              lookAtBreak(tear, view_, state_);
+              lookAtTear();
+              refresh();
+            },
+            [this] { refresh(); },
+            [this] {
+              extractAgain(view_);
+              drawn_.drawGraphAgain();
+              refresh();
+            }};
   }
 
-  void addLayer(nanogui::Widget& panel, const std::string& layer) {
-    auto* box = new nanogui::CheckBox(&panel, printable(layer), [this, layer](bool isOn) {
-      if (isOn)
-        state_.hidden.erase(layer);
-      else
-        state_.hidden.insert(layer);
+  void addTimeLine() {
+    if (view_.path(0).empty() && view_.comparison.runs.size() < 2) return;
+    timeLine_ = new TimeLine(this, view_, state_, [this](std::size_t frame) {
+      state_.frame = frame;
       refresh();
     });
-    box->setChecked(true);
+    layTimeLine();
   }
 
-  void addFrames(nanogui::Widget& panel) {
-    new nanogui::Label(&panel, "key frame");
-    frames_ = new nanogui::Slider(&panel);
-    frames_->setFixedWidth(190);
-    frames_->setCallback([this](float share) {
-      const std::size_t count = view_.path(state_.run).size();
-      if (count > 0) state_.frame = std::size_t(std::lround(share * float(count - 1)));
-      refresh();
-    });
+  void layTimeLine() {
+    if (!timeLine_) return;
+    timeLine_->setPosition({0, height() - TimeLine::kHeight});
+    timeLine_->setSize({width(), TimeLine::kHeight});
   }
 
-  void addBreaks(nanogui::Widget& panel) {
-    const auto& breaks = view_.comparison.breaks;
-    if (!breaks.empty()) new nanogui::Label(&panel, "breaks");
-    for (std::size_t i = 0; i < breaks.size() && i < kMostButtons; ++i) {
-      std::string text = printable(breaks[i].run);
-      if (breaks[i].keyFrame) text += ", key frame " + std::to_string(*breaks[i].keyFrame);
-      auto* button = new nanogui::Button(&panel, text);
-      button->setCallback([this, i] {
-        lookAtBreak(i, view_, state_);
-        lookAtTear();
-        refresh();
-      });
+  /** Keys that mean something else than usual in a mode. */
+  bool isKeyOfMode(int key, bool isShifted) {
+    if (state_.mode == Mode::nudge) return isKeyOfNudging(key, isShifted);
+    if (state_.mode == Mode::measure && key == GLFW_KEY_BACKSPACE) {
+      if (!state_.corners.empty()) state_.corners.pop_back();
+      return true;
     }
+    const int step = key == GLFW_KEY_PERIOD ? 1 : key == GLFW_KEY_COMMA ? -1 : 0;
+    if (state_.mode != Mode::swipe || step == 0) return false;
+    const Box& box = drawn_.box();
+    *state_.swipe += step * (box.high.x - box.low.x) / kSwipeStep;
+    return true;
   }
 
-  /** A slider from 0 to `most` for an option in metres; the map is extracted anew when it is let
-   *  go. */
-  void addOption(nanogui::Widget& panel, const std::string& name, double& option, double most) {
-    auto* label = new nanogui::Label(&panel, "");
-    const auto say = [label, name, &option] {
-      char text[80];
-      std::snprintf(text, sizeof text, "%s: %.2f m", name.c_str(), option);
-      label->setCaption(text);
-    };
-    say();
-    auto* slider = new nanogui::Slider(&panel);
-    slider->setFixedWidth(190);
-    slider->setValue(float(option / most));
-    slider->setCallback([say, &option, most](float share) {
-      option = double(share) * most;
-      say();
-    });
-    slider->setFinalCallback([this](float) {
-      extractAgain(view_);
-      drawn_.drawGraphAgain();
-      refresh();
-    });
+  bool isKeyOfNudging(int key, bool isShifted) {
+    if (const auto step = nudgeStepOf(key, isShifted))
+      nudgeBy(step->shift, step->turn, view_, state_);
+    else if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
+      fitNudge(view_, state_);
+    else if (key == GLFW_KEY_R)
+      state_.nudge = {};
+    else
+      return false;
+    return true;
   }
 
-  void addOptions(nanogui::Widget& panel) {
-    addOption(panel, "one width (0: doors)", view_.options.findRooms.minWidth, 4);
-    addOption(panel, "open room", view_.options.splitAtDoors.openRoomWidth, 4);
-    addOption(panel, "clutter", view_.options.clearClutter.maxSize, 3);
+  bool isKeyOfAll(int key, bool isShifted) {
+    if (const auto wish = wishOf(key, isShifted))
+      fulfilAndShow(*wish);
+    else if (key == GLFW_KEY_HOME)
+      lookAt(drawn_.box());
+    else if (key == GLFW_KEY_ESCAPE && isBusy(state_))
+      fulfilAndShow(Wish::leave);
+    else if (key == GLFW_KEY_ESCAPE)
+      nanogui::leave();
+    else
+      return false;
+    return true;
+  }
+
+  void fulfilAndShow(Wish wish) {
+    fulfil(wish, view_, state_);
+    if (state_.mode == Mode::swipe && !state_.swipe)
+      state_.swipe = double(camera().getCameraPointingX());
+    if (state_.tear && (wish == Wish::nextBreak || wish == Wish::previousBreak)) lookAtTear();
+    refresh();
   }
 
   void lookAt(const Box& box) {
@@ -197,32 +227,57 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
 
   void lookAtTear() { lookAt(drawn_.boxAt(view_.comparison.breaks[*state_.tear])); }
 
-  /** What lies under the mouse. */
-  void read(const nanogui::Vector2i& at) {
+  /** The place on the map that lies under the mouse; none where one looks along it. */
+  std::optional<Point> placeAt(const nanogui::Vector2i& at) {
     mrpt::math::TLine3D ray;
     drawn_.scene()->getViewport()->get3DRayForPixelCoord(at.x() * pixelRatio(),
                                                          at.y() * pixelRatio(), ray);
-    if (std::abs(ray.director.z) < 1e-9) return;
+    if (std::abs(ray.director.z) < 1e-9) return std::nullopt;
     const double along = -ray.pBase.z / ray.director.z;
-    read_ = readPlace(view_, state_,
-                      {ray.pBase.x + along * ray.director.x, ray.pBase.y + along * ray.director.y});
+    return Point{ray.pBase.x + along * ray.director.x, ray.pBase.y + along * ray.director.y};
+  }
+
+  bool isOnLine(const nanogui::Vector2i& at) {
+    if (state_.mode != Mode::swipe || !state_.swipe) return false;
+    const auto low = placeAt({at.x() - kLineReach, at.y()});
+    const auto high = placeAt({at.x() + kLineReach, at.y()});
+    return low && high && std::min(low->x, high->x) <= *state_.swipe &&
+           *state_.swipe <= std::max(low->x, high->x);
+  }
+
+  void click(const nanogui::Vector2i& at) {
+    const auto place = placeAt(at);
+    if (!place) return;
+    if (state_.mode == Mode::measure) {
+      state_.corners.push_back(*place);
+    } else {
+      state_.read = place;
+      read_ = readPlace(view_, state_, *place);
+    }
     refresh();
   }
 
+  std::vector<std::string> linesBelow() const {
+    std::vector<std::string> lines = state_.showsKeys ? std::vector<std::string>() : read_;
+    for (const std::string& line : helpLines(view_, state_)) lines.push_back(line);
+    return lines;
+  }
+
+  int bottom() const { return timeLine_ ? TimeLine::kHeight : 0; }
+
   void refresh() {
-    std::vector<std::string> below = read_;
-    below.push_back(kHelp);
-    drawn_.update(state_, below);
-    const std::size_t count = view_.path(state_.run).size();
-    if (frames_ && count > 1) frames_->setValue(float(state_.frame) / float(count - 1));
+    drawn_.update(state_);
+    panel_.follow();
   }
 
   View& view_;
   ViewScene drawn_;
   ViewState state_;
+  ViewPanel panel_;
   std::vector<std::string> read_;
   nanogui::Vector2i pressed_{0, 0};
-  nanogui::Slider* frames_ = nullptr;
+  TimeLine* timeLine_ = nullptr;
+  bool isSwiping_ = false;  // the line is being dragged
   Beat playBeat_{0.1}, flickBeat_{0.5};
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include "View.h"
@@ -95,6 +96,11 @@ View loadView(const std::vector<std::string>& files, const ExtractOptions& optio
   return view;
 }
 
-void extractAgain(View& view) { view.graph = CRoomGraph(extract(*view.map, view.options)); }
+void extractAgain(View& view) {
+  const auto start = std::chrono::steady_clock::now();
+  view.stages = extract(*view.map, view.options);
+  view.graph = CRoomGraph(*view.stages);
+  view.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace roomgraph

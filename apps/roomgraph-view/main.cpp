@@ -9,6 +9,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/drawing/stage_names.h"
 
 namespace roomgraph {
 namespace {
@@ -19,28 +20,29 @@ struct Arguments {
   std::vector<std::string> files;
   std::string screenshot;
   std::vector<int> size{1280, 860};
-  std::optional<std::size_t> run, frame, tear;  // counted from 1, 0 and 1
+  std::optional<std::size_t> run, frame, tear, stage;  // counted from 1, 0, 1 and 1
 };
 
 void say(const std::string& text) {
   std::fprintf(stderr, "roomgraph-view: %s\n", printable(text).c_str());
 }
 
+/** The place of the `number`th thing of `count`, counted from 1. */
+std::size_t placeOf(const char* option, std::size_t number, std::size_t count) {
+  if (number >= 1 && number <= count) return number - 1;
+  throw UsageError(std::string(option) + ": there are " + std::to_string(count) +
+                   ", counted from 1");
+}
+
 ViewState stateOf(const Arguments& arguments, const View& view) {
+  const Comparison& comparison = view.comparison;
   ViewState state;
-  if (arguments.tear) {
-    if (*arguments.tear < 1 || *arguments.tear > view.comparison.breaks.size())
-      throw UsageError("--break: there are " + std::to_string(view.comparison.breaks.size()) +
-                       ", counted from 1");
-    lookAtBreak(*arguments.tear - 1, view, state);
-  }
-  if (arguments.run) {
-    if (*arguments.run < 1 || *arguments.run > view.comparison.runs.size())
-      throw UsageError("--run: there are " + std::to_string(view.comparison.runs.size()) +
-                       ", counted from 1");
-    state.run = *arguments.run - 1;
-  }
-  state.frame = arguments.frame.value_or(state.frame);
+  if (arguments.tear)
+    lookAtBreak(placeOf("--break", *arguments.tear, comparison.breaks.size()), view, state);
+  if (arguments.run) state.run = placeOf("--run", *arguments.run, comparison.runs.size());
+  if (arguments.frame) state.frame = placeInPath(view, state.run, *arguments.frame);
+  const std::size_t stages = view.stages ? stageNames().size() : 0;
+  if (arguments.stage) state.stage = placeOf("--stage", *arguments.stage, stages);
   return state;
 }
 
@@ -48,7 +50,8 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
 void writeScreenshot(const Arguments& arguments, const View& view) {
   const ViewState state = stateOf(arguments, view);
   ViewScene drawn(view);
-  drawn.update(state, {});
+  drawn.update(state);
+  drawn.write(state);
   const Box box = state.tear ? drawn.boxAt(view.comparison.breaks[*state.tear]) : drawn.box();
   const auto width = unsigned(arguments.size[0]), height = unsigned(arguments.size[1]);
   lookDown(*drawn.scene(), box, double(width) / height);
@@ -78,6 +81,8 @@ void declare(Arguments& arguments, CLI::App& app) {
       ->type_name("N");
   app.add_option("--key-frame", arguments.frame, "The key frame that is shown, from 0.")
       ->type_name("K");
+  app.add_option("--stage", arguments.stage, "The stage of the extraction that is shown, from 1.")
+      ->type_name("N");
   app.add_option("--break", arguments.tear, "The break that is shown, from 1.")->type_name("N");
 }
 

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "draw_stage.h"
+#include "nudge_fit.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -20,40 +23,42 @@ std::string line(const char* form, Values... values) {
 }
 
 void addSiteRoom(const View& view, Point place, std::vector<std::string>& lines) {
-  for (const SiteRoom& room : view.comparison.rooms) {
-    if (sideOf(room.polygon, place) == Side::outside) continue;
-    std::string missing;
-    std::size_t seen = 0;
-    for (const RoomInRun& in : room.runs) {
-      if (in.sighting == RoomSighting::seen) {
-        ++seen;
-        continue;
-      }
-      missing += (missing.empty() ? "; not in " : ", ") + printable(in.run);
+  const SiteRoom* room = siteRoomAt(view, place);
+  if (!room) return;
+  std::string missing;
+  std::size_t seen = 0;
+  for (const RoomInRun& in : room->runs) {
+    if (in.sighting == RoomSighting::seen) {
+      ++seen;
+      continue;
     }
-    lines.push_back(line("%s %s, %.1f m2, in %zu of %zu runs",
-                         room.isCorridor ? "corridor" : "room", printable(room.name).c_str(),
-                         room.area, seen, room.runs.size()) +
-                    missing);
-    return;
+    missing += (missing.empty() ? "; not in " : ", ") + printable(in.run);
   }
+  lines.push_back(line("%s %s, %.1f m2, in %zu of %zu runs", room->isCorridor ? "corridor" : "room",
+                       printable(room->name).c_str(), room->area, seen, room->runs.size()) +
+                  missing);
 }
 
 void addGraph(const View& view, Point place, std::vector<std::string>& lines) {
   if (!view.graph) return;
   const RoomGraph& graph = view.graph->file.graph;
-  for (std::size_t r = 0; r < graph.rooms.size(); ++r)
-    if (sideOf(graph.rooms[r].shape.polygon, place) != Side::outside)
-      lines.push_back(line("room %zu, %.1f m2, %.2f m wide", r, area(graph.rooms[r].shape.polygon),
-                           2 * graph.rooms[r].shape.inscribedRadius));
-  const auto& vertices = graph.graph.vertices();
-  const auto nearer = [&](const Vertex& l, const Vertex& r) {
-    return distance(l.at, place) < distance(r.at, place);
-  };
-  const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
-  if (vertex == vertices.end() || distance(vertex->at, place) > kNear) return;
-  lines.push_back(line("vertex %zu (%s), clearance %.2f m", std::size_t(vertex - vertices.begin()),
-                       kindName(vertex->kind), vertex->clearance));
+  if (const auto r = roomAt(view, place)) {
+    const GraphRoom& room = graph.rooms[*r];
+    lines.push_back(line("room %zu, %.1f m2, %.2f m wide, %zu ways out", *r,
+                         area(room.shape.polygon), 2 * room.shape.inscribedRadius,
+                         room.borderVertices.size()));
+  }
+  if (const auto v = vertexNear(view, place)) {
+    const Vertex& vertex = graph.graph.vertices()[*v];
+    lines.push_back(
+        line("vertex %zu (%s), clearance %.2f m", *v, kindName(vertex.kind), vertex.clearance));
+  }
+  if (const auto e = pathNear(view, place)) {
+    const Edge& edge = graph.graph.edges()[*e];
+    lines.push_back(line("path %zu from vertex %zu to %zu, %.2f m long, clearance %.2f m", *e,
+                         edge.source.index(), edge.target.index(), edge.path.length,
+                         edge.path.minClearance));
+  }
 }
 
 std::string frameLine(const PathPose& at) {
@@ -61,6 +66,44 @@ std::string frameLine(const PathPose& at) {
   if (at.time) text += line(", time %.2f", *at.time);
   if (at.error) text += line(", error %.2f m", *at.error);
   return text;
+}
+
+void addBreak(const View& view, const ViewState& state, std::vector<std::string>& lines) {
+  if (!state.tear) return;
+  const MapBreak& tear = view.comparison.breaks[*state.tear];
+  lines.push_back(line("break %zu of %zu: all behind it is turned by %.1f deg, shifted by %.2f m",
+                       *state.tear + 1, view.comparison.breaks.size(), tear.rotation * 180 / M_PI,
+                       tear.shift));
+  if (state.other)
+    lines.push_back("what " + printable(view.comparison.runs[*state.other].name) + " shows there");
+}
+
+void addNudge(const View& view, const ViewState& state, std::vector<std::string>& lines) {
+  const auto fit = nudgeFit(view, state);
+  const std::string onto = printable(view.comparison.runs[*otherRun(view, state)].name);
+  lines.push_back(line("nudged by (%.2f, %.2f) m, %.1f deg on ", state.nudge.x, state.nudge.y,
+                       state.nudge.phi * 180 / M_PI) +
+                  onto);
+  if (fit)
+    lines.push_back(line("overlap %.0f %%, walls found %.0f %%, contradicted %.0f %%, fit %.1f",
+                         100 * fit->overlap, 100 * fit->found, 100 * fit->contradicted,
+                         fit->score));
+}
+
+void addMode(const View& view, const ViewState& state, std::vector<std::string>& lines) {
+  const auto other = otherRun(view, state);
+  if (state.mode == Mode::measure) {
+    const std::size_t count = state.corners.size();
+    const double last = count > 1 ? distance(state.corners[count - 2], state.corners.back()) : 0;
+    lines.push_back(line("measured: %.2f m, the last piece %.2f m", length(state.corners), last));
+  }
+  if (state.mode == Mode::swipe && other)
+    lines.push_back("left " + printable(view.comparison.runs[state.run].name) + ", right " +
+                    printable(view.comparison.runs[*other].name));
+  if (state.mode == Mode::nudge && other) addNudge(view, state, lines);
+  if (state.isFlickering && other)
+    lines.push_back("now " +
+                    printable(view.comparison.runs[state.isFlicked ? *other : state.run].name));
 }
 
 }  // namespace
@@ -79,6 +122,46 @@ std::vector<std::string> readPlace(const View& view, const ViewState& state, Poi
   return lines;
 }
 
+const SiteRoom* siteRoomAt(const View& view, Point place) {
+  for (const SiteRoom& room : view.comparison.rooms)
+    if (sideOf(room.polygon, place) != Side::outside) return &room;
+  return nullptr;
+}
+
+std::optional<std::size_t> roomAt(const View& view, Point place) {
+  if (!view.graph) return std::nullopt;
+  const auto& rooms = view.graph->file.graph.rooms;
+  for (std::size_t r = 0; r < rooms.size(); ++r)
+    if (sideOf(rooms[r].shape.polygon, place) != Side::outside) return r;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> vertexNear(const View& view, Point place) {
+  if (!view.graph) return std::nullopt;
+  const auto& vertices = view.graph->file.graph.graph.vertices();
+  const auto nearer = [&](const Vertex& l, const Vertex& r) {
+    return distance(l.at, place) < distance(r.at, place);
+  };
+  const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
+  if (vertex == vertices.end() || distance(vertex->at, place) > kNear) return std::nullopt;
+  return std::size_t(vertex - vertices.begin());
+}
+
+std::optional<std::size_t> pathNear(const View& view, Point place) {
+  if (!view.graph) return std::nullopt;
+  const auto& edges = view.graph->file.graph.graph.edges();
+  std::optional<std::size_t> nearest;
+  double least = kNear;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Polyline& points = edges[e].path.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const double away = distanceToSegment(place, points[i], points[i + 1]);
+      if (away < least) least = away, nearest = e;
+    }
+  }
+  return nearest;
+}
+
 std::vector<std::string> readState(const View& view, const ViewState& state) {
   const ComparedRun& run = view.comparison.runs[state.run];
   std::vector<std::string> lines;
@@ -86,12 +169,10 @@ std::vector<std::string> readState(const View& view, const ViewState& state) {
   if (run.score)
     title += line(": score %.0f, map error %.2f m", run.score->score, run.score->mapError);
   lines.push_back(title);
+  if (state.stage && view.stages) lines.push_back(stageLine(*view.stages, *state.stage));
   if (state.frame < run.path.size()) lines.push_back(frameLine(run.path[state.frame]));
-  if (!state.tear) return lines;
-  const MapBreak& tear = view.comparison.breaks[*state.tear];
-  lines.push_back(line("break %zu of %zu: all behind it is turned by %.1f deg, shifted by %.2f m",
-                       *state.tear + 1, view.comparison.breaks.size(), tear.rotation * 180 / M_PI,
-                       tear.shift));
+  addBreak(view, state, lines);
+  addMode(view, state, lines);
   return lines;
 }
 

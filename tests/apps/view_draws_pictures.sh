@@ -16,6 +16,13 @@ expect 0 "$view" "$maps"/office_run[124].simplemap.gz --break 1 --screenshot bre
 [ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
 [ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
 
+# A stage takes the place of the graph: the sites are orange, and no vertex is there yet.
+expect 0 "$view" "$maps/office.yaml" --stage 2 --screenshot stage.png
+[ "$(pixels stage.png 'rgb(213,94,0)')" -gt 1000 ] || fail "no sites"
+[ "$(pixels stage.png 'rgb(0,110,82)')" -eq 0 ] || fail "rooms in a stage before rooms"
+expect 2 "$view" "$maps/office.yaml" --stage 17 --screenshot none.png
+one_line err --stage
+
 # The README has the help as it is.
 expect 0 "$view" --help
 sed -n '/^<!-- help -->/,/^<!-- end -->/p' "$source_dir/apps/roomgraph-view/README.md" |

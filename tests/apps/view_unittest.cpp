@@ -1,10 +1,18 @@
 #include <gtest/gtest.h>
 
+#include "MapText.h"
 #include "ViewScene.h"
+#include "draw_stage.h"
+#include "nudge_fit.h"
 #include "read_place.h"
+#include "roomgraph/drawing/stage_names.h"
 
 namespace roomgraph {
 namespace {
+
+const std::vector<std::string> kTwoRooms = {"###############", "#......#......#", "#......#......#",
+                                            "#......#......#", "#.............#", "#......#......#",
+                                            "#......#......#", "###############"};
 
 /** Two runs along a line, the second with a break at its key frame 12 of 30; a room round them. */
 View sampleView() {
@@ -74,6 +82,100 @@ TEST(Fulfil, breaksComeOneAfterTheOtherAndRoundAgain) {
   EXPECT_EQ(state.tear, 1u);
 }
 
+TEST(Fulfil, modesEndEachOtherAndNeedASecondRun) {
+  const View view = sampleView();
+  ViewState state;
+  fulfil(Wish::measure, view, state);
+  state.corners = {{0, 0}, {3, 4}};
+  EXPECT_EQ(state.mode, Mode::measure);
+  fulfil(Wish::swipe, view, state);
+  EXPECT_EQ(state.mode, Mode::swipe);
+  EXPECT_TRUE(state.corners.empty());
+  fulfil(Wish::swipe, view, state);
+  EXPECT_EQ(state.mode, Mode::look);
+  View alone = view;
+  alone.comparison.runs.resize(1);
+  fulfil(Wish::swipe, alone, state);
+  EXPECT_EQ(state.mode, Mode::look) << "there is nothing to hold the run against";
+  EXPECT_FALSE(isBusy(state));
+}
+
+TEST(Fulfil, leavingEndsAllThatWasBegun) {
+  const View view = sampleView();
+  for (const Wish wish : {Wish::play, Wish::flicker, Wish::measure, Wish::nudge, Wish::swipe,
+                          Wish::keys, Wish::nextBreak}) {
+    ViewState state;
+    fulfil(wish, view, state);
+    EXPECT_TRUE(isBusy(state)) << int(wish);
+    fulfil(Wish::leave, view, state);
+    EXPECT_FALSE(isBusy(state)) << int(wish);
+  }
+}
+
+TEST(Fulfil, theOtherRunIsNeverTheShownOne) {
+  View view = sampleView();
+  view.comparison.runs.resize(3);
+  ViewState state;
+  state.run = 1;
+  EXPECT_EQ(otherRun(view, state), 0u);
+  fulfil(Wish::nextOther, view, state);
+  EXPECT_EQ(otherRun(view, state), 2u);
+  fulfil(Wish::nextOther, view, state);
+  EXPECT_EQ(otherRun(view, state), 0u);
+  fulfil(Wish::nextRun, view, state);
+  fulfil(Wish::nextRun, view, state);
+  EXPECT_EQ(state.run, 0u);
+  EXPECT_EQ(otherRun(view, state), 1u);
+}
+
+TEST(Fulfil, stagesComeOneAfterTheOtherAndThenTheResult) {
+  View view = sampleView();
+  ViewState state;
+  fulfil(Wish::nextStage, view, state);
+  EXPECT_FALSE(state.stage) << "runs have no stages here";
+  view.stages.emplace();
+  fulfil(Wish::nextStage, view, state);
+  EXPECT_EQ(state.stage, 0u);
+  fulfil(Wish::previousStage, view, state);
+  EXPECT_FALSE(state.stage);
+  fulfil(Wish::previousStage, view, state);
+  EXPECT_EQ(state.stage, 15u);
+  fulfil(Wish::nextStage, view, state);
+  EXPECT_FALSE(state.stage);
+}
+
+TEST(NudgeBy, turnsAboutTheMiddleOfTheMap) {
+  View view = sampleView();
+  for (roomgraph::Run& run : view.runs)
+    run.map = mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
+  ViewState state;
+  nudgeBy({1, 0}, 0, view, state);
+  EXPECT_EQ(shownPose(view, state, 0).x, 0) << "only while nudging";
+  fulfil(Wish::nudge, view, state);
+  const auto before = nudgeFit(view, state);
+  ASSERT_TRUE(before);
+  EXPECT_NEAR(before->overlap, 1, 1e-9);
+  nudgeBy({0.2, 0.1}, 0, view, state);
+  nudgeBy({0, 0}, 0.05, view, state);
+  const Point middle = view.runs[0].map.middle();
+  EXPECT_NEAR(distance(shownPose(view, state, 0)(middle), middle + Point{0.2, 0.1}), 0, 1e-9);
+  EXPECT_EQ(shownPose(view, state, 1).x, 0);
+  const auto moved = nudgeFit(view, state);
+  EXPECT_LT(moved->overlap, 0.999);
+  EXPECT_LT(moved->score, before->score);
+  fitNudge(view, state);
+  EXPECT_NEAR(shownPose(view, state, 0).x, 0, 0.02);
+  EXPECT_NEAR(shownPose(view, state, 0).phi, 0, 0.005);
+}
+
+TEST(ReadState, measuresWhatWasClicked) {
+  const View view = sampleView();
+  ViewState state;
+  fulfil(Wish::measure, view, state);
+  state.corners = {{0, 0}, {3, 4}, {3, 5}};
+  EXPECT_EQ(readState(view, state).back(), "measured: 6.00 m, the last piece 1.00 m");
+}
+
 TEST(PlayOn, goesToTheEndAndStops) {
   const View view = sampleView();
   ViewState state;
@@ -108,8 +210,51 @@ TEST(ReadState, tellsTheBreak) {
   EXPECT_EQ(lines[2], "break 1 of 2: all behind it is turned by 11.5 deg, shifted by 1.00 m");
 }
 
+/** The one map of two rooms, extracted. */
+View viewOfMap() {
+  View view;
+  view.comparison.runs.resize(1);
+  view.map = test::greyMap(test::drawn(kTwoRooms, 0.5));
+  extractAgain(view);
+  return view;
+}
+
+TEST(ReadPlace, tellsRoomVertexAndPathOfTheOneMap) {
+  const View view = viewOfMap();
+  const auto room = view.graph->file.graph.rooms.at(0).center;
+  const auto lines = readPlace(view, ViewState(), room);
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[1].rfind("room 0, ", 0), 0u) << lines[1];
+  EXPECT_EQ(lines[2].rfind("vertex ", 0), 0u) << lines[2];
+  EXPECT_EQ(lines[3].rfind("path ", 0), 0u) << lines[3];
+}
+
+TEST(DrawStage, eachStageIsDrawnAndCounted) {
+  const View view = viewOfMap();
+  std::set<std::string> lines;
+  for (std::size_t stage = 0; stage < stageNames().size(); ++stage) {
+    EXPECT_EQ(drawStage(*view.stages, stage)->empty(), stage == 0) << "the grid is the map itself";
+    lines.insert(stageLine(*view.stages, stage));
+  }
+  EXPECT_EQ(lines.size(), 16u);
+  EXPECT_EQ(stageLine(*view.stages, 9),
+            "stage 10 of 16 (III-B): rooms, the inner polygons of the alpha shape; 2 rooms");
+}
+
+TEST(ExtractAgain, takesTheOptionsOfTheView) {
+  View view = viewOfMap();
+  EXPECT_EQ(view.graph->file.graph.rooms.size(), 2u);
+  view.options.findRooms.minWidth = 50;
+  extractAgain(view);
+  EXPECT_EQ(view.graph->file.graph.rooms.size(), 0u);
+}
+
 viz::CSetOfObjects::Ptr setOf(const ViewScene& drawn, const char* name) {
   return std::dynamic_pointer_cast<viz::CSetOfObjects>(drawn.scene()->getByName(name));
+}
+
+viz::CSetOfObjects::Ptr setOf(const viz::CSetOfObjects::Ptr& in, std::size_t i) {
+  return in->getByClass<viz::CSetOfObjects>(i);
 }
 
 TEST(ViewScene, theScanIsThatOfTheKeyFrameOrOfAllBefore) {
@@ -117,12 +262,12 @@ TEST(ViewScene, theScanIsThatOfTheKeyFrameOrOfAllBefore) {
   ViewScene drawn(view);
   ViewState state;
   state.frame = 3;
-  drawn.update(state, {});
+  drawn.update(state);
   const auto cloud = [&] { return setOf(drawn, "key frame")->getByClass<viz::CPointCloud>(); };
   ASSERT_TRUE(cloud());
   EXPECT_EQ(cloud()->size(), 1u);
   state.growsMap = true;
-  drawn.update(state, {});
+  drawn.update(state);
   EXPECT_EQ(cloud()->size(), 4u);
 }
 
@@ -130,10 +275,10 @@ TEST(ViewScene, aBreakIsShownInBothPoses) {
   const View view = sampleView();
   ViewScene drawn(view);
   ViewState state;
-  drawn.update(state, {});
+  drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("untorn"));
   lookAtBreak(0, view, state);
-  drawn.update(state, {});
+  drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("drawn"));
   EXPECT_TRUE(drawn.scene()->getByName("untorn"));
   const Box box = drawn.boxAt(view.comparison.breaks[0]);
@@ -145,10 +290,10 @@ TEST(ViewScene, hiddenLayersAreHidden) {
   ViewScene drawn(view);
   ViewState state;
   state.hidden = {"rooms"};
-  drawn.update(state, {});
+  drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("rooms")->isVisible());
   state.hidden = {};
-  drawn.update(state, {});
+  drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("rooms")->isVisible());
 }
 
@@ -159,11 +304,60 @@ TEST(ViewScene, flickeringShowsOneRunAfterTheOther) {
   state.run = 1;
   fulfil(Wish::flicker, view, state);
   for (int turn = 0; turn < 2; ++turn) {
-    drawn.update(state, {});
+    drawn.update(state);
     EXPECT_EQ(drawn.scene()->getByName("torn")->isVisible(), turn == 0);
     EXPECT_EQ(drawn.scene()->getByName("good")->isVisible(), turn == 1);
     EXPECT_TRUE(flickOn(state));
   }
+}
+
+TEST(ViewScene, aStageTakesThePlaceOfTheGraph) {
+  const View view = viewOfMap();
+  ViewScene drawn(view);
+  ViewState state;
+  state.stage = 9;
+  drawn.update(state);
+  EXPECT_TRUE(drawn.scene()->getByName("map")->isVisible());
+  EXPECT_FALSE(drawn.scene()->getByName("vertices")->isVisible());
+  EXPECT_FALSE(setOf(drawn, "stage")->empty());
+  state.stage.reset();
+  drawn.update(state);
+  EXPECT_TRUE(drawn.scene()->getByName("vertices")->isVisible());
+  EXPECT_TRUE(setOf(drawn, "stage")->empty());
+}
+
+TEST(ViewScene, aBreakCanBeHeldAgainstOneOtherRun) {
+  const View view = sampleView();
+  ViewScene drawn(view);
+  ViewState state;
+  lookAtBreak(0, view, state);
+  state.other = 0;
+  drawn.update(state);
+  EXPECT_TRUE(drawn.scene()->getByName("good")->isVisible());
+  EXPECT_EQ(drawn.scene()->getByName("good")->getColor_u8(), mrpt::img::TColor(0, 114, 178));
+  EXPECT_FALSE(drawn.scene()->getByName("torn")->isVisible());
+}
+
+TEST(ViewScene, aSwipeShowsEachRunOnItsSide) {
+  View view = sampleView();
+  const auto map =
+      mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
+  for (roomgraph::Run& run : view.runs) run.map = map;
+  ViewScene drawn(view);
+  ViewState state;
+  fulfil(Wish::swipe, view, state);
+  state.swipe = map.middle().x;
+  drawn.update(state);
+  const auto swipe = setOf(setOf(drawn, "marks"), 0);
+  const auto left = swipe->getByClass<viz::CPointCloud>(0);
+  const auto right = swipe->getByClass<viz::CPointCloud>(1);
+  ASSERT_GT(left->size(), 5u);
+  ASSERT_GT(right->size(), 5u);
+  for (std::size_t i = 0; i < left->size(); ++i)
+    EXPECT_LT(left->getPoint3Df(i).x, float(*state.swipe));
+  for (std::size_t i = 0; i < right->size(); ++i)
+    EXPECT_GE(right->getPoint3Df(i).x, float(*state.swipe));
+  EXPECT_FALSE(drawn.scene()->getByName("good")->isVisible());
 }
 
 TEST(LoadView, whatIsMissingIsSaid) {

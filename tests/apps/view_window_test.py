@@ -6,16 +6,22 @@ usage: view_window_test.py ROOMGRAPH_VIEW MAPS_DIR VIEWERS_TEST OUT_DIR
 Leaves OUT_DIR/roomgraph-view-*.ppm, the last screenshots. Exit code 77 where a program is missing.
 """
 
+import collections
 import importlib.util
 import pathlib
 import shutil
+import struct
 import sys
 import tempfile
 import time
 
 SKIPPED = 77
 COLORS = {"scan": (200, 30, 30), "untorn": (0, 130, 90), "before": (0, 82, 155),
-          "text": (30, 34, 40)}
+          "text": (30, 34, 40), "ruler": (110, 60, 150), "read": (230, 0, 120),
+          "vertex": (0, 110, 82), "line": (20, 20, 20),
+          "flag": (150, 20, 80), "best": (0, 114, 178), "torn": (0, 158, 115),
+          "orange": (213, 94, 0)}
+LEFT_HALF = "left half"
 
 
 def desk_module(path):
@@ -23,6 +29,14 @@ def desk_module(path):
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
+
+
+def count_left(ppm, screen, colors):
+    """The same as count_colors, of what lies left of the middle."""
+    body, width = ppm.split(b"\n", 3)[3], 3 * screen[0]
+    rows = (body[y * width:y * width + width // 2] for y in range(screen[1]))
+    counts = collections.Counter(struct.iter_unpack("3s", b"".join(rows)))
+    return {name: counts[(bytes(color),)] for name, color in colors.items()}
 
 
 class Viewer:
@@ -36,7 +50,9 @@ class Viewer:
     def counts(self):
         ppm = self.desk.screenshot()
         self.picture.write_bytes(ppm)
-        return self.viewers.count_colors(ppm, COLORS)
+        counts = self.viewers.count_colors(ppm, COLORS)
+        counts[LEFT_HALF] = count_left(ppm, self.viewers.SCREEN, COLORS)
+        return counts
 
     def wait(self, what, is_right):
         """Looks until it is right; fails where that takes too long."""
@@ -58,8 +74,14 @@ class Viewer:
     def click(self, x, y):
         self.desk.xdotool("mousemove", x, y, "click", 1)
 
+    def drag(self, x, y, to_x, to_y):
+        self.desk.xdotool("mousemove", x, y, "mousedown", 1)
+        self.desk.xdotool("mousemove", (x + to_x) // 2, (y + to_y) // 2)
+        self.desk.xdotool("mousemove", to_x, to_y, "mouseup", 1)
+
     def ends_well(self):
-        self.press("Escape")
+        """The first Escape ends what was begun, the second one the program."""
+        self.press("Escape", "Escape")
         return self.desk.processes[-1].wait(20) == 0
 
 
@@ -67,16 +89,83 @@ def walk_one_run(viewer):
     first = viewer.wait("the scan of the first key frame", lambda c: c["scan"] > 100)
     viewer.press("Up", "Up")
     viewer.press("g")
-    viewer.wait("all that was seen so far", lambda c: c["scan"] > 1.5 * first["scan"])
-    before = viewer.wait("before the click", lambda c: c["text"] > 100)
-    viewer.click(700, 300)
-    viewer.wait("what is there", lambda c: c["text"] > before["text"] + 40)
+    viewer.wait("all that was seen so far, and no map",
+                lambda c: c["scan"] > 1.5 * first["scan"] and c["vertex"] == 0)
+    viewer.click(1270, 835)  # the end of the time line
+    viewer.wait("all that was seen at all", lambda c: c["scan"] > 3 * first["scan"])
+    viewer.press("g")
+    before = viewer.wait("the map again", lambda c: c["text"] > 100 and c["vertex"] > 100)
+    viewer.click(640, 400)
+    viewer.wait("the room that was clicked",
+                lambda c: c["text"] > before["text"] + 40 and c["read"] > 50)
+
+
+def step_through_stages(viewer):
+    viewer.wait("the graph", lambda c: c["vertex"] > 100)
+    viewer.press("x", "x")
+    viewer.wait("the sites", lambda c: c["orange"] > 3000 and c["vertex"] == 0)
+    viewer.press("Escape")
+    viewer.wait("the graph again", lambda c: c["vertex"] > 100)
+
+
+def measure(viewer):
+    viewer.press("m")
+    viewer.click(500, 700)
+    viewer.click(900, 700)
+    viewer.wait("the line that is measured", lambda c: c["ruler"] > 300)
+    viewer.press("BackSpace")
+    viewer.wait("its first corner", lambda c: 0 < c["ruler"] < 300)
+    viewer.press("m")
+    viewer.wait("nothing measured", lambda c: c["ruler"] == 0)
+
+
+def move_a_slider(viewer):
+    before = viewer.wait("the rooms", lambda c: c["vertex"] > 100)
+    viewer.drag(27, 411, 190, 411)  # alpha, from 0 up
+    viewer.wait("other ways into the rooms", lambda c: c["orange"] > 2 * before["orange"])
+
+
+def look_at_one_map(viewer):
+    walk_one_run(viewer)
+    step_through_stages(viewer)
+    measure(viewer)
+    move_a_slider(viewer)
 
 
 def find_break(viewer):
     viewer.wait("the runs", lambda c: c["text"] > 100 and c["untorn"] < 50)
     viewer.press("b")
-    viewer.wait("the torn piece", lambda c: c["untorn"] > 500 and c["before"] > 500)
+    alone = viewer.wait("the torn piece, its flag on the time line, and faint walls",
+                        lambda c: c["untorn"] > 500 and c["before"] > 500 and c["flag"] > 20
+                        and c["best"] < 1000)
+    viewer.press("o")
+    viewer.wait("what the second run shows there",
+                lambda c: c["orange"] > alone["orange"] + 3000)
+    viewer.press("Escape", "Home")
+
+
+def swipe(viewer):
+    viewer.press("w")
+    viewer.wait("one run on each side", lambda c: c["line"] > 2000 and
+                c[LEFT_HALF]["torn"] > 500 and c[LEFT_HALF]["best"] < 20)
+    viewer.drag(640, 600, 300, 600)
+    viewer.wait("less of the one", lambda c: c[LEFT_HALF]["best"] > 500)
+    viewer.press("w")
+    viewer.wait("no line", lambda c: c["line"] < 2000)
+
+
+def nudge(viewer):
+    viewer.press("n", *["Right"] * 8)
+    viewer.wait("the run beside the other", lambda c: c["torn"] > 500)
+    before = viewer.counts()
+    viewer.press("Return")
+    viewer.wait("the run on the other again", lambda c: c["torn"] < before["torn"])
+
+
+def compare_runs(viewer):
+    find_break(viewer)
+    swipe(viewer)
+    nudge(viewer)
 
 
 def main():
@@ -87,7 +176,7 @@ def main():
             return SKIPPED
     viewers = desk_module(viewers_test)
     runs = [f"{maps}/office_run{i}.simplemap.gz" for i in (1, 2, 4)]
-    for name, files, look in [("run", runs[2:], walk_one_run), ("runs", runs, find_break)]:
+    for name, files, look in [("run", runs[2:], look_at_one_map), ("runs", runs, compare_runs)]:
         with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
             viewer = Viewer(viewers, home, [program, *files],
                             pathlib.Path(out) / f"roomgraph-view-{name}.ppm")

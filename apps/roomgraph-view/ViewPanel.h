@@ -1,0 +1,43 @@
+#pragma once
+#include <mrpt/gui/CDisplayWindowGUI.h>
+
+#include <functional>
+#include <map>
+
+#include "ViewScene.h"
+
+namespace roomgraph {
+
+/** The panel at the left: layers, what can be done, breaks, options of the one map. */
+class ViewPanel {
+ public:
+  /** What the panel calls. */
+  struct Calls {
+    std::function<void(Wish)> wish;
+    std::function<void(std::size_t)> lookAtBreak;
+    std::function<void()> refresh;       ///< the state has changed
+    std::function<void()> extractAgain;  ///< the options of the view have changed
+  };
+
+  ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
+            const std::vector<std::string>& layers, Calls calls);
+
+  /** Shows on its buttons what the state is. */
+  void follow();
+
+ private:
+  void addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers);
+  void addWishes(nanogui::Widget& panel);
+  void addBreaks(nanogui::Widget& panel);
+  void addOptions(nanogui::Widget& panel);
+  void addOption(nanogui::Widget& panel, const std::string& name, const char* unit, double most,
+                 double& option, double* rival);
+
+  View& view_;
+  ViewState& state_;
+  Calls calls_;
+  std::map<Wish, nanogui::Button*> buttons_;
+  std::vector<std::function<void()>> captions_;  // of the options
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,176 @@
+#include "draw_stage.h"
+
+#include <algorithm>
+
+#include "heights.h"
+#include "roomgraph/drawing/stage_names.h"
+#include "roomgraph/mrpt_plugin/draw_graph.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr mrpt::img::TColor kSites{213, 94, 0}, kVoronoi{0, 114, 178}, kPassages{213, 94, 0};
+
+viz::CSetOfObjects::Ptr setOf(const viz::CRenderizable::Ptr& object) {
+  auto set = viz::CSetOfObjects::Create();
+  set->insert(object);
+  return set;
+}
+
+viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& places, float size) {
+  auto cloud = viz::CPointCloud::Create();
+  cloud->setColor_u8(kSites);
+  cloud->setPointSize(size);
+  for (const Point p : places) cloud->insertPoint(float(p.x), float(p.y), float(kStageHeight));
+  return cloud;
+}
+
+std::vector<Point> placesOf(const ObstacleSites& sites) {
+  std::vector<Point> places;
+  for (const Cell cell : sites.cells) places.push_back(sites.frame.center(cell));
+  return places;
+}
+
+viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<bool>& isShown) {
+  auto lines = viz::CSetOfLines::Create();
+  lines->setColor_u8(kVoronoi);
+  for (std::size_t e = 0; e < isShown.size(); ++e) {
+    if (!isShown[e]) continue;
+    const Point a = voronoi.vertices[voronoi.edges[e].source].at;
+    const Point b = voronoi.vertices[voronoi.edges[e].target].at;
+    lines->appendLine(a.x, a.y, kStageHeight, b.x, b.y, kStageHeight);
+  }
+  return lines;
+}
+
+/** A graph with the floors of rooms, none of which is a vertex yet. */
+viz::CSetOfObjects::Ptr graphOf(const TopologyGraph& graph, const Rooms& rooms) {
+  CRoomGraph drawn;
+  drawn.file.graph.graph = graph;
+  for (const Room& room : rooms) {
+    drawn.file.graph.rooms.emplace_back();
+    drawn.file.graph.rooms.back().shape = room;
+  }
+  return drawGraph(drawn);
+}
+
+Rooms shapesOf(const AreaGraph& areas) {
+  Rooms shapes;
+  for (const Area& area : areas.areas)
+    shapes.push_back({area.polygon, area.widestPlace, area.inscribedRadius, 0});
+  return shapes;
+}
+
+viz::CSetOfObjects::Ptr areasOf(const AreaGraph& areas) {
+  auto lines = viz::CSetOfLines::Create();
+  lines->setColor_u8(kPassages);
+  lines->setLineWidth(3);
+  for (const Passage& passage : areas.passages)
+    lines->appendLine(passage.from.x, passage.from.y, kStageHeight, passage.to.x, passage.to.y,
+                      kStageHeight);
+  auto set = graphOf({}, shapesOf(areas));
+  auto all = setOf(set);
+  all->insert(lines);
+  return all;
+}
+
+viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
+  auto set = setOf(graphOf(stages.largest, stages.rooms));
+  set->insert(cloudOf(crossings(stages), 7));
+  return set;
+}
+
+const TopologyGraph* graphAt(const Stages& stages, ShownStage stage) {
+  switch (stage) {
+    case ShownStage::topology:
+      return &stages.topology;
+    case ShownStage::pruned:
+      return &stages.pruned;
+    case ShownStage::joined:
+      return &stages.joinedUp;
+    case ShownStage::largest:
+      return &stages.largest;
+    case ShownStage::cut:
+      return &stages.cut;
+    case ShownStage::cleaned:
+      return &stages.cleaned;
+    case ShownStage::doors:
+      return &stages.doors;
+    case ShownStage::result:
+      return &stages.result.graph;
+    default:
+      return nullptr;
+  }
+}
+
+std::vector<bool> edgesAt(const Stages& stages, ShownStage stage) {
+  return stage == ShownStage::voronoi  ? finiteEdges(stages)
+         : stage == ShownStage::inside ? insideEdges(stages)
+                                       : clearEdges(stages);
+}
+
+viz::CSetOfObjects::Ptr drawn(const Stages& stages, ShownStage stage) {
+  switch (stage) {
+    case ShownStage::grid:
+      return viz::CSetOfObjects::Create();
+    case ShownStage::sites:
+      return setOf(cloudOf(placesOf(stages.sites), 2));
+    case ShownStage::voronoi:
+    case ShownStage::inside:
+    case ShownStage::clear:
+      return setOf(edgesOf(stages.voronoi, edgesAt(stages, stage)));
+    case ShownStage::rooms:
+      return graphOf({}, stages.rooms);
+    case ShownStage::borderVertices:
+      return bordersOf(stages);
+    case ShownStage::areas:
+      return areasOf(stages.areas);
+    case ShownStage::result:
+      return drawGraph(CRoomGraph(stages));
+    default:
+      break;
+  }
+  return graphOf(*graphAt(stages, stage), stage < ShownStage::cut ? Rooms() : stages.rooms);
+}
+
+std::string counted(std::size_t count, const char* things) {
+  return "; " + std::to_string(count) + " " + things;
+}
+
+std::string countsAt(const Stages& stages, ShownStage stage) {
+  if (const TopologyGraph* graph = graphAt(stages, stage))
+    return counted(graph->vertices().size(), "vertices") + counted(graph->edges().size(), "edges");
+  switch (stage) {
+    case ShownStage::sites:
+      return counted(stages.sites.cells.size(), "sites");
+    case ShownStage::voronoi:
+    case ShownStage::inside:
+    case ShownStage::clear: {
+      const std::vector<bool> edges = edgesAt(stages, stage);
+      return counted(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
+    }
+    case ShownStage::rooms:
+      return counted(stages.rooms.size(), "rooms");
+    case ShownStage::borderVertices:
+      return counted(crossings(stages).size(), "crossings");
+    case ShownStage::areas:
+      return counted(stages.areas.areas.size(), "areas") +
+             counted(stages.areas.passages.size(), "passages");
+    default:
+      return "";
+  }
+}
+
+}  // namespace
+
+viz::CSetOfObjects::Ptr drawStage(const Stages& stages, std::size_t stage) {
+  return drawn(stages, ShownStage(stage));
+}
+
+std::string stageLine(const Stages& stages, std::size_t stage) {
+  const StageName& name = stageNames()[stage];
+  return "stage " + std::to_string(stage + 1) + " of " + std::to_string(stageNames().size()) +
+         " (" + name.paper + "): " + name.title + countsAt(stages, ShownStage(stage));
+}
+
+}  // namespace roomgraph

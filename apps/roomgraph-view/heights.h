@@ -1,0 +1,8 @@
+#pragma once
+
+namespace roomgraph {
+
+// How high above the maps things are drawn, so that none hides in another [m].
+constexpr double kStageHeight = 0.2, kPathHeight = 2, kFrameHeight = 2.2, kMarkHeight = 2.4;
+
+}  // namespace roomgraph
