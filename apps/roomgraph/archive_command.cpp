@@ -142,7 +142,7 @@ AddRunOptions optionsOf(const ArchiveArguments& arguments) {
     if (!options.time)
       throw UsageError("--time: " + arguments.time + " is no time: give 2026-11-22T03:00");
   }
-  options.compare.extract = toOptions(arguments.options);
+  options.compare = toCompareOptions(arguments.options);
   options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.compare.onUnread = [](const LeftOutRun& run) {
     printError(run.file + ": is not compared with: " + run.reason);

@@ -26,7 +26,8 @@ namespace roomgraph {
 namespace {
 
 struct CompareArguments {
-  CompareMapsOptions compare;
+  bool areAligned = false, estimatesScale = false;
+  std::string reference;
   GateArguments gate;
   std::vector<std::string> candidates;  ///< files that the gate judges; empty for all
   OptionArguments options;
@@ -47,13 +48,13 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
       ->type_name("DIR")
       ->capture_default_str();
   CLI::Option* aligned =
-      app.add_flag("--aligned", arguments.compare.compare.areAligned,
+      app.add_flag("--aligned", arguments.areAligned,
                    "All maps are in one frame already [m]: do not look for their poses.");
-  app.add_flag("--estimate-scale", arguments.compare.estimatesScale,
+  app.add_flag("--estimate-scale", arguments.estimatesScale,
                "Read bare pictures, such as floor plans, at the scale at which they fit the other "
                "maps, which must have one; --resolution is only the first guess.")
       ->excludes(aligned);
-  app.add_option("--reference", arguments.compare.reference,
+  app.add_option("--reference", arguments.reference,
                  "A map to measure all runs against, instead of against each other.")
       ->type_name("MAP");
   app.add_option(
@@ -93,7 +94,7 @@ void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& file
                        "with --names");
   for (const std::string& more : {arguments.names, arguments.gate.junit, arguments.gate.summary})
     results.push_back(more);
-  inputs.push_back(arguments.compare.reference);
+  inputs.push_back(arguments.reference);
   for (const std::string& result : results)
     for (const std::string& input : inputs)
       if (areSameFile(result, input))
@@ -127,8 +128,10 @@ void printNote(const std::string& file, const Note& note) {
 
 /** Reads and compares; a file that cannot be used is a line on stderr. */
 std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
-  CompareMapsOptions options = arguments.compare;
-  options.extract = toOptions(arguments.options);
+  CompareMapsOptions options = toCompareOptions(arguments.options);
+  options.reference = arguments.reference;
+  options.compare.areAligned |= arguments.areAligned;
+  options.estimatesScale |= arguments.estimatesScale;
   options.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   if (!arguments.isQuiet) options.onNote = printNote;
@@ -141,7 +144,7 @@ std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
 }
 
 void check(const CompareArguments& arguments) {
-  if (allFiles(arguments).size() + (arguments.compare.reference.empty() ? 0 : 1) < 2)
+  if (allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
 }
 
@@ -173,8 +176,9 @@ int run(const CompareArguments& arguments) {
   if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
   std::vector<std::string> breakFiles;
   if (arguments.writesBreaks)
-    breakFiles = addBreakFiles(comparison, read.runs, toOptions(arguments.options).loadGrid,
-                               arguments.folder, staged);
+    breakFiles =
+        addBreakFiles(comparison, read.runs, toCompareOptions(arguments.options).extract.loadGrid,
+                      arguments.folder, staged);
   addResults(comparison, read.runs, files, breakFiles, staged);
   addGateFiles(comparison, arguments.gate, staged);
   staged.commit();

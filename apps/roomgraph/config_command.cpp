@@ -12,7 +12,7 @@ std::function<int()> configCommand(CLI::App& app) {
   const auto arguments = std::make_shared<OptionArguments>();
   declareConfig(*arguments, app);
   return [arguments] {
-    ExtractOptions options = toOptions(*arguments);
+    CompareMapsOptions options = toCompareOptions(*arguments);
     print(toIni(describe(options)));
     return int(kDone);
   };

@@ -5,6 +5,8 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/InputFile.h"
 #include "roomgraph/graph_files/read_graph_json.h"
+#include "roomgraph/json/json_fault.h"
+#include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
 namespace {
@@ -27,7 +29,7 @@ std::string textOf(const std::string& file) {
   }
 }
 
-/** An ini file, or the options that an earlier result was made with. */
+/** An ini file, or the options that an earlier graph or comparison was made with. */
 void readConfig(const std::string& file, FieldTable& table) {
   const std::string text = textOf(file);
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -36,7 +38,10 @@ void readConfig(const std::string& file, FieldTable& table) {
   if (!isJson && text.size() > kLargestIni)
     throw UsageError("--config " + file + ": is no ini file, which is shorter: see 'roomgraph " +
                      "config'");
-  fromIni(isJson ? optionsIni(parseGraphJson(text, file)) : text, file, table);
+  if (isJson && jsonFault(text, "roomgraph/comparison").empty())
+    setUsed(parseComparisonJson(text, file), table);
+  else
+    fromIni(isJson ? optionsIni(parseGraphJson(text, file)) : text, file, table);
 }
 
 void applySetting(const std::string& setting, FieldTable& table) {
@@ -49,6 +54,31 @@ void applySetting(const std::string& setting, FieldTable& table) {
             setting.substr(equals + 1));
 }
 
+/** `settable` is what --set may set of `known`, the options of the file. */
+void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable known,
+           FieldTable settable) {
+  const double assumed = options.loadGrid.resolution;
+  options.loadGrid.resolution = NAN;  // no text can set that
+  if (arguments.configFile) readConfig(*arguments.configFile, known);
+  for (const std::string& setting : arguments.settings) applySetting(setting, settable);
+  if (arguments.resolution) known.set("load_grid", "resolution", *arguments.resolution);
+  if (!arguments.slice.empty()) {
+    known.set("load_grid", "slice_low", arguments.slice[0]);
+    known.set("load_grid", "slice_high", arguments.slice[1]);
+    if (!(options.loadGrid.sliceHigh > options.loadGrid.sliceLow))
+      throw UsageError("--slice: HIGH must be above LOW");
+  }
+  options.loadGrid.layer = arguments.layer;
+  if (arguments.roomWidth) {
+    known.set("find_rooms", "min_width", *arguments.roomWidth);
+    known.set("find_rooms", "alpha_px2", "0");
+  }
+  if (arguments.alphaPx2) known.set("find_rooms", "alpha_px2", *arguments.alphaPx2);
+  if (arguments.allComponents) known.set("keep_largest", "all_components", "true");
+  options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
+  if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
+}
+
 }  // namespace
 
 void declareConfig(OptionArguments& arguments, CLI::App& app) {
@@ -58,8 +88,8 @@ void declareConfig(OptionArguments& arguments, CLI::App& app) {
       ->type_name("NAME")
       ->capture_default_str();
   app.add_option("-c,--config", arguments.configFile,
-                 "Options from an ini file (see 'roomgraph config'), or from an earlier X.json: "
-                 "those it was made with.")
+                 "Options from an ini file (see 'roomgraph config'), or from an earlier X.json or "
+                 "comparison.json: those it was made with.")
       ->type_name("FILE");
   app.add_option("--set", arguments.settings,
                  "Sets one option, after --config; may be given several times.")
@@ -92,28 +122,16 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
 }
 
 ExtractOptions toOptions(const OptionArguments& arguments) {
-  ExtractOptions options = preset(arguments.preset);
-  FieldTable table = describe(options);
-  const double assumed = options.loadGrid.resolution;
-  options.loadGrid.resolution = NAN;  // no text can set that
-  if (arguments.configFile) readConfig(*arguments.configFile, table);
-  for (const std::string& setting : arguments.settings) applySetting(setting, table);
-  if (arguments.resolution) table.set("load_grid", "resolution", *arguments.resolution);
-  if (!arguments.slice.empty()) {
-    table.set("load_grid", "slice_low", arguments.slice[0]);
-    table.set("load_grid", "slice_high", arguments.slice[1]);
-    if (!(options.loadGrid.sliceHigh > options.loadGrid.sliceLow))
-      throw UsageError("--slice: HIGH must be above LOW");
-  }
-  options.loadGrid.layer = arguments.layer;
-  if (arguments.roomWidth) {
-    table.set("find_rooms", "min_width", *arguments.roomWidth);
-    table.set("find_rooms", "alpha_px2", "0");
-  }
-  if (arguments.alphaPx2) table.set("find_rooms", "alpha_px2", *arguments.alphaPx2);
-  if (arguments.allComponents) table.set("keep_largest", "all_components", "true");
-  options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
-  if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
+  CompareMapsOptions options;
+  options.extract = preset(arguments.preset);
+  apply(arguments, options.extract, describe(options), describe(options.extract));
+  return options.extract;
+}
+
+CompareMapsOptions toCompareOptions(const OptionArguments& arguments) {
+  CompareMapsOptions options;
+  options.extract = preset(arguments.preset);
+  apply(arguments, options.extract, describe(options), describe(options));
   return options;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {
 
@@ -26,9 +26,12 @@ void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2 and --all-components. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
-/** First the preset, then the file, then --set, then the shorthands; later ones win.
- *  Throws UsageError for an unknown name or a value out of range, and DataError for a graph file
- *  that cannot be read. */
+/** First the preset, then the file, then --set, then the shorthands; later ones win. The file may
+ *  also have options of a comparison, --set may not.
+ *  Throws UsageError for an unknown name or a value out of range, and DataError for an earlier
+ *  result that cannot be read. */
 ExtractOptions toOptions(const OptionArguments& arguments);
+/** The same for a comparison, whose options --set may set, too. */
+CompareMapsOptions toCompareOptions(const OptionArguments& arguments);
 
 }  // namespace roomgraph

@@ -24,7 +24,7 @@ struct PlanArguments {
 int run(const PlanArguments& arguments) {
   PlanFleetOptions options;
   options.most = arguments.most;
-  options.compare.extract = toOptions(arguments.options);
+  options.compare = toCompareOptions(arguments.options);
   std::size_t unread = 0;
   options.onUnread = [&](const std::string& line) {
     printError(line);

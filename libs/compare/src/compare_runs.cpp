@@ -32,6 +32,22 @@ void check(const std::vector<Run>& runs, const MapPairs& related,
     throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
 }
 
+RunScoreOptions scoring(const CompareRunsOptions& options) {
+  RunScoreOptions scoring;
+  scoring.scoreScale = options.scoreScale, scoring.minShare = options.leastShare;
+  return scoring;
+}
+
+SiteBreaksOptions breaking(const CompareRunsOptions& options) {
+  SiteBreaksOptions breaking;
+  breaking.findBreaks.minShift = breaking.findPieces.minShift = options.breakShift;
+  breaking.findBreaks.minRotation = options.breakRotation;
+  // Walls alone show no smaller turns than they do by themselves.
+  double& ofPieces = breaking.findPieces.minRotation;
+  ofPieces = std::max(ofPieces, options.breakRotation);
+  return breaking;
+}
+
 std::size_t placeOf(const std::string& name, const std::vector<Run>& runs) {
   std::size_t place = 0;
   while (runs[place].name != name) ++place;
@@ -50,9 +66,9 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   const PairBends bends = bendsOf(pairs);
   const Consensus consensus = siteConsensus(site, pairs, forEach);
   const std::vector<MapError> errors = siteErrors(site, bends, consensus);
-  const RunScores scores = scoreRuns(bends, errors, site.reference, {});
+  const RunScores scores = scoreRuns(bends, errors, site.reference, scoring(options));
   const Trust trust = trustOf(scores, site.reference);
-  const auto breaks = siteBreaks(site, pairs, consensus, trust, {}, forEach);
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   return summarize(runs, related, {site, consensus, scores, breaks, measures, rooms});

@@ -169,6 +169,10 @@ class Reader {
 }  // namespace
 
 ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options) {
+  if (options.compare.areAligned && options.estimatesScale)
+    throw UsageError(
+        "compare: aligned maps have a scale: set only one of compare.aligned and "
+        "compare.estimate_scale");
   return Reader(files, options).read();
 }
 

@@ -8,6 +8,8 @@ namespace roomgraph {
 
 /** A shift from which on a map is broken, if it hardly turns [m]. */
 constexpr double kBreakShift = 0.4;
+/** The same for a jump that turns it [rad]. */
+constexpr double kBreakRotation = 0.035;
 
 /** Where the first key frame behind a break lies, site <- robot. What `drawn` says is wrong from
  *  there on by the motion untorn * drawn.inverse(). */

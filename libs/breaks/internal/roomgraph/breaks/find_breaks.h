@@ -24,12 +24,12 @@ struct ScanBreak {
 };
 
 struct FindBreaksOptions {
-  double minRotation = 0.035;     ///< [rad]
-  double minShift = kBreakShift;  ///< [m]
-  double outlier = 4;             ///< times the 95th percentile of the run's other steps
-  double quiet = 0.4;             ///< share of the jump that the steps around it may reach
-  std::size_t window = 5;         ///< scans on either side that must be quiet
-  std::size_t maxGap = 3;         ///< scans from one that was found to the next
+  double minRotation = kBreakRotation;  ///< [rad]
+  double minShift = kBreakShift;        ///< [m]
+  double outlier = 4;                   ///< times the 95th percentile of the run's other steps
+  double quiet = 0.4;                   ///< share of the jump that the steps around it may reach
+  std::size_t window = 5;               ///< scans on either side that must be quiet
+  std::size_t maxGap = 3;               ///< scans from one that was found to the next
 };
 
 /** Where the poses of a run's scans jump from one scan to the next, while they are steady before

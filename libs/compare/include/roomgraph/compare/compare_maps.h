@@ -34,6 +34,10 @@ FieldTable describe(CompareMapsOptions& options);
 /** The same as Comparison::options tells it. */
 std::vector<UsedOption> usedOptions(CompareMapsOptions options);
 
+/** Sets what a comparison was made with. What the table does not know is left out.
+ *  @throws UsageError for a value out of range. */
+void setUsed(const Comparison& comparison, FieldTable& table);
+
 /** Map files that were read. */
 struct ReadRuns {
   std::vector<Run> runs;                 ///< in the order of sortRuns
@@ -47,7 +51,8 @@ struct ReadRuns {
  *  none, it is left out as of another site. The same for any order of the files.
  *  @throws DataError where no map at all, or the reference, cannot be used, or no map tells a
  *  scale.
- *  @throws UsageError where scales are to be estimated and no map is a bare picture. */
+ *  @throws UsageError where scales are to be estimated, and no map is a bare picture or all are
+ *  aligned already. */
 ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options);
 
 /** Compares what was read, see compareRuns; what was left out there is left out here, too. */

@@ -3,6 +3,11 @@
 
 namespace roomgraph {
 
+/** Error at which the score is 100 / e [m]. */
+constexpr double kScoreScale = 0.5;
+/** The least share of walls in common with another run, for a score that is meaningful. */
+constexpr double kLeastShare = 0.2;
+
 /** What the walls of one run say against those of the others. */
 struct RunScore {
   double bend = 0;   ///< against the others, each weighted by its trust [m]

@@ -16,11 +16,11 @@ namespace roomgraph {
 
 /** How an error becomes a score. */
 struct RunScoreOptions {
-  double scoreScale = 0.5;         ///< error at which the score is 100 / e [m]
-  double trustFloor = 0.05;        ///< error below which all runs are trusted alike [m]
-  double minWalls = kFewestWalls;  ///< wall points from which on a score is meaningful
-  std::size_t minOthers = 2;       ///< runs from which on a score is meaningful; 1 with a reference
-  double minShare = 0.2;           ///< of walls in common with another run, to be meaningful
+  double scoreScale = kScoreScale;  ///< error at which the score is 100 / e [m]
+  double trustFloor = 0.05;         ///< error below which all runs are trusted alike [m]
+  double minWalls = kFewestWalls;   ///< wall points from which on a score is meaningful
+  std::size_t minOthers = 2;      ///< runs from which on a score is meaningful; 1 with a reference
+  double minShare = kLeastShare;  ///< of walls in common with another run, to be meaningful
 };
 
 /** Of each run of a site; none for a reference, and where no wall could be compared. */
