@@ -71,9 +71,9 @@ TEST(SiteFile, whatIsBrokenIsNamed) {
   EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":\"\""), "rooms[0].id is empty"));
   EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":7"), "rooms[0].id is no text"));
   EXPECT_TRUE(says(with("\"name\":\"Kitchen", "\"name\":7,\"\":\""), "rooms[0].name "));
-  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0]"), "rooms[0].polygon "));
-  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"), "rooms[0].polygon is too large"));
-  EXPECT_TRUE(says(with("\"doors\":[", "\"doors\":[7,"), "rooms[0].doors is no object"));
+  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0]"), "rooms[0].polygon["));
+  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"), "rooms[0].polygon[2][1] is too large"));
+  EXPECT_TRUE(says(with("\"doors\":[", "\"doors\":[7,"), "rooms[0].doors[0] is no object"));
   SiteFile twice = sampleFile();
   twice.rooms.push_back(twice.rooms[0]);
   EXPECT_TRUE(says(complaint(siteJson(twice)), "rooms[1].id is that of another room"));

@@ -4,10 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "read_areas.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/files/InputFile.h"
-#include "roomgraph/json/JsonNode.h"
-#include "roomgraph/json/json_fault.h"
+#include "roomgraph/json/read_document.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -118,7 +116,7 @@ Note readNote(const JsonNode& node) {
   return note;
 }
 
-GraphFile readFile(const JsonNode& top) {
+GraphFile readTop(const JsonNode& top) {
   if (top["format"].text() != "roomgraph/graph") throw Broken{"format", "is not 'roomgraph/graph'"};
   if (top["version"].json != 1)
     throw Broken{"version", "is not 1, the only one this program reads"};
@@ -136,17 +134,8 @@ GraphFile readFile(const JsonNode& top) {
 }  // namespace
 
 GraphFile parseGraphJson(const std::string& text, const std::string& name) {
-  constexpr const char* kRemedy = "; write it anew with 'roomgraph extract'";
-  const std::string fault = jsonFault(text, "roomgraph/graph");
-  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
-  try {
-    return readFile({json, ""});
-  } catch (const Broken& broken) {
-    throw DataError(name + ": " + (broken.where.empty() ? "the file" : broken.where) + " " +
-                    broken.problem + kRemedy);
-  }
+  return readDocument(text, name, "roomgraph/graph", "write it anew with 'roomgraph extract'",
+                      readTop);
 }
 
 GraphFile readGraphJson(const std::string& path) { return parseGraphJson(readFile(path), path); }

@@ -12,8 +12,6 @@
 namespace roomgraph {
 namespace {
 
-double rounded(double value) { return toTenthMillimetre(value); }
-
 Json number(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return nullptr;
   return rounded(*value);

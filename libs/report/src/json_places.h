@@ -1,18 +1,14 @@
 #pragma once
-#include <cmath>
-
+#include "roomgraph/json/rounded.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "stability_json.h"
 
 namespace roomgraph {
 
-/** As files hold numbers: to 0.0001, never -0. */
-inline double toTenthMillimetre(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
-
 /** [[x, y], ...] */
 inline Json ringJson(const Ring& ring) {
   Json json = Json::array();
-  for (const Point p : ring) json.push_back({toTenthMillimetre(p.x), toTenthMillimetre(p.y)});
+  for (const Point p : ring) json.push_back({rounded(p.x), rounded(p.y)});
   return json;
 }
 
@@ -25,9 +21,9 @@ inline Json ringsJson(const std::vector<Ring>& rings) {
 inline Json doorsJson(const std::vector<SiteDoor>& doors) {
   Json json = Json::array();
   for (const SiteDoor& door : doors)
-    json.push_back({{"x", toTenthMillimetre(door.place.x)},
-                    {"y", toTenthMillimetre(door.place.y)},
-                    {"width", toTenthMillimetre(door.width)},
+    json.push_back({{"x", rounded(door.place.x)},
+                    {"y", rounded(door.place.y)},
+                    {"width", rounded(door.width)},
                     {"to", door.to.empty() ? Json(nullptr) : Json(door.to)}});
   return json;
 }

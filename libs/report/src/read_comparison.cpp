@@ -1,16 +1,12 @@
 #include <cmath>
 
-#include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/files/InputFile.h"
-#include "roomgraph/json/JsonNode.h"
-#include "roomgraph/json/json_fault.h"
+#include "roomgraph/json/read_document.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool isTrue(const JsonNode& node) {
   if (!node.json.is_boolean()) throw Broken{node.place, "is neither true nor false"};
@@ -207,17 +203,8 @@ Comparison comparison(const JsonNode& top) {
 }  // namespace
 
 Comparison parseComparisonJson(const std::string& text, const std::string& name) {
-  constexpr const char* kRemedy = "; write it anew with 'roomgraph compare'";
-  const std::string fault = jsonFault(text, "roomgraph/comparison");
-  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
-  try {
-    return comparison({json, ""});
-  } catch (const Broken& broken) {
-    throw DataError(name + ": " + (broken.where.empty() ? "the file" : broken.where) + " " +
-                    broken.problem + kRemedy);
-  }
+  return readDocument(text, name, "roomgraph/comparison", "write it anew with 'roomgraph compare'",
+                      comparison);
 }
 
 Comparison readComparison(const std::string& file) {

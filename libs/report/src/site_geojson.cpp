@@ -34,7 +34,7 @@ Json roomFeature(const SiteRoom& room) {
   const Json properties = {{"id", room.id},
                            {"name", room.name},
                            {"kind", room.isCorridor ? "corridor" : "room"},
-                           {"area_m2", toTenthMillimetre(room.area)},
+                           {"area_m2", rounded(room.area)},
                            {"seen_in", runsWith(room, RoomSighting::seen)},
                            {"gone_in", runsWith(room, RoomSighting::gone)},
                            {"unvisited_in", runsWith(room, RoomSighting::unvisited)}};
@@ -45,9 +45,8 @@ Json doorFeature(const SiteRoom& room, const SiteDoor& door) {
   const Json properties = {{"kind", "door"},
                            {"room", room.id},
                            {"to", door.to.empty() ? Json() : Json(door.to)},
-                           {"width", toTenthMillimetre(door.width)}};
-  return feature(properties, "Point",
-                 {toTenthMillimetre(door.place.x), toTenthMillimetre(door.place.y)});
+                           {"width", rounded(door.width)}};
+  return feature(properties, "Point", {rounded(door.place.x), rounded(door.place.y)});
 }
 
 }  // namespace

@@ -4,107 +4,74 @@
 #include <set>
 
 #include "json_places.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/version.h"
-#include "roomgraph/json/json_fault.h"
+#include "roomgraph/json/read_document.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kFarthest = 1e11;  // beyond any place of a map that can be read [m]
 
-/** What is wrong, and where. */
-struct Fault {
-  std::string where, problem;
-};
-
-const Json& member(const Json& json, const std::string& where, const char* key) {
-  if (!json.is_object()) throw Fault{where, "is no object"};
-  const auto found = json.find(key);
-  if (found == json.end()) throw Fault{where, std::string("has no '") + key + "'"};
-  return *found;
-}
-
-double number(const Json& json, const std::string& where) {
-  if (!json.is_number()) throw Fault{where, "is no number"};
-  const double value = json.get<double>();
-  if (!(std::abs(value) <= kFarthest)) throw Fault{where, "is too large"};
+double metres(const JsonNode& node) {
+  const double value = node.number();
+  if (!(std::abs(value) <= kFarthest)) throw Broken{node.place, "is too large"};
   return value;
 }
 
-double number(const Json& json, const std::string& where, const char* key) {
-  return number(member(json, where, key), where + "." + key);
-}
+Point place(const JsonNode& node) { return {metres(node["x"]), metres(node["y"])}; }
 
-std::string text(const Json& json, const std::string& where, const char* key) {
-  const Json& value = member(json, where, key);
-  if (!value.is_string()) throw Fault{where + "." + key, "is no text"};
-  return value.get<std::string>();
-}
-
-const Json& list(const Json& json, const std::string& where) {
-  if (!json.is_array()) throw Fault{where, "is no list"};
-  return json;
-}
-
-Ring ring(const Json& json, const std::string& where) {
+Ring ring(const JsonNode& node) {
   Ring result;
-  for (const Json& pair : list(json, where)) {
-    if (!pair.is_array() || pair.size() != 2) throw Fault{where, "has an entry that is no [x, y]"};
-    result.push_back({number(pair[0], where), number(pair[1], where)});
+  for (const JsonNode& pair : node.list()) {
+    const std::vector<JsonNode> numbers = pair.list();
+    if (numbers.size() != 2) throw Broken{pair.place, "is no pair [x, y]"};
+    result.push_back({metres(numbers[0]), metres(numbers[1])});
   }
-  if (result.size() < 3) throw Fault{where, "has fewer than 3 corners"};
+  if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
   return result;
 }
 
-int nextNumber(const Json& json, const char* key) {
-  const Json& value = member(json, "next", key);
-  if (!value.is_number_integer() || value < 1 || value > 1000000000)
-    throw Fault{std::string("next.") + key, "is no number from 1 on"};
-  return value.get<int>();
+int nextNumber(const JsonNode& node) {
+  constexpr std::size_t kMost = 1'000'000'000;
+  const std::size_t number = node.countBelow(kMost);
+  if (number == 0) throw Broken{node.place, "is no number from 1 on"};
+  return int(number);
 }
 
-SiteDoor door(const Json& json, const std::string& where) {
-  const Json& to = member(json, where, "to");
-  return {{number(json, where, "x"), number(json, where, "y")},
-          number(json, where, "width"),
-          to.is_null() ? "" : text(json, where, "to")};
+SiteDoor door(const JsonNode& node) {
+  const JsonNode to = node["to"];
+  return {place(node), metres(node["width"]), to.json.is_null() ? "" : to.text()};
 }
 
-KnownRoom room(const Json& json, const std::string& where) {
+KnownRoom room(const JsonNode& node) {
   KnownRoom result;
-  result.id = text(json, where, "id");
-  if (result.id.empty()) throw Fault{where + ".id", "is empty"};
-  result.name = json.contains("name") ? text(json, where, "name") : "";
+  result.id = node["id"].text();
+  if (result.id.empty()) throw Broken{node["id"].place, "is empty"};
+  result.name = node.contains("name") ? node["name"].text() : "";
   if (result.name.empty()) result.name = result.id;
-  const std::string kind = text(json, where, "kind");
+  const std::string kind = node["kind"].text();
   if (kind != "room" && kind != "corridor")
-    throw Fault{where + ".kind", "is neither 'room' nor 'corridor'"};
+    throw Broken{node["kind"].place, "is neither 'room' nor 'corridor'"};
   result.isCorridor = kind == "corridor";
-  result.center = {number(json, where, "x"), number(json, where, "y")};
-  result.area = number(json, where, "area_m2");
-  result.polygon.outer = ring(member(json, where, "polygon"), where + ".polygon");
-  for (const Json& hole : list(member(json, where, "holes"), where + ".holes"))
-    result.polygon.holes.push_back(ring(hole, where + ".holes"));
-  for (const Json& one : list(member(json, where, "doors"), where + ".doors"))
-    result.doors.push_back(door(one, where + ".doors"));
+  result.center = place(node);
+  result.area = metres(node["area_m2"]);
+  result.polygon.outer = ring(node["polygon"]);
+  for (const JsonNode& hole : node["holes"].list()) result.polygon.holes.push_back(ring(hole));
+  for (const JsonNode& one : node["doors"].list()) result.doors.push_back(door(one));
   return result;
 }
 
-SiteFile site(const Json& json) {
-  if (text(json, "the file", "format") != "roomgraph/site")
-    throw Fault{"format", "is not 'roomgraph/site'"};
-  if (member(json, "the file", "version") != 1)
-    throw Fault{"version", "is not 1, the only one that this program reads"};
+SiteFile site(const JsonNode& top) {
+  if (top["version"].json != 1)
+    throw Broken{"version", "is not 1, the only one that this program reads"};
   SiteFile file;
-  const Json& next = member(json, "the file", "next");
-  file.nextRoom = nextNumber(next, "room"), file.nextCorridor = nextNumber(next, "corridor");
+  file.nextRoom = nextNumber(top["next"]["room"]);
+  file.nextCorridor = nextNumber(top["next"]["corridor"]);
   std::set<std::string> ids;
-  for (const Json& one : list(member(json, "the file", "rooms"), "rooms")) {
-    const std::string where = "rooms[" + std::to_string(file.rooms.size()) + "]";
-    file.rooms.push_back(room(one, where));
+  for (const JsonNode& node : top["rooms"].list()) {
+    file.rooms.push_back(room(node));
     if (!ids.insert(file.rooms.back().id).second)
-      throw Fault{where + ".id", "is that of another room, too"};
+      throw Broken{node["id"].place, "is that of another room, too"};
   }
   return file;
 }
@@ -112,16 +79,8 @@ SiteFile site(const Json& json) {
 }  // namespace
 
 SiteFile parseSiteJson(const std::string& content, const std::string& name) {
-  constexpr const char* kRemedy = ": repair it, or name another file with --names";
-  const std::string fault = jsonFault(content, "roomgraph/site");
-  if (!fault.empty()) throw DataError(name + ": " + fault + kRemedy);
-  const Json json = Json::parse(content, nullptr, false);
-  if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one" + kRemedy);
-  try {
-    return site(json);
-  } catch (const Fault& found) {
-    throw DataError(name + ": " + found.where + " " + found.problem + kRemedy);
-  }
+  return readDocument(content, name, "roomgraph/site",
+                      "repair it, or name another file with --names", site);
 }
 
 std::string siteJson(const SiteFile& file) {
@@ -134,9 +93,9 @@ std::string siteJson(const SiteFile& file) {
     text += separator + lineOf({{"id", room.id},
                                 {"name", room.name},
                                 {"kind", room.isCorridor ? "corridor" : "room"},
-                                {"x", toTenthMillimetre(room.center.x)},
-                                {"y", toTenthMillimetre(room.center.y)},
-                                {"area_m2", toTenthMillimetre(room.area)},
+                                {"x", rounded(room.center.x)},
+                                {"y", rounded(room.center.y)},
+                                {"area_m2", rounded(room.area)},
                                 {"polygon", ringJson(room.polygon.outer)},
                                 {"holes", ringsJson(room.polygon.holes)},
                                 {"doors", doorsJson(room.doors)}});
