@@ -168,7 +168,10 @@ int run(const CompareArguments& arguments) {
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);
   auto [read, comparison] = compared(arguments);
-  if (site) nameRooms(comparison.rooms, *site, arguments.names);
+  if (site) {
+    NamedRooms named = nameRooms(std::move(comparison.rooms), *std::move(site), arguments.names);
+    comparison.rooms = std::move(named.rooms), site = std::move(named.file);
+  }
   StagedFiles staged;
   gate.candidates = candidatesOf(arguments, comparison);
   const bool isStruck = addGate(comparison, gate);

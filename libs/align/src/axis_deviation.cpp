@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/principal_axis.h"
 
 namespace roomgraph {
 namespace {
@@ -18,25 +19,14 @@ constexpr double kMinLength = 0.42;      // of a straight piece, as a standard d
 constexpr double kMaxRoughness = 0.022;  // variance across over variance along
 constexpr std::size_t kMinNear = 8, kMinDirections = 100;
 
-/** Sums over the places near one another. */
-struct Moments {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-
-  void add(Point p) {
-    ++n, x += p.x, y += p.y;
-    xx += p.x * p.x, xy += p.x * p.y, yy += p.y * p.y;
-  }
-
-  /** The direction in which the places lie [rad]; none where that is no line. */
-  std::optional<double> direction() const {
-    if (n < double(kMinNear)) return std::nullopt;
-    const double a = xx / n - x * x / n / n, b = xy / n - x * y / n / n, c = yy / n - y * y / n / n;
-    const double middle = (a + c) / 2, half = std::hypot((a - c) / 2, b);
-    const double along = middle + half, across = middle - half;
-    if (along < kMinLength * kMinLength || across > kMaxRoughness * along) return std::nullopt;
-    return std::atan2(2 * b, a - c) / 2;
-  }
-};
+/** The direction in which the places lie [rad]; none where that is no line. */
+std::optional<double> directionOf(const PointSums& places) {
+  if (places.count < double(kMinNear)) return std::nullopt;
+  const PrincipalAxis axis = principalAxis(places);
+  if (axis.along < kMinLength * kMinLength || axis.across > kMaxRoughness * axis.along)
+    return std::nullopt;
+  return axis.direction;
+}
 
 using Squares = std::map<std::pair<int, int>, std::vector<const WallPoint*>>;
 
@@ -45,7 +35,7 @@ std::pair<int, int> squareOf(Point p) {
 }
 
 std::optional<double> directionAt(const Squares& squares, const WallPoint& wall) {
-  Moments near;
+  PointSums near;
   const auto [x0, y0] = squareOf(wall.place);
   for (int x = x0 - 1; x <= x0 + 1; ++x)
     for (int y = y0 - 1; y <= y0 + 1; ++y) {
@@ -58,7 +48,7 @@ std::optional<double> directionAt(const Squares& squares, const WallPoint& wall)
           near.add(off);
       }
     }
-  return near.direction();
+  return directionOf(near);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/geometry/PointSums.h"
+#include "roomgraph/geometry/principal_axis.h"
 
 namespace roomgraph {
 namespace {
@@ -18,15 +18,8 @@ constexpr double kMinLength = 2;        // of all pieces together [m]
 constexpr double kFullLength = 5;       // from which on more tells no more [m]
 constexpr double kMinAgreement = 0.6;   // of the directions, 1 where all are the same
 
-/** The direction of a straight piece of wall [rad]; none where it is no line. */
-std::optional<double> directionOf(const PointSums& s) {
-  const double n = s.count;
-  const double a = s.xx / n - s.x * s.x / n / n, b = s.xy / n - s.x * s.y / n / n,
-               c = s.yy / n - s.y * s.y / n / n;
-  const double middle = (a + c) / 2, half = std::hypot((a - c) / 2, b);
-  if (middle - half >= kMaxRoughness * kMaxRoughness) return std::nullopt;
-  if (middle + half <= kMinSpread * kMinSpread) return std::nullopt;
-  return std::atan2(2 * b, a - c) / 2;
+bool isStraight(const PrincipalAxis& piece) {
+  return piece.across < kMaxRoughness * kMaxRoughness && piece.along > kMinSpread * kMinSpread;
 }
 
 /** The last end of the piece of wall that starts at `first`, and its length. */
@@ -57,9 +50,9 @@ std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
     }
     PointSums sums;
     for (std::size_t i = first; i <= piece.last; ++i) sums.add(ends[i]);
-    if (const auto direction = directionOf(sums)) {
-      cosine += piece.length * std::cos(4 * *direction);  // all four directions as one
-      sine += piece.length * std::sin(4 * *direction);
+    if (const PrincipalAxis axis = principalAxis(sums); isStraight(axis)) {
+      cosine += piece.length * std::cos(4 * axis.direction);  // all four directions as one
+      sine += piece.length * std::sin(4 * axis.direction);
       length += piece.length;
     }
     first = piece.last;

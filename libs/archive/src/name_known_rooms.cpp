@@ -19,9 +19,7 @@ std::size_t seenBy(const SiteRoom& room) {
 }  // namespace
 
 void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string& name) {
-  std::vector<SiteRoom> rooms = comparison.rooms;
-  SiteFile file = ledger;
-  nameRooms(rooms, file, name);
+  auto [rooms, file] = nameRooms(comparison.rooms, ledger, name);
   const auto isKnown = [&](const SiteRoom& room) {
     return std::any_of(ledger.rooms.begin(), ledger.rooms.end(),
                        [&](const KnownRoom& known) { return known.id == room.id; });

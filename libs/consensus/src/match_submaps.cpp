@@ -77,10 +77,11 @@ std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmap
   return pieces;
 }
 
-/** Whether the run lies otherwise at the place `at` than it did at the scan before. */
+/** Whether the run lies otherwise at the place `at` than it did at the scan before, by more than a
+ *  map bends from scan to scan. */
 bool isJump(const Transform2D& before, const Transform2D& now, Point at) {
-  constexpr PoseTolerance kSteady{0.12, 0.6};
-  return !areNear(before, now, at, kSteady);
+  const TrackScansOptions tracked;
+  return !areNear(before, now, at, {tracked.stepTurn, tracked.step});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/OneToOne.h"
 
 namespace roomgraph {
 namespace {
@@ -133,11 +134,10 @@ double matthews(double tp, double fp, double fn, double tn) {
 }
 
 void addMatthews(const Counts& counts, RoomScore& score) {
-  std::vector<bool> isTakenSeg(counts.seg.size.size()), isTakenTruth(counts.truth.size.size());
+  OneToOne pairing(counts.seg.size.size(), counts.truth.size.size());
   double sum = 0;
   for (const Pair& pair : counts.pairs) {
-    if (isTakenSeg[pair.s] || isTakenTruth[pair.g]) continue;
-    isTakenSeg[pair.s] = isTakenTruth[pair.g] = true;
+    if (!pairing.take(pair.s, pair.g)) continue;
     ++score.pairs;
     const auto tp = double(pair.overlap);
     const double fp = double(counts.seg.common[pair.s]) - tp;

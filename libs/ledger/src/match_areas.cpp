@@ -4,6 +4,8 @@
 #include <optional>
 #include <tuple>
 
+#include "roomgraph/base/OneToOne.h"
+
 namespace roomgraph {
 namespace {
 
@@ -76,8 +78,9 @@ class Matching {
     std::sort(offers.begin(), offers.end());
     std::vector<std::optional<std::size_t>> areaOf(fits_.size());
     std::vector<bool> isTaken(run_.shapes.size());
+    OneToOne pairing(areaOf.size(), isTaken.size());
     for (const auto& [value, s, area] : offers) {
-      if (areaOf[s] || isTaken[area]) continue;
+      if (!pairing.take(s, area)) continue;
       areaOf[s] = area;
       isTaken[area] = true;
     }

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "match_areas.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/OneToOne.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/match/polygon_cells.h"
 
@@ -151,20 +153,16 @@ std::string newId(SiteFile& file, bool isCorridor) {
 }
 
 /** The known room of each room, each once, those that overlap most first. */
-std::vector<std::optional<std::size_t>> oneToOne(const std::vector<AreaMatch>& matches,
-                                                 std::size_t known) {
+std::vector<std::optional<std::size_t>> knownRooms(const std::vector<AreaMatch>& matches,
+                                                   std::size_t known) {
   std::vector<std::pair<double, std::size_t>> order;  // -overlap, room
   for (std::size_t s = 0; s < matches.size(); ++s)
     if (matches[s].isMatched()) order.emplace_back(-matches[s].overlap, s);
   std::sort(order.begin(), order.end());
   std::vector<std::optional<std::size_t>> result(matches.size());
-  std::vector<bool> isTaken(known);
-  for (const auto& [overlap, s] : order) {
-    const std::size_t at = matches[s].areas[0];
-    if (isTaken[at]) continue;
-    isTaken[at] = true;
-    result[s] = at;
-  }
+  OneToOne pairing(matches.size(), known);
+  for (const auto& [overlap, s] : order)
+    if (const std::size_t at = matches[s].areas[0]; pairing.take(s, at)) result[s] = at;
   return result;
 }
 
@@ -182,8 +180,8 @@ void sortKnown(std::vector<KnownRoom>& rooms) {
 
 }  // namespace
 
-void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& name) {
-  if (rooms.empty()) return;
+NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::string& name) {
+  if (rooms.empty()) return {{}, std::move(file)};
   Transform2D pose;  // file <- site
   Found found = findRooms(rooms, file, pose);
   if (!file.rooms.empty() && found.area < kMostArea) {
@@ -196,7 +194,7 @@ void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& 
                       ": its rooms cannot be found in these runs, or in several ways: name "
                       "the file of this site, or one that is not there yet");
   }
-  const auto knownOf = oneToOne(found.matches, file.rooms.size());
+  const auto knownOf = knownRooms(found.matches, file.rooms.size());
   std::map<std::string, std::string> newIdOf;
   std::vector<std::size_t> placeOf;  // in the file
   for (std::size_t s = 0; s < rooms.size(); ++s) {
@@ -217,6 +215,7 @@ void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& 
   }
   sortKnown(file.rooms);
   sortRooms(rooms);
+  return {std::move(rooms), std::move(file)};
 }
 
 }  // namespace roomgraph

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -58,15 +59,10 @@ std::vector<MatchedVertices> matchVertices(const TopologyGraph& base, const Topo
   std::sort(pairs.begin(), pairs.end(), [](const MatchedVertices& p, const MatchedVertices& q) {
     return std::tie(p.distance, p.base, p.other) < std::tie(q.distance, q.base, q.other);
   });
-  std::vector<bool> baseTaken(base.vertices().size()), otherTaken(other.vertices().size());
-  const auto isTaken = [&](const MatchedVertices& pair) {
-    if (baseTaken[pair.base.index()] || otherTaken[pair.other.index()]) return true;
-    baseTaken[pair.base.index()] = otherTaken[pair.other.index()] = true;
-    return false;
-  };
+  OneToOne pairing(base.vertices().size(), other.vertices().size());
   std::vector<MatchedVertices> matched;
   for (const MatchedVertices& pair : pairs)
-    if (!isTaken(pair)) matched.push_back(pair);
+    if (pairing.take(pair.base.index(), pair.other.index())) matched.push_back(pair);
   return matched;
 }
 

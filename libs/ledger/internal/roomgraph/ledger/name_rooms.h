@@ -11,15 +11,21 @@ namespace roomgraph {
 // Out:  the same with the ids and names that they had, and the file brought up to date
 // Next: comparisonJson, siteJson
 
+/** Rooms with ids and names that stay, and the file that keeps them. */
+struct NamedRooms {
+  std::vector<SiteRoom> rooms;  ///< by their ids
+  SiteFile file;
+};
+
 /** Gives each room that the file knows its id and name, and each other a new id, which it adds to
  *  the file. What the file knows and the comparison does not have stays. Of a known room the file
  *  keeps the shape as long as half of it is the same, so that small errors do not add up. The way
  *  from the one frame to the other: none, if most rooms lie where they lay; else alignMaps of maps
- *  drawn from the rooms. Rooms are then matched as the areas of a run are: matchAreas. Sorts
- *  `rooms` by their new ids. `name` of the file, for messages. Without rooms nothing happens.
- *  O(rooms), or 0.2 s where frames differ.
+ *  drawn from the rooms. Rooms are then matched as the areas of a run are: matchAreas.
+ *  `name` of the file, for messages. Without rooms nothing changes. O(rooms), or 0.2 s where frames
+ *  differ.
  *  @throws DataError where the site cannot be found in the file, or in several ways, as in a
- *  symmetric building; nothing is changed then. */
-void nameRooms(std::vector<SiteRoom>& rooms, SiteFile& file, const std::string& name);
+ *  symmetric building. */
+NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::string& name);
 
 }  // namespace roomgraph
