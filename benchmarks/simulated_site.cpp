@@ -69,7 +69,7 @@ SimulatedSite readSite(const std::string& folder, const std::string& extension) 
     site.breaks.push_back(breakIn(table, row));
     site.settings.push_back(settingsIn(table, row));
   }
-  site.related = relateRuns(site.runs, false, oneByOne);
+  site.related = relateRuns(site.runs, {}, oneByOne);
   return site;
 }
 

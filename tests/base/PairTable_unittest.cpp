@@ -24,12 +24,27 @@ TEST(PairTable, pairsComeByTheirFirstThingThenTheirSecond) {
   }
 }
 
+TEST(PairTable, ofSomePairsTheOthersHaveADefaultValue) {
+  PairTable<int> table(5, {{3, 1}, {1, 4}, {0, 1}, {1, 3}});
+  EXPECT_EQ(table.pairs(), (Pairs{{0, 1}, {1, 3}, {1, 4}}));
+  EXPECT_EQ(table.othersOf(1), (std::vector<std::size_t>{0, 3, 4}));
+  EXPECT_TRUE(table.othersOf(2).empty());
+  for (const auto& [a, b] : table.pairs()) table(b, a) = int(10 * a + b);
+  const PairTable<int>& filled = table;
+  EXPECT_EQ(filled(4, 1), 14);
+  EXPECT_EQ(filled(0, 1), 1);
+  EXPECT_TRUE(filled.has(3, 1));
+  EXPECT_FALSE(filled.has(0, 3));
+  EXPECT_EQ(filled(0, 3), 0);
+}
+
 TEST(DirectedTable, theOrderOfAPairCounts) {
-  DirectedTable<int> table(2);
+  DirectedTable<int> table(3, {{0, 1}});
   table(0, 1) = 1, table(1, 0) = 2;
   EXPECT_EQ(table(0, 1), 1);
   EXPECT_EQ(table(1, 0), 2);
-  EXPECT_EQ(table(0, 0), 0);
+  EXPECT_EQ(table.othersOf(1), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(table.othersOf(2).empty());
 }
 
 }  // namespace

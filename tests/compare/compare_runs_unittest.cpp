@@ -64,6 +64,26 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
   EXPECT_EQ(result.pairs[0].measures[0].value, 0);
 }
 
+TEST(CompareRuns, ofManyRunsACoreTellsWhichIsBent) {
+  std::vector<roomgraph::Run> runs;
+  for (int i = 0; i < 7; ++i)
+    runs.push_back(
+        run("run" + std::to_string(i), drawnBuilding(1, {double(i), 2.0 * i, 0.7 * i - 2})));
+  runs[4] = run("bent", bent(drawnBuilding(1, {3, -4, 0.4}), 0.08));
+  CompareRunsOptions options;
+  options.core = 3;
+  const Comparison some = compared(runs, options);
+  EXPECT_EQ(some.core.size(), 3u);
+  ASSERT_EQ(some.runs.size(), 7u);
+  EXPECT_EQ(some.runs.back().name, "bent");
+  for (const ComparedRun& one : some.runs) EXPECT_TRUE(one.score->isMeaningful) << one.name;
+  EXPECT_NE(some.runs[0].reason.find("the 3 runs of the core"), std::string::npos);
+  std::reverse(runs.begin(), runs.end());
+  EXPECT_EQ(comparisonJson(compared(runs, options)), comparisonJson(some))
+      << "the order of the arguments counts";
+  EXPECT_TRUE(compared(runs).core.empty());
+}
+
 TEST(CompareRuns, aCopyChangesNoCoverageAndNoMeaning) {
   const Grid half = drawnBuilding(1, {1, 2, 0.3}, {-1e9, 14});
   const std::vector<roomgraph::Run> two{run("half", half), run("whole", drawnBuilding(1, {}))};

@@ -141,6 +141,26 @@ TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
   EXPECT_EQ(without.errors[1].seen, 0) << "nobody has seen it";
 }
 
+TEST(SiteConsensus, whoIsNotOfTheCoreIsHeldAgainstIt) {
+  const auto torn = otherLog(broken(drive(), 20, M_PI / 2, {3, 4}), 4000);
+  const auto bent = otherLog(drifting(drive(), 0.006), 5000);
+  const std::vector<std::vector<Keyframe>> drives{bent, drive(), torn, otherLog(drive(), 2000),
+                                                  otherLog(moved(drive(), {3, 2, 1}), 3000)};
+  DrivenSite site(drives, {{}, {}, {}, {}, Transform2D{3, 2, 1}.inverse()});
+  const Consensus all = site.consensus();
+  site.pairs.core = {1, 3, 4};
+  const Consensus some = site.consensus();
+  ASSERT_EQ(some.errors.size(), 5u);
+  for (const std::size_t run : {0, 2}) {
+    ASSERT_GT(all.errors[run].error, 0.15);
+    EXPECT_NEAR(some.errors[run].error, all.errors[run].error, 0.05 * all.errors[run].error);
+  }
+  DrivenSite core({drives[1], drives[3], drives[4]}, {{}, {}, site.site.poses[4]});
+  for (std::size_t run = 0; run < 3; ++run)
+    EXPECT_EQ(core.consensus().errors[run].error, some.errors[site.pairs.core[run]].error)
+        << "the others have no say";
+}
+
 TEST(SiteConsensus, theOrderOfTheJobsChangesNothing) {
   const DrivenSite site({drive(), otherLog(broken(drive(), 20, 0.3, {}), 2000)}, {{}, {}});
   const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {

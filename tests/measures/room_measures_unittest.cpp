@@ -7,7 +7,7 @@ namespace {
 
 /** Run 0 among others, of each of whose rooms it has so many. */
 RoomCounts countsOf(const std::vector<RoomCount>& others) {
-  RoomCounts counts(others.size() + 1);
+  RoomCounts counts(others.size() + 1, pairsOf(others.size() + 1));
   for (std::size_t j = 0; j < others.size(); ++j) counts(0, j + 1) = others[j];
   return counts;
 }
@@ -57,7 +57,7 @@ TEST(RoomMeasures, roomsThatLieOnEachOtherInTheSiteMatch) {
   Site site;
   site.runs = {&whole, &shifted, &other};
   site.poses = {{}, {0.1, 0, 0}, {9, 9, 0}};
-  const RoomCounts counts = roomCounts(site, oneByOne);
+  const RoomCounts counts = roomCounts(site, pairsOf(3), oneByOne);
   EXPECT_EQ(counts(0, 1).matched, 1);
   EXPECT_EQ(counts(1, 0).matched, 1);
   EXPECT_EQ(counts(0, 2).matched, 0);

@@ -145,6 +145,63 @@ TEST(RelateRuns, oneMoreRunCostsItsOwnPairsOnly) {
   EXPECT_EQ(shelf.written, 6u);
 }
 
+/** Ten runs, seven of one building and three of another, and where these lie in them. */
+struct TenRuns {
+  std::vector<roomgraph::Run> runs;
+  std::vector<Transform2D> poses;  // run <- building
+
+  TenRuns() {
+    for (int i = 0; i < 10; ++i) {
+      poses.push_back({double(i), 2.0 * i, wrappedAngle(0.7 * i)});
+      runs.push_back(run(drawnBuilding(i < 7 ? 1 : 11, poses.back())));
+      runs.back().name = std::to_string(i);
+    }
+  }
+};
+
+MapPairs relatedByCore(const std::vector<roomgraph::Run>& runs, std::size_t core) {
+  RelateRunsOptions options;
+  options.core = core;
+  return relateRuns(runs, options, oneByOne);
+}
+
+TEST(RelateRuns, ofManyRunsEachIsRelatedToSomeOfTheCore) {
+  const TenRuns ten;
+  const MapPairs related = relatedByCore(ten.runs, 3);
+  ASSERT_EQ(related.core.size(), 6u) << "three of each building";
+  for (std::size_t run = 0; run < ten.runs.size(); ++run) {
+    std::size_t judges = 0;
+    for (const std::size_t judge : related.core)
+      judges += judge != run && related(judge, run).alignment.isSameSite;
+    EXPECT_GE(judges, 2u) << run;
+  }
+  EXPECT_LT(related.pairs().size(), 45u);
+  for (const auto& [a, b] : related.pairs()) {
+    const Alignment& alignment = related(a, b).alignment;
+    EXPECT_EQ(alignment.isSameSite, (a < 7) == (b < 7)) << a << ' ' << b;
+    const Transform2D truth = ten.poses[a] * ten.poses[b].inverse();
+    EXPECT_TRUE(!alignment.isSameSite || areAlike(alignment.pose, truth)) << a << ' ' << b;
+  }
+}
+
+TEST(RelateRuns, aReferenceIsOfTheCoreAndRelatedToAllOfItsSite) {
+  std::vector<roomgraph::Run> runs = TenRuns().runs;
+  runs.resize(7);
+  RelateRunsOptions options;
+  options.core = 3, options.reference = 6;
+  runs[6].map.freeArea = 1;  // it would not be chosen
+  const MapPairs related = relateRuns(runs, options, oneByOne);
+  EXPECT_TRUE(std::count(related.core.begin(), related.core.end(), 6u));
+  for (std::size_t run = 0; run < 6; ++run) EXPECT_TRUE(related.has(run, 6)) << run;
+}
+
+TEST(RelateRuns, aCopyIsRelatedToItsFirstOne) {
+  std::vector<roomgraph::Run> runs = TenRuns().runs;
+  runs.resize(6);
+  runs.push_back(runs[5]);
+  EXPECT_TRUE(relatedByCore(runs, 3)(5, 6).areIdentical);
+}
+
 TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
   std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);

@@ -16,6 +16,7 @@ Comparison sample() {
   comparison.runs[2].isScaleEstimated = true, comparison.runs[2].sha256 = "abc";
   comparison.pairs[1].transform.reset(), comparison.pairs[2].runnerUp.reset();
   comparison.reference = comparison.runs[1].name;
+  comparison.core = {comparison.runs[0].name, comparison.runs[1].name, comparison.runs[2].name};
   comparison.options.push_back({"compare", "aligned", "true", "", ""});
   comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
   comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
@@ -29,6 +30,7 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     const Comparison again = parseComparisonJson(text, "comparison.json");
     EXPECT_EQ(comparisonJson(again), text);
     EXPECT_EQ(again.files, comparison.files);
+    EXPECT_EQ(again.core, comparison.core);
     ASSERT_EQ(again.breaks.size(), comparison.breaks.size());
     for (std::size_t i = 0; i < again.breaks.size(); ++i)
       EXPECT_EQ(bool(again.breaks[i].torn), bool(comparison.breaks[i].torn));

@@ -106,7 +106,7 @@ Grid bent(const Grid& grid, double angle) {
 }
 
 MapPairs related(const std::vector<Run>& runs, const KeptPairs& kept) {
-  return relateRuns(runs, false, oneByOne, kept);
+  return relateRuns(runs, {}, oneByOne, kept);
 }
 
 }  // namespace roomgraph::test

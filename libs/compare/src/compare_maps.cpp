@@ -50,7 +50,8 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) 
   CompareRunsOptions compare = options.compare;
   compare.reference = read.reference;
   Comparison result = compareRelated(
-      read.runs, relateRuns(read.runs, compare.areAligned, compare.forEach, compare.kept), compare);
+      read.runs, relateRuns(read.runs, relateOptionsOf(compare), compare.forEach, compare.kept),
+      compare);
   result.leftOut.insert(result.leftOut.end(), read.leftOut.begin(), read.leftOut.end());
   std::sort(result.leftOut.begin(), result.leftOut.end(),
             [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });

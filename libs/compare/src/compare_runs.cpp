@@ -71,7 +71,7 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
-  return summarize(runs, related, {site, consensus, scores, breaks, measures, rooms});
+  return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});
 }
 
 Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options) {
@@ -80,8 +80,8 @@ Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options)
   const std::string reference = hasReference ? runs[*options.reference].name : "";
   sortRuns(runs);
   if (hasReference) sorted.reference = placeOf(reference, runs);
-  return compareRelated(runs, relateRuns(runs, options.areAligned, options.forEach, options.kept),
-                        sorted);
+  return compareRelated(
+      runs, relateRuns(runs, relateOptionsOf(sorted), options.forEach, options.kept), sorted);
 }
 
 }  // namespace roomgraph

@@ -21,7 +21,9 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const RunScore& score = *run.score;
   std::string text = formatted("its walls lie %.2f m from where ", score.mapError);
   text += comparison.reference ? "the reference has them"
-                               : formatted("all %zu runs together have them", score.others + 1);
+          : comparison.core.empty()
+              ? formatted("all %zu runs together have them", score.others + 1)
+              : formatted("the %zu runs of the core have them", comparison.core.size());
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
   if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
     text += formatted("; torn in %ld place%s", long(count), count == 1 ? "" : "s");

@@ -58,10 +58,10 @@ ComparedPair pairOf(const Run& a, const Run& b, const Alignment& alignment) {
   return pair;
 }
 
-/** All pairs; those of the site have measures. */
+/** All pairs that were related; those of the site have measures. */
 std::vector<ComparedPair> pairsOf(const std::vector<Run>& runs, const MapPairs& related,
                                   const Findings& found) {
-  PairTable<ComparedPair> pairs(runs.size());
+  PairTable<ComparedPair> pairs(runs.size(), related.pairs());
   for (const auto& [a, b] : pairs.pairs())
     pairs(a, b) = pairOf(runs[a], runs[b], related(a, b).alignment);
   const std::vector<std::size_t>& members = found.site.members;
@@ -126,6 +126,8 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   if (found.site.reference) result.reference = found.site.runs[*found.site.reference]->name;
   for (const std::vector<MapBreak>& ofRun : found.breaks)
     result.breaks.insert(result.breaks.end(), ofRun.begin(), ofRun.end());
+  for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
+  std::sort(result.core.begin(), result.core.end());
   result.runs = runsOf(found);
   rank(result.runs);
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);

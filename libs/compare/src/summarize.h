@@ -13,6 +13,7 @@ namespace roomgraph {
 /** What was found out of a site; all lists are in the order of its runs. */
 struct Findings {
   const Site& site;
+  const MapPairs& pairs;
   const Consensus& consensus;
   const RunScores& scores;
   const std::vector<std::vector<MapBreak>>& breaks;

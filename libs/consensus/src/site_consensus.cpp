@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -27,16 +28,26 @@ std::vector<std::size_t> standIns(const Site& site, const DistinctMaps& maps) {
   return chosen;
 }
 
-/** The runs that count, straightest first: the likeliest to be sound. */
-std::vector<std::size_t> orderOf(const Site& site, const std::vector<std::size_t>& standIns) {
-  const std::set<std::size_t> distinct(standIns.begin(), standIns.end());
-  std::vector<std::size_t> order(distinct.begin(), distinct.end());
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t l, std::size_t r) {
-    return site.runs[l]->map.axisDeviation.value_or(M_PI) <
-           site.runs[r]->map.axisDeviation.value_or(M_PI);
-  });
-  return order;
-}
+/** The runs that count, those first among which the consensus is worked out, each straightest
+ *  first: the likeliest to be sound. */
+struct CountedRuns {
+  std::vector<std::size_t> order;
+  std::size_t core = 0;  ///< so many of them are the core
+
+  CountedRuns(const Site& site, const MapPairs& pairs, const std::vector<std::size_t>& standIns) {
+    std::set<std::size_t> first;
+    for (const std::size_t run : pairs.core) first.insert(standIns[run]);
+    const std::set<std::size_t> distinct(standIns.begin(), standIns.end());
+    order.assign(distinct.begin(), distinct.end());
+    const auto key = [&](std::size_t run) {
+      return std::make_pair(first.count(run) == 0,
+                            site.runs[run]->map.axisDeviation.value_or(M_PI));
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+    core = first.empty() ? order.size() : first.size();
+  }
+};
 
 constexpr std::size_t kMostWholes = 12;
 constexpr PoseTolerance kSameWhole{0.3, 3.0};  // what lies nearer is found by tracking
@@ -48,8 +59,7 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
   const Point middle = site.runs[run]->map.middle();
   std::vector<std::vector<Transform2D>> byPair;
   std::size_t most = 0;
-  for (std::size_t j = 0; j < site.runs.size(); ++j) {
-    if (j == run) continue;
+  for (const std::size_t j : pairs.othersOf(run)) {
     const bool isFirst = j < run;
     byPair.emplace_back();
     for (const Transform2D& pose : (isFirst ? pairs(j, run) : pairs(run, j)).alignment.poses)
@@ -67,17 +77,21 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
   return wholes;
 }
 
-/** All matches between the runs named in `order`, by their places there. */
+/** All matches between the runs named in `order` that were related, by their places there. */
 std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
                                   const std::vector<std::size_t>& order,
                                   const std::vector<RunSubmaps>& submaps, const ForEach& forEach) {
   const std::size_t n = order.size();
   std::vector<std::vector<Transform2D>> wholes;  // site <- run
   for (const std::size_t run : order) wholes.push_back(wholesOf(site, pairs, run));
-  std::vector<std::vector<MatchedPiece>> found(n * n);
-  forEach(n * n, [&](std::size_t k) {
-    const std::size_t a = k / n, b = k % n, i = order[a], j = order[b];
-    if (a == b) return;
+  std::vector<PairOfThings> related;  // both ways
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b < n; ++b)
+      if (a != b && pairs.has(order[a], order[b])) related.emplace_back(a, b);
+  std::vector<std::vector<MatchedPiece>> found(related.size());
+  forEach(related.size(), [&](std::size_t k) {
+    const auto [a, b] = related[k];
+    const std::size_t i = order[a], j = order[b];
     std::vector<Transform2D> wholesInJ;
     for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
     found[k] = matchSubmaps(*site.runs[i], submaps[a], *site.runs[j], submaps[b],
@@ -85,9 +99,9 @@ std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
     if (a < b) found[k].push_back(sameScans(*site.runs[i], *site.runs[j]));
   });
   std::vector<RunMatches> all;
-  for (std::size_t k = 0; k < n * n; ++k)
+  for (std::size_t k = 0; k < related.size(); ++k)
     for (MatchedPiece& piece : found[k])
-      if (!piece.empty()) all.push_back({k / n, k % n, std::move(piece)});
+      if (!piece.empty()) all.push_back({related[k].first, related[k].second, std::move(piece)});
   return all;
 }
 
@@ -99,6 +113,47 @@ void widen(std::vector<MapError>& errors, const std::vector<MapError>& others) {
   }
 }
 
+/** What all runs that count agree on, in their order. */
+struct Agreement {
+  SubmapPoses poses;
+  std::vector<MapError> errors;
+};
+
+/** The first `core` runs agree among themselves, from one or another start. */
+std::vector<Agreement> agreementsOf(const std::vector<RunSubmaps>& submaps, std::size_t core,
+                                    const std::vector<RunMatches>& matches,
+                                    const ConsensusOptions& options) {
+  const std::vector<RunSubmaps> first(submaps.begin(), submaps.begin() + std::ptrdiff_t(core));
+  std::vector<RunMatches> among;
+  for (const RunMatches& piece : matches)
+    if (piece.of < core && piece.in < core) among.push_back(piece);
+  ConsensusPoses found = findConsensus(first, among, options);
+  std::vector<Agreement> all;
+  all.push_back({std::move(found.best), {}});
+  for (SubmapPoses& other : found.others) all.push_back({std::move(other), {}});
+  for (Agreement& one : all) one.errors = mapErrors(first, among, one.poses);
+  return all;
+}
+
+/** Adds the other runs, each by itself. */
+void addOthers(Agreement& agreement, const std::vector<RunSubmaps>& submaps,
+               const std::vector<RunMatches>& matches, const ForEach& forEach) {
+  const std::size_t core = agreement.poses.size();
+  agreement.poses.resize(submaps.size());
+  agreement.errors.resize(submaps.size());
+  const SubmapPoses& known = agreement.poses;
+  std::vector<std::vector<RunMatches>> own(submaps.size());
+  for (const RunMatches& piece : matches) {
+    if (piece.of >= core && piece.in < core) own[piece.of].push_back(piece);
+    if (piece.in >= core && piece.of < core) own[piece.in].push_back(piece);
+  }
+  forEach(submaps.size() - core, [&](std::size_t i) {
+    AddedToConsensus added = addToConsensus(submaps, core + i, own[core + i], known);
+    agreement.poses[core + i] = std::move(added.poses);
+    agreement.errors[core + i] = std::move(added.error);
+  });
+}
+
 }  // namespace
 
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
@@ -107,7 +162,8 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& 
                   [](const Run* r) { return r->scans.empty(); }))
     return {std::vector<RunSubmaps>(runs), SubmapPoses(runs), std::vector<MapError>(runs)};
   const std::vector<std::size_t> counted = standIns(site, DistinctMaps(bendsOf(pairs)));
-  const std::vector<std::size_t> order = orderOf(site, counted);
+  const CountedRuns runsThatCount(site, pairs, counted);
+  const std::vector<std::size_t>& order = runsThatCount.order;
   std::vector<RunSubmaps> submaps(order.size());
   forEach(order.size(), [&](std::size_t a) { submaps[a] = runSubmaps(*site.runs[order[a]]); });
   const auto matches = matchRuns(site, pairs, order, submaps, forEach);
@@ -117,14 +173,15 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& 
   ConsensusOptions options;
   if (site.reference) options.reference = placeOf(*site.reference);
   options.forEach = forEach;
-  const ConsensusPoses poses = findConsensus(submaps, matches, options);
-  std::vector<MapError> errors = mapErrors(submaps, matches, poses.best);
-  for (const SubmapPoses& other : poses.others) widen(errors, mapErrors(submaps, matches, other));
+  std::vector<Agreement> agreements = agreementsOf(submaps, runsThatCount.core, matches, options);
+  for (Agreement& one : agreements) addOthers(one, submaps, matches, forEach);
+  std::vector<MapError>& errors = agreements.front().errors;
+  for (std::size_t k = 1; k < agreements.size(); ++k) widen(errors, agreements[k].errors);
   if (order.size() == 1 && site.runs.size() > 1) errors.front().seen = 1;  // by its copies
   Consensus result;
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     result.submaps.push_back(submaps[placeOf(i)]);
-    result.poses.push_back(poses.best[placeOf(i)]);
+    result.poses.push_back(agreements.front().poses[placeOf(i)]);
     result.errors.push_back(errors[placeOf(i)]);
   }
   return result;

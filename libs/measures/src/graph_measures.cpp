@@ -30,8 +30,8 @@ class Mean {
 }  // namespace
 
 ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  ComparedGraphs graphs(site.runs.size());
-  const auto all = graphs.pairs();
+  ComparedGraphs graphs(site.runs.size(), pairs.pairs());
+  const std::vector<PairOfThings>& all = graphs.pairs();
   forEach(all.size(), [&](std::size_t k) {
     const auto [i, j] = all[k];
     const Run &a = *site.runs[i], &b = *site.runs[j];
@@ -45,17 +45,17 @@ ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs, const For
 
 MeasuredValue graphMeasureOf(const GraphFigure& figure, const ComparedGraphs& graphs,
                              const Trust& trust, std::size_t run) {
-  std::vector<Figure> figures(graphs.things());
-  std::vector<double> supports(graphs.things());
-  for (std::size_t j = 0; j < figures.size(); ++j) {
-    if (j == run) continue;
-    figures[j] = figure.of(graphs(run, j), run < j);
-    if (figures[j].value && trust[j] > 0) supports[j] = figures[j].support;
+  const std::vector<std::size_t>& others = graphs.othersOf(run);
+  std::vector<Figure> figures;
+  std::vector<double> supports;
+  for (const std::size_t j : others) {
+    figures.push_back(figure.of(graphs(run, j), run < j));
+    supports.push_back(figures.back().value && trust[j] > 0 ? figures.back().support : 0);
   }
   return measureOverOthers(supports, [&](std::size_t but) {
     Mean mean(figure.isSquared);
-    for (std::size_t j = 0; j < figures.size(); ++j)
-      if (j != but) mean.add(figures[j], trust[j]);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      if (k != but) mean.add(figures[k], trust[others[k]]);
     return mean.value();
   });
 }

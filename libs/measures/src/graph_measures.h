@@ -17,7 +17,7 @@ namespace roomgraph {
 /** What the graphs of each two runs say of each other; a is the one with the lower index. */
 using ComparedGraphs = PairTable<GraphComparison>;
 
-/** `pairs` are those of the site. O(runs^2 * compareGraphs). */
+/** `pairs` are those of the site. O(pairs * compareGraphs). */
 ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs,
                               const ForEach& forEach = oneByOne);
 

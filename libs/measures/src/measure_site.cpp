@@ -26,10 +26,11 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                               trust,
                               breaks,
                               coverageOf(site, bends),
-                              distancesOf(site, forEach),
-                              roomCounts(site, forEach),
+                              distancesOf(site, pairs.pairs(), forEach),
+                              roomCounts(site, pairs.pairs(), forEach),
                               comparedGraphs(site, pairs, forEach)};
-  SiteMeasures all{std::vector<std::vector<Measure>>(n), PairTable<std::vector<Measure>>(n)};
+  SiteMeasures all{std::vector<std::vector<Measure>>(n),
+                   PairTable<std::vector<Measure>>(n, pairs.pairs())};
   forEach(n, [&](std::size_t i) {
     for (const MeasureRow& row : measureTable())
       if (row.ofRun) all.runs[i].push_back(measureOf(row.kind, row.ofRun(evidence, i)));

@@ -35,15 +35,16 @@ RoomCount countRooms(const std::vector<GraphRoom>& others, const std::vector<boo
 /** The share `part` of `all` in the rooms of the others. */
 MeasuredValue shareOf(const RoomCounts& counts, const Trust& trust, std::size_t run,
                       double RoomCount::*part, double RoomCount::*all) {
+  const std::vector<std::size_t>& others = counts.othersOf(run);
   std::vector<double> supports;
-  for (std::size_t j = 0; j < trust.size(); ++j)
-    supports.push_back(j != run && trust[j] > 0 ? counts(run, j).*all : 0);
+  for (const std::size_t j : others) supports.push_back(trust[j] > 0 ? counts(run, j).*all : 0);
   return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
     RoomCount sum;
-    for (std::size_t j = 0; j < trust.size(); ++j) {
-      if (j == run || j == but) continue;
-      sum.*all += trust[j] * counts(run, j).*all;
-      sum.*part += trust[j] * counts(run, j).*part;
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      if (k == but) continue;
+      const RoomCount& count = counts(run, others[k]);
+      sum.*all += trust[others[k]] * count.*all;
+      sum.*part += trust[others[k]] * count.*part;
     }
     if (sum.*all <= 0) return std::nullopt;
     return sum.*part / sum.*all;
@@ -52,22 +53,22 @@ MeasuredValue shareOf(const RoomCounts& counts, const Trust& trust, std::size_t 
 
 }  // namespace
 
-RoomCounts roomCounts(const Site& site, const ForEach& forEach) {
+RoomCounts roomCounts(const Site& site, const std::vector<PairOfThings>& pairs,
+                      const ForEach& forEach) {
   const GridFrame frame = siteFrame(site);
   const std::size_t n = site.runs.size();
   std::vector<std::vector<GraphRoom>> rooms;
   for (std::size_t i = 0; i < n; ++i) rooms.push_back(roomsInSite(*site.runs[i], site.poses[i]));
-  RoomCounts counts(n);
-  forEach(n, [&](std::size_t i) {
-    for (std::size_t j = i + 1; j < n; ++j) {
-      std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
-      for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
-        ofI[match.base.index()] = true;
-        ofJ[match.other.index()] = true;
-      }
-      counts(i, j) = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
-      counts(j, i) = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
+  RoomCounts counts(n, pairs);
+  forEach(pairs.size(), [&](std::size_t k) {
+    const auto [i, j] = pairs[k];
+    std::vector<bool> ofI(rooms[i].size()), ofJ(rooms[j].size());
+    for (const MatchedRooms& match : matchRooms(rooms[i], rooms[j], frame)) {
+      ofI[match.base.index()] = true;
+      ofJ[match.other.index()] = true;
     }
+    counts(i, j) = countRooms(rooms[j], ofJ, site.runs[i]->map, site.poses[i].inverse());
+    counts(j, i) = countRooms(rooms[i], ofI, site.runs[j]->map, site.poses[j].inverse());
   });
   return counts;
 }

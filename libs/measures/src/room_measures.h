@@ -18,11 +18,12 @@ struct RoomCount {
   double area = 0, matchedArea = 0;  ///< of all rooms of the other, and of those it has [m2]
 };
 
-/** Of each run, the rooms of each other one. */
+/** Of each run, the rooms of the others. */
 using RoomCounts = DirectedTable<RoomCount>;
 
-/** O(runs^2 * cells of the site). */
-RoomCounts roomCounts(const Site& site, const ForEach& forEach);
+/** Of `pairs` of runs. O(pairs * cells of the site). */
+RoomCounts roomCounts(const Site& site, const std::vector<PairOfThings>& pairs,
+                      const ForEach& forEach);
 
 /** `rooms_matched`: of the rooms of the others (weighted by trust) whose middle it has seen free or
  *  that match one of its own, the share that match; support in rooms. No value without any. */

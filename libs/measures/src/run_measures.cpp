@@ -66,7 +66,7 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends) 
   const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
   double all = 0;
   std::vector<double> mine(n), lost(n);  // cells; those that do not count without this witness
-  DirectedTable<double> lostToMe(n);     // of mine, without another
+  std::vector<std::vector<double>> lostToMe(n, std::vector<double>(n));  // of mine, without another
   for (std::size_t cell = 0; cell < seen.witnesses.size(); ++cell) {
     const SeenCells::Witnesses& witnesses = seen.witnesses[cell];
     if (witnesses.count < enough) continue;
@@ -75,7 +75,7 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends) 
     if (witnesses.count != 2) continue;
     for (const std::uint32_t j : {witnesses.first, witnesses.last}) {
       ++lost[j];
-      for (std::size_t i = 0; i < n; ++i) lostToMe(i, j) += seen.by[i][cell] ? 1 : 0;
+      for (std::size_t i = 0; i < n; ++i) lostToMe[i][j] += seen.by[i][cell] ? 1 : 0;
     }
   }
   std::vector<MeasuredValue> coverage(n);
@@ -87,7 +87,7 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends) 
     if (maps.count() > 2) coverage[i].low = coverage[i].high = coverage[i].value;
     for (std::size_t j = 0; coverage[i].low && j < n; ++j)
       if (maps.isMeasuredAgainst(i, j) && all > lost[j])
-        widen(coverage[i], (mine[i] - lostToMe(i, j)) / (all - lost[j]));
+        widen(coverage[i], (mine[i] - lostToMe[i][j]) / (all - lost[j]));
   }
   return coverage;
 }
@@ -97,14 +97,15 @@ MeasuredValue bendOf(const PairBends& bends, const Trust& trust, std::size_t run
   const auto weightOf = [&](std::size_t j) {
     return maps.isMeasuredAgainst(run, j) ? trust[j] * bends(run, j).share : 0.0;
   };
+  const std::vector<std::size_t>& others = bends.othersOf(run);
   std::vector<double> supports;
-  for (std::size_t j = 0; j < trust.size(); ++j)
-    supports.push_back(weightOf(j) > 0 ? bends(run, j).walls : 0);
+  for (const std::size_t j : others) supports.push_back(weightOf(j) > 0 ? bends(run, j).walls : 0);
   return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
     double sum = 0, weights = 0;
-    for (std::size_t j = 0; j < trust.size(); ++j) {
-      if (j == but || j == run) continue;
-      sum += weightOf(j) * bends(run, j).bend, weights += weightOf(j);
+    for (std::size_t k = 0; k < others.size(); ++k) {
+      if (k == but) continue;
+      const double weight = weightOf(others[k]);
+      sum += weight * bends(run, others[k]).bend, weights += weight;
     }
     if (weights <= 0) return std::nullopt;
     return sum / weights;
@@ -123,27 +124,28 @@ MeasuredValue axisDeviationOf(const Run& run) {
   return {degrees, double(run.map.walls.size())};
 }
 
-DistanceTable distancesOf(const Site& site, const ForEach& forEach) {
-  const std::size_t n = site.runs.size();
-  DistanceTable distances(n);
-  forEach(n, [&](std::size_t i) {
-    for (std::size_t j = 0; j < n; ++j)
-      if (i != j)
-        distances(i, j) = wallDistances(site.runs[i]->map, site.runs[j]->map,
-                                        site.poses[j].inverse() * site.poses[i]);
+DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pairs,
+                          const ForEach& forEach) {
+  DistanceTable distances(site.runs.size(), pairs);
+  const auto measure = [&](std::size_t i, std::size_t j) {
+    distances(i, j) = wallDistances(site.runs[i]->map, site.runs[j]->map,
+                                    site.poses[j].inverse() * site.poses[i]);
+  };
+  forEach(pairs.size(), [&](std::size_t k) {
+    measure(pairs[k].first, pairs[k].second), measure(pairs[k].second, pairs[k].first);
   });
   return distances;
 }
 
 MeasuredValue wallDistanceOf(const DistanceTable& distances, const Trust& trust, std::size_t run,
                              double share) {
+  const std::vector<std::size_t>& others = distances.othersOf(run);
   std::vector<double> supports;
-  for (std::size_t j = 0; j < trust.size(); ++j)
-    supports.push_back(j != run && trust[j] > 0 ? distances(run, j).count : 0);
+  for (const std::size_t j : others) supports.push_back(trust[j] > 0 ? distances(run, j).count : 0);
   return measureOverOthers(supports, [&](std::size_t but) {
     WallDistances all;
-    for (std::size_t j = 0; j < trust.size(); ++j)
-      if (j != run && j != but) all.add(distances(run, j), trust[j]);
+    for (std::size_t k = 0; k < others.size(); ++k)
+      if (k != but) all.add(distances(run, others[k]), trust[others[k]]);
     return all.quantile(share);
   });
 }

@@ -33,11 +33,12 @@ MeasuredValue followedOfPair(const PairBend& bend);
  *  the others have no part in it. */
 MeasuredValue axisDeviationOf(const Run& run);
 
-/** How far the walls of each run lie from those of each other one. */
+/** How far the walls of each run lie from those of the others. */
 using DistanceTable = DirectedTable<WallDistances>;
 
-/** O(runs^2 * walls). */
-DistanceTable distancesOf(const Site& site, const ForEach& forEach);
+/** Of `pairs` of runs. O(pairs * walls). */
+DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pairs,
+                          const ForEach& forEach);
 
 /** Of one run: the quantile `share` of the distances of its walls to those of the others, weighted
  *  by trust [m]. Support in wall points. */

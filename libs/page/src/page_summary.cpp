@@ -96,6 +96,10 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
     sentences.push_back("Why " + comparison.runs[0].name + ": " + comparison.runs[0].reason + ".");
   if (comparison.reference)
     sentences.push_back("All runs are measured against " + *comparison.reference + ".");
+  if (!comparison.core.empty())
+    sentences.push_back("The consensus is that of " +
+                        counted(comparison.core.size(), "run", "runs") +
+                        ", the core; each other run is held against it.");
   if (!comparison.breaks.empty()) sentences.push_back(breaksSentence(comparison));
   const std::string gone = goneSentence(comparison);
   if (!gone.empty()) sentences.push_back(gone);

@@ -19,14 +19,6 @@ Point middleOf(const MapForAlignment& map) {
 
 constexpr double kJoined = 0.5;
 
-/** Of a symmetric building, no run is sure to lie in the right turn, but each lies in one of few.
- */
-bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
-  const Alignment& alignment = pair.alignment;
-  return alignment.isSameSite && alignment.confidence >= options.minConfidence &&
-         alignment.confidence + alignment.runnerUpConfidence >= kJoined;
-}
-
 /** The runs in sets of those that are joined, that of the site first; see placeRuns. */
 std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related,
                                               const SitePosesOptions& options,
@@ -69,7 +61,24 @@ bool contradicts(const MapPair& pair, const Transform2D& inSite, Point middleOfB
 
 double sharedOf(const MapPair& pair) { return std::min(pair.bInA.share, pair.aInB.share); }
 
+/** The pairs that were related of which both are in a site, by their places there. */
+std::vector<PairOfThings> pairsWithin(const Site& site, const MapPairs& related) {
+  std::vector<std::size_t> places(related.things(), site.members.size());
+  for (std::size_t i = 0; i < site.members.size(); ++i) places[site.members[i]] = i;
+  std::vector<PairOfThings> within;
+  for (const auto& [a, b] : related.pairs())
+    if (places[a] < site.members.size() && places[b] < site.members.size())
+      within.emplace_back(places[a], places[b]);
+  return within;
+}
+
 }  // namespace
+
+bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
+  const Alignment& alignment = pair.alignment;
+  return alignment.isSameSite && alignment.confidence >= options.minConfidence &&
+         alignment.confidence + alignment.runnerUpConfidence >= kJoined;
+}
 
 Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
                const SitePosesOptions& options, std::optional<std::size_t> reference) {
@@ -85,7 +94,7 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
     if (reference == site.members[i]) site.reference = i;
   }
   std::vector<PairPose> used;
-  for (const auto& [i, j] : pairsOf(n)) {
+  for (const auto& [i, j] : pairsWithin(site, related)) {
     const MapPair& pair = related(site.members[i], site.members[j]);
     if (isJoined(pair, options))
       used.push_back(
@@ -98,8 +107,11 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
 }
 
 MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& forEach) {
-  MapPairs pairs(site.runs.size());
-  const auto all = pairs.pairs();
+  MapPairs pairs(site.runs.size(), pairsWithin(site, related));
+  for (std::size_t i = 0; i < site.members.size(); ++i)
+    if (std::binary_search(related.core.begin(), related.core.end(), site.members[i]))
+      pairs.core.push_back(i);
+  const std::vector<PairOfThings>& all = pairs.pairs();
   forEach(all.size(), [&](std::size_t k) {
     const auto [i, j] = all[k];
     const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
@@ -119,7 +131,7 @@ const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size
 }
 
 PairBends bendsOf(const MapPairs& pairs) {
-  PairBends bends(pairs.things());
+  PairBends bends(pairs.things(), pairs.pairs());
   for (const auto& [i, j] : pairs.pairs()) {
     const MapPair& pair = pairs(i, j);
     double walls = 0;

@@ -1,11 +1,17 @@
 #include "roomgraph/relate/relate_runs.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "by_straightness.h"
+#include "choose_core.h"
+#include "choose_judges.h"
 #include "pair_bytes.h"
+#include "roomgraph/align/are_identical.h"
 #include "roomgraph/files/checked_file.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 
@@ -15,34 +21,69 @@ std::size_t hubOf(const std::vector<Run>& runs) {
 
 namespace {
 
-/** The pairs of some runs, worked out one by one or taken from where they are kept. */
+constexpr std::size_t kJudges = 4;  // runs of the core that any other run is related to
+constexpr std::size_t kSeekers =
+    3;  // runs of the core in which is looked for what is not in the hub
+
+/** Two runs, and one that both have been related to. */
+struct PairOver {
+  std::size_t hub = 0, a = 0, b = 0;
+};
+
+/** The pairs of some runs, worked out or taken from where they are kept. */
 class Relating {
  public:
-  Relating(const std::vector<Run>& runs, bool areAligned, const KeptPairs& kept)
-      : runs_(runs), areAligned_(areAligned), kept_(kept), related_(runs.size()) {
+  Relating(const std::vector<Run>& runs, const RelateRunsOptions& options, const ForEach& forEach,
+           const KeptPairs& kept)
+      : runs_(runs), areAligned_(options.areAligned), forEach_(forEach), kept_(kept) {
     if (!kept.read) return;
     for (const Run& run : runs) prints_.push_back(fingerprint(run.map));
   }
 
-  void search(std::size_t a, std::size_t b) {
-    related_(a, b) = keptOr({a, b}, [&] {
-      return areAligned_ ? relateAlignedMaps(mapOf(a), mapOf(b)) : relateMaps(mapOf(a), mapOf(b));
+  /** Relates each of `others` to the hub. */
+  void search(std::size_t hub, const std::vector<std::size_t>& others) {
+    std::vector<PairOver> pairs;
+    for (const std::size_t other : others) pairs.push_back({hub, hub, other});
+    relate(pairs);
+  }
+  /** Relates pairs over their hubs, to which both have been related; without one where it is one
+   *  of both. */
+  void relate(std::vector<PairOver> pairs) {
+    for (PairOver& pair : pairs)
+      if (pair.a > pair.b) std::swap(pair.a, pair.b);
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+                               [&](const PairOver& p) {
+                                 return p.a == p.b || !found_.try_emplace({p.a, p.b}).second;
+                               }),
+                pairs.end());
+    forEach_(pairs.size(), [&](std::size_t i) {
+      found_.at({pairs[i].a, pairs[i].b}) = related(pairs[i]);
     });
   }
-  /** To be called when both runs have been related to the hub. */
-  void relateOver(std::size_t hub, std::size_t a, std::size_t b) {
-    if (areAligned_) return search(a, b);
-    related_(a, b) = keptOr({a, b, hub}, [&] {
-      return relateMapsOver(between(hub, a), between(hub, b), mapOf(a), mapOf(b));
-    });
+
+  MapPair between(std::size_t hub, std::size_t run) const {
+    return hub < run ? found_.at({hub, run}) : swapped(found_.at({run, hub}));
   }
-  MapPairs related() { return std::move(related_); }
+
+  MapPairs all() {
+    std::vector<PairOfThings> pairs;
+    for (const auto& [runs, pair] : found_) pairs.push_back(runs);
+    MapPairs all(runs_.size(), pairs);
+    for (auto& [runs, pair] : found_) all(runs.first, runs.second) = std::move(pair);
+    return all;
+  }
 
  private:
   const MapForAlignment& mapOf(std::size_t run) const { return runs_[run].map; }
 
-  MapPair between(std::size_t hub, std::size_t run) const {
-    return hub < run ? related_(hub, run) : swapped(related_(run, hub));
+  MapPair related(const PairOver& pair) const {
+    const MapForAlignment &a = mapOf(pair.a), &b = mapOf(pair.b);
+    if (areAligned_) return keptOr({pair.a, pair.b}, [&] { return relateAlignedMaps(a, b); });
+    if (pair.hub == pair.a || pair.hub == pair.b)
+      return keptOr({pair.a, pair.b}, [&] { return relateMaps(a, b); });
+    return keptOr({pair.a, pair.b, pair.hub}, [&] {
+      return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a, b);
+    });
   }
 
   MapPair keptOr(const std::vector<std::size_t>& maps, const std::function<MapPair()>& work) const {
@@ -61,25 +102,167 @@ class Relating {
 
   const std::vector<Run>& runs_;
   bool areAligned_;
+  const ForEach& forEach_;
   const KeptPairs& kept_;
   std::vector<std::string> prints_;
-  MapPairs related_;
+  std::map<PairOfThings, MapPair> found_;
+};
+
+/** Relates runs in sets that may be sites: each to a hub, and to a choice of the others. */
+class SiteBySite {
+ public:
+  SiteBySite(const std::vector<Run>& runs, const RelateRunsOptions& options, Relating& relating)
+      : runs_(runs), options_(options), relating_(relating), order_(byStraightness(runs)) {}
+
+  /** The runs of all cores, ascending. */
+  std::vector<std::size_t> relate() {
+    while (!order_.empty()) relateFirst();
+    std::sort(core_.begin(), core_.end());
+    return core_;
+  }
+
+ private:
+  /** A run that lies in another one of its site. */
+  struct Member {
+    std::size_t run = 0;
+    std::size_t in = 0;  ///< of the core, or the hub itself
+    Transform2D pose;    ///< hub <- run
+  };
+
+  /** Relates the runs that lie in the first of those that are left, and takes them out. */
+  void relateFirst() {
+    if (order_.size() <= options_.core) return relateAll();
+    const std::size_t hub = order_.front();
+    relating_.search(hub, {order_.begin() + 1, order_.end()});
+    std::vector<Member> members{{hub, hub, {}}};
+    std::vector<std::size_t> lost;
+    for (auto run = order_.begin() + 1; run != order_.end(); ++run)
+      if (const auto pose = poseIn(hub, *run))
+        members.push_back({*run, hub, *pose});
+      else
+        lost.push_back(*run);
+    moveReferenceUp(members);
+    const std::vector<std::size_t> core = relateCore(hub, members);
+    order_ = seek(core, lost, members);
+    relateToJudges(core, members);
+  }
+
+  void relateAll() {
+    const std::size_t hub = order_.front();
+    relating_.search(hub, order_);
+    std::vector<PairOver> pairs;
+    for (const auto& [a, b] : pairsOf(order_.size())) pairs.push_back({hub, order_[a], order_[b]});
+    relating_.relate(pairs);
+    core_.insert(core_.end(), order_.begin(), order_.end());
+    order_.clear();
+  }
+
+  /** hub <- run, if the two are joined. */
+  std::optional<Transform2D> poseIn(std::size_t hub, std::size_t run) const {
+    const MapPair pair = relating_.between(hub, run);
+    if (!isJoined(pair, {})) return std::nullopt;
+    return pair.alignment.pose;
+  }
+
+  /** The reference is always in the core of its site, behind the hub. */
+  void moveReferenceUp(std::vector<Member>& members) const {
+    for (std::size_t i = 2; i < members.size(); ++i)
+      if (members[i].run == options_.reference)
+        std::rotate(members.begin() + 1, members.begin() + std::ptrdiff_t(i),
+                    members.begin() + std::ptrdiff_t(i) + 1);
+  }
+
+  std::size_t fixedIn(const std::vector<Member>& members) const {
+    return members.size() > 1 && members[1].run == options_.reference ? 2 : 1;
+  }
+
+  /** The core of some runs, as their places in `members`, each related to each. */
+  std::vector<std::size_t> relateCore(std::size_t hub, const std::vector<Member>& members) {
+    std::vector<const Run*> runs;
+    std::vector<SeenPlaces> seen;
+    for (const Member& member : members) {
+      runs.push_back(&runs_[member.run]);
+      seen.push_back(seenPlaces(runs.back()->map, member.pose));
+    }
+    const auto core = chooseCore(runs, seen, options_.core, fixedIn(members));
+    std::vector<PairOver> pairs;
+    for (const auto& [a, b] : pairsOf(core.size()))
+      pairs.push_back({hub, members[core[a]].run, members[core[b]].run});
+    relating_.relate(pairs);
+    for (const std::size_t place : core) core_.push_back(members[place].run);
+    return core;
+  }
+
+  /** Looks for runs that do not lie in the hub in some more of the core; those that were not found
+   *  come back, the others become members. */
+  std::vector<std::size_t> seek(const std::vector<std::size_t>& core, std::vector<std::size_t> lost,
+                                std::vector<Member>& members) {
+    for (std::size_t s = 1; s <= std::min(kSeekers, core.size() - 1); ++s) {
+      // Those that were chosen last have seen most that the hub has not.
+      const Member seeker = members[core[core.size() - s]];
+      relating_.search(seeker.run, lost);
+      std::vector<std::size_t> left;
+      for (const std::size_t run : lost)
+        if (const auto pose = poseIn(seeker.run, run))
+          members.push_back({run, seeker.run, seeker.pose * *pose});
+        else
+          left.push_back(run);
+      lost = left;
+    }
+    return lost;
+  }
+
+  /** Relates all members that are not of the core to their judges, and to their first copies. */
+  void relateToJudges(const std::vector<std::size_t>& core, const std::vector<Member>& members) {
+    std::vector<SeenPlaces> seen;
+    for (const std::size_t place : core)
+      seen.push_back(seenPlaces(runs_[members[place].run].map, members[place].pose));
+    std::vector<PairOver> pairs = copies(members);
+    for (const Member& member : members) {
+      const SeenPlaces own = seenPlaces(runs_[member.run].map, member.pose);
+      for (const std::size_t judge : chooseJudges(own, seen, kJudges, fixedIn(members)))
+        pairs.push_back({member.in, members[core[judge]].run, member.run});
+    }
+    relating_.relate(pairs);
+  }
+
+  /** Each run and the first that has the same map. */
+  std::vector<PairOver> copies(const std::vector<Member>& members) const {
+    std::map<std::tuple<std::size_t, int, int>, std::vector<const Member*>> alike;
+    for (const Member& member : members) {
+      const MapForAlignment& map = runs_[member.run].map;
+      alike[{map.walls.size(), map.frame.width, map.frame.height}].push_back(&member);
+    }
+    std::vector<PairOver> pairs;
+    for (auto& [size, some] : alike) {
+      std::sort(some.begin(), some.end(),
+                [](const Member* l, const Member* r) { return l->run < r->run; });
+      for (std::size_t i = 0; i < some.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (areIdentical(runs_[some[j]->run].map, runs_[some[i]->run].map)) {
+            pairs.push_back({some[j]->run, some[j]->run, some[i]->run});
+            break;
+          }
+    }
+    return pairs;
+  }
+
+  const std::vector<Run>& runs_;
+  const RelateRunsOptions& options_;
+  Relating& relating_;
+  std::vector<std::size_t> order_;  // those that are left, the straightest first
+  std::vector<std::size_t> core_;
 };
 
 }  // namespace
 
-MapPairs relateRuns(const std::vector<Run>& runs, bool areAligned, const ForEach& forEach,
-                    const KeptPairs& kept) {
-  const std::size_t hub = hubOf(runs);
-  std::vector<std::pair<std::size_t, std::size_t>> withHub, others;
-  for (const auto& [a, b] : pairsOf(runs.size()))
-    (a == hub || b == hub ? withHub : others).emplace_back(a, b);
-  Relating relating(runs, areAligned, kept);
-  forEach(withHub.size(),
-          [&](std::size_t i) { relating.search(withHub[i].first, withHub[i].second); });
-  forEach(others.size(),
-          [&](std::size_t i) { relating.relateOver(hub, others[i].first, others[i].second); });
-  return relating.related();
+MapPairs relateRuns(const std::vector<Run>& runs, const RelateRunsOptions& options,
+                    const ForEach& forEach, const KeptPairs& kept) {
+  Relating relating(runs, options, forEach, kept);
+  std::vector<std::size_t> core = SiteBySite(runs, options, relating).relate();
+  MapPairs related = relating.all();
+  if (core.size() < runs.size()) related.core = std::move(core);
+  return related;
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,7 @@
 #include "roomgraph/relate/site_poses.h"
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +13,7 @@ namespace roomgraph {
 namespace {
 
 constexpr double kConverged = 1e-9;
+constexpr std::size_t kManyRuns = 60;  // from which on the pairs are few beside what could be
 
 /** The pair's pose as seen from run `from`: from <- other. */
 Transform2D seenFrom(const PairPose& pair, std::size_t from) {
@@ -92,29 +94,59 @@ Row rowOf(const PairPose& pair, const Transform2D& a, const Transform2D& b, doub
   return row;
 }
 
+/** Normal equations, term by term. */
+class NormalEquations {
+ public:
+  explicit NormalEquations(std::size_t runs)
+      : n_(3 * Eigen::Index(runs)), g_(Eigen::VectorXd::Zero(n_)) {
+    for (Eigen::Index i = 0; i < n_; ++i) terms_.emplace_back(i, i, 1e-9);
+  }
+
+  void add(std::size_t run, std::size_t other, const Eigen::Matrix3d& block) {
+    const Eigen::Index row = 3 * Eigen::Index(run), column = 3 * Eigen::Index(other);
+    for (Eigen::Index i = 0; i < 3; ++i)
+      for (Eigen::Index j = 0; j < 3; ++j) terms_.emplace_back(row + i, column + j, block(i, j));
+  }
+  void subtract(std::size_t run, const Eigen::Vector3d& gradient) {
+    g_.segment<3>(3 * Eigen::Index(run)) -= gradient;
+  }
+
+  Eigen::VectorXd solution() const {
+    if (n_ >= 3 * Eigen::Index(kManyRuns)) {
+      Eigen::SparseMatrix<double> h(n_, n_);
+      h.setFromTriplets(terms_.begin(), terms_.end());
+      return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
+    }
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n_, n_);
+    for (const auto& term : terms_) h(term.row(), term.col()) += term.value();
+    return h.ldlt().solve(g_);
+  }
+
+ private:
+  Eigen::Index n_;
+  std::vector<Eigen::Triplet<double>> terms_;
+  Eigen::VectorXd g_;
+};
+
 /** One step of all placed runs but the reference; how far it moved them. */
 double step(const std::vector<PairPose>& pairs, const PairTable& table, std::size_t reference,
             const SitePosesOptions& options, std::vector<SitePose>& runs) {
-  const Eigen::Index n = 3 * Eigen::Index(runs.size());
-  Eigen::MatrixXd h = Eigen::MatrixXd::Identity(n, n) * 1e-9;
-  Eigen::VectorXd g = Eigen::VectorXd::Zero(n);
+  NormalEquations equations(runs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairPose& p = pairs[i];
     if (table[p.a][p.b] != i || !runs[p.a].isPlaced || !runs[p.b].isPlaced) continue;
     const Row row = rowOf(p, runs[p.a].pose, runs[p.b].pose, options.lever);
     const double s = row.r.squaredNorm() / (options.width * options.width);
     const double w = p.confidence / ((1 + s) * (1 + s));
-    const Eigen::Index ia = 3 * Eigen::Index(p.a), ib = 3 * Eigen::Index(p.b);
-    h.block<3, 3>(ia, ia) += w * row.ja.transpose() * row.ja;
-    h.block<3, 3>(ib, ib) += w * row.jb.transpose() * row.jb;
-    h.block<3, 3>(ia, ib) += w * row.ja.transpose() * row.jb;
-    h.block<3, 3>(ib, ia) += w * row.jb.transpose() * row.ja;
-    g.segment<3>(ia) -= w * row.ja.transpose() * row.r;
-    g.segment<3>(ib) -= w * row.jb.transpose() * row.r;
+    equations.add(p.a, p.a, w * row.ja.transpose() * row.ja);
+    equations.add(p.b, p.b, w * row.jb.transpose() * row.jb);
+    equations.add(p.a, p.b, w * row.ja.transpose() * row.jb);
+    equations.add(p.b, p.a, w * row.jb.transpose() * row.ja);
+    equations.subtract(p.a, w * row.ja.transpose() * row.r);
+    equations.subtract(p.b, w * row.jb.transpose() * row.r);
   }
-  h.block<3, 3>(3 * Eigen::Index(reference), 3 * Eigen::Index(reference)) +=
-      Eigen::Matrix3d::Identity() * 1e9;
-  const Eigen::VectorXd by = h.ldlt().solve(g);
+  equations.add(reference, reference, Eigen::Matrix3d::Identity() * 1e9);
+  const Eigen::VectorXd by = equations.solution();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].isPlaced || i == reference) continue;
     const Eigen::Vector3d d = by.segment<3>(3 * Eigen::Index(i));

@@ -168,6 +168,7 @@ std::string comparisonJson(const Comparison& comparison) {
   text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
   const Json reference = comparison.reference ? Json(*comparison.reference) : Json(nullptr);
   text += "\"reference\": " + lineOf(reference) + ",\n";
+  if (!comparison.core.empty()) text += "\"core\": " + lineOf(Json(comparison.core)) + ",\n";
   text += lines("runs", comparison.runs, runJson);
   text += lines("pairs", comparison.pairs, pairJson);
   text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {

@@ -184,6 +184,8 @@ Comparison comparison(const JsonNode& top) {
     throw Broken{"version", "is not 1, the only one this program reads"};
   Comparison result;
   result.reference = textIfAny(top["reference"]);
+  if (top.contains("core"))
+    for (const JsonNode& name : top["core"].list()) result.core.push_back(name.text());
   for (const JsonNode& node : top["runs"].list()) result.runs.push_back(run(node));
   for (const JsonNode& node : top["pairs"].list()) result.pairs.push_back(pair(node));
   for (const JsonNode& node : top["left_out"].list())

@@ -61,7 +61,8 @@ class Problem {
     Linearised out{0, VectorXd::Zero(n_ + 1), MatrixXd::Zero(n_ + 1, n_ + 1)};
     for (Eigen::Index i = 0; i < n_; ++i) {
       addDeviation(out, x, i);
-      for (Eigen::Index j = i + 1; j < n_; ++j) addPair(out, x, i, j);
+      for (const std::size_t j : bends_.othersOf(std::size_t(i)))
+        if (Eigen::Index(j) > i) addPair(out, x, i, Eigen::Index(j));
     }
     if (truth_) hold(out, Eigen::Index(*truth_));
     return out;
@@ -100,8 +101,8 @@ class Problem {
 
   double medianBend(Eigen::Index i) const {
     std::vector<double> all;
-    for (Eigen::Index j = 0; j < n_; ++j)
-      if (j != i && of(i, j).share > 0) all.push_back(of(i, j).bend);
+    for (const std::size_t j : bends_.othersOf(std::size_t(i)))
+      if (of(i, Eigen::Index(j)).share > 0) all.push_back(of(i, Eigen::Index(j)).bend);
     return all.empty() ? 0 : median(all);
   }
 
@@ -185,9 +186,9 @@ Solution solve(const Problem& problem, VectorXd x) {
 }
 
 bool hasPair(const PairBends& bends, std::size_t i) {
-  for (std::size_t j = 0; j < bends.things(); ++j)
-    if (j != i && bends(i, j).share > 0) return true;
-  return false;
+  const std::vector<std::size_t>& others = bends.othersOf(i);
+  return std::any_of(others.begin(), others.end(),
+                     [&](std::size_t j) { return bends(i, j).share > 0; });
 }
 
 /** `error` with an interval for a standard deviation of its log. */
@@ -228,16 +229,17 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < bends.things(); ++i)
     if (maps.isFirst(i)) kept.push_back(i);
-  PairBends some(kept.size());
   std::vector<std::optional<double>> told;
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    told.push_back(site.runs[kept[i]]->map.axisDeviation);
-    for (std::size_t j = i + 1; j < kept.size(); ++j) some(i, j) = bends(kept[i], kept[j]);
-  }
+  for (const std::size_t run : kept) told.push_back(site.runs[run]->map.axisDeviation);
   const auto placeOf = [&](std::size_t i) {
     const auto place = std::lower_bound(kept.begin(), kept.end(), maps.firstOf(i));
     return std::size_t(place - kept.begin());
   };
+  std::vector<PairOfThings> keptPairs;
+  for (const auto& [i, j] : bends.pairs())
+    if (maps.isFirst(i) && maps.isFirst(j)) keptPairs.emplace_back(placeOf(i), placeOf(j));
+  PairBends some(kept.size(), keptPairs);
+  for (const auto& [i, j] : keptPairs) some(i, j) = bends(kept[i], kept[j]);
   std::optional<std::size_t> truth;
   if (site.reference) truth = placeOf(*site.reference);
   const auto found = estimateMapErrors(some, told, truth, {});

@@ -9,8 +9,7 @@ namespace roomgraph {
 /** The largest share of its walls that a run has in common with another. */
 inline double mostShare(const PairBends& bends, std::size_t run) {
   double most = 0;
-  for (std::size_t j = 0; j < bends.things(); ++j)
-    if (j != run) most = std::max(most, bends(run, j).share);
+  for (const std::size_t j : bends.othersOf(run)) most = std::max(most, bends(run, j).share);
   return most;
 }
 

@@ -40,8 +40,8 @@ void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const Dis
   };
   RunScore& score = *scores[run];
   double sum = 0, weights = 0, trust = 0;
-  for (std::size_t j = 0; j < bends.things(); ++j) {
-    if (j == run || !isAsked(j) || bends(run, j).share <= 0) continue;
+  for (const std::size_t j : bends.othersOf(run)) {
+    if (!isAsked(j) || bends(run, j).share <= 0) continue;
     const PairBend& pair = bends(run, j);
     const double trustOfOther = scores[j] ? scores[j]->trust : 1;
     sum += trustOfOther * pair.share * pair.bend, weights += trustOfOther * pair.share;

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <utility>
@@ -6,63 +8,100 @@
 
 namespace roomgraph {
 
-/** Each two of several things, the lower index first; by that, then by the other. */
-inline std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t things) {
-  std::vector<std::pair<std::size_t, std::size_t>> all;
+/** Two of several things, the lower index first. */
+using PairOfThings = std::pair<std::size_t, std::size_t>;
+
+/** Each two of several things; by the first, then by the other. */
+inline std::vector<PairOfThings> pairsOf(std::size_t things) {
+  std::vector<PairOfThings> all;
   for (std::size_t a = 0; a < things; ++a)
     for (std::size_t b = a + 1; b < things; ++b) all.emplace_back(a, b);
   return all;
 }
 
-/** A value for each two of several things, whichever of them is named first. There is none of a
- *  thing and itself. */
+/** A value for each two of several things, or for some of these pairs, whichever of both is named
+ *  first. There is none of a thing and itself. */
 template <class T>
 class PairTable {
  public:
   PairTable() = default;
   /** A default value for each pair. */
-  explicit PairTable(std::size_t things)
-      : things_(things), values_(things < 2 ? 0 : things * (things - 1) / 2) {}
-
-  std::size_t things() const { return things_; }
-
-  T& operator()(std::size_t a, std::size_t b) { return values_[indexOf(a, b)]; }
-  const T& operator()(std::size_t a, std::size_t b) const { return values_[indexOf(a, b)]; }
-
-  std::vector<std::pair<std::size_t, std::size_t>> pairs() const { return pairsOf(things_); }
-  /** All values, in the order of pairs(). */
-  const std::vector<T>& values() const { return values_; }
-
- private:
-  std::size_t indexOf(std::size_t a, std::size_t b) const {
-    if (a > b) std::swap(a, b);
-    assert(a < b && b < things_);
-    return a * things_ - a * (a + 1) / 2 + b - a - 1;
+  explicit PairTable(std::size_t things) : PairTable(things, pairsOf(things)) {}
+  /** A default value for each of `pairs`, in any order; none for the others. */
+  PairTable(std::size_t things, std::vector<PairOfThings> pairs)
+      : pairs_(std::move(pairs)), others_(things), places_(things) {
+    for (auto& [a, b] : pairs_)
+      if (a > b) std::swap(a, b);
+    std::sort(pairs_.begin(), pairs_.end());
+    pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+    // A thing's others are ascending: first those below it, as it is second there.
+    for (const bool isSecond : {true, false})
+      for (std::size_t i = 0; i < pairs_.size(); ++i) {
+        const auto [a, b] = pairs_[i];
+        assert(a < b && b < things);
+        others_[isSecond ? b : a].push_back(isSecond ? a : b);
+        places_[isSecond ? b : a].push_back(i);
+      }
+    values_.resize(pairs_.size());
   }
 
-  std::size_t things_ = 0;
+  std::size_t things() const { return others_.size(); }
+
+  /** Whether there is a value for these two. */
+  bool has(std::size_t a, std::size_t b) const {
+    return std::binary_search(others_[a].begin(), others_[a].end(), b);
+  }
+
+  /** Of two that have one. */
+  T& operator()(std::size_t a, std::size_t b) {
+    assert(has(a, b));
+    return values_[placeOf(a, b)];
+  }
+  /** Of two that have none a default value. */
+  const T& operator()(std::size_t a, std::size_t b) const {
+    static const T none{};
+    return has(a, b) ? values_[placeOf(a, b)] : none;
+  }
+
+  /** Those that have a value, as pairsOf orders them. */
+  const std::vector<PairOfThings>& pairs() const { return pairs_; }
+  /** Their values, in the same order. */
+  const std::vector<T>& values() const { return values_; }
+  /** The things with which this one has a value, ascending. */
+  const std::vector<std::size_t>& othersOf(std::size_t thing) const { return others_[thing]; }
+
+ private:
+  std::size_t placeOf(std::size_t a, std::size_t b) const {
+    const auto at = std::lower_bound(others_[a].begin(), others_[a].end(), b);
+    return places_[a][std::size_t(at - others_[a].begin())];
+  }
+
+  std::vector<PairOfThings> pairs_;
   std::vector<T> values_;
+  std::vector<std::vector<std::size_t>> others_, places_;  // by thing
 };
 
-/** A value for each two of several things where the order counts: what `of` is to `against`. That
- *  of a thing and itself is there, too. */
+/** The same where the order of both counts: what `of` is to `against`. */
 template <class T>
 class DirectedTable {
  public:
   DirectedTable() = default;
-  /** A default value for each. */
-  explicit DirectedTable(std::size_t things) : things_(things), values_(things * things) {}
+  /** Default values both ways for each of `pairs`. */
+  DirectedTable(std::size_t things, std::vector<PairOfThings> pairs)
+      : table_(things, std::move(pairs)) {}
 
-  std::size_t things() const { return things_; }
-
-  T& operator()(std::size_t of, std::size_t against) { return values_[of * things_ + against]; }
+  T& operator()(std::size_t of, std::size_t against) { return table_(of, against)[of > against]; }
   const T& operator()(std::size_t of, std::size_t against) const {
-    return values_[of * things_ + against];
+    return table_(of, against)[of > against];
+  }
+
+  const std::vector<PairOfThings>& pairs() const { return table_.pairs(); }
+  const std::vector<std::size_t>& othersOf(std::size_t thing) const {
+    return table_.othersOf(thing);
   }
 
  private:
-  std::size_t things_ = 0;
-  std::vector<T> values_;
+  PairTable<std::array<T, 2>> table_;
 };
 
 }  // namespace roomgraph

@@ -71,11 +71,13 @@ struct GateVerdict {
 /** What is known of several runs of one site. A saved thing: comparisonJson writes all of it, and
  *  parseComparisonJson reads it back. */
 struct Comparison {
-  std::vector<ComparedRun> runs;         ///< best first, then by name; those without a rank last
-  std::vector<ComparedPair> pairs;       ///< of all runs that have walls, by name
-  std::vector<LeftOutRun> leftOut;       ///< by name
-  std::vector<SiteRoom> rooms;           ///< by id
-  std::vector<MapBreak> breaks;          ///< by run, then along it
+  std::vector<ComparedRun> runs;    ///< best first, then by name; those without a rank last
+  std::vector<ComparedPair> pairs;  ///< that were related: all of few runs, by name
+  std::vector<LeftOutRun> leftOut;  ///< by name
+  std::vector<SiteRoom> rooms;      ///< by id
+  std::vector<MapBreak> breaks;     ///< by run, then along it
+  /** Names of the runs among which the consensus was worked out, where these are not all. */
+  std::vector<std::string> core;
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
   std::string verdict;                   ///< one line
   std::vector<UsedOption> options;       ///< all that were used, in the order of the work

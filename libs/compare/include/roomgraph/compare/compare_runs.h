@@ -24,6 +24,9 @@ struct CompareRunsOptions {
   double breakRotation = kBreakRotation;  ///< the same for one that turns its map [rad]
   KeptPairs kept;              ///< where pairs are kept from call to call; changes nothing
   ForEach forEach = oneByOne;  ///< changes no number
+  /** Up to so many runs are related each to each; of more, so many work out the consensus, and the
+   *  others are held against it, see relateRuns. At least 3. */
+  std::size_t core = 12;
 };
 
 /** Relates the runs, places them in one frame, scores and measures each, and says which is best.
@@ -35,7 +38,7 @@ struct CompareRunsOptions {
  *      const Comparison comparison = compareRuns(runs, {});
  *      const std::string best = comparison.runs.front().name;
  *
- *  O(runs^2 * walls).
+ *  O(runs * walls), and with the square of the runs up to `core` of them.
  *  @throws UsageError where there is no such reference, or two runs have one name. */
 Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
 

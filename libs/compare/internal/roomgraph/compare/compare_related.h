@@ -6,6 +6,11 @@
 
 namespace roomgraph {
 
+/** What of the options is about relating. */
+inline RelateRunsOptions relateOptionsOf(const CompareRunsOptions& options) {
+  return {options.areAligned, options.reference, options.core};
+}
+
 /** compareRuns for runs that are related already, as relateRuns gives it, in the order of sortRuns.
  *  @throws UsageError also where `related` are not those of as many runs. */
 Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,

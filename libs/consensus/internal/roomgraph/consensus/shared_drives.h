@@ -15,7 +15,8 @@ namespace roomgraph {
 constexpr double kSharedDrive = 0.2;
 
 /** The runs that share the scans of one drive, as several programs over one log do: sets of two or
- *  more, ascending. Runs without scans share none. O(runs^2 * scans). */
+ *  more, ascending. Runs without scans share none. O(scans), and
+ *  O(scans) more for each two runs that have one in common and are not known to be of one drive. */
 std::vector<std::vector<std::size_t>> sharedDrives(const std::vector<const Run*>& runs);
 
 }  // namespace roomgraph

@@ -17,11 +17,11 @@ namespace roomgraph {
 /** The measures of a site, see docs/scoring.md. */
 struct SiteMeasures {
   std::vector<std::vector<Measure>> runs;  ///< of each run; the same ones, in the same order
-  PairTable<std::vector<Measure>> pairs;   ///< of each pair, alike
+  PairTable<std::vector<Measure>> pairs;   ///< of each pair that was related, alike
 };
 
 /** Measures all runs and pairs. `bends` are those of `pairs`; `breaks` are those of each run.
- *  O(runs^2 * (walls + cells of the site + compareGraphs)). */
+ *  O(pairs * (walls + cells of the site + compareGraphs)). */
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
                          const Trust& trust, const std::vector<std::vector<MapBreak>>& breaks,
                          const ForEach& forEach);

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -11,10 +12,12 @@ class DistinctMaps {
  public:
   explicit DistinctMaps(const PairBends& bends) {
     for (std::size_t i = 0; i < bends.things(); ++i) {
-      std::size_t j = 0;
-      while (j < i && !bends(i, j).areIdentical) ++j;
-      first_.push_back(j);
-      count_ += j == i;
+      const std::vector<std::size_t>& others = bends.othersOf(i);
+      const auto copy = std::find_if(others.begin(), others.end(), [&](std::size_t j) {
+        return j > i || bends(i, j).areIdentical;
+      });
+      first_.push_back(copy == others.end() ? i : std::min(i, *copy));
+      count_ += first_.back() == i;
     }
   }
 

@@ -15,15 +15,19 @@ namespace roomgraph {
 // Out:  Site, and what is known of its pairs
 // Next: scoreRuns, siteBreaks, siteRooms
 
+/** Whether two runs are taken for ones of one site. Of a symmetric building, no run is sure to lie
+ *  in the right turn, but each lies in one of few. */
+bool isJoined(const MapPair& pair, const SitePosesOptions& options);
+
 /** Places the runs in one frame. The site is the largest set of runs that are joined by pairs of
  *  the same site (that of `reference`, if any; of equal ones the surest). Its frame is that of the
- *  run that the others fit best, or of the reference. Empty for no runs. O(runs^3). */
+ *  run that the others fit best, or of the reference. Empty for no runs. O(runs * pairs). */
 Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
                const SitePosesOptions& options, std::optional<std::size_t> reference);
 
-/** What is known of the pairs of a site. Pairs that have not found each other, or lie otherwise
- *  than in the site, are followed from the poses in the site, if they fit there. `related` are
- *  those of all runs. */
+/** What is known of those pairs of a site that were related. Pairs that have not found each other,
+ *  or lie otherwise than in the site, are followed from the poses in the site, if they fit there.
+ *  `related` are those of all runs; of its core, what is in the site is the core here. */
 MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& forEach);
 
 /** What of these is known of run `of` in another run. */

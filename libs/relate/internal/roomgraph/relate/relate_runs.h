@@ -1,4 +1,6 @@
 #pragma once
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
@@ -11,11 +13,25 @@ namespace roomgraph {
 
 // Ours
 // In:   the runs
-// Out:  MapPair of each pair of runs
-// Next: compareRuns
+// Out:  MapPair of pairs of runs
+// Next: placeRuns
 
-/** MapPair of each two runs; that of a and b is said of the one with the lower index first. */
-using MapPairs = PairTable<MapPair>;
+/** MapPair of each two runs, or of those that were related; that of a and b is said of the one with
+ *  the lower index first. Where it is asked for one that was not related, there is nothing that
+ *  both have in common. */
+struct MapPairs : PairTable<MapPair> {
+  using PairTable<MapPair>::PairTable;
+
+  /** The runs among which the consensus is worked out, ascending: of a site all are related to each
+   *  other. Empty where all runs are. */
+  std::vector<std::size_t> core;
+};
+
+struct RelateRunsOptions {
+  bool areAligned = false;               ///< all maps are in one frame already
+  std::optional<std::size_t> reference;  ///< a run that all others of its site are related to
+  std::size_t core = 12;                 ///< up to so many runs each is related to each; at least 3
+};
 
 /** The run through which all others are related: of those that have seen at least half as much as
  *  the largest, the one with the straightest walls; of equal ones the first. 0 for no runs. */
@@ -23,10 +39,17 @@ std::size_t hubOf(const std::vector<Run>& runs);
 
 /** What relateMaps gives for each two runs: first those with the hub, then the others by
  *  relateMapsOver, which saves nearly all of the search. With `areAligned` by relateAlignedMaps.
+ *
+ *  Of more than `core` runs, those that lie in the hub have a core, see chooseCore, in which each
+ *  is related to each; every other one is related to the hub and a choice of the core, see
+ *  chooseJudges, and to its first copy. What does not lie in the hub is looked for in three more
+ *  runs of the core. What is left then is related in the same way by itself, as another site. So
+ *  the cost grows with the runs, as long as they are of few sites.
+ *
  *  Pairs that are kept are not worked out again, so that one more run costs its own pairs only,
- *  unless it becomes the hub. The same for any order of the jobs, and with or without kept
- *  pairs. */
-MapPairs relateRuns(const std::vector<Run>& runs, bool areAligned, const ForEach& forEach,
-                    const KeptPairs& kept = {});
+ *  unless it becomes the hub or one of the core. The same for any order of the jobs, and with or
+ *  without kept pairs. */
+MapPairs relateRuns(const std::vector<Run>& runs, const RelateRunsOptions& options,
+                    const ForEach& forEach, const KeptPairs& kept = {});
 
 }  // namespace roomgraph

@@ -1,0 +1,28 @@
+#include "seen_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFarthest = 1e9;  // so that both coordinates fit into one number
+
+std::int64_t squareAt(double metres) {
+  return std::int64_t(std::floor(std::clamp(metres, -kFarthest, kFarthest)));
+}
+
+}  // namespace
+
+SeenPlaces seenPlaces(const MapForAlignment& map, const Transform2D& pose) {
+  SeenPlaces places;
+  for (const Point& free : map.freePlaces) {
+    const Point at = pose(free);
+    places.push_back(squareAt(at.x) * (std::int64_t(1) << 32) + squareAt(at.y));
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+}  // namespace roomgraph
