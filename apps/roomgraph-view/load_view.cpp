@@ -70,8 +70,8 @@ View viewOfMap(const std::string& file, const ExtractOptions& options) {
   run.scans = scanWalls(loadKeyframes(file, options.loadGrid), kWallsOfScan);
   ComparedRun alone;
   alone.name = run.name, alone.file = file;
-  for (std::size_t k = 0; k < run.scans.size(); ++k)
-    alone.path.push_back({k, run.scans[k].time, run.scans[k].pose, std::nullopt});
+  for (const ScanWalls& scan : run.scans)
+    alone.path.push_back({scan.keyFrame, scan.time, scan.pose, std::nullopt});
   view.comparison.runs = {alone};
   view.runs.push_back(std::move(run));
   extractAgain(view);

@@ -32,12 +32,15 @@ std::vector<RobotScan> stretchOf(const std::string& file, const RawlogArguments&
                                  const ExtractOptions& options) {
   std::vector<RobotScan> scans = loadScans(file, options.loadGrid);
   if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
-  const std::size_t last = arguments.to.value_or(scans.size() - 1);
-  if (std::max(arguments.from, last) >= scans.size())
-    throw DataError(file + ": its last key frame is " + std::to_string(scans.size() - 1) +
+  const std::size_t last = scans.back().keyFrame, to = arguments.to.value_or(last);
+  if (std::max(arguments.from, to) > last)
+    throw DataError(file + ": its last key frame is " + std::to_string(last) +
                     ": choose --from and --to up to that");
-  scans.erase(scans.begin() + std::ptrdiff_t(last + 1), scans.end());
-  scans.erase(scans.begin(), scans.begin() + std::ptrdiff_t(arguments.from));
+  scans.erase(std::remove_if(scans.begin(), scans.end(),
+                             [&](const RobotScan& scan) {
+                               return scan.keyFrame < arguments.from || scan.keyFrame > to;
+                             }),
+              scans.end());
   return scans;
 }
 

@@ -26,6 +26,7 @@ View sampleView() {
       const Transform2D pose{0.5 * double(k), double(r), 0};
       view.comparison.runs[r].path.push_back({k, 1e9 + double(k), pose, 0.1 * double(r)});
       view.runs[r].scans.emplace_back();
+      view.runs[r].scans.back().keyFrame = k;
       view.runs[r].scans.back().pose = pose;
       view.runs[r].scans.back().walls = {{{pose.x, pose.y + 1}, {0, -1}, 6}};
     }

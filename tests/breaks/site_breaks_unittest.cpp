@@ -25,6 +25,7 @@ struct DrivenSite {
       runs.back().name = "run " + std::to_string(runs.size());
       for (const Transform2D& pose : way) {
         runs.back().scans.emplace_back();
+        runs.back().scans.back().keyFrame = 2 * (runs.back().scans.size() - 1);  // every other one
         runs.back().scans.back().pose = pose;
         runs.back().scans.back().time = 1e9 + 0.5 * double(runs.back().scans.size());
       }
@@ -52,7 +53,7 @@ TEST(SiteBreaks, aTornDriveShowsWhereAndByHowMuch) {
     ASSERT_EQ(breaks[1].size(), 1u) << turn;
     const MapBreak& found = breaks[1][0];
     EXPECT_EQ(found.run, "run 2");
-    EXPECT_EQ(found.keyFrame, 33u);
+    EXPECT_EQ(found.keyFrame, 66u);
     EXPECT_EQ(found.time, site.runs[1].scans[33].time);
     EXPECT_NEAR(wrappedAngle(found.rotation - turn), 0, 0.01) << turn;
     EXPECT_NEAR(found.shift, 5, 0.1) << turn;
@@ -88,8 +89,8 @@ TEST(SiteBreaks, eachTearOfARunIsOne) {
   const DrivenSite site({truth[0], truth[1], test::torn(once, 45, -0.5, {2, 0})}, truth);
   const auto breaks = site.breaks()[2];
   ASSERT_EQ(breaks.size(), 2u);
-  EXPECT_EQ(breaks[0].keyFrame, 15u);
-  EXPECT_EQ(breaks[1].keyFrame, 45u);
+  EXPECT_EQ(breaks[0].keyFrame, 30u);
+  EXPECT_EQ(breaks[1].keyFrame, 90u);
   EXPECT_NEAR(breaks[1].shift, 2, 0.1);
 }
 

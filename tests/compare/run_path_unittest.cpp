@@ -9,6 +9,7 @@ Run drive() {
   Run run;
   for (int k = 0; k < 3; ++k) {
     run.scans.emplace_back();
+    run.scans.back().keyFrame = std::size_t(2 * k);
     run.scans.back().pose = {double(k), 2, 0.1};
     if (k > 0) run.scans.back().time = 1e9 + k;
   }
@@ -23,7 +24,7 @@ TEST(RunPath, isThatOfTheRunInTheFrameOfTheSite) {
   const std::vector<PathPose> path = runPath(run, pose, error);
   ASSERT_EQ(path.size(), 3u);
   for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(path[k].keyFrame, k);
+    EXPECT_EQ(path[k].keyFrame, 2 * k) << "its number in the file, not among the scans";
     EXPECT_NEAR(path[k].pose.x, 8, 1e-12);
     EXPECT_NEAR(path[k].pose.y, -5 + double(k), 1e-12);
     EXPECT_NEAR(path[k].pose.phi, M_PI / 2 + 0.1, 1e-12);

@@ -30,22 +30,12 @@ std::vector<Run> runs() {
   both[0].name = "torn", both[1].name = "good";
   for (std::size_t k = 0; k < 30; ++k) {
     both[0].scans.emplace_back();
+    both[0].scans.back().keyFrame = k;
     both[0].scans.back().pose = {0.5 * double(k), 0, 0};
     both[0].scans.back().walls = {{{0.5 * double(k), 1}, {0, -1}, 6}};
   }
   both[1].map.walls = {{{0, 0}, {0, 1}, 2}, {{1, 0}, {0, 1}, 2}};
   return both;
-}
-
-TEST(FramesAtBreak, areTenOnEitherSideWhereThereAreAsMany) {
-  const auto at = [](std::optional<std::size_t> frame, std::size_t count) {
-    const FramesAtBreak frames = framesAtBreak(tearAt(frame), count);
-    return std::make_pair(frames.first, frames.end);
-  };
-  EXPECT_EQ(at(12, 30), std::make_pair(std::size_t(2), std::size_t(22)));
-  EXPECT_EQ(at(3, 8), std::make_pair(std::size_t(0), std::size_t(8)));
-  EXPECT_EQ(at(std::nullopt, 30), std::make_pair(std::size_t(0), std::size_t(0)));
-  EXPECT_EQ(at(30, 30), std::make_pair(std::size_t(0), std::size_t(0)));
 }
 
 std::shared_ptr<viz::CPointCloud> cloudOf(MrptScene& scene, const char* name) {

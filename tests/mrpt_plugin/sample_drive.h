@@ -12,6 +12,7 @@ inline std::vector<RobotScan> sampleDrive(std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     RobotScan one;
     const double turn = 0.3 * double(k);
+    one.keyFrame = k;
     one.robot = {3 + 2 * std::sin(turn), -1 + 2 * std::cos(turn), 0, -turn, 0, 0};
     one.scan.timestamp = mrpt::Clock::fromDouble(1.7e9 + double(k));
     one.scan.sensorLabel = "laser";

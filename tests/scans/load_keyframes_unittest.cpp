@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <cmath>
@@ -45,6 +46,18 @@ TEST(LoadScans, givesTheScansOfTheKeyFrames) {
     EXPECT_EQ(scans[i].scan.getScanSize(), 40u);
   }
   EXPECT_TRUE(loadScans(dir.write("grid", test::streamed(test::smallGrid())), {}).empty());
+}
+
+TEST(LoadKeyframes, areNumberedAsInTheFile) {
+  const test::TempDir dir;
+  auto map = test::smallSimplemap();
+  dynamic_cast<mrpt::obs::CSensoryFrame&>(*map.getAsPair(1).sf).clear();
+  const std::string file = dir.write("map", test::streamed(map));
+  const auto frames = loadKeyframes(file, 30);
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(frames[0].number, 0u);
+  EXPECT_EQ(frames[1].number, 2u);
+  EXPECT_EQ(loadScans(file, LoadGridOptions())[1].keyFrame, 2u);
 }
 
 TEST(LoadKeyframes, leavesOutWhatIsTooFar) {

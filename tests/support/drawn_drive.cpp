@@ -45,6 +45,7 @@ std::vector<Keyframe> drawnDrive(const Grid& grid) {
   for (int x = row.from + step; x + step < row.to; x += step) {
     const Point at = grid.frame.center({x, row.y});
     frames.push_back(seenFrom(grid, {at.x, at.y, 0}));
+    frames.back().number = frames.size() - 1;
   }
   return frames;
 }

@@ -28,6 +28,7 @@ std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWal
   std::vector<ScanWalls> scans;
   for (const Keyframe& frame : frames) {
     ScanWalls scan;
+    scan.keyFrame = frame.number;
     scan.pose = frame.pose, scan.time = frame.time, scan.scanId = frame.scanId;
     for (const Point end : frame.ends) scan.ends.add(end);
     scan.axes = scanAxes(frame.ends);

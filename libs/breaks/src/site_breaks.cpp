@@ -63,7 +63,8 @@ class BreakSearch {
     const ScanWalls& scan = run.scans[place];
     const Transform2D& pose = site_.poses[run_];
     const TornPose torn{pose * scan.pose, pose * mend * scan.pose};
-    return {run.name, torn.untorn.shift(), found.rotation, found.shift, place, scan.time, torn};
+    return {run.name, torn.untorn.shift(), found.rotation, found.shift, scan.keyFrame, scan.time,
+            torn};
   }
 
   /** Of a run without scans: whether it lies in the others as two rigid pieces. */

@@ -7,7 +7,7 @@ std::vector<PathPose> runPath(const Run& run, const Transform2D& pose, const Map
   std::vector<PathPose> path;
   for (std::size_t k = 0; k < run.scans.size(); ++k) {
     const ScanWalls& scan = run.scans[k];
-    path.push_back({k, scan.time, pose * scan.pose,
+    path.push_back({scan.keyFrame, scan.time, pose * scan.pose,
                     hasErrors ? std::optional(error.errors[k]) : std::nullopt});
   }
   return path;

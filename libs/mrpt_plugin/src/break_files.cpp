@@ -28,10 +28,7 @@ Transform2D poseOf(const Comparison& comparison, const std::string& name) {
   return {};
 }
 
-/** From drawn to untorn, in the frame of the site. */
-Transform2D motionOf(const MapBreak& tear) {
-  return tear.torn ? tear.torn->untorn * tear.torn->drawn.inverse() : Transform2D{};
-}
+Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, mrpt::img::TColor colour,
                               double height, float size) {
@@ -111,12 +108,6 @@ void addOthers(const Comparison& comparison, const MapBreak& tear, const std::ve
 
 }  // namespace
 
-FramesAtBreak framesAtBreak(const MapBreak& tear, std::size_t count) {
-  if (!tear.keyFrame || *tear.keyFrame >= count) return {};
-  const std::size_t k = *tear.keyFrame;
-  return {k - std::min(k, kFramesAtBreak), std::min(count, k + kFramesAtBreak)};
-}
-
 MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
                      const std::vector<Run>& runs) {
   MrptScene scene;
@@ -127,15 +118,15 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
     constexpr double above = kRobotRadius, below = -kRobotRadius - kLetterHeight;
     Piece before("before", kBefore, kStep, above), drawn("drawn", kDrawn, 2 * kStep, above),
         untorn("untorn", kUntorn, 3 * kStep, below);
-    const FramesAtBreak frames = framesAtBreak(tear, run->scans.size());
+    const FramesAtBreak frames = framesAtBreak(tear, run->scans);
     for (std::size_t k = frames.first; k < frames.end; ++k) {
       const ScanWalls& scan = run->scans[k];
-      if (k < *tear.keyFrame) {
+      if (k < frames.behind) {
         before.add(scan, pose);
         continue;
       }
       drawn.add(scan, pose);
-      untorn.add(scan, motionOf(tear) * pose);
+      untorn.add(scan, mendOf(tear) * pose);
     }
     for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
   }
@@ -152,14 +143,14 @@ std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
 
 std::vector<RobotScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
                                     const std::vector<RobotScan>& all, bool isUntorn) {
-  const FramesAtBreak frames = framesAtBreak(tear, all.size());
+  const FramesAtBreak frames = framesAtBreak(tear, all);
   const auto from = [&](std::size_t k) { return all.begin() + std::ptrdiff_t(k); };
   std::vector<RobotScan> scans(from(frames.first), from(frames.end));
   scans = moved(std::move(scans), pose);
   if (!isUntorn || scans.empty()) return scans;
-  const std::size_t behind = *tear.keyFrame - frames.first;
+  const std::size_t behind = frames.behind - frames.first;
   std::vector<RobotScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
-  torn = moved(std::move(torn), motionOf(tear));
+  torn = moved(std::move(torn), mendOf(tear));
   std::move(torn.begin(), torn.end(), scans.begin() + std::ptrdiff_t(behind));
   return scans;
 }

@@ -63,6 +63,7 @@ std::vector<Keyframe> loadKeyframes(const std::string& name, const LoadGridOptio
   visitScans(name, options, [&](const SimplemapEntry& entry, const PlacedScan& placed) {
     Keyframe frame = keyframeOf(placed.robot, placed.scan, options.maxDistanceInsertion);
     moveTo({entry.robot.x(), entry.robot.y(), entry.robot.yaw()}, frame);
+    frame.number = entry.number;
     frame.scanId = placed.id;
     frame.odometry = odometryOf(entry);
     frames.push_back(std::move(frame));
@@ -72,8 +73,8 @@ std::vector<Keyframe> loadKeyframes(const std::string& name, const LoadGridOptio
 
 std::vector<RobotScan> loadScans(const std::string& name, const LoadGridOptions& options) {
   std::vector<RobotScan> scans;
-  visitScans(name, options, [&](const SimplemapEntry&, const PlacedScan& placed) {
-    scans.push_back({placed.robot, placed.scan});
+  visitScans(name, options, [&](const SimplemapEntry& entry, const PlacedScan& placed) {
+    scans.push_back({entry.number, placed.robot, placed.scan});
   });
   return scans;
 }

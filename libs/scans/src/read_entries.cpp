@@ -117,8 +117,10 @@ void checkSimplemapHead(ByteReader head, std::uint64_t size) {
 
 void readEntries(ByteReader in, const EntryVisitor& visit) {
   const ObjectHeader map = readMapHeader(in);
-  for (std::uint32_t count = readCount(in, in.left()); count > 0; --count) {
+  const std::uint32_t count = readCount(in, in.left());
+  for (std::uint32_t k = 0; k < count; ++k) {
     SimplemapEntry entry;
+    entry.number = k;
     entry.robot = readPoseMean(in);
     readFrame(in, entry, map.version);
     if (map.version >= 2) skipTwist(in);

@@ -273,9 +273,11 @@
     if (!run || bend.key_frame === null || !bend.pose_drawn) return L.layerGroup();
     const [x0, y0, phi0] = bend.pose_drawn, [x1, y1, phi1] = bend.pose_untorn;
     const turn = phi1 - phi0, c = Math.cos(turn), s = Math.sin(turn);
+    const found = run.path.findIndex((at) => at.key_frame >= bend.key_frame);
+    const first = found < 0 ? run.path.length : found;
     const places = (from, to) => run.path.slice(from, to).map((at) => [at.x, at.y]);
-    const behind = places(bend.key_frame, bend.key_frame + 11);
-    const before = places(Math.max(0, bend.key_frame - 10), bend.key_frame);
+    const behind = places(first, first + 11);
+    const before = places(Math.max(0, first - 10), first);
     const untorn = behind.map(([x, y]) =>
       [x1 + c * (x - x0) - s * (y - y0), y1 + s * (x - x0) + c * (y - y0)]);
     const line = (points, colour, more) => L.polyline(points.map(latLng),

@@ -17,6 +17,7 @@ namespace roomgraph {
 
 /** A scan as walls: what its neighbouring beams met. */
 struct ScanWalls {
+  std::size_t keyFrame = 0;      ///< number of its key frame, see Keyframe
   Transform2D pose;              ///< run <- robot
   std::vector<WallPoint> walls;  ///< [m, frame of the run]
   PointSums ends;                ///< of all beams [m, robot frame]

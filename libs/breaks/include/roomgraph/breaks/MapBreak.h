@@ -12,10 +12,12 @@ constexpr double kBreakShift = 0.4;
 constexpr double kBreakRotation = 0.035;
 
 /** Where the first key frame behind a break lies, site <- robot. What `drawn` says is wrong from
- *  there on by the motion untorn * drawn.inverse(). */
+ *  there on by the motion mend(). */
 struct TornPose {
   Transform2D drawn;   ///< as the run's map has it
   Transform2D untorn;  ///< as it would lie there if the run had not been torn
+
+  Transform2D mend() const { return untorn * drawn.inverse(); }
 };
 
 /** A place where a map is torn: what lies on one side of it is turned and shifted as a whole. */
@@ -24,8 +26,8 @@ struct MapBreak {
   Point place;          ///< where the robot was, by the run's map before it [m, site frame]
   double rotation = 0;  ///< of the far side against the near one [rad]
   double shift = 0;     ///< of the far side at the break [m]
-  /** The first key frame behind the break, and the time of its scan [s since 1970]; none of a run
-   *  without scans. */
+  /** The first key frame behind the break that has a scan, by its number in the file of the run,
+   *  and the time of that scan [s since 1970]; none of a run without scans. */
   std::optional<std::size_t> keyFrame;
   std::optional<double> time;
   std::optional<TornPose> torn{};  ///< none of a run without scans

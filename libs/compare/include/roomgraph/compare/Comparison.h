@@ -17,7 +17,7 @@ constexpr double kPartialCoverage = 0.7;
 
 /** Where the robot was at a key frame, as the run's map has it. */
 struct PathPose {
-  std::size_t keyFrame = 0;     ///< from 0, among those that have a scan
+  std::size_t keyFrame = 0;     ///< its number in the file of the run, from 0
   std::optional<double> time;   ///< of its scan [s since 1970]
   Transform2D pose;             ///< site <- robot
   std::optional<double> error;  ///< how far what it has drawn lies from the consensus, RMS [m]

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
@@ -13,16 +14,6 @@ namespace roomgraph {
 // In:   Comparison, the maps of its runs, the scans of one of them
 // Out:  what MRPT's viewers show of a break
 // Next: a file
-
-/** How many key frames before a break are shown, and as many behind it. */
-constexpr std::size_t kFramesAtBreak = 10;
-
-/** The key frames that are shown of a break: from `first` to before `end`, of a run of `count`.
- *  None for a break without key frame, or one that the run does not have. */
-struct FramesAtBreak {
-  std::size_t first = 0, end = 0;
-};
-FramesAtBreak framesAtBreak(const MapBreak& tear, std::size_t count);
 
 /** The walls of the best other run in grey, in the frame of the site [m]; on them what the key
  *  frames before the break saw ("before"), and what those behind it saw as the run has it

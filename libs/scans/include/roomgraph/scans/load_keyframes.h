@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ namespace roomgraph {
 
 /** What a robot saw from one place. */
 struct Keyframe {
+  std::size_t number = 0;      ///< of the key frame in its file, from 0, with those without a scan
   Transform2D pose;            ///< map <- robot
   std::optional<double> time;  ///< of the scan [s since 1970, UTC]; none where the file has none
   /** Where the robot's wheels say it was, in a frame of their own; none where the file does not. */

@@ -20,6 +20,7 @@ struct ObservationKind {
 
 /** What a simplemap keeps of one place. */
 struct SimplemapEntry {
+  std::size_t number = 0;  ///< from 0, in the order of the file
   mrpt::poses::CPose3D robot;
   std::vector<mrpt::obs::CObservation2DRangeScan> scans;
   std::vector<PointCloud> clouds;
