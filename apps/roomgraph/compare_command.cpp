@@ -43,8 +43,8 @@ struct CompareArguments {
 void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("-o,--output", arguments.folder,
                  "Folder for the results: report.html, comparison.json, comparison.runs.csv, "
-                 "comparison.rooms.csv, comparison.rooms.geojson and comparison.3Dscene; made if "
-                 "it is not there.")
+                 "comparison.rooms.csv, comparison.rooms.geojson, comparison.3Dscene and "
+                 "comparison.roomgraph; made if it is not there.")
       ->type_name("DIR")
       ->capture_default_str();
   CLI::Option* aligned =

@@ -11,6 +11,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/report/comparison_csv.h"
@@ -27,7 +28,8 @@ ResultFiles::ResultFiles(const std::filesystem::path& folder)
       runs((folder / "comparison.runs.csv").string()),
       rooms((folder / "comparison.rooms.csv").string()),
       site((folder / "comparison.rooms.geojson").string()),
-      scene((folder / "comparison.3Dscene").string()) {}
+      scene((folder / "comparison.3Dscene").string()),
+      object((folder / "comparison.roomgraph").string()) {}
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const int percent = int(std::lround(100 * kPartialCoverage));
@@ -106,6 +108,7 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
   staged.add(files.rooms, comparisonRoomsCsv(saved));
   staged.add(files.site, siteGeojson(saved));
   staged.add(files.scene, comparisonSceneBytes(saved, runs));
+  staged.add(files.object, mapComparisonBytes(CMapComparison(saved, runs)));
   staged.add(files.report, comparisonReport(saved, runs));
 }
 

@@ -16,9 +16,9 @@ namespace roomgraph {
 struct ResultFiles {
   explicit ResultFiles(const std::filesystem::path& folder);
 
-  std::vector<std::string> all() const { return {report, json, runs, rooms, site, scene}; }
+  std::vector<std::string> all() const { return {report, json, runs, rooms, site, scene, object}; }
 
-  std::string report, json, runs, rooms, site, scene;
+  std::string report, json, runs, rooms, site, scene, object;
 };
 
 /** --fail-below, --fail-above, --fail-worse-by, --fail-on, --junit and --summary. */

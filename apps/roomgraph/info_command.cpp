@@ -15,6 +15,7 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
@@ -78,6 +79,7 @@ std::string infoText(const std::string& file, const ExtractOptions& options) {
   const auto first = start.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && start[first] == '{') return graphText(readGraphJson(file));
   if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
+  if (start.find("CMapComparison") != std::string::npos) return loadMapComparison(file).asString();
   return mapText(file, options);
 }
 

@@ -5,7 +5,7 @@ maps=$source_dir/share/roomgraph/maps
 expect 0 "$roomgraph" compare "$maps"/office_run[12].simplemap.gz -o first -q
 cp first/comparison.json .
 expect 0 "$roomgraph" report comparison.json "$maps"/office_run?.simplemap.gz -o again -q
-for file in comparison.json comparison.runs.csv comparison.rooms.csv comparison.rooms.geojson comparison.3Dscene report.html; do
+for file in comparison.json comparison.runs.csv comparison.rooms.csv comparison.rooms.geojson comparison.3Dscene comparison.roomgraph report.html; do
   cmp "first/$file" "again/$file" || fail "$file is another one"
 done
 

@@ -64,7 +64,7 @@ expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o3 --names a.gridmap.
 # The names may not have the place of a result, whether it is there already or not.
 cp -r o2 before
 ln -s o2 link
-for name in comparison.json comparison.runs.csv comparison.rooms.csv comparison.rooms.geojson comparison.3Dscene report.html; do
+for name in comparison.json comparison.runs.csv comparison.rooms.csv comparison.rooms.geojson comparison.3Dscene comparison.roomgraph report.html; do
   expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o2 --names "link/../o2/./$name"
   one_line err "$name" --names
   expect 2 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o new/er --names "$PWD/new//er/$name"

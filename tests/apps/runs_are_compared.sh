@@ -24,6 +24,8 @@ grep -q '^<!DOCTYPE html>' o/report.html || fail "no report"
 grep -q 'is the best map' o/report.html || fail "a report without the verdict"
 grep -q 'split_at_doors.max_ratio' o/report.html || fail "a report without the options"
 [ "$(gzip -dc o/comparison.3Dscene | wc -c)" -gt 10000 ] || fail "no scene"
+expect 0 "$roomgraph" info o/comparison.roomgraph
+grep -q 'is the best map' out || fail "no verdict in MRPT's object"
 
 # Neither the order nor the number of threads changes a byte.
 expect 0 "$roomgraph" compare c.gridmap.gz a.gridmap.gz b.gridmap.gz -o o2 --threads 1 -q

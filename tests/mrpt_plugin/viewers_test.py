@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Opens the sample graph in MRPT's own viewers on a virtual screen and looks for its colours.
+"""Opens a sample graph or comparison in MRPT's own viewers on a virtual screen and looks for its colours.
 
-usage: viewers_test.py RawLogViewer|SceneViewer3D WRITE_SAMPLE PLUGIN OUT_DIR
+usage: viewers_test.py RawLogViewer|SceneViewer3D WRITE_SAMPLE PLUGIN OUT_DIR Graph|Comparison
 
-Leaves OUT_DIR/<viewer>.ppm, the last screenshot. Exit code 77 where a program is missing.
+Leaves OUT_DIR/<viewer><sample>.ppm, the last screenshot. Exit code 77 where a program is missing.
 """
 
 import collections
@@ -20,7 +20,7 @@ import time
 SKIPPED = 77
 DEADLINE = time.monotonic() + 90  # for a busy machine; alone it takes a few seconds
 SCREEN = (1280, 900)
-LEAST_PIXELS = {"floor": 1500, "corridor": 30}  # by the first word of the name; for others:
+LEAST_PIXELS = {"floor": 1500, "corridor": 30, "run": 200}  # by the first word of the name; for others:
 LEAST_PIXELS_OF_A_VERTEX = 10
 
 
@@ -118,7 +118,7 @@ def show_in_rawlogviewer(desk, colors, picture):
     # Down the tree until the entry is hit: where it is depends on the fonts.
     for y in itertools.cycle(range(96, 180, 9)):  # look() ends it when the time is over
         counts = look(desk, colors, 0.5, picture)
-        if counts["floor_0"] > 0:
+        if any(counts.values()):
             return look(desk, colors, 20, picture)
         desk.xdotool("mousemove", 150, y, "click", 1)
 
@@ -127,12 +127,12 @@ def show_in_sceneviewer(desk, colors, picture):
     return look(desk, colors, 40, picture)
 
 
-def run(viewer, write_sample, plugin, out_dir, home):
+def run(viewer, write_sample, plugin, out_dir, sample, home):
     graph, scene = os.path.join(home, "sample.roomgraph"), os.path.join(home, "sample.3Dscene")
-    lines = subprocess.run([write_sample, graph, scene], check=True, text=True,
+    lines = subprocess.run([write_sample, sample, graph, scene], check=True, text=True,
                            stdout=subprocess.PIPE).stdout.splitlines()
     colors = {line.split()[0]: tuple(map(int, line.split()[1:])) for line in lines}
-    picture = pathlib.Path(out_dir) / f"{viewer}.ppm"
+    picture = pathlib.Path(out_dir) / f"{viewer}{sample}.ppm"
     desk = Desk(home)
     try:
         if viewer == "RawLogViewer":

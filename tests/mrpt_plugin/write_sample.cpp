@@ -1,15 +1,19 @@
-// For the test of MRPT's viewers: writes the sample graph and prints the colours that must be seen,
-// one a line, as "name red green blue".
+// For the test of MRPT's viewers: writes a sample graph or comparison and prints the colours that
+// must be seen, one a line, as "name red green blue".
 
 #include <exception>
 #include <iostream>
 
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
 #include "roomgraph/topology/kind_names.h"
 #include "sample_graph.h"
+#include "sample_map_comparison.h"
 
 namespace {
 
@@ -17,21 +21,35 @@ void print(const std::string& name, roomgraph::Color color) {
   std::cout << name << " " << int(color.r) << " " << int(color.g) << " " << int(color.b) << "\n";
 }
 
-}  // namespace
-
-int main(int argc, char** argv) try {
-  if (argc != 3) {
-    std::cerr << "usage: write_sample FILE.roomgraph FILE.3Dscene\n";
-    return 2;
-  }
+void writeGraph(const std::string& object, const std::string& scene) {
   const roomgraph::CRoomGraph sample = roomgraph::sampleGraph();
-  roomgraph::saveRoomGraph(argv[1], sample);
-  roomgraph::writeFileAtomically(argv[2], roomgraph::sceneBytes(sample));
+  roomgraph::saveRoomGraph(object, sample);
+  roomgraph::writeFileAtomically(scene, roomgraph::sceneBytes(sample));
   for (std::size_t room = 0; room < 4; ++room)
     print("floor_" + std::to_string(room), roomgraph::roomColor(room));
   print("corridor", roomgraph::kCorridorColor);
   for (const roomgraph::Vertex& vertex : sample.file.graph.graph.vertices())
     print(roomgraph::kindName(vertex.kind), roomgraph::vertexColor(vertex.kind));
+}
+
+void writeComparison(const std::string& object, const std::string& scene) {
+  const roomgraph::CMapComparison sample = roomgraph::test::sampleMapComparison();
+  roomgraph::writeFileAtomically(object, roomgraph::mapComparisonBytes(sample));
+  roomgraph::writeFileAtomically(scene, roomgraph::comparisonSceneBytes(sample));
+  for (std::size_t run = 0; run < 2; ++run) {
+    const roomgraph::Colour c = roomgraph::runColour(run);
+    print("run_" + std::to_string(run), {c.red, c.green, c.blue});
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc != 4) {
+    std::cerr << "usage: write_sample Graph|Comparison FILE.roomgraph FILE.3Dscene\n";
+    return 2;
+  }
+  (std::string(argv[1]) == "Graph" ? writeGraph : writeComparison)(argv[2], argv[3]);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << error.what() << "\n";

@@ -2,6 +2,10 @@
 
 #include <mrpt/rtti/CObject.h>
 
+#include "roomgraph/mrpt_plugin/CMapComparison.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 
-void roomgraph::registerMrptClasses() { mrpt::rtti::registerClass(CLASS_ID(CRoomGraph)); }
+void roomgraph::registerMrptClasses() {
+  mrpt::rtti::registerClass(CLASS_ID(CRoomGraph));
+  mrpt::rtti::registerClass(CLASS_ID(CMapComparison));
+}

@@ -1,0 +1,57 @@
+#include "roomgraph/mrpt_plugin/CMapComparison.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "comparison_bytes.h"
+#include "object_body.h"
+#include "roomgraph/base/time_text.h"
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/report/comparison_json.h"
+
+IMPLEMENTS_SERIALIZABLE(CMapComparison, CSerializable, roomgraph)
+
+namespace roomgraph {
+namespace {
+
+const char* const kStreamName = "comparison of maps";
+
+std::string breakLine(const MapBreak& tear) {
+  char text[200];
+  std::snprintf(text, sizeof text, " at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
+                tear.place.y, tear.rotation * 180 / M_PI, tear.shift);
+  std::string line = "  " + tear.run + text;
+  if (tear.keyFrame) line += ", from key frame " + std::to_string(*tear.keyFrame) + " on";
+  if (tear.time) line += ", " + timeText(*tear.time);
+  return line + "\n";
+}
+
+}  // namespace
+
+CMapComparison::CMapComparison(Comparison compared, const std::vector<Run>& runs)
+    : comparison(std::move(compared)), walls(runWalls(runs)) {}
+
+std::string CMapComparison::asString() const {
+  std::string text = comparison.verdict + "\n\n" + comparisonText(comparison);
+  if (!comparison.breaks.empty()) text += "\nBreaks\n";
+  for (const MapBreak& tear : comparison.breaks) text += breakLine(tear);
+  return text;
+}
+
+void CMapComparison::getVisualizationInto(viz::CSetOfObjects& container) const {
+  container.insert(drawComparison(comparison, walls));
+}
+
+uint8_t CMapComparison::serializeGetVersion() const { return kComparisonBytesVersion; }
+
+void CMapComparison::serializeTo(mrpt::serialization::CArchive& out) const {
+  putBody(out, comparisonBytes(*this));
+}
+
+void CMapComparison::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
+  const std::string bytes = takeBody(in, {kStreamName, version, kComparisonBytesVersion});
+  readComparisonBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                      kStreamName, *this);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,60 @@
+#include "comparison_bytes.h"
+
+#include <cmath>
+
+#include "byte_writer.h"
+#include "roomgraph/report/comparison_json.h"
+
+namespace roomgraph {
+namespace {
+
+const char* const kRemedy = "compare the maps again";
+
+std::string readText(ByteReader& in) {
+  const auto size = in.get<std::uint32_t>();
+  const auto* from = in.take(size);
+  return {reinterpret_cast<const char*>(from), size};
+}
+
+RunWalls readWalls(ByteReader& in) {
+  RunWalls run;
+  run.run = readText(in);
+  const auto count = in.get<std::uint32_t>();
+  if (count > in.left() / (2 * sizeof(float)))
+    refuse(in.file(), "it is cut short or damaged", kRemedy);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float x = in.get<float>(), y = in.get<float>();
+    if (!std::isfinite(x) || !std::isfinite(y))
+      refuse(in.file(), "a place in it is no number", kRemedy);
+    run.walls.push_back({double(x), double(y)});
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string comparisonBytes(const CMapComparison& comparison) {
+  ByteWriter out;
+  out.putText(comparisonJson(comparison.comparison));
+  out.putCount(comparison.walls.size());
+  for (const RunWalls& run : comparison.walls) {
+    out.putText(run.run);
+    out.putCount(run.walls.size());
+    for (const Point wall : run.walls) {
+      out.put(float(wall.x));
+      out.put(float(wall.y));
+    }
+  }
+  return std::move(out).take();
+}
+
+void readComparisonBytes(ByteView bytes, const std::string& name, CMapComparison& comparison) {
+  ByteReader in(bytes, name);
+  comparison.comparison = parseComparisonJson(readText(in), name);
+  comparison.walls.clear();
+  const auto count = in.get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i) comparison.walls.push_back(readWalls(in));
+  if (in.left() > 0) refuse(name, "something is left over in it", kRemedy);
+}
+
+}  // namespace roomgraph

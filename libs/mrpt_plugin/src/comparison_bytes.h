@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/files/checked_file.h"
+#include "roomgraph/mrpt_plugin/CMapComparison.h"
+
+namespace roomgraph {
+
+/** The newest layout of the object's bytes. */
+constexpr std::uint8_t kComparisonBytesVersion = 0;
+
+/** Everything that a CMapComparison holds: the comparison as JSON, then the walls of each run. */
+std::string comparisonBytes(const CMapComparison& comparison);
+
+/** Reads comparisonBytes() back. Throws DataError with one line, beginning with `name`, unless each
+ *  count fits the bytes, each coordinate is finite and no byte is left over. */
+void readComparisonBytes(ByteView bytes, const std::string& name, CMapComparison& comparison);
+
+}  // namespace roomgraph

@@ -1,0 +1,253 @@
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "roomgraph/drawing/run_marks.h"
+#include "roomgraph/mrpt_plugin/colors.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kLayerHeight = 0.1;                  // between runs [m]
+constexpr double kBreakRadius = 0.6;                  // [m]
+constexpr double kLean = M_PI / 5;                    // of words [rad]
+constexpr double kSmallest = 0.4, kLargest = 1.5;     // letters [m]
+constexpr double kLetterShare = 0.018;                // of the larger side of the site
+constexpr mrpt::img::TColor kNameColour{15, 15, 20};  // shows on light and on RawLogViewer's grey
+
+mrpt::img::TColor colourOf(std::size_t run) {
+  const Colour c = runColour(run);
+  return {c.red, c.green, c.blue};
+}
+
+viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
+  auto cloud = viz::CPointCloud::Create();
+  cloud->setName("walls");
+  cloud->setColor_u8(colourOf(run));
+  cloud->setPointSize(3);
+  if (walls.empty()) return cloud;
+  const Box box = boundingBox(walls);
+  const Point middle = midpoint(box.low, box.high);  // MRPT draws in single precision
+  cloud->setLocation(middle.x, middle.y, 0);
+  for (const Point wall : walls) {
+    const Point p = wall - middle;
+    cloud->insertPoint(float(p.x), float(p.y), 0);
+  }
+  return cloud;
+}
+
+viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double height) {
+  auto lines = viz::CSetOfLines::Create();
+  lines->setName("rooms");
+  lines->setColor_u8({kRoomOutlineColor.r, kRoomOutlineColor.g, kRoomOutlineColor.b});
+  lines->setLineWidth(2);
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      lines->appendLine(a.x, a.y, height, b.x, b.y, height);
+    }
+  };
+  for (const SiteRoom& room : rooms) {
+    add(room.polygon.outer);
+    for (const Ring& hole : room.polygon.holes) add(hole);
+  }
+  return lines;
+}
+
+/** Where the horizontal line at `y` crosses the polygon, ascending. */
+std::vector<double> crossings(const Polygon& polygon, double y) {
+  std::vector<double> xs;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+      if ((a.y > y) != (b.y > y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  };
+  add(polygon.outer);
+  for (const Ring& hole : polygon.holes) add(hole);
+  std::sort(xs.begin(), xs.end());
+  return xs;
+}
+
+/** The same polygon with x and y exchanged. */
+Polygon exchanged(Polygon polygon) {
+  const auto exchange = [](Ring& ring) {
+    for (Point& p : ring) std::swap(p.x, p.y);
+  };
+  exchange(polygon.outer);
+  for (Ring& hole : polygon.holes) exchange(hole);
+  return polygon;
+}
+
+/** A place with much room on all sides: of the middles of some horizontal lines in the room, moved
+ *  to the middle of the vertical line through them, the one whose shorter line is longest. */
+Point labelPlace(const SiteRoom& room) {
+  if (room.polygon.outer.size() < 3) return room.center;
+  const Box box = boundingBox(room.polygon.outer);
+  const Polygon across = exchanged(room.polygon);
+  Point best = room.center;
+  double most = 0;
+  constexpr int rows = 31;
+  for (int row = 0; row < rows; ++row) {
+    const double y = box.low.y + (box.high.y - box.low.y) * (row + 0.5) / rows;
+    const std::vector<double> xs = crossings(room.polygon, y);
+    for (std::size_t i = 0; i + 1 < xs.size(); i += 2) {
+      const double x = (xs[i] + xs[i + 1]) / 2;
+      const std::vector<double> ys = crossings(across, x);
+      for (std::size_t k = 0; k + 1 < ys.size(); k += 2) {
+        const double shorter = std::min(xs[i + 1] - xs[i], ys[k + 1] - ys[k]);
+        if (y < ys[k] || y > ys[k + 1] || shorter < most + 0.01) continue;
+        most = shorter, best = {x, (ys[k] + ys[k + 1]) / 2};
+      }
+    }
+  }
+  return best;
+}
+
+/** Where the name of a room is put: in its middle, if that lies in it. */
+Point namePlace(const SiteRoom& room) {
+  return sideOf(room.polygon, room.center) == Side::inside ? room.center : labelPlace(room);
+}
+
+/** Words that lean back: to be read from above, and from the side that RawLogViewer looks from. */
+class Writer {
+ public:
+  /** `letter` is the height of the letters [m]. */
+  explicit Writer(double letter) : letter_(letter) {}
+
+  /** They start at `place`, or have it in their middle. */
+  viz::CText3D::Ptr written(const std::string& words, mrpt::img::TColor colour, Point place,
+                            double height, bool isCentred = false) const {
+    auto text = viz::CText3D::Create(words, "sans", float(letter_), viz::FILL);
+    text->setColor_u8(colour);
+    if (isCentred) {
+      const auto box = text->getBoundingBox();
+      place = place - 0.5 * Point{double(box.min.x + box.max.x), double(box.min.y + box.max.y)};
+    }
+    text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, 0, 0, kLean));
+    return text;
+  }
+
+  double letter() const { return letter_; }
+
+ private:
+  double letter_;
+};
+
+viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, const Writer& writer,
+                                double height) {
+  auto names = viz::CSetOfObjects::Create();
+  names->setName("room names");
+  for (const SiteRoom& room : rooms)
+    names->insert(writer.written(room.name.empty() ? room.id : room.name, kNameColour,
+                                 namePlace(room), height, true));
+  return names;
+}
+
+/** The names of the first runs in their colours, below the maps, whose lower left corner is
+ *  `corner`. */
+viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, const Writer& writer,
+                                 Point corner, double height) {
+  auto legend = viz::CSetOfObjects::Create();
+  legend->setName("legend");
+  for (std::size_t i = 0; i < std::min(runs.size(), kMostNamed); ++i) {
+    corner.y -= kLegendLine * writer.letter();
+    legend->insert(writer.written(runs[i].name, colourOf(i), corner, height));
+  }
+  return legend;
+}
+
+viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& writer,
+                                 double height) {
+  std::map<std::string, std::size_t> places;
+  for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
+  auto rings = viz::CSetOfObjects::Create();
+  rings->setName("breaks");
+  for (const MapBreak& bend : comparison.breaks) {
+    auto ring = viz::CDisk::Create();
+    ring->setName(bend.run);
+    ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
+    const auto found = places.find(bend.run);
+    ring->setColor_u8(colourOf(found == places.end() ? 0 : found->second));
+    ring->setLocation(bend.place.x, bend.place.y, height);
+    rings->insert(ring);
+    std::string words = bend.run;
+    if (bend.keyFrame) words += ", key frame " + std::to_string(*bend.keyFrame);
+    rings->insert(writer.written(words, ring->getColor_u8(),
+                                 bend.place + Point{-kBreakRadius, 1.2 * kBreakRadius}, height));
+  }
+  return rings;
+}
+
+std::vector<Point> wallCells(const MapForAlignment& map) {
+  std::vector<Point> walls;
+  for (int y = 0; y < map.frame.height; ++y)
+    for (int x = 0; x < map.frame.width; ++x)
+      if (map.states[map.frame.index({x, y})] == State::occupied)
+        walls.push_back(map.frame.center({x, y}));
+  return walls;
+}
+
+/** Of a run; null where its walls are not known. */
+const std::vector<Point>* wallsOf(const std::vector<RunWalls>& walls, const std::string& run) {
+  const auto found =
+      std::find_if(walls.begin(), walls.end(), [&](const RunWalls& one) { return one.run == run; });
+  return found == walls.end() || found->walls.empty() ? nullptr : &found->walls;
+}
+
+}  // namespace
+
+std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
+  std::vector<RunWalls> walls;
+  for (const Run& run : runs) walls.push_back({run.name, wallCells(run.map)});
+  return walls;
+}
+
+Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls) {
+  std::vector<Point> places;
+  for (const ComparedRun& run : comparison.runs) {
+    const auto* known = wallsOf(walls, run.name);
+    if (!known) continue;
+    const Motion2D move(run.pose);
+    for (const Point wall : *known) places.push_back(move(wall));
+  }
+  return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
+}
+
+double letterHeight(const Box& box) {
+  const Point size = box.high - box.low;
+  return std::clamp(kLetterShare * std::max(size.x, size.y), kSmallest, kLargest);
+}
+
+viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
+                                       const std::vector<RunWalls>& walls) {
+  auto all = viz::CSetOfObjects::Create();
+  all->setName("comparison");
+  const Box box = drawnBox(comparison, walls);
+  const Writer writer(letterHeight(box));
+  const std::size_t count = comparison.runs.size();
+  for (std::size_t i = count; i-- > 0;) {
+    const ComparedRun& run = comparison.runs[i];
+    const auto* known = wallsOf(walls, run.name);
+    if (!known) continue;
+    auto layer = viz::CSetOfObjects::Create();
+    layer->setName(run.name);
+    layer->setPose(mrpt::poses::CPose3D(run.pose.x, run.pose.y,
+                                        double(count - 1 - i) * kLayerHeight, run.pose.phi, 0, 0));
+    layer->insert(cloudOf(*known, i));
+    all->insert(layer);
+  }
+  const double top = double(count) * kLayerHeight;
+  if (!comparison.rooms.empty()) {
+    all->insert(outlinesOf(comparison.rooms, top));
+    all->insert(namesOf(comparison.rooms, writer, top + kLayerHeight));
+  }
+  if (!comparison.breaks.empty()) all->insert(breaksOf(comparison, writer, top + 2 * kLayerHeight));
+  if (count > 0) all->insert(legendOf(comparison.runs, writer, box.low, top));
+  return all;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,22 @@
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
+
+#include "comparison_bytes.h"
+#include "object_body.h"
+#include "object_bytes.h"
+
+namespace roomgraph {
+
+std::string mapComparisonBytes(const CMapComparison& comparison) {
+  return gzippedObject(comparison);
+}
+
+CMapComparison loadMapComparison(const std::string& path) {
+  CMapComparison comparison;
+  readObjectFile(path,
+                 {"CMapComparison", "comparison of maps", "give a comparison.roomgraph",
+                  kComparisonBytesVersion},
+                 [&](ByteView body) { readComparisonBytes(body, path, comparison); });
+  return comparison;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,60 @@
+#include "roomgraph/mrpt_plugin/CMapComparison.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/CMemoryStream.h>
+
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
+#include "roomgraph/mrpt_plugin/register_classes.h"
+#include "sample_map_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(CMapComparison, comesBackFromAStreamThatKnowsOnlyItsName) {
+  registerMrptClasses();
+  const CMapComparison sample = test::sampleMapComparison();
+  mrpt::io::CMemoryStream stream;
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  archive << sample;
+  stream.Seek(0);
+  const auto object = archive.ReadObject();
+  const auto back = std::dynamic_pointer_cast<CMapComparison>(object);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(mapComparisonBytes(*back), mapComparisonBytes(sample));
+  // As RawLogViewer asks.
+  EXPECT_NE(dynamic_cast<const viz::Visualizable*>(object.get()), nullptr);
+  EXPECT_NE(dynamic_cast<const mrpt::Stringifyable*>(object.get()), nullptr);
+}
+
+TEST(CMapComparison, aStreamThatEndsTooEarlyIsAnError) {
+  registerMrptClasses();
+  mrpt::io::CMemoryStream whole;
+  mrpt::serialization::archiveFrom(whole) << test::sampleMapComparison();
+  const auto size = static_cast<std::size_t>(whole.getTotalBytesCount());
+  for (const std::size_t end : {size / 2, size - 2, std::size_t{44}}) {
+    mrpt::io::CMemoryStream cut(whole.getRawBufferData(), end);
+    auto archive = mrpt::serialization::archiveFrom(cut);
+    CMapComparison back;
+    EXPECT_ANY_THROW(archive >> back) << end << " of " << size << " bytes";
+  }
+}
+
+TEST(CMapComparison, itsTextTellsVerdictRankingAndBreaks) {
+  const std::string text = test::sampleMapComparison().asString();
+  for (const char* part : {"good is the best map", "torn", "from key frame 12 on",
+                           "at (1.00, 2.00) m, by 5.7 deg and 0.50 m"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is missing in\n" << text;
+}
+
+TEST(CMapComparison, drawsItsLayersBesideWhatIsThere) {
+  auto container = viz::CSetOfObjects::Create();
+  container->insert(viz::CSetOfObjects::Create());
+  test::sampleMapComparison().getVisualizationInto(*container);
+  EXPECT_EQ(container->size(), 2U);
+  for (const char* layer :
+       {"comparison", "good", "torn", "rooms", "room names", "breaks", "legend"})
+    EXPECT_TRUE(container->getByName(layer)) << layer;
+}
+
+}  // namespace
+}  // namespace roomgraph

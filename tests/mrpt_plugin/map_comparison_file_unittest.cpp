@@ -1,0 +1,67 @@
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
+
+#include <gtest/gtest.h>
+#include <mrpt/io/zip.h>
+
+#include <string>
+
+#include "map_files.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "sample_graph.h"
+#include "sample_map_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+std::string messageOf(const std::string& file) {
+  try {
+    loadMapComparison(file);
+  } catch (const DataError& error) {
+    return error.what();
+  }
+  return "it was read";
+}
+
+TEST(MapComparisonFile, comesBackAsItWas) {
+  const test::TempDir folder;
+  const CMapComparison sample = test::sampleMapComparison();
+  const std::string file = folder.write("comparison.roomgraph", mapComparisonBytes(sample));
+  const CMapComparison back = loadMapComparison(file);
+  EXPECT_EQ(mapComparisonBytes(back), mapComparisonBytes(sample));
+  EXPECT_EQ(back.asString(), sample.asString());
+  ASSERT_EQ(back.walls.size(), 2u);
+  EXPECT_EQ(back.walls[0].run, "good");
+  EXPECT_NEAR(back.walls[1].walls[7].x, sample.walls[1].walls[7].x, 1e-6);
+}
+
+TEST(MapComparisonFile, anotherObjectIsRefusedInOneLine) {
+  const test::TempDir folder;
+  const std::string graph = folder.write("a.roomgraph", roomGraphBytes(sampleGraph()));
+  EXPECT_EQ(messageOf(graph), graph + ": is no comparison of maps: give a comparison.roomgraph");
+  const std::string comparison =
+      folder.write("b.roomgraph", mapComparisonBytes(test::sampleMapComparison()));
+  EXPECT_THROW(loadRoomGraph(comparison), DataError);
+}
+
+TEST(MapComparisonFile, noDamageIsTakenForAComparison) {
+  const test::TempDir folder;
+  const std::string whole = mapComparisonBytes(test::sampleMapComparison());
+  std::vector<std::uint8_t> plain;
+  mrpt::io::zip::decompress_gz_data_block({whole.begin(), whole.end()}, plain);
+  for (const std::size_t end : {plain.size() - 1, plain.size() / 2, plain.size() - 8 * 100}) {
+    const std::string cut(plain.begin(), plain.begin() + std::ptrdiff_t(end));
+    EXPECT_NE(messageOf(folder.write("cut.roomgraph", cut)), "it was read") << end;
+  }
+  std::string more(plain.begin(), plain.end());
+  more += "x";
+  EXPECT_NE(messageOf(folder.write("more.roomgraph", more)).find("something follows"),
+            std::string::npos);
+  std::string noNumber(plain.begin(), plain.end());
+  for (std::size_t i = 0; i < 4; ++i) noNumber[noNumber.size() - 2 - i] = '\xff';
+  EXPECT_NE(messageOf(folder.write("nan.roomgraph", noNumber)).find("is no number"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace roomgraph
