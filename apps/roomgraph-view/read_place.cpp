@@ -13,7 +13,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kNear = 1;  // how far a thing may lie from a click [m]
+constexpr double kPlaceReach = 1;  // how far a thing may lie from a click [m]
 
 template <class... Values>
 std::string line(const char* form, Values... values) {
@@ -117,7 +117,7 @@ std::vector<std::string> readPlace(const View& view, const ViewState& state, Poi
       std::min_element(path.begin(), path.end(), [&](const PathPose& l, const PathPose& r) {
         return distance(l.pose.shift(), place) < distance(r.pose.shift(), place);
       });
-  if (nearest != path.end() && distance(nearest->pose.shift(), place) < kNear)
+  if (nearest != path.end() && distance(nearest->pose.shift(), place) < kPlaceReach)
     lines.push_back(frameLine(*nearest));
   return lines;
 }
@@ -143,7 +143,7 @@ std::optional<std::size_t> vertexNear(const View& view, Point place) {
     return distance(l.at, place) < distance(r.at, place);
   };
   const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
-  if (vertex == vertices.end() || distance(vertex->at, place) > kNear) return std::nullopt;
+  if (vertex == vertices.end() || distance(vertex->at, place) > kPlaceReach) return std::nullopt;
   return std::size_t(vertex - vertices.begin());
 }
 
@@ -151,7 +151,7 @@ std::optional<std::size_t> pathNear(const View& view, Point place) {
   if (!view.graph) return std::nullopt;
   const auto& edges = view.graph->file.graph.graph.edges();
   std::optional<std::size_t> nearest;
-  double least = kNear;
+  double least = kPlaceReach;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Polyline& points = edges[e].path.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

@@ -12,9 +12,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kReach = 1.5;           // of the walls that give a direction [m]
+constexpr double kDirectionReach = 1.5;  // of the walls that give a direction [m]
 constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
-constexpr double kSameFacing = 0.7;      // cosine between the normals of one wall
+constexpr double kSameWallFacing = 0.7;  // cosine between the normals of one wall
 constexpr double kMinLength = 0.42;      // of a straight piece, as a standard deviation [m]
 constexpr double kMaxRoughness = 0.022;  // variance across over variance along
 constexpr std::size_t kMinNear = 8, kMinDirections = 100;
@@ -31,7 +31,7 @@ std::optional<double> directionOf(const PointSums& places) {
 using Squares = std::map<std::pair<int, int>, std::vector<const WallPoint*>>;
 
 std::pair<int, int> squareOf(Point p) {
-  return {int(std::floor(p.x / kReach)), int(std::floor(p.y / kReach))};
+  return {int(std::floor(p.x / kDirectionReach)), int(std::floor(p.y / kDirectionReach))};
 }
 
 std::optional<double> directionAt(const Squares& squares, const WallPoint& wall) {
@@ -43,7 +43,7 @@ std::optional<double> directionAt(const Squares& squares, const WallPoint& wall)
       if (it == squares.end()) continue;
       for (const WallPoint* other : it->second) {
         const Point off = other->place - wall.place;
-        if (dot(other->normal, wall.normal) >= kSameFacing && norm(off) <= kReach &&
+        if (dot(other->normal, wall.normal) >= kSameWallFacing && norm(off) <= kDirectionReach &&
             std::abs(dot(off, wall.normal)) <= kThickness)
           near.add(off);
       }

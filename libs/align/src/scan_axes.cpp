@@ -8,18 +8,18 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPiece = 1.0;          // length of a piece of wall [m]
-constexpr double kMinPiece = 0.8;       // [m]
-constexpr double kMaxGap = 0.5;         // between the ends of neighbouring beams [m]
-constexpr std::size_t kMinSteps = 4;    // beams along a piece
-constexpr double kMaxRoughness = 0.03;  // standard deviation across a piece [m]
-constexpr double kMinSpread = 0.2;      // and along it [m]
-constexpr double kMinLength = 2;        // of all pieces together [m]
-constexpr double kFullLength = 5;       // from which on more tells no more [m]
-constexpr double kMinAgreement = 0.6;   // of the directions, 1 where all are the same
+constexpr double kPiece = 1.0;             // length of a piece of wall [m]
+constexpr double kMinPiece = 0.8;          // [m]
+constexpr double kMaxGap = 0.5;            // between the ends of neighbouring beams [m]
+constexpr std::size_t kMinBeams = 4;       // beams along a piece
+constexpr double kPieceRoughness = 0.03;   // standard deviation across a piece [m]
+constexpr double kMinSpread = 0.2;         // and along it [m]
+constexpr double kMinTotal = 2;            // of all pieces together [m]
+constexpr double kFullLength = 5;          // from which on more tells no more [m]
+constexpr double kMinAxesAgreement = 0.6;  // of the directions, 1 where all are the same
 
 bool isStraight(const PrincipalAxis& piece) {
-  return piece.across < kMaxRoughness * kMaxRoughness && piece.along > kMinSpread * kMinSpread;
+  return piece.across < kPieceRoughness * kPieceRoughness && piece.along > kMinSpread * kMinSpread;
 }
 
 /** The last end of the piece of wall that starts at `first`, and its length. */
@@ -44,7 +44,7 @@ std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
   double cosine = 0, sine = 0, length = 0;
   for (std::size_t first = 0; first + 2 < ends.size();) {
     const Piece piece = pieceFrom(ends, first);
-    if (piece.length < kMinPiece || piece.last - first < kMinSteps) {
+    if (piece.length < kMinPiece || piece.last - first < kMinBeams) {
       first = std::max(first + 1, piece.last);
       continue;
     }
@@ -57,9 +57,9 @@ std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
     }
     first = piece.last;
   }
-  if (length <= kMinLength) return std::nullopt;
+  if (length <= kMinTotal) return std::nullopt;
   const double agreement = std::hypot(cosine, sine) / length;
-  if (agreement <= kMinAgreement) return std::nullopt;
+  if (agreement <= kMinAxesAgreement) return std::nullopt;
   return ScanAxes{std::atan2(sine, cosine) / 4, agreement * std::min(1.0, length / kFullLength)};
 }
 

@@ -8,13 +8,13 @@ namespace roomgraph {
 namespace {
 
 constexpr double kSameSurface = 0.3;  // between the ends of neighbouring beams, at 4 m [m]
-constexpr double kNear = 4;
+constexpr double kSurfaceRange = 4;
 
 std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
   if (i == 0 || i + 1 >= frame.ends.size()) return std::nullopt;
   const Point end = frame.ends[i];
   const Point along = frame.ends[i + 1] - frame.ends[i - 1];
-  const double gap = kSameSurface * std::max(1.0, norm(end) / kNear);
+  const double gap = kSameSurface * std::max(1.0, norm(end) / kSurfaceRange);
   if (norm(along) < 1e-6 || norm(along) > 2 * gap) return std::nullopt;
   Point normal = (1 / norm(along)) * Point{-along.y, along.x};
   if (dot(normal, end) > 0) normal = -1.0 * normal;  // towards the robot

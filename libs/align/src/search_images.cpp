@@ -11,7 +11,7 @@ constexpr int kHit = 20, kSidelong = 12;  // a wall that faces the same way; up 
 constexpr int kNear[3] = {10, 7, 5};      // tenths: in the cell, beside it, across its corner
 constexpr int kContradiction = -20;       // a wall in the middle of free space
 constexpr int kMiss = -10;                // a wall elsewhere in free space
-constexpr double kDeep = 0.7;             // what the middle is: so far from all walls [m]
+constexpr double kMiddleDepth = 0.7;      // what the middle is: so far from all walls [m]
 
 /** turned(), for many points. */
 class Turn {
@@ -68,7 +68,7 @@ CentredMap centred(const MapForAlignment& map) {
   }
   for (const Point& place : map.freePlaces)
     out.freePlaces.push_back(
-        {place - middle, map.depths[map.frame.index(map.frame.cellAt(place))] >= kDeep});
+        {place - middle, map.depths[map.frame.index(map.frame.cellAt(place))] >= kMiddleDepth});
   return out;
 }
 

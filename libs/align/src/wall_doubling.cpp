@@ -7,20 +7,21 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kNearest = 0.15, kFarthest = 0.8;  // from one copy to the other [m]
-constexpr double kAside = 0.12;                     // of the normal's line [m]
-constexpr double kSameFacing = 0.94;                // cosine
+constexpr double kNearestCopy = 0.15, kFarthestCopy = 0.8;  // from one copy to the other [m]
+constexpr double kAside = 0.12;                             // of the normal's line [m]
+constexpr double kCopyFacing = 0.94;                        // cosine
 
 bool isCopy(const WallPoint& wall, const WallPoint& other) {
   const Point off = other.place - wall.place;
   const double ahead = std::abs(dot(off, wall.normal));
-  return ahead >= kNearest && ahead <= kFarthest && std::abs(cross(wall.normal, off)) <= kAside &&
-         dot(wall.normal, other.normal) >= kSameFacing;
+  return ahead >= kNearestCopy && ahead <= kFarthestCopy &&
+         std::abs(cross(wall.normal, off)) <= kAside &&
+         dot(wall.normal, other.normal) >= kCopyFacing;
 }
 
 bool hasCopy(const MapForAlignment& map, const WallPoint& wall) {
   const double step = map.frame.resolution;
-  for (double along = kNearest; along <= kFarthest; along += step)
+  for (double along = kNearestCopy; along <= kFarthestCopy; along += step)
     for (const double way : {along, -along}) {
       const std::size_t cell = cellIndexAt(map.frame, wall.place + way * wall.normal);
       const WallPoint* other = nearestWall(map, cell, wall.normal);

@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kFewRuns = 2;  // whose rooms are taken as they are
+constexpr std::size_t kRunsThatAreTooFew = 2;  // whose rooms are taken as they are
 
 std::size_t seenBy(const SiteRoom& room) {
   return std::size_t(std::count_if(room.runs.begin(), room.runs.end(), [](const RoomInRun& in) {
@@ -26,7 +26,7 @@ void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string&
   };
   std::set<std::string> dropped;
   for (const SiteRoom& room : rooms)
-    if (comparison.runs.size() > kFewRuns && seenBy(room) < 2 && !isKnown(room))
+    if (comparison.runs.size() > kRunsThatAreTooFew && seenBy(room) < 2 && !isKnown(room))
       dropped.insert(room.id);
   const auto isDropped = [&](const auto& room) { return dropped.count(room.id) > 0; };
   rooms.erase(std::remove_if(rooms.begin(), rooms.end(), isDropped), rooms.end());

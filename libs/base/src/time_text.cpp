@@ -8,20 +8,21 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFirst = -62135596800.0, kEnd = 253402300800.0;  // of the years 1 and 10000
+constexpr double kFirstTime = -62135596800.0,
+                 kEndTime = 253402300800.0;  // of the years 1 and 10000
 
 std::optional<double> plainNumber(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   const bool isWhole = !text.empty() && end == text.c_str() + text.size();
-  if (!isWhole || !(value >= kFirst && value < kEnd)) return {};
+  if (!isWhole || !(value >= kFirstTime && value < kEndTime)) return {};
   return value;
 }
 
 }  // namespace
 
 std::string timeText(double seconds) {
-  if (!(seconds >= kFirst && seconds < kEnd)) return "";
+  if (!(seconds >= kFirstTime && seconds < kEndTime)) return "";
   const auto time = std::time_t(std::floor(seconds));
   std::tm parts{};
   gmtime_r(&time, &parts);

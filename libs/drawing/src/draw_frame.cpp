@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMargin = 20, kTitleHeight = 58, kMinWidth = 560;
+constexpr int kFrameMargin = 20, kTitleHeight = 58, kMinWidth = 560;
 constexpr double kTitlePx = 18, kSubtitlePx = 12.5, kLegendPx = 12.5;
 constexpr double kRowPx = 24, kSymbolPx = 26, kGapPx = 22;
 
@@ -64,13 +64,13 @@ void drawScaleBar(const Pen& pen, Point at) {
 }
 
 void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
-  const double width = layout.width - 2 * kMargin;
+  const double width = layout.width - 2 * kFrameMargin;
   pen.ink(ink::text);
-  pen.text(shortened(pen, scene.title, kTitlePx, true, width), {kMargin, kMargin + 14.0}, kTitlePx,
-           true, Pen::Align::left);
+  pen.text(shortened(pen, scene.title, kTitlePx, true, width), {kFrameMargin, kFrameMargin + 14.0},
+           kTitlePx, true, Pen::Align::left);
   pen.ink(ink::quiet);
-  pen.text(shortened(pen, scene.subtitle, kSubtitlePx, false, width), {kMargin, kMargin + 36.0},
-           kSubtitlePx, false, Pen::Align::left);
+  pen.text(shortened(pen, scene.subtitle, kSubtitlePx, false, width),
+           {kFrameMargin, kFrameMargin + 36.0}, kSubtitlePx, false, Pen::Align::left);
 }
 
 }  // namespace
@@ -84,23 +84,24 @@ double roundLength(double length) {
 
 Layout layoutOf(const Scene& scene, const View& view) {
   Layout layout;
-  layout.width = std::max(kMinWidth, view.widthPx() + 2 * kMargin);
-  layout.map = {double((layout.width - view.widthPx()) / 2), double(kMargin + kTitleHeight - 6)};
+  layout.width = std::max(kMinWidth, view.widthPx() + 2 * kFrameMargin);
+  layout.map = {double((layout.width - view.widthPx()) / 2),
+                double(kFrameMargin + kTitleHeight - 6)};
   const Cairo cairo = scratch();
   const Pen pen(cairo.get(), view);
-  const double right = layout.width - kMargin;
-  Point next{kMargin, layout.map.y + view.heightPx() + kRowPx};
+  const double right = layout.width - kFrameMargin;
+  Point next{kFrameMargin, layout.map.y + view.heightPx() + kRowPx};
   layout.scaleBar = {next.x + 1, next.y};
   const double metres = scaleBarLength(view);
   next.x += metres * view.pxPerMetre() + 8 + pen.textWidth(metresText(metres), kLegendPx, true) +
             1.5 * kGapPx;
   for (const LegendItem& item : scene.legend) {
     const double width = kSymbolPx + pen.textWidth(item.label, kLegendPx, false);
-    if (next.x + width > right && next.x > kMargin) next = {kMargin, next.y + kRowPx};
+    if (next.x + width > right && next.x > kFrameMargin) next = {kFrameMargin, next.y + kRowPx};
     layout.legend.push_back({next.x + 9, next.y});
     next.x += width + kGapPx;
   }
-  layout.height = int(next.y) + kMargin;
+  layout.height = int(next.y) + kFrameMargin;
   return layout;
 }
 

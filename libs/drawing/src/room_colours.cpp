@@ -10,11 +10,11 @@ namespace {
 
 constexpr std::array<Colour, 6> kColours{ink::sky,    ink::orange, ink::green,
                                          ink::purple, ink::yellow, ink::vermilion};
-constexpr double kNear = 1.0;  // [m] between the boxes of two rooms
+constexpr double kNeighbouring = 1.0;  // [m] between the boxes of two rooms
 
 bool areNear(const Box& a, const Box& b) {
-  return a.low.x - kNear < b.high.x && b.low.x - kNear < a.high.x && a.low.y - kNear < b.high.y &&
-         b.low.y - kNear < a.high.y;
+  return a.low.x - kNeighbouring < b.high.x && b.low.x - kNeighbouring < a.high.x &&
+         a.low.y - kNeighbouring < b.high.y && b.low.y - kNeighbouring < a.high.y;
 }
 
 }  // namespace

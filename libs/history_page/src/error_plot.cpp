@@ -11,8 +11,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDay = 86400;                  // [s]
-constexpr double kWidth = 1000, kHeight = 260;  // of the picture [px], as all that follows
+constexpr double kDay = 86400;                          // [s]
+constexpr double kPlotWidth = 1000, kPlotHeight = 260;  // of the picture [px], as all that follows
 constexpr double kLeft = 56, kRight = 16, kTop = 14, kBottom = 30;
 constexpr double kSparkWidth = 120, kSparkHeight = 24;
 constexpr int kDates = 6, kSteps = 4;
@@ -53,11 +53,11 @@ struct Scales {
   double first = 0, last = 1, most = 1;
 
   double x(double time) const {
-    return kLeft + (kWidth - kLeft - kRight) * (time - first) / (last - first);
+    return kLeft + (kPlotWidth - kLeft - kRight) * (time - first) / (last - first);
   }
   double y(double error) const {
     const double share = std::clamp(error / most, 0.0, 1.0);
-    return kHeight - kBottom - (kHeight - kTop - kBottom) * share;
+    return kPlotHeight - kBottom - (kPlotHeight - kTop - kBottom) * share;
   }
 };
 
@@ -93,7 +93,7 @@ std::string axes(const Scales& scales) {
   const double step = niceStep(scales.most / kSteps);
   for (double error = 0; error <= scales.most * (1 + 1e-9); error += step) {
     const double y = scales.y(error);
-    svg += line(kLeft, y, kWidth - kRight, y, "stroke:var(--grid)");
+    svg += line(kLeft, y, kPlotWidth - kRight, y, "stroke:var(--grid)");
     svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g m</text>",
                 kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
   }
@@ -101,7 +101,7 @@ std::string axes(const Scales& scales) {
   const double apart = std::max(1.0, std::ceil(days / kDates));
   for (double day = std::ceil(scales.first / kDay); day * kDay <= scales.last; day += apart)
     svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
-                std::clamp(scales.x(day * kDay), kLeft + 20, kWidth - 50), kHeight - 8,
+                std::clamp(scales.x(day * kDay), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
                 dayText(day * kDay).c_str());
   return svg;
 }
@@ -131,7 +131,7 @@ std::string judgements(const std::vector<Dot>& dots, const Scales& scales, const
                        const WatchOptions& options) {
   const double limit = scales.y(options.limit);
   std::string svg =
-      line(kLeft, limit, kWidth - kRight, limit, "stroke:var(--alarm);stroke-dasharray:6 4") +
+      line(kLeft, limit, kPlotWidth - kRight, limit, "stroke:var(--alarm);stroke-dasharray:6 4") +
       text("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">limit</text>", kLeft + 2, limit - 5);
   if (watch.slope && watch.isDeclining) {
     const Dot& first = dots[dots.size() - std::min(options.window, dots.size())];
@@ -141,7 +141,7 @@ std::string judgements(const std::vector<Dot>& dots, const Scales& scales, const
   }
   if (watch.change && watch.isChanged) {
     const double x = scales.x(dots[watch.change->first].time);
-    svg += line(x, kTop, x, kHeight - kBottom, "stroke:var(--ink);stroke-dasharray:2 3");
+    svg += line(x, kTop, x, kPlotHeight - kBottom, "stroke:var(--ink);stroke-dasharray:2 3");
     svg += text("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">worse since</text>", x + 5, kTop + 10);
   }
   return svg;
@@ -157,7 +157,7 @@ std::string errorPlot(const WatchedSite& site, const RobotWatch& robot,
   std::string svg = text(
       "<svg viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
       "aria-label=\"Map errors over time\">",
-      kWidth, kHeight, kWidth, kHeight);
+      kPlotWidth, kPlotHeight, kPlotWidth, kPlotHeight);
   svg += axes(scales) + judgements(dots, scales, robot.errors, options);
   for (const Dot& dot : dots) svg += dotMark(dot, scales);
   return svg + "</svg>";
@@ -168,8 +168,8 @@ std::string errorSparkline(const WatchedSite& site, const RobotWatch& robot,
   const std::vector<Dot> dots = dotsOf(site, robot);
   if (dots.empty()) return "";
   const Scales scales = scalesOf(dots, options);
-  const double wide = kSparkWidth / (kWidth - kLeft - kRight);
-  const double high = kSparkHeight / (kHeight - kTop - kBottom);
+  const double wide = kSparkWidth / (kPlotWidth - kLeft - kRight);
+  const double high = kSparkHeight / (kPlotHeight - kTop - kBottom);
   const auto y = [&](double error) { return high * (scales.y(error) - kTop); };
   std::string svg = text(
       "<svg viewBox=\"0 -2 %g %g\" width=\"%g\" height=\"%g\" "

@@ -13,7 +13,7 @@ constexpr std::size_t kMaxVoters = 12;  // runs whose areas are candidates
 constexpr double kVote = 0.5;           // overlap from which on a run votes for a candidate
 constexpr double kGood = 0.7;           // overlap from which on no better place is looked for
 constexpr double kMaxCovered = 0.3;     // share of a candidate that rooms may cover already
-constexpr double kMinArea = 1.0;        // of a candidate [m2]
+constexpr double kMinCandidate = 1.0;   // of a candidate [m2]
 constexpr double kNarrow = 0.7;         // mean width of a gap [m]
 constexpr double kLeastPower = 0.06;    // of the runs of a left area, in that of the second best
 
@@ -69,7 +69,7 @@ class Choosing {
   double powerOf(std::size_t run) const { return site_.runs[run].weight * site_.runs[run].weight; }
 
   bool isCandidate(const Left& left, std::size_t run, std::size_t area) const {
-    return site_.runs[run].shapes[area].area >= kMinArea && !isGap(site_.runs[run], area) &&
+    return site_.runs[run].shapes[area].area >= kMinCandidate && !isGap(site_.runs[run], area) &&
            (left.empty() || left[run][area]);
   }
 

@@ -15,12 +15,12 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kCell = 0.05;          // of the maps drawn for alignment [m]
-constexpr double kMaxCells = 4e6;       // of those
-constexpr double kMostArea = 0.5;       // share of the rooms that must be found in their places
-constexpr double kInPlace = 0.5;        // [m]
-constexpr double kMinConfidence = 0.5;  // of the alignment
-constexpr double kSameShape = 0.5;      // overlap from which on the shape in the file stays
+constexpr double kDrawnCell = 0.05;      // of the maps drawn for alignment [m]
+constexpr double kMostDrawnCells = 4e6;  // of those
+constexpr double kMostArea = 0.5;        // share of the rooms that must be found in their places
+constexpr double kInPlace = 0.5;         // [m]
+constexpr double kMinConfidence = 0.5;   // of the alignment
+constexpr double kSameShape = 0.5;       // overlap from which on the shape in the file stays
 
 template <class Room>
 Room moved(Room room, const Transform2D& pose) {
@@ -87,7 +87,7 @@ template <class Room>
 MapForAlignment mapOf(const std::vector<Room>& rooms) {
   GridFrame frame = frameRound(polygonsOf(rooms));
   const double width = frame.width * frame.resolution, height = frame.height * frame.resolution;
-  frame.resolution = std::max(kCell, std::sqrt(width * height / kMaxCells));
+  frame.resolution = std::max(kDrawnCell, std::sqrt(width * height / kMostDrawnCells));
   frame.width = int(width / frame.resolution) + 1;
   frame.height = int(height / frame.resolution) + 1;
   Grid grid{frame, std::vector<State>(frame.cellCount(), State::unknown)};

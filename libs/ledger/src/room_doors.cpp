@@ -9,7 +9,7 @@ namespace roomgraph {
 namespace {
 
 constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
-constexpr double kNear = 0.3;                         // a place is known where all round it is [m]
+constexpr double kNearPlace = 0.3;                    // a place is known where all round it is [m]
 
 /** A door and who has it. */
 struct Group {
@@ -18,7 +18,8 @@ struct Group {
 };
 
 bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
-  for (const Point by : {Point{0, 0}, {kNear, 0}, {-kNear, 0}, {0, kNear}, {0, -kNear}}) {
+  for (const Point by :
+       {Point{0, 0}, {kNearPlace, 0}, {-kNearPlace, 0}, {0, kNearPlace}, {0, -kNearPlace}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
     if (cell >= run.labels.size() || run.labels[cell] == RunAreas::kUnknown) return false;
   }

@@ -9,8 +9,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSpacing = 0.1;  // of the places along an outline [m]
-constexpr double kFar = 0.1;      // a place that is farther away counts less than half [m]
+constexpr double kSpacing = 0.1;     // of the places along an outline [m]
+constexpr double kFarOutline = 0.1;  // a place that is farther away counts less than half [m]
 constexpr int kIterations = 15;
 constexpr double kStill = 1e-4;    // a step below which nothing moves any more [m]
 constexpr double kDamping = 0.02;  // holds a room that no wall holds, as a share of its places
@@ -49,7 +49,7 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
     if (!nearest) continue;
     const Point normal = inRun.normal(nearest);
     const double off = dot(*nearest - p, normal);
-    const double far = squaredNorm(*nearest - p) / (kFar * kFar);
+    const double far = squaredNorm(*nearest - p) / (kFarOutline * kFarOutline);
     const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
     const double weight = 1 / ((1 + far) * (1 + far));
     a += weight * row * row.transpose();

@@ -21,8 +21,8 @@ constexpr double kComplete = 0.8;       // known share from which on its size ca
 constexpr double kMinOverlap = 0.35;    // with its area, below which a room cannot be measured
 constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
 constexpr std::size_t kMaxJudges = 12;  // so that the cost grows with the runs, not their pairs
-constexpr double kNear = 0.15;          // of two outlines that agree [m]
-constexpr double kTolerance = 0.05;     // of the outlines in the result [m]
+constexpr double kNearOutline = 0.15;   // of two outlines that agree [m]
+constexpr double kOutlineTolerance = 0.05;  // of the outlines in the result [m]
 
 /** How all rooms lie in one run, and their outlines there. */
 struct MeasuredRun {
@@ -78,7 +78,7 @@ class Ledger {
 
   SiteRoom room() const {
     SiteRoom result;
-    result.polygon = simplified(shape_.polygon, kTolerance);
+    result.polygon = simplified(shape_.polygon, kOutlineTolerance);
     result.center = shape_.middle;
     result.isCorridor = isCorridor();
     result.area = areaMedian();
@@ -144,7 +144,7 @@ class Ledger {
           moveIn(j).about(shape_.middle) * moveIn(run).about(shape_.middle).inverse();
       const double weight = site_.runs[j].weight;
       sum += weight * outlineAgreement(measured_[run].outlines[room_], measured_[j].outlines[room_],
-                                       between, kNear);
+                                       between, kNearOutline);
       all += weight;
     }
     if (all <= 0) return std::nullopt;

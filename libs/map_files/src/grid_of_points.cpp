@@ -10,10 +10,10 @@ namespace {
 
 using mrpt::math::TPoint3Df;
 
-constexpr double kFloorDepth = 0.15;  // above and below the floor [m]
-constexpr double kWidestGap = 0.3;    // in a floor [m]
-constexpr double kMargin = 0.5;       // around all points [m]
-constexpr std::uint8_t kOccupied = 0, kUnknown = 128, kFree = 255;
+constexpr double kFloorDepth = 0.15;     // above and below the floor [m]
+constexpr double kWidestFloorGap = 0.3;  // in a floor [m]
+constexpr double kMargin = 0.5;          // around all points [m]
+constexpr std::uint8_t kWallGrey = 0, kUnseenGrey = 128, kFreeGrey = 255;
 
 GridFrame frameOf(const std::vector<TPoint3Df>& points, double resolution,
                   const std::string& file) {
@@ -43,10 +43,10 @@ void fillGaps(std::vector<std::uint8_t>& grey, const GridFrame& frame, int most,
     };
     int previous = -1;
     for (int i = 0; i < length; ++i) {
-      if (at(i) == kOccupied) previous = -1;
-      if (at(i) != kFree) continue;
+      if (at(i) == kWallGrey) previous = -1;
+      if (at(i) != kFreeGrey) continue;
       if (previous >= 0 && i - previous - 1 <= most)
-        for (int k = previous + 1; k < i; ++k) at(k) = kFree;
+        for (int k = previous + 1; k < i; ++k) at(k) = kFreeGrey;
       previous = i;
     }
   }
@@ -58,15 +58,15 @@ GreyMap gridOfPoints(const std::vector<TPoint3Df>& points, const Slice& slice, d
                      const std::string& file) {
   GreyMap map;
   map.frame = frameOf(points, resolution, file);
-  map.grey.assign(map.frame.cellCount(), kUnknown);
+  map.grey.assign(map.frame.cellCount(), kUnseenGrey);
   const auto cellOf = [&](const TPoint3Df& p) -> std::uint8_t& {
     return map.grey[map.frame.index(map.frame.cellAt({double(p.x), double(p.y)}))];
   };
   for (const TPoint3Df& p : points)
-    if (std::abs(double(p.z) - slice.floor) <= kFloorDepth) cellOf(p) = kFree;
+    if (std::abs(double(p.z) - slice.floor) <= kFloorDepth) cellOf(p) = kFreeGrey;
   for (const TPoint3Df& p : points)
-    if (slice.contains(double(p.z))) cellOf(p) = kOccupied;
-  const int gap = int(kWidestGap / resolution);
+    if (slice.contains(double(p.z))) cellOf(p) = kWallGrey;
+  const int gap = int(kWidestFloorGap / resolution);
   fillGaps(map.grey, map.frame, gap, true);
   fillGaps(map.grey, map.frame, gap, false);
   map.occupiedAbove = 0.55;

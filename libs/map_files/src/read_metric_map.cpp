@@ -13,7 +13,7 @@ namespace roomgraph {
 namespace {
 
 constexpr const char* kSaveAgain = "copy or save the map again";
-constexpr std::uint32_t kMostLayers = 1000;
+constexpr std::uint32_t kMostMapLayers = 1000;
 
 /** A layer of the map, of which only one is read. */
 struct Layer {
@@ -64,7 +64,7 @@ std::vector<Layer> readLayers(ByteReader& in) {
   checkVersion(in, map, 5);
   skipFeatures(in);
   const auto count = in.get<std::uint32_t>();
-  if (count > kMostLayers)
+  if (count > kMostMapLayers)
     refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers", kSaveAgain);
   std::vector<Layer> layers;
   for (std::uint32_t i = 0; i < count; ++i) {

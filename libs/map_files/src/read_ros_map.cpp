@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kLongestYaml = 1 << 16;
-constexpr double kFarthest = 1e7;
+constexpr double kFarthestOrigin = 1e7;
 
 struct RosMap {
   std::string image, mode;
@@ -46,8 +46,8 @@ double readNumber(const YAML::Node& node, const std::string& key, double low, do
 void readOrigin(const YAML::Node& node, RosMap& map, const std::string& file) {
   if (!node || !node.IsSequence() || node.size() < 2 || node.size() > 3)
     refuse(file, "it has no 'origin' of the form [x, y, yaw]", "correct the yaml");
-  map.origin = {readNumber(node[0], "origin", -kFarthest, kFarthest, file),
-                readNumber(node[1], "origin", -kFarthest, kFarthest, file)};
+  map.origin = {readNumber(node[0], "origin", -kFarthestOrigin, kFarthestOrigin, file),
+                readNumber(node[1], "origin", -kFarthestOrigin, kFarthestOrigin, file)};
   if (node.size() == 3) map.yaw = readNumber(node[2], "origin", -10, 10, file);
 }
 

@@ -19,7 +19,7 @@ using mrpt::obs::CObservation2DRangeScan;
 using mrpt::poses::CPose3D;
 
 // Beyond this, MRPT's single precision no longer tells neighbouring cells apart.
-constexpr double kFarthest = 1e5;
+constexpr double kFarthestPose = 1e5;
 // MRPT traces its rays in integers that a longer side would overflow.
 constexpr double kLongestSide = 1e6;
 
@@ -60,7 +60,7 @@ Extent extentOf(const ByteReader& in, const ScanSource& source, const LoadGridOp
   Extent extent;
   placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
     const CPose3D sensor = placed.robot + placed.scan.sensorPose;
-    if (!(std::abs(sensor.x()) < kFarthest && std::abs(sensor.y()) < kFarthest))
+    if (!(std::abs(sensor.x()) < kFarthestPose && std::abs(sensor.y()) < kFarthestPose))
       refuse(in.file(), "has a scan farther than 100 km from the origin",
              "shift the map to near (0, 0)");
     addScan(extent, sensor, placed.scan, options);

@@ -9,8 +9,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kStep = 0.25;  // [m]
-constexpr int kFewest = 8, kMost = 64;
+constexpr double kPathStep = 0.25;  // [m]
+constexpr int kFewestPathSteps = 8, kMostPathSteps = 64;
 constexpr double kLoop = 0.3;  // share of the length below which the ends give no direction
 
 /** `steps` + 1 places, evenly along the line. */
@@ -56,7 +56,8 @@ double frechet(const std::vector<Point>& a, const std::vector<Point>& b) {
 std::optional<double> pathFrechet(const Polyline& a, const Polyline& b) {
   const double ofA = length(a), ofB = length(b);
   if (ofA <= 0 || ofB <= 0) return std::nullopt;
-  const int steps = std::clamp(int(std::max(ofA, ofB) / kStep), kFewest, kMost);
+  const int steps =
+      std::clamp(int(std::max(ofA, ofB) / kPathStep), kFewestPathSteps, kMostPathSteps);
   const std::vector<Point> onA = evenly(a, ofA, steps);
   std::vector<Point> onB = evenly(b, ofB, steps);
   const bool isLoop =

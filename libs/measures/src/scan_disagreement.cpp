@@ -8,8 +8,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameFacing = 0.5;  // cosine
-constexpr std::size_t kStride = 2;   // every second wall of a scan is looked for
+constexpr double kSameFacing = 0.5;     // cosine
+constexpr std::size_t kWallStride = 2;  // every second wall of a scan is looked for
 
 double quantileOf(std::vector<double>& values, double share) {
   const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
@@ -67,7 +67,7 @@ Figure scanDisagreement(const std::vector<ScanWalls>& scans,
     if (others.empty()) continue;
     std::vector<double> distances;
     double asked = 0;
-    for (std::size_t k = 0; k < scans[i].walls.size(); k += kStride) {
+    for (std::size_t k = 0; k < scans[i].walls.size(); k += kWallStride) {
       ++asked;
       std::optional<double> best;
       for (const std::size_t j : others) searchIn(scans[j], scans[i].walls[k], options, best);

@@ -10,7 +10,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 constexpr std::size_t kNoMatch = std::size_t(-1);
 
 struct Way {
@@ -26,7 +26,7 @@ class WaysOut {
       : graph_(graph),
         matchOf_(std::move(matchOf)),
         maxLength_(maxLength),
-        length_(graph.vertices().size(), kFar),
+        length_(graph.vertices().size(), kUnreachable),
         before_(graph.vertices().size()) {}
 
   /** By match; only those above the one of `start`. */
@@ -37,7 +37,7 @@ class WaysOut {
       const std::size_t match = matchOf_[v.index()];
       if (match != kNoMatch && match > matchOf_[start.index()]) ways[match] = wayTo(v, start);
     }
-    for (const VertexId v : reached_) length_[v.index()] = kFar;
+    for (const VertexId v : reached_) length_[v.index()] = kUnreachable;
     return ways;
   }
 
@@ -57,7 +57,7 @@ class WaysOut {
         const VertexId to = graph_.target(h);
         const double next = length + graph_.edge(h).path.length;
         if (next > maxLength_ || next >= length_[to.index()]) continue;
-        if (length_[to.index()] == kFar) reached_.push_back(to);
+        if (length_[to.index()] == kUnreachable) reached_.push_back(to);
         length_[to.index()] = next, before_[to.index()] = h;
         queue.push({next, to});
       }

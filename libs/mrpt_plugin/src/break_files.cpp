@@ -11,10 +11,10 @@ namespace {
 
 constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155}, kDrawn{213, 94, 0},
     kUntorn{0, 130, 90};
-constexpr double kStep = 0.05;         // between layers, so that none hides in another [m]
-constexpr double kRobotRadius = 0.15;  // [m]
+constexpr double kLayerStep = 0.05;    // between layers, so that none hides in another [m]
+constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterHeight = 0.5;  // [m]
-constexpr double kMargin = 1;          // round what is shown [m]
+constexpr double kSceneMargin = 1;     // round what is shown [m]
 
 const Run* named(const std::vector<Run>& runs, const std::string& name) {
   const auto found =
@@ -64,7 +64,7 @@ class Piece {
       lines->appendLine(way_[k].x, way_[k].y, height_, way_[k + 1].x, way_[k + 1].y, height_);
     set->insert(lines);
     for (const Point at : way_) {
-      auto disk = viz::CDisk::Create(float(kRobotRadius), 0.0f);
+      auto disk = viz::CDisk::Create(float(kRobotMark), 0.0f);
       disk->setColor_u8(colour_);
       disk->setLocation(at.x, at.y, height_);
       set->insert(disk);
@@ -79,8 +79,8 @@ class Piece {
   viz::CText3D::Ptr label() const {
     auto text = viz::CText3D::Create(name_, "sans", kLetterHeight, viz::FILL);
     text->setColor_u8(colour_);
-    text->setLocation(way_.back().x + kRobotRadius, way_.back().y + labelAbove_,
-                      height_ + kStep / 2);
+    text->setLocation(way_.back().x + kRobotMark, way_.back().y + labelAbove_,
+                      height_ + kLayerStep / 2);
     return text;
   }
 
@@ -115,9 +115,10 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
   std::vector<Point> shown{tear.place};
   if (const Run* run = named(runs, tear.run)) {
     const Transform2D pose = poseOf(comparison, tear.run);
-    constexpr double above = kRobotRadius, below = -kRobotRadius - kLetterHeight;
-    Piece before("before", kBefore, kStep, above), drawn("drawn", kDrawn, 2 * kStep, above),
-        untorn("untorn", kUntorn, 3 * kStep, below);
+    constexpr double above = kRobotMark, below = -kRobotMark - kLetterHeight;
+    Piece before("before", kBefore, kLayerStep, above),
+        drawn("drawn", kDrawn, 2 * kLayerStep, above),
+        untorn("untorn", kUntorn, 3 * kLayerStep, below);
     const FramesAtBreak frames = framesAtBreak(tear, run->scans);
     for (std::size_t k = frames.first; k < frames.end; ++k) {
       const ScanWalls& scan = run->scans[k];
@@ -131,7 +132,8 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
     for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
   }
   Box box = boundingBox(shown);
-  box.low = box.low - Point{kMargin, kMargin}, box.high = box.high + Point{kMargin, kMargin};
+  box.low = box.low - Point{kSceneMargin, kSceneMargin},
+  box.high = box.high + Point{kSceneMargin, kSceneMargin};
   lookFromAbove(scene, box);
   return scene;
 }

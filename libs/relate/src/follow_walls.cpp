@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMinPoints = 15;  // of a patch that are left, for a pose of its own
 constexpr double kMinKnown = 0.4;       // share of them that lies where the other map has looked
 constexpr double kDoubt = 5;            // points that speak against each patch beforehand
-constexpr double kSure = 0.7;           // a patch found this well is not looked for again
+constexpr double kSureShare = 0.7;      // a patch found this well is not looked for again
 constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
 constexpr int kTwinRounds = 2;
 
@@ -89,7 +89,7 @@ class Follower {
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
-    if (left_[patch].size() < kMinPoints || queued_[patch] >= kSure) return;
+    if (left_[patch].size() < kMinPoints || queued_[patch] >= kSureShare) return;
     const Transform2D at = refined(patch, pose);
     if (isStep && !isStepAway(patch, at, pose)) return;
     const double quality = qualityAt(patch, at);

@@ -21,14 +21,15 @@ FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are said to be the same
-constexpr double kSure = 0.5;        // confidence of a pose that others may follow from
-constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
+constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
+constexpr double kLeadingConfidence = 0.5;  // confidence of a pose that others may follow from
+constexpr double kAlsoLikely = 0.2;         // and of another that makes it unsure
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
 /** In a symmetric building the runner-up may be right as well. */
 bool isSure(const MapPair& pair) {
-  return pair.alignment.confidence >= kSure && pair.alignment.runnerUpConfidence < kAlsoLikely;
+  return pair.alignment.confidence >= kLeadingConfidence &&
+         pair.alignment.runnerUpConfidence < kAlsoLikely;
 }
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */

@@ -10,11 +10,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthest = 1e11;  // beyond any place of a map that can be read [m]
+constexpr double kFarthestPlace = 1e11;  // beyond any place of a map that can be read [m]
 
 double metres(const JsonNode& node) {
   const double value = node.number();
-  if (!(std::abs(value) <= kFarthest)) throw Broken{node.place, "is too large"};
+  if (!(std::abs(value) <= kFarthestPlace)) throw Broken{node.place, "is too large"};
   return value;
 }
 

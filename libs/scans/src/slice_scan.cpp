@@ -9,8 +9,8 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kBeams = 3600;
-constexpr double kNearest = 0.2;  // what is nearer is the robot itself [m]
-constexpr float kNone = HUGE_VALF;
+constexpr double kNearestSeen = 0.2;  // what is nearer is the robot itself [m]
+constexpr float kNothing = HUGE_VALF;
 
 /** FNV-1a. */
 class Hash {
@@ -37,11 +37,11 @@ void bridgeGaps(std::vector<float>& ranges) {
   constexpr std::size_t widest = 10;  // a degree
   constexpr float deepest = 0.2f;     // between the points [m]
   for (std::size_t i = 0; i < kBeams; ++i) {
-    if (ranges[i] == kNone) continue;
+    if (ranges[i] == kNothing) continue;
     std::size_t gap = 1;
-    while (gap <= widest && ranges[(i + gap) % kBeams] == kNone) ++gap;
+    while (gap <= widest && ranges[(i + gap) % kBeams] == kNothing) ++gap;
     const float here = ranges[i], there = ranges[(i + gap) % kBeams];
-    if (gap == 1 || there == kNone || std::abs(here - there) > deepest) continue;
+    if (gap == 1 || there == kNothing || std::abs(here - there) > deepest) continue;
     for (std::size_t k = 1; k < gap; ++k)
       ranges[(i + k) % kBeams] = here + (there - here) * float(k) / float(gap);
   }
@@ -59,11 +59,11 @@ std::uint64_t rangesId(const mrpt::obs::CObservation2DRangeScan& scan) {
 PlacedScan sliceScan(const PointCloud& cloud, const mrpt::poses::CPose3D& robot,
                      const Slice& slice) {
   const mrpt::poses::CPose3D sensor = robot + cloud.sensor;
-  std::vector<float> ranges(kBeams, kNone);
+  std::vector<float> ranges(kBeams, kNothing);
   for (const auto& point : cloud.points) {
     const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
     const double dx = p.x - sensor.x(), dy = p.y - sensor.y(), range = std::hypot(dx, dy);
-    if (range < kNearest || !slice.contains(p.z - robot.z())) continue;
+    if (range < kNearestSeen || !slice.contains(p.z - robot.z())) continue;
     const double turns = std::atan2(dy, dx) / (2 * M_PI) + 0.5;
     auto& nearest = ranges[std::size_t(std::lround(turns * kBeams)) % kBeams];
     nearest = std::min(nearest, float(range));
@@ -78,8 +78,8 @@ PlacedScan sliceScan(const PointCloud& cloud, const mrpt::poses::CPose3D& robot,
   scan.rightToLeft = true;
   scan.resizeScan(kBeams);
   for (std::size_t i = 0; i < kBeams; ++i) {
-    scan.setScanRange(i, ranges[i] == kNone ? 0 : ranges[i]);
-    scan.setScanRangeValidity(i, ranges[i] != kNone);
+    scan.setScanRange(i, ranges[i] == kNothing ? 0 : ranges[i]);
+    scan.setScanRangeValidity(i, ranges[i] != kNothing);
   }
   return placed;
 }
