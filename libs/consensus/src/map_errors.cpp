@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "roomgraph/base/statistics.h"
+
 namespace roomgraph {
 namespace {
 
@@ -12,7 +14,6 @@ namespace {
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5;  // standard deviation of the log error
 constexpr double kUnseen = 0.3;                        // the same for what nobody else has seen
 constexpr double kPlace = 0.01, kPlacePerRun = 0.06;   // [m]
-constexpr double kEightyPercent = 1.28;
 
 /** Sums over places in two frames, so that the best motion from one to the other and what it
  *  leaves over follow (Umeyama 1991). */

@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kMostSteps = 200;
 constexpr double kConverged = 1e-9;
-constexpr double kEightyPercent = 1.2816;  // standard deviations either way that hold 80 %
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
