@@ -13,7 +13,7 @@ namespace roomgraph {
 namespace {
 
 constexpr double kConverged = 1e-9;
-constexpr std::size_t kManyRuns = 60;  // from which on the pairs are few beside what could be
+constexpr std::size_t kSparseFrom = 60;  // runs, whose pairs are few beside what could be
 
 /** The pair's pose as seen from run `from`: from <- other. */
 Transform2D seenFrom(const PairPose& pair, std::size_t from) {
@@ -112,7 +112,7 @@ class NormalEquations {
   }
 
   Eigen::VectorXd solution() const {
-    if (n_ >= 3 * Eigen::Index(kManyRuns)) {
+    if (n_ >= 3 * Eigen::Index(kSparseFrom)) {
       Eigen::SparseMatrix<double> h(n_, n_);
       h.setFromTriplets(terms_.begin(), terms_.end());
       return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
