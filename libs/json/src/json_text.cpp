@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLargest = 1e10;  // below, 0.1 mm is a whole number of 64 bits
+constexpr double kLargestNumber = 1e10;  // below, 0.1 mm is a whole number of 64 bits
 
 }  // namespace
 
@@ -19,7 +19,7 @@ void addNumber(std::string& json, double value) {
   }
   char buffer[40];
   char* const end = buffer + sizeof buffer;
-  if (std::abs(value) > kLargest) {
+  if (std::abs(value) > kLargestNumber) {
     json.append(buffer, std::to_chars(buffer, end, value).ptr);
     return;
   }
