@@ -28,6 +28,17 @@ TEST(RunMarks, fourteenRunsHaveTheirOwnColours) {
   EXPECT_EQ(colours.size(), 14u);
 }
 
+TEST(RunMarks, twentyEightRunsHaveTheirOwnWalls) {
+  std::set<std::tuple<int, int, int, int>> walls;
+  for (std::size_t run = 0; run < 28; ++run) {
+    const Colour colour = runColour(run);
+    walls.insert({colour.red, colour.green, colour.blue, int(runPattern(run))});
+  }
+  EXPECT_EQ(walls.size(), 28u);
+  EXPECT_EQ(runPattern(6), RunPattern::solid);
+  EXPECT_EQ(runPattern(7), RunPattern::rising);
+}
+
 TEST(RunMarks, shapesOfOneNameHaveOnePath) {
   std::set<std::pair<std::string, std::string>> shapes;
   std::set<std::string> names;

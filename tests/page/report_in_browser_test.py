@@ -2,6 +2,8 @@
 the disk, as a user does, and works with it by mouse and keyboard. Exits with 77 without Chromium.
 Talks to the browser through two pipes (--remote-debugging-pipe): JSON, ended by a zero byte."""
 import base64
+import contextlib
+import csv
 import json
 import os
 import pathlib
@@ -12,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import xml.etree.ElementTree
 
 TIMEOUT = 60
 
@@ -75,9 +78,10 @@ class Browser:
             self.events.append(message)
         return message
 
-    def open(self, url):
+    def open(self, url, what="document.readyState === 'complete' &&"
+             " !!document.querySelector('.leaflet-pane')"):
         self.ask("Page.navigate", {"url": url})
-        self.wait("document.readyState === 'complete' && !!document.querySelector('.leaflet-pane')")
+        self.wait(what)
 
     def value(self, expression):
         result = self.ask("Runtime.evaluate", {"expression": expression, "returnByValue": True})
@@ -96,6 +100,12 @@ class Browser:
         for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
             self.ask("Input.dispatchMouseEvent",
                      {"type": kind, "x": x, "y": y, "button": "left", "clickCount": 1})
+
+    def drag(self, x, y, to_x, to_y):
+        for kind, at in (("mouseMoved", (x, y)), ("mousePressed", (x, y)),
+                         ("mouseMoved", (to_x, to_y)), ("mouseReleased", (to_x, to_y))):
+            self.ask("Input.dispatchMouseEvent", {"type": kind, "x": at[0], "y": at[1],
+                                                  "button": "left", "buttons": 1, "clickCount": 1})
 
     def settle(self):
         """Waits until the page has been drawn as it is now."""
@@ -166,11 +176,11 @@ def middle_on_map(browser, selector):
         f" document.querySelector('#map').getBoundingClientRect())")
 
 
-def rows_lead_to_the_map(browser):
+def rows_lead_to_the_map(browser, runs=4):
     browser.click_on("#room-1 td")
     check(chosen(browser) == (["1"], ["1"]), f"a click on a row chooses {chosen(browser)}")
     check(middle_on_map(browser, "path[data-room=\"1\"]") < 0.1, "the chosen room is not centred")
-    check(browser.value("document.querySelector('tr.details tbody').rows.length") == 4,
+    check(browser.value("document.querySelector('tr.details tbody').rows.length") == runs,
           "the chosen room does not show its runs")
     browser.value("document.querySelector('#room-2').focus()")
     browser.press("Enter", 13, "\r")
@@ -290,6 +300,116 @@ def it_is_dark_where_that_is_preferred(browser, folder):
     browser.ask("Emulation.setEmulatedMedia", {"features": []})
 
 
+def runs_are_swiped(browser):
+    clips = ("Array.from(document.querySelectorAll('.leaflet-runs-pane img'), i => i.style.clipPath)"
+             ".filter(Boolean).length")
+    browser.value("document.querySelector('#left-run').value = 0;"
+                  "document.querySelector('#right-run').value = 1")
+    browser.click_on("#swipe")
+    check(browser.value(clips) == 2, "the two runs are not cut at the line")
+    line = "document.querySelector('#divider').getBoundingClientRect().left"
+    before = browser.value(line)
+    x, y = browser.value("(b => [b.x + b.width / 2, b.y + b.height / 3])"
+                         "(document.querySelector('#divider').getBoundingClientRect())")
+    browser.drag(x, y, x + 100, y)
+    check(abs(browser.value(line) - before - 100) < 2, "the line does not follow the mouse")
+    browser.value("document.querySelector('#divider').focus()")
+    browser.press("ArrowLeft", 37)
+    check(browser.value(line) < before + 99, "the line does not follow the keys")
+    browser.click_on("#swipe")
+    check(browser.value(clips) == 0, "the runs stay cut")
+
+
+def runs_are_shown_side_by_side(browser):
+    browser.click_on("#beside")
+    images = "document.querySelectorAll('#map-beside .leaflet-runs-pane img').length"
+    check(browser.value(images) == 1, "no second map")
+    check(browser.value("document.querySelector('#map-beside').getBoundingClientRect().left >"
+                        " document.querySelector('#map').getBoundingClientRect().right"),
+          "not side by side")
+    browser.click_on("#beside")
+    check(browser.value("document.querySelector('#map-beside').offsetWidth") == 0,
+          "the second map stays")
+
+
+def scans_are_shown_in_the_row_of_a_break(browser):
+    check(browser.value("document.querySelectorAll('#break-0 .scans path').length") == 3,
+          "no picture of the scans at the break")
+    check(browser.value("document.querySelector('#break-1 .scans').textContent") == "–",
+          "scans of a break that has none")
+
+
+def the_address_brings_back_what_is_shown(browser, url):
+    browser.click_on('button[data-show="best"]')
+    browser.click_on("#room-1 td")
+    browser.wait("location.hash.includes('room=R2') && location.hash.includes('runs=1&')")
+    address = browser.value("location.href")
+    browser.open("about:blank", "true")
+    browser.open(address)
+    check(chosen(browser) == (["1"], ["1"]), "the room of the address is not chosen")
+    check(browser.value("document.querySelectorAll('.leaflet-runs-pane img').length") == 1,
+          "the runs of the address are not those shown")
+    browser.open("about:blank", "true")
+    browser.open(url + "#break=1&runs=1,3&layers=breaks")
+    check(browser.value("document.querySelectorAll('tr.break.chosen').length") == 1,
+          "the break of the address is not chosen")
+    browser.open("about:blank", "true")
+    browser.open(url + "#swipe=1,2,30")
+    check(browser.value("document.querySelector('#divider').getAttribute('aria-valuenow')") == "30",
+          "the line of the address is not there")
+    for nonsense in ("#break=99&room=nowhere&view=a,b&swipe=7,8,x&runs=&layers=none", "#=&&%E0%A4"):
+        browser.open("about:blank", "true")
+        browser.open(url + nonsense)
+    browser.open("about:blank", "true")
+    browser.open(url)
+
+
+def figures_and_tables_are_saved(browser, folder):
+    saved = folder / "saved"
+    shutil.rmtree(saved, ignore_errors=True)
+    saved.mkdir()
+    browser.ask("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
+    for figure in ("map", "plot"):
+        for kind in ("SVG", "PNG"):
+            browser.click_on(f'[data-figure="{figure}"] [data-kind="{kind}"]')
+    browser.value("Array.from(document.querySelectorAll('.csv')).filter("
+                  "b => b.textContent === 'Save as CSV').forEach(b => b.click())")
+    wanted = {"map.svg", "map.png", "plot.svg", "plot.png", "rooms.csv", "ranking.csv", "breaks.csv",
+              "pairs.csv", "measures.csv", "files.csv"}
+    end = time.monotonic() + TIMEOUT
+    while not wanted <= {p.name for p in saved.iterdir()}:
+        if time.monotonic() > end:
+            raise AssertionError(f"saved is only {sorted(p.name for p in saved.iterdir())}")
+        time.sleep(0.1)
+    for name in ("map.png", "plot.png"):
+        check((saved / name).read_bytes().startswith(b"\x89PNG") and
+              (saved / name).stat().st_size > 5000, f"{name} is no picture")
+    for name in ("map.svg", "plot.svg"):
+        xml.etree.ElementTree.parse(saved / name)
+    with open(saved / "breaks.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    check(rows[0][:2] == ["Run", "x [m]"] and len(rows) == 3 and rows[1][5] == "12",
+          f"breaks.csv holds {rows}")
+    check(len({len(row) for row in rows}) == 1, "the rows of breaks.csv differ in length")
+
+
+def a_hundred_runs_can_be_worked_with(browser, folder):
+    check(browser.value("document.querySelectorAll('.layers.runs label').length") == 100,
+          "not all runs are listed")
+    check(browser.value("document.querySelector('#pairs-table').closest('details').open") is False,
+          "thousands of pairs are open")
+    check(browser.value("document.documentElement.scrollHeight") < 9000, "the page is endless")
+    browser.click_on('button[data-show="all"]')
+    check(browser.value("document.querySelectorAll('.layers.runs input:checked').length") == 100,
+          "not all runs can be shown")
+    rows_lead_to_the_map(browser, 100)
+    weaves = browser.value("Array.from(new Set(Array.from(document.querySelectorAll('.weave'),"
+                           " w => w.className + w.style.color))).length")
+    check(weaves >= 28, f"only {weaves} runs look different")
+    browser.save_picture(folder / "hundred.png")
+    nothing_is_wider_than_the_window(browser, 400)
+
+
 def names_strike_nothing(browser):
     check(browser.value("window.struck") is None, "a name was run as code")
     check(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "a name made an image")
@@ -312,7 +432,8 @@ def it_asks_for_nothing_and_complains_of_nothing(browser, url):
         parameters = event["params"]
         if event["method"] == "Network.requestWillBeSent":
             asked = parameters["request"]["url"]
-            check(asked == url or asked.startswith("data:"), f"the page asks for {asked}")
+            own = asked.split("#")[0] == url or asked == "about:blank"
+            check(own or asked.startswith(("data:", "blob:")), f"the page asks for {asked}")
         check(event["method"] != "Runtime.exceptionThrown", f"an error: {parameters}")
         if event["method"] == "Log.entryAdded":
             check(parameters["entry"]["level"] not in ("error", "warning"), f"a complaint: {parameters}")
@@ -331,43 +452,66 @@ def it_can_be_printed(browser, folder):
           "the map keeps the size of the paper")
 
 
-def main():
-    write_sample, folder = sys.argv[1], pathlib.Path(sys.argv[2])
-    program = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
-                   None)
-    if not program:
-        print("skipped: no Chromium here (Debian's package: chromium)")
-        return 77
+def find_browser():
+    return next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))),
+                None)
+
+
+def work_with(browser, folder, url):
+    browser.save_picture(folder / "wide.png")
+    the_picture_is_in_the_first_screen(browser)
+    it_is_dark_where_that_is_preferred(browser, folder)
+    all_pictures_are_whole(browser)
+    names_strike_nothing(browser)
+    layers_are_switched_by_keyboard(browser)
+    rows_lead_to_the_map(browser)
+    the_map_leads_to_rows(browser)
+    browser.save_picture(folder / "chosen.png")
+    breaks_and_sorting_work(browser)
+    breaks_and_marks_belong_together(browser)
+    the_ledger_can_be_filtered(browser)
+    scans_are_shown_in_the_row_of_a_break(browser)
+    runs_are_swiped(browser)
+    runs_are_shown_side_by_side(browser)
+    figures_and_tables_are_saved(browser, folder)
+    the_address_brings_back_what_is_shown(browser, url)
+    names_strike_nothing(browser)
+    it_can_be_printed(browser, folder)
+    for width in (1000, 400):
+        nothing_is_wider_than_the_window(browser, width)
+    rows_lead_to_the_map(browser)
+    browser.save_picture(folder / "narrow.png")
+    it_asks_for_nothing_and_complains_of_nothing(browser, url)
+
+
+@contextlib.contextmanager
+def opened_report(program, write_sample, folder, *runs):
+    """A browser with the sample report, and its address; or with one of so many runs."""
     folder.mkdir(parents=True, exist_ok=True)
     report = folder / "report.html"
-    subprocess.run([write_sample, str(report)], check=True)
+    subprocess.run([write_sample, str(report), *runs], check=True)
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         browser = Browser(program, profile)
         try:
             browser.attach()
             browser.resize(1400, 900)
             browser.open(report.as_uri())
-            browser.save_picture(folder / "wide.png")
-            the_picture_is_in_the_first_screen(browser)
-            it_is_dark_where_that_is_preferred(browser, folder)
-            all_pictures_are_whole(browser)
-            names_strike_nothing(browser)
-            layers_are_switched_by_keyboard(browser)
-            rows_lead_to_the_map(browser)
-            the_map_leads_to_rows(browser)
-            browser.save_picture(folder / "chosen.png")
-            breaks_and_sorting_work(browser)
-            breaks_and_marks_belong_together(browser)
-            the_ledger_can_be_filtered(browser)
-            names_strike_nothing(browser)
-            it_can_be_printed(browser, folder)
-            for width in (1000, 400):
-                nothing_is_wider_than_the_window(browser, width)
-            rows_lead_to_the_map(browser)
-            browser.save_picture(folder / "narrow.png")
-            it_asks_for_nothing_and_complains_of_nothing(browser, report.as_uri())
+            yield browser, report.as_uri()
         finally:
             browser.close()
+
+
+def main():
+    write_sample, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    program = find_browser()
+    if not program:
+        print("skipped: no Chromium here (Debian's package: chromium)")
+        return 77
+    with opened_report(program, write_sample, folder) as (browser, url):
+        work_with(browser, folder, url)
+    with opened_report(program, write_sample, folder / "hundred", "100") as (browser, url):
+        a_hundred_runs_can_be_worked_with(browser, folder)
+        it_asks_for_nothing_and_complains_of_nothing(browser, url)
     print("the report works in", program)
     return 0
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "png_pixels.h"
 
@@ -35,7 +36,7 @@ TEST(SitePictures, theBoxHoldsAllThatIsKnownAndNoMore) {
 
 TEST(SitePictures, nothingKnownGivesNoPicture) {
   const MapForAlignment map = drawn({"   "});
-  EXPECT_TRUE(runPicture({&map, {}}, {}, 20, 0.5).png.empty());
+  EXPECT_TRUE(runPicture({&map, {}}, {}, 0.5).png.empty());
   EXPECT_TRUE(heatPicture(disagreementOf({{&map, {}}, {&map, {}}}, 1)).png.empty());
   EXPECT_TRUE(heatPicture(disagreementOf({}, 1)).png.empty());
 }
@@ -51,7 +52,7 @@ TEST(SitePictures, noPictureIsLargerThanAsked) {
   MapForAlignment map = drawn(std::vector<std::string>(40, std::string(400, '.')));
   const std::vector<PlacedMap> maps = {{&map, {0.123, 7.7, 0.4}}};
   const double pixel = pixelFor(knownBox(maps), maps, 50);
-  const SitePicture picture = runPicture(maps[0], {}, 20, pixel);
+  const SitePicture picture = runPicture(maps[0], {}, pixel);
   EXPECT_LE(picture.box.high.x - picture.box.low.x, 50.001 * pixel);
   EXPECT_LE(picture.box.high.y - picture.box.low.y, 50.001 * pixel);
 }
@@ -83,10 +84,19 @@ TEST(SitePictures, aWallOneCellAsideIsNoDisagreement) {
   EXPECT_EQ(*std::max_element(result.shares.begin(), result.shares.end()), 0);
 }
 
+TEST(SitePictures, patternsLeaveOutHalfOfTheWallsEachInItsWay) {
+  const MapForAlignment map = drawn(kHall);
+  std::set<std::string> pictures;
+  for (const RunPattern pattern :
+       {RunPattern::solid, RunPattern::rising, RunPattern::falling, RunPattern::dotted})
+    pictures.insert(runPicture({&map, {}}, {{1, 2, 3}, pattern}, 0.3).png);
+  EXPECT_EQ(pictures.size(), 4u);
+}
+
 TEST(SitePictures, theSameMapGivesTheSameBytes) {
   const MapForAlignment map = drawn(kHall);
   const PlacedMap placed{&map, {1, 2, 0.3}};
-  EXPECT_EQ(runPicture(placed, {1, 2, 3}, 20, 0.3).png, runPicture(placed, {1, 2, 3}, 20, 0.3).png);
+  EXPECT_EQ(runPicture(placed, {{1, 2, 3}}, 0.3).png, runPicture(placed, {{1, 2, 3}}, 0.3).png);
 }
 
 }  // namespace

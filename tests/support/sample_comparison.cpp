@@ -70,6 +70,20 @@ std::vector<PathPose> pathThrough(double error) {
   return path;
 }
 
+/** What a run that lies at `pose` (run <- site) sees along that way: both walls of the corridor. */
+std::vector<ScanWalls> scansAlong(const std::vector<PathPose>& path, const Transform2D& pose) {
+  std::vector<ScanWalls> scans;
+  for (const PathPose& at : path) {
+    ScanWalls scan;
+    scan.keyFrame = at.keyFrame, scan.time = at.time, scan.pose = pose * at.pose;
+    for (int i = -5; i <= 5; ++i)
+      for (const double y : {5.2, 6.8})
+        scan.walls.push_back({pose(Point{at.pose.x + 0.2 * i, y}), {}, 0});
+    scans.push_back(scan);
+  }
+  return scans;
+}
+
 SiteRoom room(const std::string& id, const Rect& r) {
   SiteRoom result;
   result.id = result.name = id;
@@ -135,6 +149,7 @@ SampleComparison sampleComparison() {
     for (std::size_t b = a + 1; b < 4; ++b)
       c.pairs.push_back(pair(sample.runs[a].name, sample.runs[b].name, b == 3 ? 0.4 : 0.97));
   for (std::size_t i = 0; i < 3; ++i) c.runs[i].path = pathThrough(0.05 * double(i + 1));
+  sample.runs[2].scans = scansAlong(c.runs[2].path, poses[2]);
   c.rooms = rooms(sample.runs);
   c.breaks = {
       {kHostileName, {8, 6}, 0.07, 0.58, 12, 1.5e9, TornPose{{8.3, 6.5, 0.17}, {8, 6, 0.1}}},

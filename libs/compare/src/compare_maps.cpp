@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "roomgraph/align/scan_walls.h"
 #include "roomgraph/compare/compare_related.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
+#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 
@@ -74,6 +76,7 @@ std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std:
       Run run;
       run.name = compared.name, run.file = compared.file, run.sha256 = compared.sha256;
       run.map = mapForAlignment(binarize(map, options.binarize), {});
+      run.scans = scanWalls(loadKeyframes(file, options.loadGrid));
       runs.push_back(std::move(run));
     }
   }

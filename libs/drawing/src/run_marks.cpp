@@ -10,6 +10,8 @@ constexpr Colour kColours[] = {{0, 114, 178}, {213, 94, 0},    {0, 158, 115},  {
                                {140, 81, 10}, {128, 128, 128}, {120, 150, 30}, {150, 20, 80},
                                {40, 60, 130}, {240, 128, 114}};
 
+constexpr std::size_t kRunsAPattern = 7, kPatterns = 4;
+
 struct Shape {
   const char *name, *path;
 };
@@ -26,6 +28,8 @@ constexpr Shape kShapes[] = {
 }  // namespace
 
 Colour runColour(std::size_t run) { return kColours[run % std::size(kColours)]; }
+
+RunPattern runPattern(std::size_t run) { return RunPattern(run / kRunsAPattern % kPatterns); }
 
 const char* runShape(std::size_t run) { return kShapes[run % std::size(kShapes)].path; }
 

@@ -13,6 +13,7 @@ std::string comparisonReport(const Comparison& comparison, const std::vector<Run
   page.set("d3", page_files::kD3Js);
   page.set("style", page_files::kReportCss);
   page.set("script", page_files::kReportJs);
+  page.set("tools", page_files::kReportToolsJs);
   page.set("licences", page_files::kLicencesTxt);
   page.set("document", pageDocument(comparison));
   page.set("data", pageData(comparison, runs));

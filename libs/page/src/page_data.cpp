@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base64.h"
+#include "break_scans.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/json/rounded.h"
 #include "roomgraph/report/comparison_json.h"
@@ -28,6 +29,19 @@ Json boxJson(const Box& box) { return {pointJson(box.low), pointJson(box.high)};
 Json pictureJson(const SitePicture& picture) {
   if (picture.png.empty()) return nullptr;
   return {{"box", boxJson(picture.box)}, {"url", "data:image/png;base64," + base64(picture.png)}};
+}
+
+/** [x, y, x, y, ...], to the centimetre. */
+Json placesJson(const std::vector<Point>& places) {
+  Json numbers = Json::array();
+  for (const Point p : places)
+    for (const double value : {p.x, p.y}) numbers.push_back(std::round(100 * value) / 100);
+  return numbers;
+}
+
+Json scansJson(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs) {
+  const BreakScans scans = breakScans(comparison, tear, runs);
+  return {{"before", placesJson(scans.before)}, {"behind", placesJson(scans.behind)}};
 }
 
 /** The maps of the compared runs; without a map where there is none. */
@@ -106,13 +120,19 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
   Json runsJson = Json::array();
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const SitePicture picture =
-        placed[i].map ? runPicture(placed[i], runColour(i), faint, pixel) : SitePicture{};
+        placed[i].map ? runPicture(placed[i], {runColour(i), runPattern(i), faint}, pixel)
+                      : SitePicture{};
     runsJson.push_back(
         {{"colour", colourText(i)}, {"shape", runShape(i)}, {"picture", pictureJson(picture)}});
   }
   const SitePicture heat = heatPicture(disagreementOf(known, heatCellOf(site, known)));
-  const Json data = {
-      {"box", boxJson(site)}, {"heat", pictureJson(heat)}, {"runs", std::move(runsJson)}};
+  Json breaks = Json::array();
+  for (const MapBreak& tear : comparison.breaks)
+    breaks.push_back(scansJson(comparison, tear, runs));
+  const Json data = {{"box", boxJson(site)},
+                     {"heat", pictureJson(heat)},
+                     {"runs", std::move(runsJson)},
+                     {"breaks", std::move(breaks)}};
   return safeInScript(data.dump());
 }
 

@@ -12,7 +12,8 @@ namespace roomgraph {
 std::string pageDocument(const Comparison& comparison);
 
 /** What the scripts of the report draw and that document does not have: the box of the site, the
- *  heat map, and colour, shape and picture of each run, in its order. JSON as in pageDocument. */
+ *  heat map, colour, shape and picture of each run, and what the scans at each break met, in its
+ *  order. JSON as in pageDocument. */
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** "#rrggbb". */

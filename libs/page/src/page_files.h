@@ -6,6 +6,7 @@ namespace roomgraph::page_files {
 extern const char* const kReportHtml;
 extern const char* const kReportCss;
 extern const char* const kReportJs;
+extern const char* const kReportToolsJs;
 extern const char* const kLicencesTxt;
 extern const char* const kLeafletCss;
 extern const char* const kLeafletJs;

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "navigation_word.h"
 #include "page_data.h"
 
 namespace roomgraph {
@@ -91,6 +92,8 @@ std::string pageCounts(const Comparison& comparison) {
 
 std::vector<std::string> pageSummary(const Comparison& comparison) {
   std::vector<std::string> sentences;
+  const std::string navigation = navigationWord(comparison);
+  if (!navigation.empty()) sentences.push_back(navigation);
   if (comparison.gate) sentences.push_back(gateSentence(*comparison.gate));
   if (!comparison.runs.empty() && comparison.runs[0].score && comparison.runs.size() > 2)
     sentences.push_back("Why " + comparison.runs[0].name + ": " + comparison.runs[0].reason + ".");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 
+#include "command_line.h"
 #include "page_data.h"
 #include "page_summary.h"
 #include "page_values.h"
@@ -43,6 +44,19 @@ std::string rangeText(std::optional<double> low, std::optional<double> high, int
 /** "[m]" for metres; nothing for shares, which say it themselves, and for what is counted. */
 std::string unitText(const std::string& unit) {
   return unit == "1" || unit == "pieces" ? "" : "[" + unit + "]";
+}
+
+/** From when to when a run was; the day once. */
+std::string datesOf(const std::vector<PathPose>& path) {
+  std::optional<double> first, last;
+  for (const PathPose& at : path) {
+    if (!at.time) continue;
+    first = std::min(first.value_or(*at.time), *at.time);
+    last = std::max(last.value_or(*at.time), *at.time);
+  }
+  if (!first) return "–";
+  const std::string start = timeText(*first), end = timeText(*last);
+  return start + " – " + (dayText(*first) == dayText(*last) ? end.substr(end.find('T') + 1) : end);
 }
 
 /** "wall_distance_p90" for people. A file of a later version may have measures unknown here. */
@@ -144,6 +158,7 @@ class Tables {
     cell.set("run", text(name));
     cell.set("colour", colourText(place));
     cell.set("shape", runShape(place));
+    cell.set("pattern", std::to_string(int(runPattern(place))));
     return cell;
   }
 
@@ -155,6 +170,7 @@ class Tables {
     row.set("isReference", flag(comparison_.reference == run.name));
     row.set("file", text(fileName(run.file)));
     row.set("hash", text(run.sha256));
+    row.set("dates", datesOf(run.path));
     row.set("reason", text(run.reason));
     row.set("weak", flag(run.score && !run.score->isMeaningful));
     row.set("score", run.score ? fixedText(run.score->score, 1) : "–");
@@ -239,6 +255,8 @@ data pageTables(const Comparison& comparison) {
   page.set("runs", tables.runs());
   page.set("runsAreMany", flag(comparison.runs.size() > kMostOpenRuns));
   page.set("measureNames", tables.measureNames());
+  page.set("command", text(commandLine(comparison)));
+  page.set("hasPairs", flag(comparison.runs.size() > 1));
   page.set("hasRooms", flag(!comparison.rooms.empty()));
   page.set("rooms", roomRows(comparison.rooms));
   page.set("hasBreaks", flag(!comparison.breaks.empty()));

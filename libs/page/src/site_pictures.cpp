@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint8_t kWallAlphas[] = {110, 170, 220, 255};  // by their share of a pixel, of 255
 constexpr std::uint8_t kHeatAlpha = 225;
+constexpr std::uint8_t kWeakestWall = 1;  // as Sampler has it, that of free space
 
 /** Calls `use(place in the site, state)` for each known cell. */
 template <class Use>
@@ -92,6 +93,17 @@ class Sampler {
   std::vector<Point> samples_;  // from the corner of a pixel, in cells
 };
 
+/** What a pixel shows in a pattern: between the threads a wall is as weak as can be. */
+std::uint8_t woven(std::uint8_t shown, RunPattern pattern, int x, int y) {
+  constexpr int thread = 4;  // [px]
+  const auto isOdd = [](int along) { return (along / thread) % 2 == 1; };
+  const bool isGap = pattern == RunPattern::rising    ? isOdd(x + y)
+                     : pattern == RunPattern::falling ? isOdd(x - y + (1 << 20))
+                     : pattern == RunPattern::dotted  ? isOdd(x) != isOdd(y)
+                                                      : false;
+  return isGap ? std::min(shown, kWeakestWall) : shown;
+}
+
 /** For each cell what one run has seen there. */
 struct Looks {
   std::vector<std::uint8_t> hasWall, hasFree;
@@ -135,17 +147,18 @@ double pixelFor(const Box& site, const std::vector<PlacedMap>& maps, int most) {
   return maps.empty() ? needed : std::max(finest / 2, needed);
 }
 
-SitePicture runPicture(const PlacedMap& placed, Colour colour, std::uint8_t faint, double pixel) {
+SitePicture runPicture(const PlacedMap& placed, const RunInk& ink, double pixel) {
   const Bounds bounds = boundsOf(placed);
   if (bounds.isEmpty()) return {{{0, 0}, {1, 1}}, ""};
   const GridFrame frame = rasterOver(bounds.box, pixel);
-  PaletteImage image{frame.width, frame.height, std::vector<Colour>(6, colour), {}, {}};
-  image.alphas = {0, faint, kWallAlphas[0], kWallAlphas[1], kWallAlphas[2], kWallAlphas[3]};
+  PaletteImage image{frame.width, frame.height, std::vector<Colour>(6, ink.colour), {}, {}};
+  image.alphas = {0, ink.faint, kWallAlphas[0], kWallAlphas[1], kWallAlphas[2], kWallAlphas[3]};
   image.indices.reserve(frame.cellCount());
   const Sampler sampler(placed, pixel);
   for (int y = frame.height - 1; y >= 0; --y)
     for (int x = 0; x < frame.width; ++x)
-      image.indices.push_back(sampler.at(frame.origin + pixel * Point{double(x), double(y)}));
+      image.indices.push_back(
+          woven(sampler.at(frame.origin + pixel * Point{double(x), double(y)}), ink.pattern, x, y));
   return {boxOf(frame), pngBytes(image)};
 }
 

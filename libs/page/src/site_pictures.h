@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/images/png_bytes.h"
@@ -29,9 +30,16 @@ Box knownBox(const std::vector<PlacedMap>& maps);
  *  and no less than half a cell of the finest map [m]. */
 double pixelFor(const Box& site, const std::vector<PlacedMap>& maps, int most);
 
-/** The walls of one map in `colour`, and its free space in a faint tint of it, of opacity
- *  `faint` of 255. The pixels of all maps lie on one raster. O(pixels). */
-SitePicture runPicture(const PlacedMap& map, Colour colour, std::uint8_t faint, double pixel);
+/** How the map of a run is drawn. */
+struct RunInk {
+  Colour colour;                           ///< of its walls
+  RunPattern pattern = RunPattern::solid;  ///< of its walls; what is left out is drawn weakly
+  std::uint8_t faint = 30;                 ///< opacity of its free space, of 255
+};
+
+/** The walls of one map and, in a faint tint of them, its free space. The pixels of all maps lie on
+ *  one raster. O(pixels). */
+SitePicture runPicture(const PlacedMap& map, const RunInk& ink, double pixel);
 
 /** Where the runs disagree: a share of the runs that have looked at a place and are in the minority
  *  there, "wall" or "free", 0 to 1/2. */

@@ -1,7 +1,6 @@
-"use strict";
-// What the tables of the page cannot do alone: the plot, the map, and the links between map and
-// tables. Names are only ever set as text, never as HTML.
-(function () {
+  // What the tables of the page cannot do alone: the plot, the map, and the links between map and
+  // tables. Names are only ever set as text, never as HTML. report.html puts this and
+  // report_tools.js into one function.
   const read = (id) => JSON.parse(document.getElementById(id).textContent);
   // comparison.json, as it was saved; with each run what only this page draws.
   const data = read("comparison"), drawn = read("data");
@@ -16,6 +15,16 @@
     if (text !== undefined) made.textContent = text;
     return made;
   }
+
+  /** An element of a picture. */
+  function drawing(tag, attributes, text) {
+    const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+    Object.entries(attributes || {}).forEach(([key, value]) => made.setAttribute(key, value));
+    if (text !== undefined) made.textContent = text;
+    return made;
+  }
+
+  let changed = () => {};  // called when what is shown has changed
 
   function fixed(value, digits) {
     return value === null || value === undefined ? "–" : value.toFixed(digits);
@@ -212,6 +221,30 @@
   const rooms = data.rooms.map(makeRoom);
   layers.rooms = L.layerGroup(rooms.map((room) => room.shape).concat(rooms.map((room) => room.label)));
 
+  const untold = "#4a5a78", beforeColour = "#00529b", drawnColour = "#d55e00", untornColour = "#00825a";
+
+  /** A small picture of what the scans at a break met; null where they are not known. */
+  function breakPicture(i, width, height) {
+    const bend = data.breaks[i], scans = drawn.breaks[i];
+    const pairs = (numbers) => numbers.filter((_, k) => k % 2 === 0).map((x, k) => [x, numbers[2 * k + 1]]);
+    const before = pairs(scans.before), behind = pairs(scans.behind);
+    if (!behind.length || !bend.pose_drawn) return null;
+    const untorn = behind.map(mended(bend));
+    const around = before.concat(behind, untorn);
+    const [low, high] = [Math.min, Math.max].map((most) => [0, 1].map((axis) =>
+      around.reduce((value, point) => most(value, point[axis]), around[0][axis])));
+    const scale = Math.min((width - 8) / Math.max(0.1, high[0] - low[0]), (height - 8) / Math.max(0.1, high[1] - low[1]));
+    const at = ([x, y]) => (width / 2 + scale * (x - (low[0] + high[0]) / 2)).toFixed(1) + "," +
+      (height / 2 - scale * (y - (low[1] + high[1]) / 2)).toFixed(1);
+    const svg = drawing("svg", {viewBox: "0 0 " + width + " " + height, width: width, height: height,
+      class: "scans-picture", role: "img", "aria-label": "The scans at the break: before it in blue, behind it " +
+      "in orange as the run has them, in green as they would lie without the break"});
+    [[before, beforeColour], [behind, drawnColour], [untorn, untornColour]].forEach(([points, colour]) =>
+      svg.append(drawing("path", {d: points.map((point) => "M" + at(point) + "h0").join(""), stroke: colour,
+        "stroke-width": width > 150 ? 2.4 : 1.8, "stroke-linecap": "round", fill: "none"})));
+    return svg;
+  }
+
   function makeBreak(bend, i) {
     const run = data.runs[placeOf.get(bend.run)] || {name: "", colour: "#000"};
     const icon = element("span");
@@ -225,6 +258,8 @@
     said.append(element("b", {}, run.name), element("br"),
       "turns by " + fixed(bend.rotation_deg, 1) + "° and shifts by " + fixed(bend.shift_m, 2) + " m here" +
       (bend.key_frame === null ? "" : ", from key frame " + bend.key_frame + " on"));
+    const picture = breakPicture(i, 220, 150);
+    if (picture) said.append(picture);
     marker.on("click", () => markBreak(i, true));
     return marker.bindPopup(said);
   }
@@ -236,7 +271,6 @@
   // ---- Paths: the colour of a piece says how wrong what was drawn from there is.
 
   const errorColours = [[0.1, "#1a9850"], [0.25, "#a6b818"], [0.5, "#f08c1d"], [Infinity, "#d7191c"]];
-  const untold = "#4a5a78", drawnColour = "#d55e00", untornColour = "#00825a";
 
   function colourOfError(error) {
     return error === null ? untold : errorColours.find((entry) => error <= entry[0])[1];
@@ -267,25 +301,29 @@
     });
   }
 
+  /** Where a place behind a break would lie without it. */
+  function mended(bend) {
+    const [x0, y0, phi0] = bend.pose_drawn, [x1, y1, phi1] = bend.pose_untorn;
+    const turn = phi1 - phi0, c = Math.cos(turn), s = Math.sin(turn);
+    return ([x, y]) => [x1 + c * (x - x0) - s * (y - y0), y1 + s * (x - x0) + c * (y - y0)];
+  }
+
   /** The next key frames in both poses of a break, and the way from the one to the other. */
   function bothPoses(bend) {
     const run = data.runs[placeOf.get(bend.run)];
     if (!run || bend.key_frame === null || !bend.pose_drawn) return L.layerGroup();
-    const [x0, y0, phi0] = bend.pose_drawn, [x1, y1, phi1] = bend.pose_untorn;
-    const turn = phi1 - phi0, c = Math.cos(turn), s = Math.sin(turn);
     const found = run.path.findIndex((at) => at.key_frame >= bend.key_frame);
     const first = found < 0 ? run.path.length : found;
     const places = (from, to) => run.path.slice(from, to).map((at) => [at.x, at.y]);
     const behind = places(first, first + 11);
     const before = places(Math.max(0, first - 10), first);
-    const untorn = behind.map(([x, y]) =>
-      [x1 + c * (x - x0) - s * (y - y0), y1 + s * (x - x0) + c * (y - y0)]);
+    const untorn = behind.map(mended(bend));
     const line = (points, colour, more) => L.polyline(points.map(latLng),
       Object.assign({pane: "poses", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
     const dots = (points, colour) => points.map((point) => L.circleMarker(latLng(point),
       {pane: "poses", radius: 4, color: "#fff", weight: 1, fillColor: colour, fillOpacity: 1, interactive: false}));
-    return L.layerGroup([line(before, "#00529b"), line(behind, drawnColour), line(untorn, untornColour)]
-      .concat(dots(before, "#00529b"), dots(behind, drawnColour), dots(untorn, untornColour),
+    return L.layerGroup([line(before, beforeColour), line(behind, drawnColour), line(untorn, untornColour)]
+      .concat(dots(before, beforeColour), dots(behind, drawnColour), dots(untorn, untornColour),
         behind.map((point, k) => line([point, untorn[k]], "#17202e", {weight: 1, dashArray: "2,3"}))));
   }
 
@@ -297,6 +335,7 @@
     if (posesOfBreak) posesOfBreak.remove();
     chosenBreak = posesOfBreak = null;
     map.getPane("paths").style.opacity = 1;
+    changed();
   }
 
   /** Highlights a break in both places; shows its poses, and the paths faintly. */
@@ -308,6 +347,7 @@
     posesOfBreak = bothPoses(data.breaks[i]).addTo(map);
     if (goesToRow) one("#break-" + i).scrollIntoView({block: "nearest"});
     one("#said").textContent = "Break " + (i + 1) + " of " + data.breaks.length + " is chosen.";
+    changed();
   }
 
   function setBreak(i, isChosen) {
@@ -338,10 +378,20 @@
       box.closest("label").classList.toggle("off", !isOn);
     }
     if (isOn) layers[name].addTo(map); else layers[name].remove();
-    if (name.startsWith("run-")) showOfRuns();
+    if (name.startsWith("run-") && !isShowingMany) showOfRuns();
+    changed();
   }
 
-  function showRuns(isOn) { data.runs.forEach((run, i) => show("run-" + i, isOn(i))); }
+  let isShowingMany = false;  // marks and paths follow when all runs are there
+
+  function many(showAll) {
+    isShowingMany = true;
+    showAll();
+    isShowingMany = false;
+    showOfRuns();
+  }
+
+  function showRuns(isOn) { many(() => data.runs.forEach((run, i) => show("run-" + i, isOn(i)))); }
 
   const shows = {
     all: () => { showRuns(() => true); show("heat", false); },
@@ -359,14 +409,15 @@
   }
 
   function wireLayers() {
-    all("input[data-layer]").forEach((box) => {
+    many(() => all("input[data-layer]").forEach((box) => {
       const name = box.dataset.layer;
       box.addEventListener("change", () => show(name, box.checked));
       show(name, box.checked);
-    });
+    }));
     all("button[data-show]").forEach((button) =>
       button.addEventListener("click", () => {
         leaveBreak();
+        endPair();
         map.closePopup();
         shows[button.dataset.show]();
       }));
@@ -407,7 +458,7 @@
   function detailsRow(room) {
     const row = element("tr", {class: "details"}), cell = element("td", {colspan: "4"});
     const table = element("table"), head = element("tr"), body = element("tbody");
-    const titles = ["Run", "", "Shift", "Area", "Outline", "Doors"];
+    const titles = ["Run", "State", "Shift", "Area", "Outline", "Doors"];
     if (room.kind === "corridor") titles.push("Length");
     titles.forEach((title, i) => head.append(element("th", {scope: "col", class: i > 1 ? "n" : ""}, title)));
     room.runs.forEach((said) => {
@@ -445,6 +496,7 @@
     if (chosen !== null) mark(chosen, false);
     const again = chosen === i && from === "row";
     chosen = again ? null : i;
+    changed();
     if (again) return;
     show("rooms", true);
     mark(i, true);
@@ -585,4 +637,3 @@
       if (isWhole) home();
     }, 100);
   });
-}());

@@ -59,8 +59,8 @@ ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOption
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
 
 /** The maps of a comparison that was read back: those of `files` that are maps of its runs, told by
- *  their content, with the names of the runs and their walls. Other files are left out. They are
- *  read with the options of the comparison.
+ *  their content, with the names of the runs, their walls and scans. Other files are left out. They
+ *  are read with the options of the comparison.
  *  @throws DataError where a file cannot be read. */
 std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files);
 
