@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+
 #include "drawn_building.h"
+#include "drawn_graph.h"
 
 namespace roomgraph {
 namespace {
@@ -30,14 +34,14 @@ TEST(FindPieces, aWholeMapHasNoBreak) {
 
 TEST(FindPieces, aTurnedHalfBreaksAtTheCentreOfTheTurn) {
   const Torn torn;
-  for (const double angle : {0.06, -0.12}) {
+  for (const double angle : {0.08, -0.12}) {
     const auto found =
         torn.breakOf(bent(torn.drawing, angle), carrying(torn.middle, torn.middle, -angle));
     ASSERT_TRUE(found) << angle;
     EXPECT_NEAR(found->rotation, angle, 0.01);
     EXPECT_LT(distance(found->place, torn.middle), 1);
     EXPECT_EQ(found->shift, 0);
-    EXPECT_NEAR(found->pose.phi, 0, 0.01) << "the half at the origin is in place";
+    EXPECT_TRUE(found->isPlaced);
   }
 }
 
@@ -52,6 +56,70 @@ TEST(FindPieces, aMovedHalfBreaksByItsShift) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->rotation, 0, 0.01);
   EXPECT_NEAR(found->shift, 1.5, 0.1);
+}
+
+/** Patches over 20 m, and where they are found by their middle. */
+struct Patches {
+  MapForAlignment map;
+  FollowedWalls followed;
+
+  explicit Patches(const std::function<Transform2D(Point middle)>& poseAt) {
+    map.patches = test::patchesOver({});
+    followed = test::everywhere(map.patches, {});
+    for (FollowedPatch& f : followed.patches) f.pose = poseAt(map.patches[f.patch].middle);
+  }
+  void forget(const std::function<bool(Point middle)>& isGone) {
+    auto& found = followed.patches;
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const auto& f) { return isGone(map.patches[f.patch].middle); }),
+                found.end());
+  }
+  std::optional<PieceBreak> found() const { return findPieces(map, followed, {}); }
+};
+
+Transform2D turnedAbout(Point centre, double angle) { return carrying(centre, centre, angle); }
+
+TEST(FindPieces, piecesMayBend) {
+  for (const double angle : {0.15, -1.5, 3.0}) {
+    const Patches torn([&](Point middle) {
+      const Transform2D bend = turnedAbout(middle, 0.003 * (middle.x - 10));
+      return middle.x > 10 ? turnedAbout({10, 0}, -angle) * bend : bend;
+    });
+    const auto found = torn.found();
+    ASSERT_TRUE(found) << angle;
+    EXPECT_NEAR(found->rotation, angle, 0.03);
+    EXPECT_LT(distance(found->place, {10, 0}), 1) << angle;
+    EXPECT_GT(found->bend, 0);
+    EXPECT_NEAR(double(found->pieces[0].size()), double(found->pieces[1].size()), 10);
+    EXPECT_EQ(found->pieces[0].size() + found->pieces[1].size(), torn.map.patches.size());
+  }
+}
+
+TEST(FindPieces, aDriftIsNoBreakWhereverItIsSeen) {
+  Patches drifting([](Point middle) { return turnedAbout(middle, 0.02 * middle.x); });
+  EXPECT_FALSE(drifting.found());
+  drifting.forget([](Point middle) { return middle.x > 8 && middle.x < 14; });
+  EXPECT_FALSE(drifting.found());
+}
+
+TEST(FindPieces, aTurnAboutFarAwayHasNoPlace) {
+  const auto found = Patches([](Point middle) {
+                       return middle.x > 10 ? turnedAbout({10, 60}, -0.5) : Transform2D{};
+                     }).found();
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->rotation, 0.5, 1e-6);
+  EXPECT_FALSE(found->isPlaced);
+}
+
+TEST(FindPieces, theFirstPieceIsThatOfTheOrigin) {
+  for (const bool isFarFirst : {false, true}) {
+    const Transform2D back = turnedAbout({10, 0}, -0.5);
+    const Patches torn(
+        [&](Point middle) { return (middle.x > 10) != isFarFirst ? back : Transform2D{}; });
+    const auto found = torn.found();
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->rotation, isFarFirst ? -0.5 : 0.5, 1e-6);
+  }
 }
 
 TEST(FindPieces, manyPosesAreNoTwoPieces) {

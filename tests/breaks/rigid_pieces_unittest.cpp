@@ -28,6 +28,18 @@ TEST(RigidPieces, aJumpMakesTwo) {
   EXPECT_EQ(rigidPieces(patches, jump, {}), 2u);
 }
 
+TEST(RigidPieces, thoseThatHoldTogetherAreToldLargestFirst) {
+  const WallPatches patches = patchesOver({});
+  FollowedWalls jump = everywhere(patches, {});
+  for (FollowedPatch& f : jump.patches)
+    if (patches[f.patch].middle.x < 6) f.pose = {0, 3, 0};
+  const auto pieces = piecesThatHold(patches, jump, {});
+  ASSERT_EQ(pieces.size(), 2u);
+  EXPECT_GT(pieces[0].size(), pieces[1].size());
+  EXPECT_EQ(pieces[0].size() + pieces[1].size(), jump.patches.size());
+  for (const std::size_t k : pieces[1]) EXPECT_EQ(jump.patches[k].pose.y, 3);
+}
+
 TEST(RigidPieces, aBendIsNoBreak) {
   const WallPatches patches = patchesOver({});
   FollowedWalls bend = everywhere(patches, {});

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "drawn_building.h"
 #include "drawn_submaps.h"
@@ -102,7 +104,9 @@ TEST(SiteBreaks, soundAndSlowlyDriftingRunsHaveNone) {
 }
 
 /** Maps of one building without scans, each followed in each other. */
-std::vector<std::vector<MapBreak>> breaksOf(const std::vector<Grid>& grids, const Trust& trust) {
+std::vector<std::vector<MapBreak>> breaksOf(
+    const std::vector<Grid>& grids, const Trust& trust,
+    const std::function<void(Site&, MapPairs&)>& change = [](Site&, MapPairs&) {}) {
   std::vector<roomgraph::Run> runs;
   for (const Grid& grid : grids) {
     runs.emplace_back();
@@ -113,6 +117,7 @@ std::vector<std::vector<MapBreak>> breaksOf(const std::vector<Grid>& grids, cons
   site.poses.assign(runs.size(), {});
   MapPairs pairs(runs.size());
   for (const auto& [i, j] : pairs.pairs()) follow(pairs(i, j), runs[i].map, runs[j].map, {{}});
+  change(site, pairs);
   return siteBreaks(site, pairs, {}, trust, {}, oneByOne);
 }
 
@@ -128,6 +133,37 @@ TEST(SiteBreaks, aMapWithoutScansBreaksWhereTheTrustedOnesSaySo) {
   EXPECT_FALSE(breaks[0][0].torn);
   EXPECT_TRUE(breaks[1].empty());
   EXPECT_TRUE(breaks[2].empty());
+}
+
+TEST(SiteBreaks, aMapWithoutScansBreaksWhereItIsDrawn) {
+  const Grid sound = test::drawnBuilding(1, {}), broken = test::bent(sound, 0.12);
+  const Point middle = sound.frame.center({sound.frame.width / 2, sound.frame.height / 2});
+  const Transform2D pose{30, -4, 2};
+  const auto breaks = breaksOf({broken, sound, sound}, {0.1, 1, 1},
+                               [&](Site& site, MapPairs&) { site.poses[0] = pose; });
+  ASSERT_EQ(breaks[0].size(), 1u);
+  EXPECT_LT(distance(breaks[0][0].place, pose(middle)), 1.5);
+}
+
+/** Forgets what was found right of the middle of the first map in another one. */
+void forgetFarSide(Site& site, FollowedWalls& followed) {
+  const MapForAlignment& map = site.runs[0]->map;
+  auto& found = followed.patches;
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const FollowedPatch& f) {
+                               return map.patches[f.patch].middle.x > map.middle().x;
+                             }),
+              found.end());
+}
+
+TEST(SiteBreaks, aMapThatLacksAPieceSaysNothingOfTheBreak) {
+  const Grid sound = test::drawnBuilding(1, {}), broken = test::bent(sound, 0.12);
+  const auto forget = [](Site& site, MapPairs& pairs) { forgetFarSide(site, pairs(0, 1).aInB); };
+  EXPECT_EQ(breaksOf({broken, sound, sound}, {0.1, 1, 1}, forget)[0].size(), 1u);
+  const auto deny = [](Site&, MapPairs& pairs) {
+    for (FollowedPatch& f : pairs(0, 1).aInB.patches) f.pose = {};
+  };
+  EXPECT_TRUE(breaksOf({broken, sound, sound}, {0.1, 1, 1}, deny)[0].empty());
 }
 
 TEST(SiteBreaks, ofTwoMapsTheOneThatIsTrustedLessIsBroken) {

@@ -40,7 +40,10 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
   expectSaid("Where that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
   expectSaid("moves by %g m from one scan to the next", breaks.findBreaks.minShift);
   expectSaid("differ by %g degrees or ", degrees(breaks.findPieces.minRotation));
-  expectSaid(" degrees or %g m, the run breaks once", breaks.findPieces.minShift);
+  expectSaid(" degrees or %g m, and by", breaks.findPieces.minShift);
+  expectSaid("and by %g times what they bend themselves", breaks.findPieces.minContrast);
+  expectSaid("turned by %g degrees (root mean square)", degrees(breaks.findPieces.maxTurnBend));
+  expectSaid("runs with %g %% of the votes", 100 * breaks.minVotes);
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {

@@ -8,8 +8,9 @@
 
 namespace roomgraph {
 
-std::size_t rigidPieces(const WallPatches& patches, const FollowedWalls& followed,
-                        const RigidPiecesOptions& options) {
+std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
+                                                     const FollowedWalls& followed,
+                                                     const RigidPiecesOptions& options) {
   const std::vector<FollowedPatch>& found = followed.patches;
   const auto holdTogether = [&](const FollowedPatch& f, const FollowedPatch& g) {
     const Point a = patches[f.patch].middle, b = patches[g.patch].middle;
@@ -18,18 +19,35 @@ std::size_t rigidPieces(const WallPatches& patches, const FollowedWalls& followe
     const Point between = midpoint(a, b);
     return distance(f.pose(between), g.pose(between)) <= options.maxShift;
   };
-  UnionFind pieces(found.size());
+  UnionFind sets(found.size());
   double all = 0;
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     all += found[i].walls;
     for (std::uint32_t j = 0; j < i; ++j)
-      if (holdTogether(found[i], found[j])) pieces.join(i, j);
+      if (holdTogether(found[i], found[j])) sets.join(i, j);
   }
+  std::vector<std::vector<std::size_t>> pieces(found.size());
   std::vector<double> walls(found.size());
-  for (std::uint32_t i = 0; i < found.size(); ++i) walls[pieces.find(i)] += found[i].walls;
-  return std::size_t(std::count_if(walls.begin(), walls.end(), [&](double of) {
-    return of > 0 && of >= options.minShare * all;
-  }));
+  for (std::uint32_t i = 0; i < found.size(); ++i) {
+    pieces[sets.find(i)].push_back(i);
+    walls[sets.find(i)] += found[i].walls;
+  }
+  const auto wallsOf = [&](const std::vector<std::size_t>& piece) {
+    return piece.empty() ? 0 : walls[piece.front()];  // a set is known by its first member
+  };
+  pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                              [&](const auto& piece) {
+                                return piece.empty() || wallsOf(piece) < options.minShare * all;
+                              }),
+               pieces.end());
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [&](const auto& l, const auto& r) { return wallsOf(l) > wallsOf(r); });
+  return pieces;
+}
+
+std::size_t rigidPieces(const WallPatches& patches, const FollowedWalls& followed,
+                        const RigidPiecesOptions& options) {
+  return piecesThatHold(patches, followed, options).size();
 }
 
 }  // namespace roomgraph

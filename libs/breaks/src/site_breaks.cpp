@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/place_break.h"
 
 namespace roomgraph {
@@ -67,28 +66,63 @@ class BreakSearch {
             torn};
   }
 
-  /** Of a run without scans: whether it lies in the others as two rigid pieces. */
+  /** Of a run without scans: whether it lies in the others as two pieces. The word of that witness
+   *  counts in which they bend least. */
   std::vector<MapBreak> seam() const {
-    std::vector<double> xs, ys, rotations, shifts;
-    double weight = 0, all = 0;
-    for (std::size_t k = 0; k < witnesses_.size(); ++k) {
-      const std::size_t j = witnesses_[k];
-      all += votes_[k];
-      const auto found =
-          findPieces(site_.runs[run_]->map, followedIn(pairs_, run_, j), options_.findPieces);
-      if (!found) continue;
-      weight += votes_[k];
-      const Point place = site_.poses[j](found->pose(found->place));
-      xs.push_back(place.x), ys.push_back(place.y);
-      rotations.push_back(found->rotation), shifts.push_back(found->shift);
+    const std::vector<std::optional<PieceBreak>> found = toldByWitnesses();
+    const PieceBreak* best = nullptr;
+    double bestWeight = 0;
+    for (const auto& told : found) {
+      if (!told || !told->isPlaced) continue;
+      const double weight = votesFor(*told, found);
+      if (best && (weight < bestWeight || (weight == bestWeight && told->bend >= best->bend)))
+        continue;
+      best = &*told, bestWeight = weight;
     }
-    if (2 * weight <= all || xs.empty()) return {};
-    return {{site_.runs[run_]->name,
-             {median(xs), median(ys)},
-             median(rotations),
-             median(shifts),
-             std::nullopt,
-             std::nullopt}};
+    if (!best || bestWeight < options_.minVotes * votesOn(*best, found)) return {};
+    return {{site_.runs[run_]->name, site_.poses[run_](best->place), best->rotation, best->shift,
+             std::nullopt, std::nullopt}};
+  }
+
+  std::vector<std::optional<PieceBreak>> toldByWitnesses() const {
+    std::vector<std::optional<PieceBreak>> told;
+    for (const std::size_t j : witnesses_)
+      told.push_back(
+          findPieces(site_.runs[run_]->map, followedIn(pairs_, run_, j), options_.findPieces));
+    return told;
+  }
+
+  /** The votes of the witnesses that tell of the same break. */
+  double votesFor(const PieceBreak& one,
+                  const std::vector<std::optional<PieceBreak>>& found) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k] && areSame(one, *found[k])) sum += votes_[k];
+    return sum;
+  }
+
+  /** The votes of all but those that know only one of the pieces. */
+  double votesOn(const PieceBreak& one, const std::vector<std::optional<PieceBreak>>& found) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k] || knows(witnesses_[k], one)) sum += votes_[k];
+    return sum;
+  }
+
+  bool knows(std::size_t witness, const PieceBreak& found) const {
+    std::vector<bool> isKnown(site_.runs[run_]->map.patches.size());
+    for (const FollowedPatch& f : followedIn(pairs_, run_, witness).patches)
+      isKnown[f.patch] = true;
+    return std::all_of(found.pieces.begin(), found.pieces.end(), [&](const auto& piece) {
+      const auto known =
+          std::count_if(piece.begin(), piece.end(), [&](std::size_t k) { return isKnown[k]; });
+      return double(known) >= options_.minKnown * double(piece.size());
+    });
+  }
+
+  bool areSame(const PieceBreak& l, const PieceBreak& r) const {
+    const double turn = std::abs(wrappedAngle(l.rotation - r.rotation));
+    return turn <= options_.sameTurn && std::abs(l.shift - r.shift) <= options_.samePlace;
   }
 
   const Site& site_;

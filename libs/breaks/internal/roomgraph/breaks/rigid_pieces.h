@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "roomgraph/relate/follow_walls.h"
 
@@ -8,7 +10,7 @@ namespace roomgraph {
 // After Schwertfeger and Birk (2015), "brokenness"; how the pieces are found is ours
 // In:   FollowedWalls
 // Out:  in how many rigid pieces a map lies in another
-// Next: brokennessOf
+// Next: brokennessOf, findPieces
 
 struct RigidPiecesOptions {
   double reach = 4.5;      ///< between patches that may hold each other [m]
@@ -17,9 +19,15 @@ struct RigidPiecesOptions {
   double minShare = 0.08;  ///< of the walls found, of a piece that counts
 };
 
-/** The number of pieces of a map that hold together in another: patches near by whose poses there
- *  are nearly the same are of one piece, so a map that bends bit by bit is one, and one that jumps
- *  is two. Small pieces do not count; 0 where nothing was followed. O(patches^2). */
+/** Patches that hold together, as indices of `followed.patches`, ascending: those that are near by
+ *  and whose poses in the other map are nearly the same, and so on from one to the next. So a map
+ *  that bends bit by bit is one piece, and one that jumps is two. Most walls first; without those
+ *  that are too small to count. O(patches^2). */
+std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
+                                                     const FollowedWalls& followed,
+                                                     const RigidPiecesOptions& options);
+
+/** How many of them there are; 0 where nothing was followed. */
 std::size_t rigidPieces(const WallPatches& patches, const FollowedWalls& followed,
                         const RigidPiecesOptions& options);
 
