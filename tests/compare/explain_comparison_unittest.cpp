@@ -1,0 +1,99 @@
+#include "explain_comparison.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+ComparedRun scored(const std::string& name, double error) {
+  ComparedRun run;
+  run.name = name;
+  run.score.emplace();
+  run.score->mapError = error, run.score->score = 100 - 100 * error;
+  run.score->low = run.score->score - 5, run.score->high = run.score->score + 5;
+  run.score->share = 0.9, run.score->others = 2, run.score->isMeaningful = true;
+  run.score->bend = 0.3;
+  return run;
+}
+
+Comparison ofRuns(const std::vector<ComparedRun>& runs) {
+  Comparison comparison;
+  comparison.runs = runs;
+  return comparison;
+}
+
+TEST(ReasonOf, saysHowFarTheWallsLieOff) {
+  const Comparison three = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
+  EXPECT_EQ(reasonOf(three.runs[1], three),
+            "its walls lie 0.20 m from where all 3 runs together have them");
+  Comparison measured = three;
+  measured.reference = "plan";
+  EXPECT_EQ(reasonOf(measured.runs[0], measured),
+            "its walls lie 0.10 m from where the reference has them");
+}
+
+TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
+  Comparison torn = ofRuns({scored("a", 0.1), scored("b", 0.2)});
+  torn.breaks.resize(3);
+  torn.breaks[0].run = torn.breaks[2].run = "b", torn.breaks[1].run = "a";
+  torn.runs[1].score->share = 0.35, torn.runs[1].score->isMeaningful = false;
+  EXPECT_NE(reasonOf(torn.runs[0], torn).find("; torn in 1 place"), std::string::npos);
+  EXPECT_NE(reasonOf(torn.runs[1], torn)
+                .find("; torn in 2 places; only 35 % of them follow the other maps; too little to "
+                      "judge by"),
+            std::string::npos);
+}
+
+TEST(ReasonOf, saysWhyThereIsNoScore) {
+  Comparison comparison = ofRuns({scored("a", 0.1), {}, {}});
+  comparison.runs[1].name = "plan", comparison.reference = "plan";
+  comparison.runs[1].isScaleEstimated = true, comparison.runs[1].resolution = 0.0432;
+  EXPECT_EQ(reasonOf(comparison.runs[1], comparison),
+            "the others are measured against it; 0.0432 m per cell, estimated");
+  comparison.runs[2].name = "alone";
+  EXPECT_EQ(reasonOf(comparison.runs[2], comparison), "no other run to compare it with");
+}
+
+TEST(VerdictOf, namesTheBestAndThoseThatMayBeAsGood) {
+  EXPECT_EQ(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)})),
+            "a is the best map, with score 90.0 (85.0 to 95.0) and a map error of about 0.10 m.");
+  EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.15), scored("c", 0.5)}))
+                .find("; b may be as good."),
+            std::string::npos);
+}
+
+TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
+  Comparison partial = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
+  partial.runs[0].measures = {{"coverage", 0.42, "1", 5000, {}, {}, true}};
+  const std::string said = verdictOf(partial);
+  EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
+  EXPECT_NE(said.find("it has seen only 42 %"), std::string::npos) << said;
+  partial.runs[0].measures[0].isMeaningful = false;
+  EXPECT_EQ(verdictOf(partial).rfind("a is the best map", 0), 0u) << "too little to say so";
+}
+
+TEST(VerdictOf, saysWhereNothingCanBeSaid) {
+  EXPECT_NE(verdictOf({}).find("nothing can be compared"), std::string::npos);
+  EXPECT_NE(verdictOf(ofRuns({{}, {}})).find("share no walls"), std::string::npos);
+  EXPECT_EQ(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.4)})),
+            "Two runs cannot tell for sure which is better: they bend 0.30 m apart.");
+}
+
+TEST(Listed, isASentenceOfNames) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"a"}), "a");
+  EXPECT_EQ(listed({"a", "b"}), "a and b");
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
+}
+
+TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
+  EXPECT_EQ(otherSitesNote({{"a", "b"}, {"c", "d"}}),
+            " There are 2 sites, of which only the first is compared: {a and b}, {c and d}.");
+  EXPECT_EQ(sharedDriveNote({"a", "b"}, 3),
+            " 2 runs are of one drive (a and b): what they get wrong together does not show.");
+  EXPECT_EQ(sharedDriveNote({"a", "b"}, 2),
+            " All 2 runs are of one drive: what they get wrong together does not show.");
+}
+
+}  // namespace
+}  // namespace roomgraph
