@@ -5,38 +5,22 @@
 #include <cmath>
 #include <optional>
 
-#include "drawn_building.h"
-#include "drawn_drive.h"
+#include "drive_in_building.h"
 
 namespace roomgraph {
 namespace {
 
-/** A building, and a drive through it. */
-struct Drive {
-  Grid grid = test::drawnBuilding(4, {});
-  MapForAlignment map = mapForAlignment(grid, {});
-  std::vector<Keyframe> frames = test::drawnDrive(grid);
-};
-
-const Drive& drive() {
-  static const Drive the;
-  return the;
-}
-
-ScanTrack trackOf(const std::vector<Keyframe>& frames) {
-  const FollowedWalls known = followWalls(drive().map, drive().map, {{}}, {});
-  return trackScans(scanWalls(frames), drive().map.patches, known, {{}}, drive().map, {});
-}
+using test::driveInBuilding;
 
 std::vector<ScanBreak> breaksIn(const std::vector<Keyframe>& frames) {
-  return findBreaks(scanWalls(frames), trackOf(frames), {});
+  return findBreaks(scanWalls(frames), driveInBuilding().trackOf(frames), {});
 }
 
-TEST(FindBreaks, aSoundRunHasNone) { EXPECT_TRUE(breaksIn(drive().frames).empty()); }
+TEST(FindBreaks, aSoundRunHasNone) { EXPECT_TRUE(breaksIn(driveInBuilding().frames).empty()); }
 
 TEST(FindBreaks, aJumpOfTheHeadingIsFoundWithItsPlaceAndAngle) {
   for (const double turn : {0.06, -0.15}) {
-    const auto found = breaksIn(test::broken(drive().frames, 18, turn, {}));
+    const auto found = breaksIn(test::broken(driveInBuilding().frames, 18, turn, {}));
     ASSERT_EQ(found.size(), 1u) << turn;
     EXPECT_EQ(found[0].scan, 18u);
     EXPECT_NEAR(found[0].rotation, turn, 0.015);
@@ -45,7 +29,7 @@ TEST(FindBreaks, aJumpOfTheHeadingIsFoundWithItsPlaceAndAngle) {
 }
 
 TEST(FindBreaks, aJumpOfThePlaceIsFoundWithItsLength) {
-  const auto found = breaksIn(test::broken(drive().frames, 20, 0, {0.2, 0.5}));
+  const auto found = breaksIn(test::broken(driveInBuilding().frames, 20, 0, {0.2, 0.5}));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].scan, 20u);
   EXPECT_NEAR(found[0].rotation, 0, 0.015);
@@ -53,7 +37,7 @@ TEST(FindBreaks, aJumpOfThePlaceIsFoundWithItsLength) {
 }
 
 TEST(FindBreaks, aDriftIsNoBreak) {
-  std::vector<Keyframe> frames = drive().frames;
+  std::vector<Keyframe> frames = driveInBuilding().frames;
   for (std::size_t i = 1; i < frames.size(); ++i) frames = test::broken(frames, i, 0.004, {});
   EXPECT_TRUE(breaksIn(frames).empty());
 }
