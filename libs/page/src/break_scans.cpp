@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kMostDotsOfScans = 250;
 
 std::vector<Point> thinned(const std::vector<Point>& places) {
-  const std::size_t step = (places.size() + kMostDotsOfScans - 1) / kMostPlaces;
+  const std::size_t step = (places.size() + kMostDotsOfScans - 1) / kMostDotsOfScans;
   std::vector<Point> some;
   for (std::size_t i = 0; i < places.size(); i += std::max<std::size_t>(1, step))
     some.push_back(places[i]);
