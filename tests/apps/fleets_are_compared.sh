@@ -5,11 +5,11 @@
 share=$source_dir/share/roomgraph
 command -v parallel > /dev/null || { echo "skipped: there is no GNU parallel"; exit 77; }
 
-# Ten sites of three runs each: the same two rooms in different files, another width for each site.
+# Forty sites of three runs each: the same two rooms in different files, another width for each site.
 mkdir maps bin
 echo site,file,robot,time > list.csv
-for site in $(seq 10); do
-  rooms room.pgm $((160 + 4 * site))
+for site in $(seq 40); do
+  rooms room.pgm $((160 + site))
   for night in 1 2 3; do
     { printf 'P5\n# site %d night %d\n' "$site" "$night"; tail -n +2 room.pgm; } \
       > "maps/s$site-$night.pgm"
@@ -17,36 +17,36 @@ for site in $(seq 10); do
   done
 done
 # Of the last site, one file ends in the middle.
-head -c 3000 maps/s10-3.pgm > cut.pgm
-mv cut.pgm maps/s10-3.pgm
+head -c 3000 maps/s40-3.pgm > cut.pgm
+mv cut.pgm maps/s40-3.pgm
 results() { (cd "$1/results" && find . -name '*.json' | sort | xargs sha256sum); }
 runs() { sqlite3 "$1" 'SELECT site, sha256, robot, time, state, reason FROM run ORDER BY 1, 2'; }
-damage() { grep -q "site10: .*s10-3.pgm: .*cut short" "$1" || { cat "$1"; fail "no damage in $1"; }; }
+damage() { grep -q "site40: .*s40-3.pgm: .*cut short" "$1" || { cat "$1"; fail "no damage in $1"; }; }
 
 # One after the other.
 expect 0 "$roomgraph" plan list.csv --archive serial.db -o serial --resolution 0.05
-grep -qx '10 tasks for 30 new of 30 runs' out || { cat out; fail "another plan"; }
-expect 1 "$roomgraph" task serial 1 10
-one_line err s10-3.pgm
-expect 2 "$roomgraph" task serial 11
+grep -qx '40 tasks for 120 new of 120 runs' out || { cat out; fail "another plan"; }
+expect 1 "$roomgraph" task serial 1 40
+one_line err s40-3.pgm
+expect 2 "$roomgraph" task serial 41
 results serial > serial.results
-[ "$(wc -l < serial.results)" = 10 ] || fail "not ten results"
+[ "$(wc -l < serial.results)" = 40 ] || fail "not forty results"
 expect 1 "$roomgraph" collect serial --archive serial.db
-grep -qx '9 of 10 tasks are done, 29 runs are new in the archive' out || { cat out; fail "collected"; }
+grep -qx '39 of 40 tasks are done, 119 runs are new in the archive' out || { cat out; fail "collected"; }
 damage err
 runs serial.db > serial.runs
 # What is done is not done again, and collected once.
 touch -d 2001-01-01 serial/results/*/comparison.json
-expect 1 "$roomgraph" task serial 1 10
+expect 1 "$roomgraph" task serial 1 40
 [ "$(find serial/results -name comparison.json -newermt 2001-01-02 | wc -l)" = 0 ] || fail "done twice"
 expect 1 "$roomgraph" collect serial --archive serial.db
 runs serial.db | cmp - serial.runs
 
 # The next night: one new run is one task, for its site alone, and the map that was mended another.
-{ printf 'P5\n# site 3 night 4\n'; rooms room.pgm 172; tail -n +2 room.pgm; } > maps/s3-4.pgm
+{ printf 'P5\n# site 3 night 4\n'; rooms room.pgm 163; tail -n +2 room.pgm; } > maps/s3-4.pgm
 echo "site3,maps/s3-4.pgm,anna,2026-11-04" >> list.csv
 expect 0 "$roomgraph" plan list.csv --archive serial.db -o second --resolution 0.05
-grep -qx '2 tasks for 2 new of 31 runs' out || { cat out; fail "another plan"; }
+grep -qx '2 tasks for 2 new of 121 runs' out || { cat out; fail "another plan"; }
 grep -q '"site":"site3".*"new":1.*s3-4.*s3-1.*s3-2.*s3-3' second/tasks.jsonl || fail "another task"
 sed -i '$d' list.csv
 # A plan of other options, or of files that have changed since, is not done.
@@ -60,7 +60,7 @@ PATH=$PWD/bin:$PATH
 expect 1 "$share/parallel/night" list.csv parallel.db parallel --resolution 0.05
 damage err
 results parallel | cmp - serial.results
-grep -q '<p class="counts">10 sites, 10 robots, 29 runs' parallel/fleet.html || fail "no page"
+grep -q '<p class="counts">40 sites, 40 robots, 119 runs' parallel/fleet.html || fail "no page"
 runs parallel.db | cmp - serial.runs
 
 # On Slurm, two nodes on this machine.
@@ -125,9 +125,9 @@ export SLURM_CONF=$PWD/slurm.conf
 start() { "$@" > "$(basename "$1").out" 2>&1 & started+=($!); }
 start munged --foreground --force --key-file="$PWD/key" --socket="$PWD/munge.socket" \
   --pid-file="$PWD/munged.pid" --log-file="$PWD/munged.log" --seed-file="$PWD/munged.seed"
-# until_true COMMAND...: a minute at most.
+# until_true COMMAND...: two minutes at most.
 until_true() {
-  timeout 60 bash -c 'until "$@" > /dev/null 2>&1; do sleep 0.2; done' - "$@" || {
+  timeout 120 bash -c 'until "$@" > /dev/null 2>&1; do sleep 0.2; done' - "$@" || {
     tail -n 5 ./*.log ./*.out >&2
     fail "waited in vain for: $*"
   }
