@@ -225,9 +225,9 @@ MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& opt
   MapForAlignment map = wallsForAlignment(grid, options);
   map.axisDeviation = axisDeviation(map.walls);
   map.wallSharpness = wallSharpness(grid);
-  map.depths = depthsOf(map.frame, map.states);
+  map.depths = {depthsOf(map.frame, map.states), 0};
   for (int k = 0; k < kOctants; ++k)
-    map.nearest[std::size_t(k)] = nearestWalls(map, k, options.reach);
+    map.nearest[std::size_t(k)] = {nearestWalls(map, k, options.reach), MapForAlignment::kNoWall};
   return map;
 }
 

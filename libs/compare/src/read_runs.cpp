@@ -6,6 +6,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/failure_text.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/return_memory.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -75,6 +76,8 @@ class Reader {
       } catch (...) {
         file.failure = printable(withoutFile(failureText(file.file), file.file));
       }
+      // Reading takes several times what a run keeps; of many, that would add up.
+      returnMemory();
     });
     for (MapFile* file : left) {
       if (file->misuse) std::rethrow_exception(file->misuse);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/align/SparseCells.h"
 #include "roomgraph/align/WallPatches.h"
 #include "roomgraph/align/WallPoint.h"
 #include "roomgraph/geometry/Point.h"
@@ -23,10 +24,10 @@ struct MapForAlignment {
   GridFrame frame;               ///< around all that is known, with a margin
   std::vector<State> states;     ///< row-major, as in Grid
   /** How far each cell is from the nearest that is not free [m]; 0 where it is not free itself. */
-  std::vector<float> depths;
+  SparseCells<float> depths;
   /** For each octant and cell the wall point that is nearest among those whose normal is within 45
    *  degrees of that octant; kNoWall where none is in reach. */
-  std::array<std::vector<std::uint32_t>, kOctants> nearest;
+  std::array<SparseCells<std::uint32_t>, kOctants> nearest;
   std::vector<Point> freePlaces;  ///< evenly spread over the free space
   double freeArea = 0;            ///< [m2]
   std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle

@@ -1,0 +1,46 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace roomgraph {
+
+/** A value for each cell of a map, row-major, where long stretches have one and the same value:
+ *  those take no memory. Reading a cell costs one look-up more than in a vector. */
+template <class T>
+class SparseCells {
+ public:
+  SparseCells() = default;
+  /** `usual` is the value that takes no memory. O(cells). */
+  SparseCells(const std::vector<T>& cells, T usual) : size_(cells.size()), usual_(usual) {
+    for (std::size_t first = 0; first < cells.size(); first += kStretch) {
+      const auto begin = cells.begin() + std::ptrdiff_t(first);
+      const auto end = cells.begin() + std::ptrdiff_t(std::min(first + kStretch, cells.size()));
+      const bool isUsual = std::all_of(begin, end, [&](const T& cell) { return cell == usual; });
+      places_.push_back(isUsual ? kNone : std::uint32_t(values_.size() / kStretch));
+      if (isUsual) continue;
+      values_.insert(values_.end(), begin, end);
+      values_.resize((places_.back() + 1) * kStretch, usual);
+    }
+    values_.shrink_to_fit();
+  }
+
+  std::size_t size() const { return size_; }
+
+  T operator[](std::size_t cell) const {
+    const std::uint32_t place = places_[cell / kStretch];
+    return place == kNone ? usual_ : values_[place * kStretch + cell % kStretch];
+  }
+
+ private:
+  static constexpr std::size_t kStretch = 16;
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+
+  std::size_t size_ = 0;
+  T usual_{};
+  std::vector<std::uint32_t> places_;  // of each stretch among those that are kept
+  std::vector<T> values_;
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,42 @@
+#include "roomgraph/base/return_memory.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMega = 1 << 20;
+
+/** Memory of this process that is there [bytes]. */
+std::size_t residentBytes() {
+  std::ifstream file("/proc/self/statm");
+  std::size_t all = 0, resident = 0;
+  file >> all >> resident;
+  return resident * 4096;
+}
+
+TEST(ReturnMemory, whatIsFreeBetweenWhatIsInUseGoesBack) {
+#ifdef __GLIBC__
+  constexpr std::size_t kBlock = 1 << 16, kBlocks = 64 * kMega / kBlock;
+  std::vector<std::unique_ptr<char[]>> passing, kept;
+  for (std::size_t i = 0; i < kBlocks; ++i) {
+    passing.push_back(std::make_unique<char[]>(kBlock));
+    std::memset(passing.back().get(), 1, kBlock);
+    kept.push_back(std::make_unique<char[]>(64));
+  }
+  passing.clear();
+  const std::size_t before = residentBytes();
+  returnMemory();
+  EXPECT_LT(residentBytes() + 32 * kMega, before);
+#else
+  returnMemory();
+#endif
+}
+
+}  // namespace
+}  // namespace roomgraph
