@@ -1,24 +1,16 @@
 // Writes runs of one artificial office as simplemaps, each with its own way, frame and drift.
-#include <mrpt/io/CFileGZOutputStream.h>
-#include <mrpt/serialization/CArchive.h>
-
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <string>
 
 #include "Random.h"
-#include "drift.h"
+#include "drive_office.h"
 #include "make_office.h"
-#include "roomgraph/base/Error.h"
-#include "simulate_scans.h"
 #include "tour.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMetresPerFrame = 2;
 
 struct RunsOptions {
   MakeOfficeOptions office{800, 600, 1, false};
@@ -26,29 +18,14 @@ struct RunsOptions {
   std::string folder = ".";
 };
 
-double lengthOf(const std::vector<Point>& corners) {
-  double length = 0;
-  for (std::size_t i = 1; i < corners.size(); ++i) length += distance(corners[i - 1], corners[i]);
-  return length;
-}
-
 void writeRun(const GreyMap& office, int number, const std::string& file) {
-  const auto seed = std::uint32_t(number);
-  const std::vector<Point> corners = tour(office, seed);
-  if (corners.size() < 2) throw UsageError("this office has no room for a robot: use another one");
-  const auto truth = walk(corners, std::max(2, int(lengthOf(corners) / kMetresPerFrame)));
-  Random random(seed);
-  DriftOptions errors;
-  errors.turnPerMetre = 2e-5 * random.between(-10, 10);
-  errors.turnNoise = 2e-4 * random.between(0, 10);
-  errors.seed = seed;
-  SimulateScansOptions laser;
-  laser.seed = seed;
-  const double turn = 0.001 * random.between(-3141, 3141);
-  const auto frames = simulateScans(office, truth, drift(truth, {0, 0, turn}, errors), laser);
-  mrpt::io::CFileGZOutputStream out;
-  if (!out.open(file, 1)) throw DataError(file + ": cannot be written; check the directory");
-  mrpt::serialization::archiveFrom(out) << frames;
+  Random random{std::uint32_t(number)};
+  DriveOfficeOptions options;
+  options.seed = options.drift.seed = std::uint32_t(number);
+  options.drift.turnPerMetre = 2e-5 * random.between(-10, 10);
+  options.drift.turnNoise = 2e-4 * random.between(0, 10);
+  options.turn = 0.001 * random.between(-3141, 3141);
+  writeSimplemap(driveOffice(office, tour(office, options.seed), options).frames, file);
 }
 
 void writeRuns(const RunsOptions& options) {
