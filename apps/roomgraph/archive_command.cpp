@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
-#include <set>
 
+#include "ArchiveArguments.h"
 #include "Command.h"
+#include "add_to_archive.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
 #include "output_names.h"
-#include "roomgraph/archive/add_run.h"
+#include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
@@ -17,26 +17,10 @@
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/history_page/history_page.h"
 #include "roomgraph/map_files/map_formats.h"
-#include "roomgraph/report/PairFolder.h"
-#include "run_in_order.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
-
-struct ArchiveArguments {
-  std::string archive;
-  std::string site;  ///< empty for the only one, or the name of the archive
-  std::vector<std::string> files;
-  std::string robot = "robot", time, kept, cache;
-  std::size_t most = AddRunOptions().most;
-  OptionArguments options;
-  WatchOptions watch;
-  std::string format = "csv", output, page;
-  unsigned threads = 0;
-  bool isQuiet = false, failsOnAlarm = false;
-  CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
-};
 
 void declareSite(ArchiveArguments& arguments, CLI::App& app) {
   app.add_option("--site", arguments.site,
@@ -88,6 +72,16 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
   declareReading(arguments.options, app);
 }
 
+void declareNaming(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option("ROOM", arguments.room, "Its id, such as R3, as 'rooms' lists them.")
+      ->type_name("")
+      ->required();
+  app.add_option("NAME", arguments.name, "The name that it is to have from now on.")
+      ->type_name("")
+      ->required();
+  declareSite(arguments, app);
+}
+
 void declareExport(ArchiveArguments& arguments, CLI::App& app) {
   declareSite(arguments, app);
   declareWatch(arguments, app);
@@ -100,17 +94,6 @@ void declareExport(ArchiveArguments& arguments, CLI::App& app) {
       ->capture_default_str();
   app.add_option("-o,--output", arguments.output, "File to write; stdout where it is left out.")
       ->type_name("FILE");
-}
-
-/** The site that is asked for, or that the archive is named after. */
-std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archive) {
-  if (!arguments.site.empty()) return arguments.site;
-  const std::vector<std::string> sites = archive.sites();
-  if (sites.size() == 1) return sites.front();
-  if (sites.size() > 1)
-    throw UsageError(arguments.archive + ": has several sites: name one with --site");
-  const std::string stem = std::filesystem::path(arguments.archive).stem().string();
-  return stem.empty() ? "site" : stem;
 }
 
 /** The site that is asked for, or all. */
@@ -133,72 +116,6 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
   return told;
 }
 
-AddRunOptions optionsOf(const ArchiveArguments& arguments) {
-  AddRunOptions options;
-  options.robot = arguments.robot, options.most = arguments.most;
-  options.kept = arguments.kept;
-  if (!arguments.time.empty()) {
-    options.time = parseTime(arguments.time);
-    if (!options.time)
-      throw UsageError("--time: " + arguments.time + " is no time: give 2026-11-22T03:00");
-  }
-  options.compare = toCompareOptions(arguments.options);
-  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
-  options.compare.onUnread = [](const LeftOutRun& run) {
-    printError(run.file + ": is not compared with: " + run.reason);
-  };
-  return options;
-}
-
-std::string lineOf(const std::string& file, const AddedRun& run) {
-  std::string text = printable(file) + ": ";
-  if (run.wasKnown) return text + "is known already\n";
-  if (run.score && run.score->isMeaningful) {
-    char error[60];
-    std::snprintf(error, sizeof error, "map error %.3f m, score %.0f: ", run.score->mapError,
-                  run.score->score);
-    text += error;
-  } else if (run.isPlaced) {
-    text += "added, too few runs to judge it yet: ";
-  } else {
-    text += "added as a run of another site: ";
-  }
-  return text + printable(run.reason) + "\n";
-}
-
-std::string missingText(const std::set<std::string>& files) {
-  const std::string more =
-      files.size() == 1 ? "" : " (and " + std::to_string(files.size() - 1) + " more)";
-  return *files.begin() + more +
-         ": note: is gone or another file now: not compared with; --keep keeps copies";
-}
-
-/** Adds one run after the other, so that what is done stays whatever happens to the rest. */
-int add(const ArchiveArguments& arguments) {
-  AddRunOptions options = optionsOf(arguments);
-  Archive archive(arguments.archive, Archive::Access::orNew);
-  options.site = siteToAddTo(arguments, archive);
-  std::optional<PairFolder> cache;
-  if (!arguments.cache.empty())
-    options.compare.compare.kept = cache.emplace(arguments.cache).kept();
-  std::set<std::string> missing;
-  options.onMissing = [&](const KnownRun& run) { missing.insert(run.file); };
-  int exitCode = kDone;
-  for (const std::string& file : arguments.files) {
-    try {
-      const AddedRun added = addRun(archive, file, options);
-      if (!arguments.isQuiet) print(lineOf(file, added));
-      if (!added.roomsFailed.empty()) printError(added.roomsFailed);
-    } catch (const DataError& error) {
-      printError(error.what());
-      exitCode = kBadData;
-    }
-  }
-  if (!missing.empty()) printError(missingText(missing));
-  if (cache && !cache->failure().empty()) printError(cache->failure());
-  return exitCode;
-}
-
 int list(const ArchiveArguments& arguments) {
   for (const WatchedSite& site : sitesToTell(arguments)) {
     print(printable(site.history.site) + ":\n");
@@ -210,6 +127,24 @@ int list(const ArchiveArguments& arguments) {
             printable(run.file) + (run.isPlaced ? "" : "  (another site)") + "\n");
     }
   }
+  return kDone;
+}
+
+int listRooms(const ArchiveArguments& arguments) {
+  for (const WatchedSite& site : sitesToTell(arguments)) {
+    print(printable(site.history.site) + ":\n");
+    for (const KnownRoom& room : site.history.ledger.rooms)
+      print("  " + room.id + "  " + printable(room.name) + (room.isCorridor ? "  (corridor)" : "") +
+            "\n");
+  }
+  return kDone;
+}
+
+int nameRoom(const ArchiveArguments& arguments) {
+  if (printable(arguments.name) != arguments.name || arguments.name.empty())
+    throw UsageError("NAME: is empty or no text of one line: choose another name");
+  Archive archive(arguments.archive, Archive::Access::existing);
+  archive.nameRoom(siteToAddTo(arguments, archive), arguments.room, arguments.name);
   return kDone;
 }
 
@@ -258,6 +193,10 @@ std::function<int()> archiveCommand(CLI::App& app) {
   arguments->report =
       app.add_subcommand("report", "Say whether maps get worse, and which rooms have changed.");
   arguments->list = app.add_subcommand("list", "List the runs.");
+  arguments->rooms = app.add_subcommand("rooms", "List the rooms with their ids and names.");
+  arguments->naming = app.add_subcommand("name", "Give a room a name, which it keeps.");
+  declareSite(*arguments, *arguments->rooms);
+  declareNaming(*arguments, *arguments->naming);
   arguments->exporting = app.add_subcommand("export", "Write what is known for other programs.");
   declareAdd(*arguments, *arguments->add);
   declareSite(*arguments, *arguments->report);
@@ -272,8 +211,10 @@ std::function<int()> archiveCommand(CLI::App& app) {
   declareSite(*arguments, *arguments->list);
   declareExport(*arguments, *arguments->exporting);
   return [arguments] {
-    if (arguments->add->parsed()) return add(*arguments);
+    if (arguments->add->parsed()) return addToArchive(*arguments);
     if (arguments->list->parsed()) return list(*arguments);
+    if (arguments->rooms->parsed()) return listRooms(*arguments);
+    if (arguments->naming->parsed()) return nameRoom(*arguments);
     return arguments->report->parsed() ? report(*arguments) : exportAll(*arguments);
   };
 }

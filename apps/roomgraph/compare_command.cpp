@@ -37,6 +37,7 @@ struct CompareArguments {
   std::string cache;     ///< folder that keeps pairs from call to call; empty for none
   unsigned threads = 0;  ///< 0 for one per core
   bool writesBreaks = false;
+  bool comparesEachSite = false;
   bool isQuiet = false;
 };
 
@@ -71,6 +72,10 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_flag("--break-files", arguments.writesBreaks,
                "For each break N of a run with scans also comparison.breakN.rawlog, .untorn.rawlog "
                "and .3Dscene: the scans at it, for RawLogViewer and SceneViewer3D.");
+  app.add_flag("--each-site", arguments.comparesEachSite,
+               "Where the maps are of several sites, such as two floors, compare each site by "
+               "itself: the one with most runs as ever, the next in the folder site2 of --output, "
+               "and so on. Not together with a gate, --names or --reference.");
   app.add_option("--threads", arguments.threads,
                  "How many maps or pairs are worked on at the same time; 0 for one per core.")
       ->type_name("N")
@@ -126,8 +131,8 @@ void printNote(const std::string& file, const Note& note) {
   printError(file + ": note: " + note.text + (isGuess ? "; --estimate-scale finds it" : ""));
 }
 
-/** Reads and compares; a file that cannot be used is a line on stderr. */
-std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
+/** Those of a call; a file that cannot be used is a line on stderr. */
+CompareMapsOptions optionsOf(const CompareArguments& arguments) {
   CompareMapsOptions options = toCompareOptions(arguments.options);
   options.reference = arguments.reference;
   options.compare.areAligned |= arguments.areAligned;
@@ -135,17 +140,69 @@ std::pair<ReadRuns, Comparison> compared(const CompareArguments& arguments) {
   options.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   if (!arguments.isQuiet) options.onNote = printNote;
-  ReadRuns read = readRuns(allFiles(arguments), options);
+  return options;
+}
+
+/** Compares, with what is kept of earlier calls. */
+Comparison compared(const ReadRuns& read, const CompareArguments& arguments) {
+  CompareMapsOptions options = optionsOf(arguments);
   std::optional<PairFolder> cache;
   if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();
   Comparison comparison = compareMaps(read, options);
   if (cache && !cache->failure().empty()) printError(cache->failure());
-  return {std::move(read), std::move(comparison)};
+  return comparison;
 }
 
 void check(const CompareArguments& arguments) {
   if (allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1) < 2)
     throw UsageError("compare: one run cannot be compared: name two, or a --reference");
+  const bool isOfOneSite = !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
+                           !arguments.candidates.empty() || !arguments.reference.empty();
+  if (arguments.comparesEachSite && isOfOneSite)
+    throw UsageError(
+        "compare: --each-site is for several sites: leave --names, --reference, --candidate and "
+        "the gate out, and ask 'roomgraph report' of the comparison.json of each");
+}
+
+/** What could be read, but is of another site than those that were compared. */
+ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
+  const auto isOther = [&](const Run& run) {
+    return std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
+                       [&](const LeftOutRun& left) { return left.name == run.name; });
+  };
+  ReadRuns others;
+  for (Run& run : read.runs)
+    if (isOther(run)) others.runs.push_back(std::move(run));
+  return others;
+}
+
+/** Writes all that is told of a comparison, and says so. */
+void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
+                  const CompareArguments& arguments, const std::string& folder,
+                  StagedFiles& staged) {
+  const ResultFiles files(folder);
+  std::vector<std::string> breakFiles;
+  if (arguments.writesBreaks)
+    breakFiles = addBreakFiles(
+        comparison, runs, toCompareOptions(arguments.options).extract.loadGrid, folder, staged);
+  addResults(comparison, runs, files, breakFiles, staged);
+  staged.commit();
+  if (!arguments.isQuiet) printResults(comparison, files, breakFiles);
+}
+
+/** Compares the sites beside the first, the one with most runs before the others. */
+void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArguments& arguments) {
+  for (int number = 2;; ++number) {
+    read = otherSitesIn(std::move(read), comparison);
+    if (read.runs.size() < 2) return;
+    comparison = compared(read, arguments);
+    if (comparison.runs.size() < 2) return;
+    const auto folder =
+        (std::filesystem::path(arguments.folder) / ("site" + std::to_string(number))).string();
+    makeWritableFolder(folder);
+    StagedFiles staged;
+    writeResults(comparison, read.runs, arguments, folder, staged);
+  }
 }
 
 /** What could be read, but is of another site. Says whether anything could not be read at all. */
@@ -167,7 +224,8 @@ int run(const CompareArguments& arguments) {
   makeWritableFolder(arguments.folder);
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);
-  auto [read, comparison] = compared(arguments);
+  ReadRuns read = readRuns(allFiles(arguments), optionsOf(arguments));
+  Comparison comparison = compared(read, arguments);
   if (site) {
     NamedRooms named = nameRooms(std::move(comparison.rooms), *std::move(site), arguments.names);
     comparison.rooms = std::move(named.rooms), site = std::move(named.file);
@@ -177,16 +235,10 @@ int run(const CompareArguments& arguments) {
   const bool isStruck = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
   if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
-  std::vector<std::string> breakFiles;
-  if (arguments.writesBreaks)
-    breakFiles =
-        addBreakFiles(comparison, read.runs, toCompareOptions(arguments.options).extract.loadGrid,
-                      arguments.folder, staged);
-  addResults(comparison, read.runs, files, breakFiles, staged);
   addGateFiles(comparison, arguments.gate, staged);
-  staged.commit();
   const bool isUnread = printLeftOut(comparison);
-  if (!arguments.isQuiet) printResults(comparison, files, breakFiles);
+  writeResults(comparison, read.runs, arguments, arguments.folder, staged);
+  if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
   const int exitCode = exitCodeOf(comparison, isStruck);
   if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
   return exitCode == kDone && isUnread ? kBadData : exitCode;

@@ -83,6 +83,13 @@ whole site.db
 # Lists, reports and exports.
 expect 0 "$roomgraph" archive site.db list
 [ "$(wc -l < out)" = 7 ] || fail "not a line per run"
+expect 0 "$roomgraph" archive site.db rooms
+grep -qx '  R1  R1' out || { cat out; fail "no room"; }
+expect 0 "$roomgraph" archive site.db name R1 "Kitchen, small"
+expect 0 "$roomgraph" archive site.db rooms
+grep -qx '  R1  Kitchen, small' out || { cat out; fail "no name"; }
+expect 1 "$roomgraph" archive site.db name R77 Attic
+one_line err R77
 expect 0 "$roomgraph" archive site.db report
 grep -q '^  anna: ' out || fail "no line on anna"
 expect 0 "$roomgraph" archive site.db report --fail-on-alarm -q -o page.html

@@ -60,6 +60,7 @@ grep -q '"left_out": \[$' bad/comparison.json || fail "junk is not reported"
 [ "$(wc -l < bad/comparison.runs.csv)" -eq 3 ] || fail "the rest is not compared"
 rooms other.pgm
 expect 0 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz --resolution 0.05 -o other
+[ ! -e other/site2 ] || fail "another site without being asked"
 one_line err other.pgm site
 
 # The gate.
@@ -81,3 +82,19 @@ for below in 200 inf nan; do
 done
 expect 1 "$roomgraph" compare a.gridmap.gz b.gridmap.gz --reference missing.pgm -o o3
 [ ! -e o3/comparison.json ] || fail "a comparison without its reference"
+
+# Maps of several sites are sorted where that is asked for, each into results of its own.
+{ printf 'P5\n# another night\n'; tail -n +2 other.pgm; } > again.pgm
+expect 0 "$roomgraph" compare again.pgm a.gridmap.gz other.pgm b.gridmap.gz c.gridmap.gz \
+  --resolution 0.05 --each-site -o sites
+python3 - <<'P'
+import json
+for folder, names in (("sites", {"a", "b", "c"}), ("sites/site2", {"again", "other"})):
+    result = json.load(open(folder + "/comparison.json"))
+    assert {run["name"] for run in result["runs"]} == names, (folder, result["runs"])
+    assert all(run["other_site"] for run in result["left_out"])
+P
+for file in sites/*.* sites/site2/*; do grep -qF "$file" out || fail "$file is not told of"; done
+[ ! -e sites/site3 ] || fail "a third site"
+expect 2 "$roomgraph" compare a.gridmap.gz other.pgm --each-site --fail-below 50 -o sites
+one_line err --each-site

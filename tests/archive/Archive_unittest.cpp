@@ -30,6 +30,20 @@ class ArchiveTest : public testing::Test {
   const test::Folder folder_;
 };
 
+TEST_F(ArchiveTest, aRoomKeepsTheNameThatItWasGiven) {
+  Archive archive(file(), kOrNew);
+  archive.record(night("office", "anna", 1, 0.2, {"7"}));
+  const auto rooms = [&] { return archive.history("office").ledger.rooms; };
+  ASSERT_FALSE(rooms().empty());
+  const std::string id = rooms().front().id;
+  archive.nameRoom("office", id, "Kitchen");
+  archive.record(night("office", "anna", 2, 0.2, {"8"}));
+  EXPECT_EQ(rooms().front().id, id);
+  EXPECT_EQ(rooms().front().name, "Kitchen");
+  EXPECT_THROW(archive.nameRoom("office", "R99", "Attic"), DataError);
+  EXPECT_THROW(archive.nameRoom("lab", id, "Attic"), DataError);
+}
+
 TEST_F(ArchiveTest, whatIsRecordedComesBack) {
   {
     Archive archive(file(), kOrNew);

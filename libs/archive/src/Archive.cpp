@@ -83,6 +83,23 @@ class Archive::Tables {
     return added;
   }
 
+  void nameRoom(const std::string& site, const std::string& id, const std::string& name) {
+    Transaction transaction(database);
+    Statement row(database, "SELECT ledger FROM site WHERE name = ?");
+    const std::string text = row.with(site).step() ? row.text(0) : "";
+    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
+    const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
+                                   [&](const KnownRoom& known) { return known.id == id; });
+    if (room == ledger.rooms.end())
+      throw DataError(database.file() + ": has no room " + id +
+                      ": 'rooms' lists those that it has");
+    room->name = name;
+    Statement(database, "UPDATE site SET ledger = ? WHERE name = ?")
+        .with(siteJson(ledger), site)
+        .run();
+    transaction.commit();
+  }
+
   mutable Database database;
 
  private:
@@ -258,5 +275,9 @@ SiteHistory Archive::history(const std::string& site) const {
 }
 
 Added Archive::record(const Addition& addition) { return tables_->record(addition); }
+
+void Archive::nameRoom(const std::string& site, const std::string& id, const std::string& name) {
+  tables_->nameRoom(site, id, name);
+}
 
 }  // namespace roomgraph

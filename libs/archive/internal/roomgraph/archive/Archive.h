@@ -39,8 +39,8 @@ struct KnownRun {
 
 /** One file that keeps, of every run of one or several sites, where it comes from, its figures and
  *  what it has of each room. It only ever grows, in transactions: a call that is killed has added
- *  a run wholly or not at all. Several programs may use one at a time. All but the constructor and
- *  record() change nothing. Errors are DataErrors of one line. */
+ *  a run wholly or not at all. Several programs may use one at a time. All but the constructor,
+ *  record() and nameRoom() change nothing. Errors are DataErrors of one line. */
 class Archive {
  public:
   enum class Access { existing, orNew };
@@ -62,6 +62,10 @@ class Archive {
    *  are remembered once two runs have them. With nothing new it changes nothing. O(runs of the
    *  comparison * rooms), however many runs there are already. */
   Added record(const Addition& addition);
+
+  /** Gives a room of a site another name, which it keeps; its id stays.
+   *  @throws DataError where there is no such room. */
+  void nameRoom(const std::string& site, const std::string& id, const std::string& name);
 
  private:
   class Tables;

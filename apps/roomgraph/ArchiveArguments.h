@@ -1,0 +1,30 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "option_arguments.h"
+#include "roomgraph/archive/add_run.h"
+#include "roomgraph/archive/watch_site.h"
+
+namespace roomgraph {
+
+/** What is asked of `roomgraph archive`. */
+struct ArchiveArguments {
+  std::string archive;
+  std::string site;  ///< empty for the only one, or the name of the archive
+  std::vector<std::string> files;
+  std::string robot = "robot", time, kept, cache;
+  std::size_t most = AddRunOptions().most;
+  OptionArguments options;
+  WatchOptions watch;
+  std::string format = "csv", output, page;
+  unsigned threads = 0;
+  std::string room, name;  ///< a room's id, and the name that it is to have
+  bool isQuiet = false, failsOnAlarm = false;
+  CLI::App *rooms = nullptr, *naming = nullptr;
+  CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
+};
+
+}  // namespace roomgraph

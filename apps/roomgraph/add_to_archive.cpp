@@ -1,0 +1,97 @@
+#include "add_to_archive.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+#include "Command.h"
+#include "comparison_results.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/time_text.h"
+#include "roomgraph/report/PairFolder.h"
+#include "run_in_order.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+AddRunOptions optionsOf(const ArchiveArguments& arguments) {
+  AddRunOptions options;
+  options.robot = arguments.robot, options.most = arguments.most;
+  options.kept = arguments.kept;
+  if (!arguments.time.empty()) {
+    options.time = parseTime(arguments.time);
+    if (!options.time)
+      throw UsageError("--time: " + arguments.time + " is no time: give 2026-11-22T03:00");
+  }
+  options.compare = toCompareOptions(arguments.options);
+  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
+  options.compare.onUnread = [](const LeftOutRun& run) {
+    printError(run.file + ": is not compared with: " + run.reason);
+  };
+  return options;
+}
+
+std::string lineOf(const std::string& file, const AddedRun& run) {
+  std::string text = printable(file) + ": ";
+  if (run.wasKnown) return text + "is known already\n";
+  if (run.score && run.score->isMeaningful) {
+    char error[60];
+    std::snprintf(error, sizeof error, "map error %.3f m, score %.0f: ", run.score->mapError,
+                  run.score->score);
+    text += error;
+  } else if (run.isPlaced) {
+    text += "added, too few runs to judge it yet: ";
+  } else {
+    text += "added as a run of another site: ";
+  }
+  return text + printable(run.reason) + "\n";
+}
+
+std::string missingText(const std::set<std::string>& files) {
+  const std::string more =
+      files.size() == 1 ? "" : " (and " + std::to_string(files.size() - 1) + " more)";
+  return *files.begin() + more +
+         ": note: is gone or another file now: not compared with; --keep keeps copies";
+}
+
+}  // namespace
+
+std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archive) {
+  if (!arguments.site.empty()) return arguments.site;
+  const std::vector<std::string> sites = archive.sites();
+  if (sites.size() == 1) return sites.front();
+  if (sites.size() > 1)
+    throw UsageError(arguments.archive + ": has several sites: name one with --site");
+  const std::string stem = std::filesystem::path(arguments.archive).stem().string();
+  return stem.empty() ? "site" : stem;
+}
+
+int addToArchive(const ArchiveArguments& arguments) {
+  AddRunOptions options = optionsOf(arguments);
+  Archive archive(arguments.archive, Archive::Access::orNew);
+  options.site = siteToAddTo(arguments, archive);
+  std::optional<PairFolder> cache;
+  if (!arguments.cache.empty())
+    options.compare.compare.kept = cache.emplace(arguments.cache).kept();
+  std::set<std::string> missing;
+  options.onMissing = [&](const KnownRun& run) { missing.insert(run.file); };
+  int exitCode = kDone;
+  for (const std::string& file : arguments.files) {
+    try {
+      const AddedRun added = addRun(archive, file, options);
+      if (!arguments.isQuiet) print(lineOf(file, added));
+      if (!added.roomsFailed.empty()) printError(added.roomsFailed);
+    } catch (const DataError& error) {
+      printError(error.what());
+      exitCode = kBadData;
+    }
+  }
+  if (!missing.empty()) printError(missingText(missing));
+  if (cache && !cache->failure().empty()) printError(cache->failure());
+  return exitCode;
+}
+
+}  // namespace roomgraph
