@@ -65,7 +65,7 @@ void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>
         state_.hidden.insert(layer);
       calls_.refresh();
     });
-    box->setChecked(state_.hidden.count(layer) == 0);
+    boxes_[layer] = box;
   }
 }
 
@@ -138,6 +138,7 @@ void ViewPanel::addOptions(nanogui::Widget& panel) {
 
 void ViewPanel::follow() {
   for (const auto& [wish, button] : buttons_) button->setPushed(isOn(wish, state_));
+  for (const auto& [layer, box] : boxes_) box->setChecked(state_.hidden.count(layer) == 0);
 }
 
 }  // namespace roomgraph

@@ -37,7 +37,8 @@ class ViewPanel {
   ViewState& state_;
   Calls calls_;
   std::map<Wish, nanogui::Button*> buttons_;
-  std::vector<std::function<void()>> captions_;  // of the options
+  std::map<std::string, nanogui::CheckBox*> boxes_;  // of the layers
+  std::vector<std::function<void()>> captions_;      // of the options
 };
 
 }  // namespace roomgraph

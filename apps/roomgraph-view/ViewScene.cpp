@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "draw_disagreement.h"
 #include "draw_marks.h"
 #include "draw_path.h"
 #include "draw_stage.h"
@@ -110,6 +111,7 @@ void ViewScene::addLayer(const std::string& name, const viz::CSetOfObjects::Ptr&
 }
 
 void ViewScene::addComparison() {
+  if (view_.runs.size() > 1) addLayer(kDisagreement, drawDisagreement(view_));
   MrptScene drawn = comparisonScene(view_.comparison, view_.runs);
   std::vector<std::string> names;
   for (const ComparedRun& run : view_.comparison.runs) names.push_back(run.name);

@@ -129,6 +129,9 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
       return change(Mode::nudge, view, state);
     case Wish::swipe:
       return change(Mode::swipe, view, state);
+    case Wish::disagreement:
+      if (state.hidden.erase(kDisagreement) == 0) state.hidden.insert(kDisagreement);
+      return;
     case Wish::keys:
       state.showsKeys = !state.showsKeys;
       return;

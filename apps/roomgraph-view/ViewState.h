@@ -17,6 +17,9 @@ enum class Mode {
   swipe,    ///< the run is seen left of a line, the other one right of it
 };
 
+/** The layer that shows where runs disagree. */
+constexpr const char* kDisagreement = "disagreement";
+
 /** What of a view is shown. */
 struct ViewState {
   std::size_t run = 0;               ///< whose way is walked
@@ -25,16 +28,16 @@ struct ViewState {
   std::optional<std::size_t> tear;   ///< the break that is looked at, of Comparison::breaks
   std::optional<std::size_t> stage;  ///< of the extraction, see stageNames(); none for its result
   Mode mode = Mode::look;
-  bool isPlaying = false;        ///< goes on by itself
-  bool isFlickering = false;     ///< the run and the other one in turn
-  bool isFlicked = false;        ///< it is the other one's turn
-  bool growsMap = false;         ///< all that was seen up to the key frame, and no map
-  bool showsKeys = false;        ///< all keys are listed
-  std::optional<double> swipe;   ///< where the line of Mode::swipe is [m, x of the site]
-  Transform2D nudge;             ///< how far the run was moved by hand, site <- site
-  std::vector<Point> corners;    ///< of the line that is measured [m]
-  std::optional<Point> read;     ///< the place that was clicked last [m]
-  std::set<std::string> hidden;  ///< layers, by name
+  bool isPlaying = false;       ///< goes on by itself
+  bool isFlickering = false;    ///< the run and the other one in turn
+  bool isFlicked = false;       ///< it is the other one's turn
+  bool growsMap = false;        ///< all that was seen up to the key frame, and no map
+  bool showsKeys = false;       ///< all keys are listed
+  std::optional<double> swipe;  ///< where the line of Mode::swipe is [m, x of the site]
+  Transform2D nudge;            ///< how far the run was moved by hand, site <- site
+  std::vector<Point> corners;   ///< of the line that is measured [m]
+  std::optional<Point> read;    ///< the place that was clicked last [m]
+  std::set<std::string> hidden{kDisagreement};  ///< layers, by name
 };
 
 /** What the user may ask for, by a key or a button. */
@@ -57,6 +60,7 @@ enum class Wish {
   measure,
   nudge,
   swipe,
+  disagreement,
   keys,
   leave,  ///< whatever was begun
 };

@@ -35,6 +35,7 @@ constexpr KeyHelp kKeys[] = {
     {"W", "swipe: one run on each side of a line", hasRuns},
     {"N", "nudge the run, and see how it fits the other one", hasRuns},
     {"X, Z", "next, last stage of the extraction", hasMap},
+    {"D", "where the runs disagree", hasRuns},
     {"M", "measure", always},
     {"click", "read what is there", always},
     {"wheel, right button", "zoom, move", always},
@@ -56,7 +57,8 @@ std::optional<Wish> wishOf(int key, bool isShifted) {
       {GLFW_KEY_G, Wish::grow},          {GLFW_KEY_X, Wish::nextStage},
       {GLFW_KEY_Z, Wish::previousStage}, {GLFW_KEY_M, Wish::measure},
       {GLFW_KEY_N, Wish::nudge},         {GLFW_KEY_W, Wish::swipe},
-      {GLFW_KEY_H, Wish::keys},          {GLFW_KEY_F1, Wish::keys}};
+      {GLFW_KEY_D, Wish::disagreement},  {GLFW_KEY_H, Wish::keys},
+      {GLFW_KEY_F1, Wish::keys}};
   if (isShifted && key == GLFW_KEY_RIGHT) return Wish::lastFrame;
   if (isShifted && key == GLFW_KEY_LEFT) return Wish::firstFrame;
   const auto found = wishes.find(key);

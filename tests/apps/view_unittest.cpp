@@ -339,6 +339,30 @@ TEST(ViewScene, aBreakCanBeHeldAgainstOneOtherRun) {
   EXPECT_FALSE(drawn.scene()->getByName("torn")->isVisible());
 }
 
+TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
+  View view = sampleView();
+  std::vector<std::string> hall(20, "#" + std::string(38, '.') + "#");
+  hall.front() = hall.back() = std::string(40, '#');
+  const auto grid = test::gridOf(test::drawn(hall, 0.1));
+  auto other = grid;  // with a pillar
+  for (int x = 18; x < 21; ++x) other.cells[other.frame.index({x, 10})] = State::occupied;
+  view.runs[0].map = mapForAlignment(grid, AlignmentMapOptions());
+  view.runs[1].map = mapForAlignment(other, AlignmentMapOptions());
+  ViewScene drawn(view);
+  ViewState state;
+  drawn.update(state);
+  const auto layer = drawn.scene()->getByName("disagreement");
+  ASSERT_TRUE(layer);
+  EXPECT_FALSE(layer->isVisible());
+  fulfil(Wish::disagreement, view, state);
+  drawn.update(state);
+  EXPECT_TRUE(layer->isVisible());
+  const auto squares = setOf(drawn, "disagreement")->getByClass<viz::CSetOfTriangles>();
+  ASSERT_TRUE(squares);
+  EXPECT_GT(squares->getTrianglesCount(), 0u);
+  EXPECT_LT(squares->getTrianglesCount(), 20u) << "only where they do";
+}
+
 TEST(ViewScene, aSwipeShowsEachRunOnItsSide) {
   View view = sampleView();
   const auto map =

@@ -20,7 +20,7 @@ COLORS = {"scan": (200, 30, 30), "untorn": (0, 130, 90), "before": (0, 82, 155),
           "text": (30, 34, 40), "ruler": (110, 60, 150), "read": (230, 0, 120),
           "vertex": (0, 110, 82), "line": (20, 20, 20),
           "flag": (150, 20, 80), "best": (0, 114, 178), "torn": (0, 158, 115),
-          "orange": (213, 94, 0)}
+          "orange": (213, 94, 0), "heat": (217, 95, 14)}
 LEFT_HALF = "left half"
 
 
@@ -154,6 +154,13 @@ def swipe(viewer):
     viewer.wait("no line", lambda c: c["line"] < 2000)
 
 
+def disagreement(viewer):
+    viewer.press("d")
+    viewer.wait("where the runs disagree", lambda c: c["heat"] > 200)
+    viewer.press("d")
+    viewer.wait("no disagreement", lambda c: c["heat"] == 0)
+
+
 def nudge(viewer):
     viewer.press("n", *["Right"] * 8)
     viewer.wait("the run beside the other", lambda c: c["torn"] > 500)
@@ -165,6 +172,7 @@ def nudge(viewer):
 def compare_runs(viewer):
     find_break(viewer)
     swipe(viewer)
+    disagreement(viewer)
     nudge(viewer)
 
 

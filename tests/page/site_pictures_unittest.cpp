@@ -1,4 +1,4 @@
-#include "site_pictures.h"
+#include "roomgraph/page/site_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include "break_scans.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/json/rounded.h"
+#include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
-#include "site_pictures.h"
 
 namespace roomgraph {
 namespace {

@@ -14,7 +14,7 @@
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "site_pictures.h"
+#include "roomgraph/page/site_pictures.h"
 
 namespace roomgraph {
 namespace {

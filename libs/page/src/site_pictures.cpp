@@ -1,4 +1,4 @@
-#include "site_pictures.h"
+#include "roomgraph/page/site_pictures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +191,11 @@ const std::vector<Colour>& heatColours() {
   return colours;
 }
 
+int heatLevel(double share) {
+  const int classes = int(heatColours().size());
+  return std::clamp(int(std::ceil(2 * classes * share - 1e-6)), 0, classes);
+}
+
 SitePicture heatPicture(const Disagreement& disagreement) {
   const GridFrame& frame = disagreement.frame;
   if (std::none_of(disagreement.shares.begin(), disagreement.shares.end(),
@@ -199,12 +204,10 @@ SitePicture heatPicture(const Disagreement& disagreement) {
   PaletteImage image{frame.width, frame.height, {{}}, {}, {0}};
   image.palette.insert(image.palette.end(), heatColours().begin(), heatColours().end());
   image.alphas.resize(image.palette.size(), kHeatAlpha);
-  const int classes = int(heatColours().size());
   for (int y = frame.height - 1; y >= 0; --y)
     for (int x = 0; x < frame.width; ++x) {
       const double share = double(disagreement.shares[frame.index({x, y})]);
-      const int level = int(std::ceil(2 * classes * share - 1e-6));
-      image.indices.push_back(std::uint8_t(std::clamp(level, 0, classes)));
+      image.indices.push_back(std::uint8_t(heatLevel(share)));
     }
   return {boxOf(frame), pngBytes(image)};
 }

@@ -55,6 +55,9 @@ Disagreement disagreementOf(const std::vector<PlacedMap>& maps, double cell);
 /** Colours of the heat map: shares up to 1/10, 2/10 and so on, pale to dark. */
 const std::vector<Colour>& heatColours();
 
+/** Which of them a share has, from 1; 0 for none. */
+int heatLevel(double share);
+
 SitePicture heatPicture(const Disagreement& disagreement);
 
 }  // namespace roomgraph
