@@ -186,8 +186,8 @@ TEST(OsmXml, withNumbersAllReferencesAreIdsOfAreas) {
       if (way.tags.count(key) == 0) continue;
       ++count;
       EXPECT_EQ(osm.ways.at(std::stol(way.tags.at(key))).tags.at("osmAG:type"), "area");
-      if (key == std::string("osmAG:parent"))
-        EXPECT_EQ(osm.ways.at(std::stol(way.tags.at(key))).tags.at("name"), "floor_0");
+      if (key != std::string("osmAG:parent")) continue;
+      EXPECT_EQ(osm.ways.at(std::stol(way.tags.at(key))).tags.at("name"), "floor_0");
     }
   EXPECT_EQ(count, 3 + 2 * 2);
 }
