@@ -5,6 +5,14 @@
 namespace roomgraph {
 namespace {
 
+TEST(LowerQuantile, isOneOfTheValues) {
+  EXPECT_EQ(lowerQuantile({4, 1, 2}, 0), 1);
+  EXPECT_EQ(lowerQuantile({4, 1, 2}, 0.5), 2);
+  EXPECT_EQ(lowerQuantile({4, 1, 2}, 0.75), 2) << "where quantile is 3";
+  EXPECT_EQ(lowerQuantile({4, 1, 2}, 1), 4);
+  EXPECT_EQ(lowerQuantile({4, 1, 2, 8}, 0.5), 2) << "the lower of the two in the middle";
+}
+
 TEST(Quantile, liesBetweenTwoNeighboursOnTheStraightLine) {
   EXPECT_DOUBLE_EQ(quantile({4, 1, 2}, 0.75), 3);
   EXPECT_DOUBLE_EQ(quantile({30, 10, 20, 40, 50}, 0.9), 46);

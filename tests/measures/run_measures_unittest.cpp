@@ -22,7 +22,7 @@ std::vector<MeasuredValue> coverage(const std::vector<roomgraph::Run>& runs,
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
   site.poses = poses;
-  return coverageOf(site, bends);
+  return coverageOf(site, DistinctMaps(bends));
 }
 
 TEST(RunMeasures, coverageIsTheShareOfWhatTwoHaveSeen) {
@@ -47,6 +47,71 @@ TEST(RunMeasures, copiesThatArePlacedApartAreNoOtherWitnesses) {
     EXPECT_LE(measure.low.value(), measure.value.value());
     EXPECT_GE(measure.high.value(), measure.value.value());
   }
+}
+
+/** Of run 0 against the others. */
+MeasuredValue bendOfFirst(const PairBends& bends, const Trust& trust) {
+  return bendOf(bends, DistinctMaps(bends), trust, 0);
+}
+
+TEST(RunMeasures, theBendOfARunIsItsMeanAgainstTheOthersByTrust) {
+  PairBends bends(4);
+  bends(0, 1) = {0.1, 1, 400}, bends(0, 2) = {0.3, 1, 500}, bends(0, 3) = {0.8, 1, 600};
+  const MeasuredValue found = bendOfFirst(bends, {1, 1, 1, 0});
+  EXPECT_NEAR(found.value.value(), 0.2, 1e-9) << "a run without trust has no say";
+  EXPECT_EQ(found.support, 900);
+  EXPECT_NEAR(found.low.value(), 0.1, 1e-9);
+  EXPECT_NEAR(found.high.value(), 0.3, 1e-9);
+  EXPECT_NEAR(bendOfFirst(bends, {1, 3, 1, 0}).value.value(), 0.15, 1e-9);
+}
+
+TEST(RunMeasures, aCopyOfARunIsNoOther) {
+  PairBends bends(3);
+  bends(0, 1) = {0, 1, 400, true}, bends(0, 2) = bends(1, 2) = {0.3, 1, 500};
+  const MeasuredValue found = bendOfFirst(bends, {1, 1, 1});
+  EXPECT_NEAR(found.value.value(), 0.3, 1e-9);
+  EXPECT_FALSE(found.hasEnoughOthers);
+}
+
+TEST(RunMeasures, ofAPairTheBendIsTheirOwn) {
+  EXPECT_EQ(bendOfPair({0.25, 0.8, 700}).value, 0.25);
+  EXPECT_EQ(followedOfPair({0.25, 0.8, 700}).value, 0.8);
+  EXPECT_EQ(followedOfPair({0.25, 0.8, 700}).support, 700);
+  EXPECT_FALSE(bendOfPair({0, 0, 0}).value) << "nothing was found again";
+}
+
+TEST(RunMeasures, theAxisDeviationIsInDegrees) {
+  roomgraph::Run run = square(10);
+  EXPECT_FALSE(axisDeviationOf(run).value);
+  run.map.axisDeviation = M_PI / 90;
+  EXPECT_NEAR(axisDeviationOf(run).value.value(), 2, 1e-9);
+  EXPECT_EQ(axisDeviationOf(run).support, 4) << "walls";
+}
+
+/** Distances of one map's walls from another's: so many of each. */
+WallDistances distancesOf(double near, double far) {
+  WallDistances distances;
+  distances.count = near + far, distances.sum = 0.5 * far;
+  distances.histogram[0] = near, distances.histogram[100] = far;  // 0 and half a metre
+  return distances;
+}
+
+TEST(RunMeasures, wallDistancesAreThoseOfAllOthersTogether) {
+  DistanceTable distances(3, pairsOf(3));
+  distances(0, 1) = distancesOf(100, 0), distances(0, 2) = distancesOf(0, 100);
+  const MeasuredValue p25 = wallDistanceOf(distances, {1, 1, 1}, 0, 0.25);
+  EXPECT_NEAR(p25.value.value(), 0, 0.005);
+  EXPECT_NEAR(p25.high.value(), 0.5, 0.005) << "without the near one";
+  EXPECT_NEAR(wallDistanceOf(distances, {1, 1, 1}, 0, 0.9).value.value(), 0.5, 0.005);
+  EXPECT_EQ(p25.support, 200);
+}
+
+TEST(RunMeasures, ofAPairTheWallsOfBothCount) {
+  DistanceTable distances(2, pairsOf(2));
+  distances(0, 1) = distancesOf(300, 0), distances(1, 0) = distancesOf(0, 100);
+  EXPECT_NEAR(meanWallDistanceOfPair(distances, 0, 1).value.value(), 0.125, 1e-9);
+  EXPECT_NEAR(wallDistanceOfPair(distances, 1, 0, 0.9).value.value(), 0.5, 0.005);
+  EXPECT_FALSE(wallDistanceOfPair(DistanceTable(2, pairsOf(2)), 0, 1, 0.5).value) << "no walls";
 }
 
 }  // namespace

@@ -41,6 +41,12 @@ double quantile(std::vector<double> values, double share) {
   return (1 - (place - low)) * *lower + (place - low) * upper;
 }
 
+double lowerQuantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 
 std::optional<double> weightedQuantile(std::vector<WeightedValue> values, double share) {

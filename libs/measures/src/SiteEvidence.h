@@ -5,6 +5,7 @@
 #include "graph_measures.h"
 #include "room_measures.h"
 #include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 #include "run_measures.h"
 
@@ -19,6 +20,7 @@ struct SiteEvidence {
   const Trust& trust;
   const std::vector<std::vector<MapBreak>>& breaks;  ///< of each run
 
+  DistinctMaps maps;
   std::vector<MeasuredValue> coverage;  ///< of each run: what one covers hangs on all
   DistanceTable distances;
   RoomCounts rooms;

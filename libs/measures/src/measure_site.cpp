@@ -20,12 +20,14 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                          const ForEach& forEach) {
   const std::size_t n = site.runs.size();
   if (n == 0) return {};
+  const DistinctMaps maps(bends);
   const SiteEvidence evidence{site,
                               pairs,
                               bends,
                               trust,
                               breaks,
-                              coverageOf(site, bends),
+                              maps,
+                              coverageOf(site, maps),
                               distancesOf(site, pairs.pairs(), forEach),
                               roomCounts(site, pairs.pairs(), forEach),
                               comparedGraphs(site, pairs, forEach)};

@@ -32,7 +32,9 @@ std::vector<MeasureRow> wallRows() {
        {}},
       {{"bend", "Bend away from the others", "m", kWalls,
         "Mean bend against the others, by trust."},
-       [](const SiteEvidence& all, std::size_t run) { return bendOf(all.bends, all.trust, run); },
+       [](const SiteEvidence& all, std::size_t run) {
+         return bendOf(all.bends, all.maps, all.trust, run);
+       },
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return bendOfPair(all.bends(a, b));
        }},

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "measure_over_others.h"
-#include "roomgraph/relate/DistinctMaps.h"
 #include "site_frame.h"
 
 namespace roomgraph {
@@ -59,9 +58,8 @@ MeasuredValue measuredIn(const WallDistances& both, double value) {
 
 }  // namespace
 
-std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends) {
+std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps) {
   const GridFrame frame = siteFrame(site);
-  const DistinctMaps maps(bends);
   const SeenCells seen = seenCells(site, frame, maps);
   const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
   double all = 0;
@@ -92,8 +90,8 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends) 
   return coverage;
 }
 
-MeasuredValue bendOf(const PairBends& bends, const Trust& trust, std::size_t run) {
-  const DistinctMaps maps(bends);
+MeasuredValue bendOf(const PairBends& bends, const DistinctMaps& maps, const Trust& trust,
+                     std::size_t run) {
   const auto weightOf = [&](std::size_t j) {
     return maps.isMeasuredAgainst(run, j) ? trust[j] * bends(run, j).share : 0.0;
   };

@@ -4,6 +4,7 @@
 #include "MeasuredValue.h"
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/base/PairTable.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
 #include "wall_distances.h"
@@ -18,11 +19,12 @@ namespace roomgraph {
 /** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
  *  free. Of runs with the same map one counts. Meaningful with three maps and 10 m2. Support in
  *  cells. O(runs * cells of the site). */
-std::vector<MeasuredValue> coverageOf(const Site& site, const PairBends& bends);
+std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps);
 
 /** Of one run: `bend`, its mean bend against the others, weighted by trust [m]; copies of its map
  *  are no others, unless there are no more. Support in wall points. */
-MeasuredValue bendOf(const PairBends& bends, const Trust& trust, std::size_t run);
+MeasuredValue bendOf(const PairBends& bends, const DistinctMaps& maps, const Trust& trust,
+                     std::size_t run);
 
 /** Of a pair: how far its maps bend [m], and the share of the walls that both have. Support in wall
  *  points. */

@@ -5,17 +5,13 @@
 #include <optional>
 #include <utility>
 
+#include "roomgraph/base/statistics.h"
+
 namespace roomgraph {
 namespace {
 
 constexpr double kSameFacing = 0.5;     // cosine
 constexpr std::size_t kWallStride = 2;  // every second wall of a scan is looked for
-
-double quantileOf(std::vector<double>& values, double share) {
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /** The path from the first scan to each [m]. */
 std::vector<double> pathsTo(const std::vector<ScanWalls>& scans) {
@@ -75,11 +71,11 @@ Figure scanDisagreement(const std::vector<ScanWalls>& scans,
     }
     if (distances.size() < options.minWalls || double(distances.size()) < options.minShare * asked)
       continue;
-    medians.push_back(quantileOf(distances, 0.5));
+    medians.push_back(lowerQuantile(std::move(distances), 0.5));
   }
   if (medians.empty()) return {};
   const double count = double(medians.size());
-  return {quantileOf(medians, options.quantile), count};
+  return {lowerQuantile(std::move(medians), options.quantile), count};
 }
 
 }  // namespace roomgraph

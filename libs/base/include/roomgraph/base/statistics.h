@@ -12,6 +12,9 @@ constexpr double kEightyPercent = 1.2816;
  *  largest, and quantile({1, 2, 4}, 0.75) is 3. `values` must not be empty. O(n). */
 double quantile(std::vector<double> values, double share);
 
+/** The same, but one of the values: the lower of the two neighbours. O(n). */
+double lowerQuantile(std::vector<double> values, double share);
+
 /** The quantile of one half: the middle value, or the mean of the two in the middle. */
 double median(std::vector<double> values);
 
