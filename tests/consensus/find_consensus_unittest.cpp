@@ -83,8 +83,8 @@ TEST(FindConsensus, aPieceThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
 
 TEST(FindConsensus, tellsOtherAnswersThatAreAboutAsGood) {
   const ThreeRuns three;
-  EXPECT_EQ(findConsensus(three.runs(), three.matches, {}).others.size(), 2u)
-      << "all pivots come to the same";
+  EXPECT_EQ(findConsensus(three.runs(), three.matches, {}).others.size(), 3u)
+      << "all starts come to the same";
   for (const SubmapPoses& other : findConsensus(three.runs(), three.matches, {}).others) {
     const auto runs = three.runs();
     EXPECT_LT(mapErrors(runs, three.matches, other)[0].error, 0.05);

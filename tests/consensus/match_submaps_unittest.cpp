@@ -38,15 +38,16 @@ std::vector<MatchedPiece> piecesOf(const roomgraph::Run& of, const roomgraph::Ru
 }
 
 /** All matches of a run in another, whose pose in it is known. */
-MatchedPiece matchesOf(const roomgraph::Run& of, const roomgraph::Run& in,
-                       const Transform2D& pose) {
-  MatchedPiece all;
+std::vector<SubmapMatch> matchesOf(const roomgraph::Run& of, const roomgraph::Run& in,
+                                   const Transform2D& pose) {
+  std::vector<SubmapMatch> all;
   for (const MatchedPiece& piece : piecesOf(of, in, pose))
-    all.insert(all.end(), piece.begin(), piece.end());
+    all.insert(all.end(), piece.matches.begin(), piece.matches.end());
   return all;
 }
 
-void expectTrue(const MatchedPiece& matches, const roomgraph::Run& of, const roomgraph::Run& in) {
+void expectTrue(const std::vector<SubmapMatch>& matches, const roomgraph::Run& of,
+                const roomgraph::Run& in) {
   const RunSubmaps ofSubmaps = runSubmaps(of), inSubmaps = runSubmaps(in);
   std::set<std::uint32_t> found;
   for (const SubmapMatch& match : matches) {
@@ -101,9 +102,10 @@ TEST(MatchSubmaps, aTornRunIsFoundInTwoPieces) {
   of.scans = scanWalls(test::broken(building().frames, 18, 0.4, {1, 2}));
   const auto pieces = piecesOf(of, in, {});
   ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_EQ(pieces[0].front().submap, 0u);
-  EXPECT_EQ(pieces[0].back().submap, 17u);
-  EXPECT_EQ(pieces[1].front().submap, 18u);
+  EXPECT_EQ(pieces[0].matches.front().submap, 0u);
+  EXPECT_EQ(pieces[0].matches.back().submap, 17u);
+  EXPECT_EQ(pieces[1].matches.front().submap, 18u);
+  for (const MatchedPiece& piece : pieces) EXPECT_LT(piece.likeness, 0.5) << "no wing is alike";
   EXPECT_EQ(piecesOf(in, in, {}).size(), 1u) << "a sound one is in one piece";
 }
 

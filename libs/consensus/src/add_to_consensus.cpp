@@ -48,7 +48,8 @@ std::vector<Transform2D> posesAmong(FixedRun& fixed, const RunSubmaps& added, st
   std::vector<RunMatches> both;
   for (const RunMatches* piece : matches) {
     const bool isOf = piece->of == run;
-    both.push_back({isOf ? kAdded : kFixed, isOf ? kFixed : kAdded, piece->matches});
+    both.push_back(
+        {isOf ? kAdded : kFixed, isOf ? kFixed : kAdded, piece->matches, piece->likeness});
     for (SubmapMatch& match : both.back().matches) {
       std::uint32_t& submap = isOf ? match.in : match.submap;
       submap = fixed.placeOf(isOf ? piece->in : piece->of, submap);

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "belief.h"
 #include "move_pieces.h"
 #include "pose_graph.h"
-#include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/shared_drives.h"
 #include "start_poses.h"
+#include "whole_poses.h"
 
 namespace roomgraph {
 namespace {
@@ -17,10 +17,6 @@ namespace {
 // The least slack of a run's links: of one that has its drive to itself, and of one that shares it.
 constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;
 constexpr std::size_t kFewRuns = 5;
-// A match is borne out where the poses agree with it within this: before solving, and after.
-constexpr PoseTolerance kRoughly{0.35, 3.0}, kBorneOut{0.15, 1.0};
-constexpr double kLeastBelief = 1e-3;
-constexpr double kGivenUp = 45;  // half the robust squared residual of a link that is 20 m off
 constexpr double kAboutAsGood = 1.25;  // cost beside that of the best
 
 std::vector<bool> shareTheirDrive(const std::vector<RunSubmaps>& runs,
@@ -58,49 +54,30 @@ std::vector<double> slackOf(const std::vector<RunSubmaps>& runs,
   return slack;
 }
 
-/** How far each piece is believed: by the share of its matches that `poses` bear out. In a building
- *  that repeats itself a run is found in the wrong wing as a whole, which is one mistake, however
- *  many scans it has. What both runs have scanned as one is the same place. */
-std::vector<double> beliefIn(const std::vector<RunMatches>& matches, const SubmapPoses& poses,
-                             const PoseTolerance& within) {
-  std::vector<double> belief;
-  for (const RunMatches& piece : matches) {
-    double borneOut = 0;
-    for (const SubmapMatch& match : piece.matches)
-      borneOut += match.isSameScan ||
-                  areNear(poses[piece.in][match.in].inverse() * poses[piece.of][match.submap],
-                          match.pose, {}, within);
-    const double share = borneOut / double(piece.matches.size());
-    belief.push_back(std::max(kLeastBelief, share * share));
-  }
-  return belief;
-}
-
-/** What giving up pieces costs: as much as a link that gives way. */
-double costOfDisbelief(const std::vector<double>& belief) {
-  double cost = 0;
-  for (const double b : belief) cost += kGivenUp * (1 - b);
-  return cost;
-}
-
 PoseGraphSolution solvedFrom(PoseGraph& graph, SubmapPoses start) {
   graph.belief = beliefIn(graph.matches, start, kRoughly);
   PoseGraphSolution solution = solvePoseGraph(graph, std::move(start), StartIs::rough);
-  graph.belief = beliefIn(graph.matches, solution.poses, kBorneOut);
   movePieces(graph, solution.poses);
+  graph.belief = beliefIn(graph.matches, solution.poses, kBorneOut);
   solution = solvePoseGraph(graph, std::move(solution.poses), StartIs::good);
-  solution.cost += costOfDisbelief(graph.belief);
+  solution.cost += costOfDisbelief(graph.matches, graph.belief);
   return solution;
 }
 
-/** The runs from whose frames the consensus is looked for. Many runs need fewer: most of them are
- *  not torn where the first pivot is. */
-std::vector<std::size_t> pivotsOf(std::size_t runs, const ConsensusOptions& options) {
-  if (options.reference) return {*options.reference};
-  const std::size_t most = runs > kFewRuns ? options.pivots - 1 : options.pivots;
-  std::vector<std::size_t> pivots(std::min(std::max<std::size_t>(1, most), runs));
-  std::iota(pivots.begin(), pivots.end(), 0);
-  return pivots;
+/** Where the search begins: where no run is torn, and in the frames of some runs, the pivots. Of
+ *  many runs one is enough: most of them are not torn where it is. */
+std::vector<SubmapPoses> startsOf(const std::vector<RunSubmaps>& runs,
+                                  const std::vector<RunMatches>& matches,
+                                  const ConsensusOptions& options) {
+  std::vector<SubmapPoses> starts{wholePoses(runs, matches, options.reference)};
+  if (options.reference) {
+    starts.push_back(startPoses(runs, matches, *options.reference));
+    return starts;
+  }
+  const std::size_t most = runs.size() > kFewRuns ? 1 : std::max<std::size_t>(1, options.pivots);
+  for (std::size_t pivot = 0; pivot < std::min(most, runs.size()); ++pivot)
+    starts.push_back(startPoses(runs, matches, pivot));
+  return starts;
 }
 
 }  // namespace
@@ -109,12 +86,12 @@ ConsensusPoses findConsensus(const std::vector<RunSubmaps>& runs,
                              const std::vector<RunMatches>& matches,
                              const ConsensusOptions& options) {
   if (runs.empty()) return {};
-  const std::vector<std::size_t> pivots = pivotsOf(runs.size(), options);
+  std::vector<SubmapPoses> starts = startsOf(runs, matches, options);
   const std::vector<double> slack(runs.size(), 1.0);
-  std::vector<PoseGraph> graphs(pivots.size(), {runs, matches, slack, {}, options.reference});
-  std::vector<PoseGraphSolution> solutions(pivots.size());
-  options.forEach(pivots.size(), [&](std::size_t i) {
-    solutions[i] = solvedFrom(graphs[i], startPoses(runs, matches, pivots[i]));
+  std::vector<PoseGraph> graphs(starts.size(), {runs, matches, slack, {}, options.reference});
+  std::vector<PoseGraphSolution> solutions(starts.size());
+  options.forEach(starts.size(), [&](std::size_t i) {
+    solutions[i] = solvedFrom(graphs[i], std::move(starts[i]));
   });
   const auto best = std::min_element(
       solutions.begin(), solutions.end(),

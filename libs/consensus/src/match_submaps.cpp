@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "likeness.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/consensus/track_scans.h"
@@ -15,6 +16,8 @@ namespace {
 
 constexpr double kFound = 0.15;     // a wall that lies this near to another has been found [m]
 constexpr double kMinShare = 0.45;  // of the walls of a submap
+// What lies nearer to itself than this is always alike.
+constexpr PoseTolerance kBesideItself{0.3, 3.0};
 
 /** Counts which submaps of the other run drew the walls that a submap meets there. */
 class Meeting {
@@ -70,7 +73,7 @@ std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmap
       meeting.add(of.map.walls[wall]);
     const Transform2D& submap = ofSubmaps.submaps[patch.patch].pose;
     if (const auto match = matchAt(patch.patch, submap, patch.pose, meeting, inSubmaps))
-      layers[patch.layer].push_back(*match);
+      layers[patch.layer].matches.push_back(*match);
   }
   std::vector<MatchedPiece> pieces;
   for (auto& [layer, piece] : layers) pieces.push_back(std::move(piece));
@@ -82,6 +85,27 @@ std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmap
 bool isJump(const Transform2D& before, const Transform2D& now, Point at) {
   const TrackScansOptions tracked;
   return !areNear(before, now, at, {tracked.stepTurn, tracked.step});
+}
+
+using Track = std::vector<std::optional<Transform2D>>;  // in <- run, of each scan
+
+/** Compares the map where each piece was found with where the others would have it. */
+void tellLikeness(std::vector<MatchedPiece>& pieces, const Track& track, const Run& of,
+                  const MapForAlignment& in) {
+  const auto middleOf = [](const MatchedPiece& piece) {
+    return piece.matches[piece.matches.size() / 2].submap;
+  };
+  for (std::size_t a = 0; a < pieces.size(); ++a)
+    for (std::size_t b = a + 1; b < pieces.size(); ++b) {
+      if (pieces[a].matches.empty() || pieces[b].matches.empty()) continue;
+      const std::uint32_t k = middleOf(pieces[a]);
+      const Transform2D &here = *track[k], &there = *track[middleOf(pieces[b])];
+      if (areNear(here, there, of.scans[k].at(), kBesideItself)) continue;
+      const double likeness = likenessUnder(there * here.inverse(), in);
+      MatchedPiece& smaller =
+          pieces[b].matches.size() <= pieces[a].matches.size() ? pieces[b] : pieces[a];
+      smaller.likeness = std::max(smaller.likeness, likeness);
+    }
 }
 
 }  // namespace
@@ -101,16 +125,17 @@ std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmap
     Meeting meeting(in.map, inSubmaps, *track[k]);
     for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
     const auto match = matchAt(k, ofSubmaps.submaps[k].pose, *track[k], meeting, inSubmaps);
-    if (match) pieces.back().push_back(*match);
+    if (match) pieces.back().matches.push_back(*match);
   }
+  tellLikeness(pieces, track, of, in.map);
   return pieces;
 }
 
-MatchedPiece sameScans(const Run& a, const Run& b) {
+std::vector<SubmapMatch> sameScans(const Run& a, const Run& b) {
   std::unordered_map<std::uint64_t, std::uint32_t> inB;
   for (std::uint32_t k = 0; k < b.scans.size(); ++k)
     if (b.scans[k].ends.count > 0) inB.emplace(b.scans[k].scanId, k);
-  MatchedPiece matches;
+  std::vector<SubmapMatch> matches;
   for (std::uint32_t k = 0; k < a.scans.size(); ++k) {
     const auto same = inB.find(a.scans[k].scanId);
     if (a.scans[k].ends.count > 0 && same != inB.end())

@@ -14,7 +14,7 @@ namespace {
 constexpr double kAxesTurn = 0.03, kAxesWidth = 6;  // standard deviation [rad], and of the kernel
 // Kernels start this many times as wide and are halved from stage to stage.
 constexpr double kFirstStretch = 8;
-constexpr int kStages = 6, kStageSteps = 6, kLastSteps = 18;
+constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
 
 /** The pose of one submap in another is as it was measured. */
 class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {

@@ -96,12 +96,14 @@ std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
     for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
     found[k] = matchSubmaps(*site.runs[i], submaps[a], *site.runs[j], submaps[b],
                             followedIn(pairs, i, j), wholesInJ);
-    if (a < b) found[k].push_back(sameScans(*site.runs[i], *site.runs[j]));
+    if (a < b) found[k].push_back({sameScans(*site.runs[i], *site.runs[j]), 0});
   });
   std::vector<RunMatches> all;
   for (std::size_t k = 0; k < related.size(); ++k)
     for (MatchedPiece& piece : found[k])
-      if (!piece.empty()) all.push_back({related[k].first, related[k].second, std::move(piece)});
+      if (!piece.matches.empty())
+        all.push_back(
+            {related[k].first, related[k].second, std::move(piece.matches), piece.likeness});
   return all;
 }
 

@@ -22,18 +22,23 @@ struct SubmapMatch {
 };
 
 /** What of one run was found in another in one piece: right or wrong, it is so together. */
-using MatchedPiece = std::vector<SubmapMatch>;
+struct MatchedPiece {
+  std::vector<SubmapMatch> matches;  ///< by submap
+  /** How much the other map looks alike here and where another piece of the run was found, 0 to 1:
+   *  in a building that repeats itself, finding a piece elsewhere than the rest says little. */
+  double likeness = 0;
+};
 
 /** Finds each submap of `of` in the map of `in`: scans by trackScans, patches as they were
  *  `followed`; `wholes` (in <- of) is where the runs may lie as a whole, the likeliest first.
  *  Submaps of which less than 45 % lies on walls there are not found. The pieces are the stretches
- *  of a track between its jumps, or the layers in which patches were followed; within each by
- *  submap. Cost: that of trackScans. */
+ *  of a track between its jumps, or the layers in which patches were followed. Cost: that of
+ *  trackScans. */
 std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
                                        const RunSubmaps& inSubmaps, const FollowedWalls& followed,
                                        const std::vector<Transform2D>& wholes);
 
 /** The scans that both runs have, as runs over one log do. O((a + b) * log b). */
-MatchedPiece sameScans(const Run& a, const Run& b);
+std::vector<SubmapMatch> sameScans(const Run& a, const Run& b);
 
 }  // namespace roomgraph

@@ -1,0 +1,46 @@
+#include "belief.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace roomgraph {
+
+bool isBorneOut(const SubmapMatch& match, const Transform2D& in, const Transform2D& of,
+                const PoseTolerance& within) {
+  return match.isSameScan || areNear(in.inverse() * of, match.pose, {}, within);
+}
+
+double beliefOf(double share) {
+  constexpr double kLeast = 1e-3;  // so that a piece can come back
+  return std::max(kLeast, share * share);
+}
+
+double costOfGivingUp(const RunMatches& piece) {
+  constexpr double kCost = 45;  // half the robust squared residual of a link that is 20 m off
+  constexpr double kMatches = 25, kLeast = 0.2;
+  constexpr double kUnlike = 0.4, kAlike = 0.8;  // likeness from which on it says less, and least
+  return kCost * std::sqrt(double(piece.matches.size()) / kMatches) *
+         std::clamp((kAlike - piece.likeness) / (kAlike - kUnlike), kLeast, 1.0);
+}
+
+std::vector<double> beliefIn(const std::vector<RunMatches>& matches, const SubmapPoses& poses,
+                             const PoseTolerance& within) {
+  std::vector<double> belief;
+  for (const RunMatches& piece : matches) {
+    double borneOut = 0;
+    for (const SubmapMatch& match : piece.matches)
+      borneOut +=
+          isBorneOut(match, poses[piece.in][match.in], poses[piece.of][match.submap], within);
+    belief.push_back(beliefOf(borneOut / double(piece.matches.size())));
+  }
+  return belief;
+}
+
+double costOfDisbelief(const std::vector<RunMatches>& matches, const std::vector<double>& belief) {
+  double cost = 0;
+  for (std::size_t m = 0; m < matches.size(); ++m)
+    cost += costOfGivingUp(matches[m]) * (1 - belief[m]);
+  return cost;
+}
+
+}  // namespace roomgraph
