@@ -7,6 +7,7 @@
 
 #include "drawn_building.h"
 #include "drawn_graph.h"
+#include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
 namespace {
@@ -22,14 +23,14 @@ struct Torn {
 
   std::optional<PieceBreak> breakOf(const Grid& grid, const Transform2D& back) const {
     const MapForAlignment map = mapForAlignment(grid, {});
-    return findPieces(map, followWalls(map, straight, {{}, back}, {}), {});
+    return findPieces(map, straight, followWalls(map, straight, {{}, back}, {}), {});
   }
 };
 
 TEST(FindPieces, aWholeMapHasNoBreak) {
   const Torn torn;
   EXPECT_FALSE(torn.breakOf(torn.drawing, {}));
-  EXPECT_FALSE(findPieces({}, {}, {}));
+  EXPECT_FALSE(findPieces({}, {}, {}, {}));
 }
 
 TEST(FindPieces, aTurnedHalfBreaksAtTheCentreOfTheTurn) {
@@ -60,7 +61,7 @@ TEST(FindPieces, aMovedHalfBreaksByItsShift) {
 
 /** Patches over 20 m, and where they are found by their middle. */
 struct Patches {
-  MapForAlignment map;
+  MapForAlignment map, in;  // nothing is known of the free ground of `in`
   FollowedWalls followed;
 
   explicit Patches(const std::function<Transform2D(Point middle)>& poseAt) {
@@ -74,7 +75,7 @@ struct Patches {
                                [&](const auto& f) { return isGone(map.patches[f.patch].middle); }),
                 found.end());
   }
-  std::optional<PieceBreak> found() const { return findPieces(map, followed, {}); }
+  std::optional<PieceBreak> found() const { return findPieces(map, in, followed, {}); }
 };
 
 Transform2D turnedAbout(Point centre, double angle) { return carrying(centre, centre, angle); }
@@ -122,12 +123,27 @@ TEST(FindPieces, theFirstPieceIsThatOfTheOrigin) {
   }
 }
 
+TEST(FindPieces, theFirstPieceHasTheOriginOnFreeGround) {
+  Patches torn([](Point middle) {
+    return middle.x > 10 ? turnedAbout({10, 0}, -0.5) : Transform2D{};
+  });
+  torn.in.frame = {100, 20, 0.5, {-5, -5}};
+  for (const bool isFirstFree : {true, false}) {
+    torn.in.depths.assign(2000, isFirstFree ? 1 : 0);
+    const Point other = turnedAbout({10, 0}, -0.5)({});
+    torn.in.depths[cellIndexAt(torn.in.frame, other)] = isFirstFree ? 0 : 1;
+    const auto found = torn.found();
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->rotation, isFirstFree ? 0.5 : -0.5, 1e-6);
+  }
+}
+
 TEST(FindPieces, manyPosesAreNoTwoPieces) {
   const Torn torn;
   FollowedWalls drifting;
   for (std::uint32_t i = 0; i < torn.straight.patches.size(); ++i)
     drifting.patches.push_back({i, {0.3 * i, 0, 0}, 10, 0});
-  EXPECT_FALSE(findPieces(torn.straight, drifting, {}));
+  EXPECT_FALSE(findPieces(torn.straight, torn.straight, drifting, {}));
 }
 
 }  // namespace

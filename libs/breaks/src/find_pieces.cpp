@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
@@ -12,7 +13,9 @@ namespace {
 constexpr int kMeansRounds = 12;      // of k-means; it hardly ever takes more than four
 constexpr int kSeamRounds = 8;        // in which a centre and what is near it are found in turn
 constexpr double kBackground = 1e-6;  // weight of what is far from the seam
-constexpr double kAtOrigin = 2;       // how far from its start a robot surely sees walls [m]
+constexpr double kAtOrigin = 2;       // how far from where it starts a robot sees most walls [m]
+constexpr double kClearance = 0.6;    // that shows that there is room for a robot [m]
+constexpr double kTight = 0.05;       // as good as none, as places are not that exact [m]
 constexpr std::size_t kFew = 3;       // patches that show that a piece was drawn there
 constexpr double kLeastBend = 0.01, kLeastTurn = 0.002;  // of pieces; cells are no finer [m, rad]
 constexpr double kMinTurn = 0.03;                        // of a motion that has a centre [rad]
@@ -56,9 +59,9 @@ struct Pieces {
 
 class PieceFinder {
  public:
-  PieceFinder(const MapForAlignment& of, const FollowedWalls& followed,
+  PieceFinder(const MapForAlignment& of, const MapForAlignment& in, const FollowedWalls& followed,
               const FindPiecesOptions& options)
-      : options_(options) {
+      : in_(in), options_(options) {
     for (const FollowedPatch& f : followed.patches) {
       const Point middle = of.patches[f.patch].middle;
       patches_.push_back({f.patch, middle, f.pose(middle), f.pose.phi, f.walls});
@@ -175,14 +178,22 @@ class PieceFinder {
            distance(there(a), there(b)) <= options_.heldPlace;
   }
 
-  /** How much of the walls round the origin a piece has drawn. */
+  /** How much of the walls round the origin a piece has drawn. A robot that comes back there after
+   *  a break draws them once more; but it starts where there is room for it. */
   double atOrigin(const Pieces& pieces, int piece) const {
     double sum = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       const double far = norm(patches_[i].drawn) / kAtOrigin;
-      if (pieces.member[i] == piece) sum += patches_[i].walls / (1 + std::pow(far, 6));
+      if (pieces.member[i] == piece) sum += patches_[i].walls * std::exp(-far);
     }
-    return sum;
+    const double clearance = kTight + clearanceAt(pieces.poses[std::size_t(piece)].shift());
+    return sum * clearance * clearance;
+  }
+
+  /** From a place of the other map to what is not free there, up to what a robot keeps [m]. */
+  double clearanceAt(Point there) const {
+    const std::size_t cell = cellIndexAt(in_.frame, there);
+    return cell < in_.depths.size() ? std::min(kClearance, double(in_.depths[cell])) : 0;
   }
 
   static void swapPieces(Pieces& pieces) {
@@ -267,6 +278,7 @@ class PieceFinder {
     return count > 0 ? (1 / count) * sum : nearest;
   }
 
+  const MapForAlignment& in_;
   const FindPiecesOptions& options_;
   std::vector<Placed> patches_;
   std::vector<std::vector<std::size_t>> seeds_;
@@ -275,9 +287,10 @@ class PieceFinder {
 
 }  // namespace
 
-std::optional<PieceBreak> findPieces(const MapForAlignment& of, const FollowedWalls& followed,
+std::optional<PieceBreak> findPieces(const MapForAlignment& of, const MapForAlignment& in,
+                                     const FollowedWalls& followed,
                                      const FindPiecesOptions& options) {
-  return PieceFinder(of, followed, options).find();
+  return PieceFinder(of, in, followed, options).find();
 }
 
 }  // namespace roomgraph

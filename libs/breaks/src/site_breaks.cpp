@@ -87,8 +87,8 @@ class BreakSearch {
   std::vector<std::optional<PieceBreak>> toldByWitnesses() const {
     std::vector<std::optional<PieceBreak>> told;
     for (const std::size_t j : witnesses_)
-      told.push_back(
-          findPieces(site_.runs[run_]->map, followedIn(pairs_, run_, j), options_.findPieces));
+      told.push_back(findPieces(site_.runs[run_]->map, site_.runs[j]->map,
+                                followedIn(pairs_, run_, j), options_.findPieces));
     return told;
   }
 

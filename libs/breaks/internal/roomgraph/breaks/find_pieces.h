@@ -48,16 +48,17 @@ struct FindPiecesOptions {
   double maxOutside = 5;   ///< of the centre of a turn, from what a piece has drawn [m]
 };
 
-/** Whether the patches lie in the other map as two pieces, each of which may bend a little. Each
- *  two of the parts that surely hold together are tried: all patches go to the nearer one of the
- *  two, and both are fitted anew, until nothing changes (k-means); those two count that explain
- *  most walls. The first piece is the one that drew the walls around the origin of the run, where
- *  robots start. A break that turns is where the turn has its centre, the motion being fitted to
- *  what is near; where that is far from both pieces, one of them was found in the wrong place,
- *  and `isPlaced` is false. One that only shifts is put into the middle of the patches that both
- *  pieces have, which can be many metres off. None for a map that is whole, or bends all along.
- *  O(patches^2). */
-std::optional<PieceBreak> findPieces(const MapForAlignment& of, const FollowedWalls& followed,
+/** Whether the patches of `of` lie in the map `in` as two pieces, each of which may bend a
+ *  little. Each two of the parts that surely hold together are tried: all patches go to the
+ *  nearer one of the two, and both are fitted anew, until nothing changes (k-means); those two
+ *  count that explain most walls. The first piece is the one that drew the walls around the
+ *  origin of the run, where robots start, and that has the origin on free ground. A break that
+ *  turns is where the turn has its centre, the motion being fitted to what is near; where that is
+ *  far from both pieces, one of them was found in the wrong place, and `isPlaced` is false. One
+ *  that only shifts is put into the middle of the patches that both pieces have, which can be
+ *  many metres off. None for a map that is whole, or bends all along. O(patches^2). */
+std::optional<PieceBreak> findPieces(const MapForAlignment& of, const MapForAlignment& in,
+                                     const FollowedWalls& followed,
                                      const FindPiecesOptions& options);
 
 }  // namespace roomgraph
