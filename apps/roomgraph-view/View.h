@@ -34,7 +34,8 @@ struct View {
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const std::function<void(const std::string&)>& say);
 
-/** Extracts the one map anew, with the options of the view. What they do not change is kept. */
+/** Extracts the one map anew, with the options of the view; of them only those of the steps behind
+ *  the Voronoi diagram may have changed. */
 void extractAgain(View& view);
 
 }  // namespace roomgraph

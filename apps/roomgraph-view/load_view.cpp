@@ -98,7 +98,8 @@ View loadView(const std::vector<std::string>& files, const ExtractOptions& optio
 
 void extractAgain(View& view) {
   const auto start = std::chrono::steady_clock::now();
-  view.stages = extract(*view.map, view.options);
+  view.stages = view.stages ? extractAgain(std::move(*view.stages), *view.map, view.options)
+                            : extract(*view.map, view.options);
   view.graph = CRoomGraph(*view.stages);
   view.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -80,6 +80,25 @@ std::vector<std::vector<Point>> cornersOf(const Rooms& rooms) {
   return all;
 }
 
+TEST(ExtractAgain, givesWhatExtractGives) {
+  std::size_t changed = 0;
+  for (const std::string& name : mapNames()) {
+    const MapText text = readMapText(name);
+    const GreyMap map = greyMap(text);
+    const ExtractOptions first = optionsOf(text);
+    ExtractOptions other = first;
+    other.findRooms.minWidth = 2 * text.resolution, other.findRooms.alphaPx2 = 0;
+    other.clearClutter.maxSize = 0, other.keepClear.minClearance = 0.5 * text.resolution;
+    const Stages before = extract(map, first), again = extractAgain(before, map, other);
+    const Stages anew = extract(map, other);
+    EXPECT_EQ(bytesOf(again.result), bytesOf(anew.result)) << name;
+    EXPECT_EQ(again.notes.size(), anew.notes.size()) << name;
+    EXPECT_EQ(bytesOf(extractAgain(again, map, first).result), bytesOf(before.result)) << name;
+    changed += bytesOf(again.result) != bytesOf(before.result);
+  }
+  EXPECT_GT(changed, 5u) << "or the options make no difference";
+}
+
 TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
   ExtractOptions options;
   options.findRooms.minWidth = 1.63;  // no multiple of a cell: no ties

@@ -138,21 +138,11 @@ void addNotes(Stages& s) {
     note("no_room", "the map has no room, only corridors");
 }
 
-}  // namespace
-
-Stages extract(const GreyMap& map, const ExtractOptions& options) {
-  Stages s = prepared(map, options);
-  const StepTimer timed(s.timings);
-  const double resolution = map.frame.resolution;
+/** All that comes behind the Voronoi diagram. */
+void readDiagram(Stages& s, const StepTimer& timed) {
+  const ExtractOptions& options = s.options;
+  const double resolution = s.grid.frame.resolution;
   const double minLength = shortLength(options.shortDeadEnds, resolution);
-
-  // IV-C: threshold and thinning
-  s.grid = timed("binarize", binarize, map, options.binarize);
-  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, options.thinObstacles);
-  s.sites = timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
-
-  // III-A: the Voronoi diagram
-  s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
   s.isInside = timed("keep_inside", keepInside, s.voronoi, s.grid, options.keepInside);
 
   // III-B: the rooms, which tell what is half seen
@@ -179,6 +169,30 @@ Stages extract(const GreyMap& map, const ExtractOptions& options) {
   s.areas =
       timed("area_graph", areaGraph, s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   addNotes(s);
+}
+
+}  // namespace
+
+Stages extract(const GreyMap& map, const ExtractOptions& options) {
+  Stages s = prepared(map, options);
+  const StepTimer timed(s.timings);
+
+  // IV-C: threshold and thinning
+  s.grid = timed("binarize", binarize, map, options.binarize);
+  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, options.thinObstacles);
+  s.sites = timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
+
+  // III-A: the Voronoi diagram
+  s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
+  readDiagram(s, timed);
+  return s;
+}
+
+Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options) {
+  Stages s = prepared(map, options);
+  s.grid = std::move(before.grid), s.sites = std::move(before.sites);
+  s.voronoi = std::move(before.voronoi);
+  readDiagram(s, StepTimer(s.timings));
   return s;
 }
 
