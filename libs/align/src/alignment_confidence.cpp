@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_confidence.h"
+
 namespace roomgraph {
 namespace {
 
@@ -39,12 +41,13 @@ double alignmentScore(const AlignmentEvidence& e) {
 
 double sameSiteLogOdds(const AlignmentEvidence& e) {
   const Shares share(e);
-  const double odds = -4.307 + 0.255 * std::log1p(e.loose) - 0.787 * std::log(share.onWall) -
-                      0.252 * std::log(share.slightly) - 0.212 * std::log(share.deep) +
-                      2.057 * share.found + 0.303 * std::log1p(std::max(0.0, e.weakest)) +
-                      0.599 * std::log(e.overlap + 0.05) +
-                      0.791 * std::log((e.known + 1) / (e.all + 1)) -
-                      5.394 * e.contradicted / (e.known + 10) - 4.561 * e.slightly / (e.known + 10);
+  const auto& w = fitted::kSameSite;
+  const double odds = w[0] + w[1] * std::log1p(e.loose) + w[2] * std::log(share.onWall) +
+                      w[3] * std::log(share.slightly) + w[4] * std::log(share.deep) +
+                      w[5] * share.found + w[6] * std::log1p(std::max(0.0, e.weakest)) +
+                      w[7] * std::log(e.overlap + 0.05) +
+                      w[8] * std::log((e.known + 1) / (e.all + 1)) +
+                      w[9] * e.contradicted / (e.known + 10) + w[10] * e.slightly / (e.known + 10);
   return std::clamp(odds, -6.0, 6.0);
 }
 
@@ -52,8 +55,9 @@ double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMa
                       double weakest) {
   const double margin = std::clamp(scoreMargin, 0.0, 6.0);
   const double rival = std::clamp(runnerUpLogOdds, -4.0, 3.0);
-  const double odds = -0.956 + 0.575 * bestLogOdds + 1.432 * margin + 0.242 * rival -
-                      1.111 * margin * probability(rival - 1);
+  const auto& w = fitted::kRightPose;
+  const double odds = w[0] + w[1] * bestLogOdds + w[2] * margin + w[3] * rival +
+                      w[4] * margin * probability(rival - 1);
   const double confidence = probability(odds);
   if (isAmbiguousPose(runnerUpLogOdds, scoreMargin) || weakest < kHeld)
     return std::min(confidence, kAmbiguousConfidence);
