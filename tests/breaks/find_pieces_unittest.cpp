@@ -129,9 +129,10 @@ TEST(FindPieces, theFirstPieceHasTheOriginOnFreeGround) {
   });
   torn.in.frame = {100, 20, 0.5, {-5, -5}};
   for (const bool isFirstFree : {true, false}) {
-    torn.in.depths.assign(2000, isFirstFree ? 1 : 0);
+    std::vector<float> depths(2000, isFirstFree ? 1 : 0);
     const Point other = turnedAbout({10, 0}, -0.5)({});
-    torn.in.depths[cellIndexAt(torn.in.frame, other)] = isFirstFree ? 0 : 1;
+    depths[cellIndexAt(torn.in.frame, other)] = isFirstFree ? 0 : 1;
+    torn.in.depths = SparseCells<float>(depths, 0);
     const auto found = torn.found();
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->rotation, isFirstFree ? 0.5 : -0.5, 1e-6);
