@@ -10,6 +10,7 @@
 #include "Command.h"
 #include "comparison_results.h"
 #include "error_line.h"
+#include "mrpt_results.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"

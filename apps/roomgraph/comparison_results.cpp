@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "Command.h"
 #include "error_line.h"
+#include "mrpt_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
-#include "roomgraph/mrpt_plugin/break_files.h"
-#include "roomgraph/mrpt_plugin/comparison_scene.h"
-#include "roomgraph/mrpt_plugin/map_comparison_file.h"
-#include "roomgraph/mrpt_plugin/rawlog_file.h"
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
@@ -107,36 +103,9 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
   staged.add(files.runs, comparisonRunsCsv(saved));
   staged.add(files.rooms, comparisonRoomsCsv(saved));
   staged.add(files.site, siteGeojson(saved));
-  staged.add(files.scene, comparisonSceneBytes(saved, runs));
-  staged.add(files.object, mapComparisonBytes(CMapComparison(saved, runs)));
+  staged.add(files.scene, comparisonSceneFile(saved, runs));
+  staged.add(files.object, comparisonObjectFile(saved, runs));
   staged.add(files.report, comparisonReport(saved, runs));
-}
-
-std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
-                                       const LoadGridOptions& reading,
-                                       const std::filesystem::path& folder, StagedFiles& staged) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back((folder / name).string());
-    staged.add(names.back(), bytes);
-  };
-  std::map<std::string, std::vector<RobotScan>> scansOf;  // by run
-  for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
-    const MapBreak& tear = comparison.breaks[i];
-    const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
-    const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
-    const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
-    if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
-    const auto [known, isNew] = scansOf.try_emplace(tear.run);
-    if (isNew) known->second = loadScans(run->file, reading);
-    const std::vector<RobotScan>& scans = known->second;
-    const std::string stem = "comparison.break" + std::to_string(i + 1);
-    for (const bool isUntorn : {false, true})
-      add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
-          rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
-    add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
-  }
-  return names;
 }
 
 void printResults(const Comparison& comparison, const ResultFiles& files,

@@ -45,14 +45,6 @@ bool addGate(Comparison& comparison, const GateOptions& gate);
 void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
                 const std::vector<std::string>& more, StagedFiles& staged);
 
-/** For each break with a key frame: logs of the scans before and behind it, as the run has them and
- *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from
- *  1. Those whose run is not among `runs` are left out. Returns their names.
- *  @throws DataError where a run cannot be read any more. */
-std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
-                                       const LoadGridOptions& reading,
-                                       const std::filesystem::path& folder, StagedFiles& staged);
-
 /** `more` are files besides the usual ones. */
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);

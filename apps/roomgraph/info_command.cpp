@@ -8,6 +8,7 @@
 
 #include "Command.h"
 #include "error_line.h"
+#include "mrpt_results.h"
 #include "option_arguments.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/files/checked_file.h"
@@ -15,8 +16,6 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
-#include "roomgraph/mrpt_plugin/map_comparison_file.h"
-#include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
 
@@ -78,8 +77,8 @@ std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && start[first] == '{') return graphText(readGraphJson(file));
-  if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
-  if (start.find("CMapComparison") != std::string::npos) return loadMapComparison(file).asString();
+  if (start.find("CRoomGraph") != std::string::npos) return roomGraphText(file);
+  if (start.find("CMapComparison") != std::string::npos) return mapComparisonText(file);
   return mapText(file, options);
 }
 

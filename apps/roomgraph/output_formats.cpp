@@ -4,6 +4,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "mrpt_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/graph_files/area_labels_png.h"
@@ -11,8 +12,6 @@
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/graph_files/graphml.h"
 #include "roomgraph/graph_files/osm_xml.h"
-#include "roomgraph/mrpt_plugin/room_graph_file.h"
-#include "roomgraph/mrpt_plugin/scene_file.h"
 
 namespace roomgraph {
 namespace {
@@ -30,9 +29,8 @@ constexpr OutputFormat kFormats[] = {
     {"png", "png", drawPng},
     {"graphml", "graphml", [](const Stages& stages) { return graphml(stages.result); }},
     {"geojson", "geojson", [](const Stages& stages) { return geojson(stages.result); }},
-    {"3Dscene", "3Dscene", [](const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }},
-    {"roomgraph", "roomgraph",
-     [](const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }},
+    {"3Dscene", "3Dscene", graphSceneFile},
+    {"roomgraph", "roomgraph", graphObjectFile},
     {"labels", "areas.png",
      [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }},
     {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); }},

@@ -1,4 +1,4 @@
-#include "pose_graph.h"
+#include "roomgraph/consensus/pose_graph.h"
 
 #include <gtest/gtest.h>
 

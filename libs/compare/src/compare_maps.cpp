@@ -1,7 +1,6 @@
 #include "roomgraph/compare/compare_maps.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "roomgraph/align/scan_walls.h"
@@ -12,41 +11,6 @@
 #include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
-
-FieldTable describe(CompareMapsOptions& options) {
-  FieldTable table = describe(options.extract);
-  table.flag("compare", "aligned", options.compare.areAligned,
-             "All maps are in one frame already.");
-  table.flag("compare", "estimate_scale", options.estimatesScale,
-             "Bare pictures are read at the scale at which they fit the other maps.");
-  table.number("run_score", "scale", options.compare.scoreScale, "m", 0.001, 1000,
-               "The map error at which the score is 37, which is 100 / e.");
-  table.number("run_score", "min_share", options.compare.leastShare, "", 0, 1,
-               "Share of its walls that another map must have, too, for a score that counts.");
-  table.number("site_breaks", "min_shift", options.compare.breakShift, "m", 0.05, 100,
-               "A run whose map jumps by this or more breaks there.");
-  table.number("site_breaks", "min_rotation", options.compare.breakRotation, "rad", 0.005, 4,
-               "The same where it turns by this or more.");
-  return table;
-}
-
-void setUsed(const Comparison& comparison, FieldTable& table) {
-  for (const UsedOption& used : comparison.options)
-    for (const Field& field : table.fields())
-      if (field.section == used.section && field.name == used.name)
-        table.set(used.section, used.name, used.value);
-}
-
-std::vector<UsedOption> usedOptions(CompareMapsOptions options) {
-  std::vector<UsedOption> used;
-  const FieldTable table = describe(options);
-  for (const Field& field : table.fields())
-    used.push_back({field.section, field.name, valueText(field), field.unit, field.sentence});
-  used.push_back({"compare", "reference",
-                  std::filesystem::path(options.reference).filename().string(), "",
-                  "The map that all runs are measured against; empty for none."});
-  return used;
-}
 
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) {
   CompareRunsOptions compare = options.compare;

@@ -6,7 +6,7 @@
 
 #include "belief.h"
 #include "move_pieces.h"
-#include "pose_graph.h"
+#include "roomgraph/consensus/pose_graph.h"
 #include "roomgraph/consensus/shared_drives.h"
 #include "start_poses.h"
 #include "whole_poses.h"

@@ -1,5 +1,5 @@
 #pragma once
-#include "pose_graph.h"
+#include "roomgraph/consensus/pose_graph.h"
 
 namespace roomgraph {
 

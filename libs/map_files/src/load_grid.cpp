@@ -4,7 +4,7 @@
 
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/map_files/map_formats.h"
-#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
 namespace {

@@ -1,17 +1,15 @@
 #include "read_gridmap.h"
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
-
 #include <array>
 #include <charconv>
 #include <cmath>
+// It does not include what it uses, and stands behind what does.
+#include <mrpt/maps/CLogOddsGridMapLUT.h>
 
-#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
 namespace {
-
-using mrpt::maps::COccupancyGridMap2D;
 
 constexpr int kNewestVersion = 7;  // the layout of 6, in 8 bits only
 constexpr const char* kSaveAgain = "copy or save the map again";
@@ -24,6 +22,12 @@ struct GridHeader {
 
   std::uint64_t cellBytes() const { return std::uint64_t(width) * height * (bitsPerCell / 8); }
 };
+
+/** MRPT's own table of probabilities; that of COccupancyGridMap2D would need its library. */
+mrpt::maps::CLogOddsGridMapLUT<std::int8_t>& logOddsTable() {
+  static mrpt::maps::CLogOddsGridMapLUT<std::int8_t> table;
+  return table;
+}
 
 /** MRPT keeps single precision: 0.05 is stored as 0.0500000007. Takes what the writer meant. */
 double decimal(float value) {
@@ -98,8 +102,7 @@ std::array<std::uint8_t, 256> greyTable(int version) {
   std::array<std::uint8_t, 256> table;
   for (int byte = 0; byte < 256; ++byte) {
     const auto probability = float(byte * (1.0 / 0xFF));
-    const int cell =
-        version < 3 ? int(COccupancyGridMap2D::p2l(probability)) : int(std::int8_t(byte));
+    const int cell = version < 3 ? int(logOddsTable().p2l(probability)) : int(std::int8_t(byte));
     table[std::size_t(byte)] = greyOfLogOdds(cell);
   }
   return table;
@@ -108,8 +111,8 @@ std::array<std::uint8_t, 256> greyTable(int version) {
 }  // namespace
 
 std::uint8_t greyOfLogOdds(int cell) {
-  const auto logOdds = static_cast<COccupancyGridMap2D::cellType>(cell);
-  return static_cast<std::uint8_t>(std::lround(255 * COccupancyGridMap2D::l2p(logOdds)));
+  const float probability = logOddsTable().l2p(static_cast<std::int8_t>(cell));
+  return static_cast<std::uint8_t>(std::lround(255 * probability));
 }
 
 bool isGridmap(CheckedFile& file) {

@@ -6,8 +6,8 @@
 #include "grid_of_points.h"
 #include "read_gridmap.h"
 #include "roomgraph/scans/find_slice.h"
-#include "roomgraph/scans/read_cloud.h"
-#include "roomgraph/scans/read_observation.h"
+#include "roomgraph/scans/object_header.h"
+#include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
 namespace {

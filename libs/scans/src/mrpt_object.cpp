@@ -13,10 +13,7 @@ namespace {
 using mrpt::poses::CPose2D;
 using mrpt::poses::CPose3D;
 
-constexpr std::size_t kLongestClassName = 120;
 constexpr const char* kSaveAgain = "copy or save the map again";
-
-bool isNameByte(std::uint8_t c) { return std::isalnum(c) || c == '_' || c == ':'; }
 
 struct Matrix {
   std::uint32_t rows = 0, columns = 0;
@@ -168,56 +165,8 @@ CPose3D readInformation2D(ByteReader& in) {
 
 }  // namespace
 
-bool startsWithOptional(ByteView bytes) {
-  constexpr char text[] = "std::optional";
-  constexpr std::uint32_t length = sizeof text - 1;
-  return bytes.size >= sizeof length + length &&
-         std::memcmp(bytes.data, &length, sizeof length) == 0 &&
-         std::memcmp(bytes.data + sizeof length, text, length) == 0;
-}
-
-std::optional<ObjectHeader> peekObjectHeader(ByteView bytes) {
-  if (bytes.size < 2) return std::nullopt;
-  ObjectHeader header;
-  header.isOldFormat = (bytes.data[0] & 0x80) == 0;
-  const std::size_t length = bytes.data[0] & 0x7f;
-  const std::size_t start = header.isOldFormat ? 4 : 1;
-  if (length == 0 || length > kLongestClassName || bytes.size < start + length) return std::nullopt;
-  for (std::size_t i = 1; i < start; ++i)
-    if (bytes.data[i] != 0) return std::nullopt;
-  for (std::size_t i = 0; i < length; ++i)
-    if (!isNameByte(bytes.data[start + i])) return std::nullopt;
-  header.className.assign(reinterpret_cast<const char*>(bytes.data + start), length);
-  const auto colon = header.className.rfind(':');
-  if (colon != std::string::npos) header.className.erase(0, colon + 1);
-  return header;
-}
-
-ObjectHeader readObjectHeader(ByteReader& in) {
-  auto header = peekObjectHeader({in.peek(), in.left()});
-  if (!header) {
-    in.skip(1);  // tells a file that ends here from one that goes on with something else
-    refuse(in.file(), "it is cut short or damaged", kSaveAgain);
-  }
-  in.skip((header->isOldFormat ? 4 : 1) + (in.peek()[0] & 0x7f));
-  if (header->className == "nullptr") return *header;
-  header->version = header->isOldFormat ? in.get<std::int32_t>() : in.get<std::int8_t>();
-  return *header;
-}
-
-void readObjectEnd(ByteReader& in, const ObjectHeader& header) {
-  if (!header.isOldFormat && in.get<std::uint8_t>() != kObjectEnd)
-    refuse(in.file(),
-           "it is damaged: a " + header.className + " in it does not end where it should",
-           kSaveAgain);
-}
-
-void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest) {
-  if (header.version < 0 || header.version > newest)
-    refuse(in.file(),
-           "holds version " + std::to_string(header.version) + " of " + header.className +
-               ", and only 0 to " + std::to_string(newest) + " are known here",
-           "get a newer roomgraph, or give the map's grid as a ROS map (yaml with png)");
+mrpt::Clock::time_point readTime(ByteReader& in) {
+  return mrpt::Clock::time_point(mrpt::Clock::duration(in.get<std::int64_t>()));
 }
 
 CPose3D readPose3D(ByteReader& in) {

@@ -7,6 +7,7 @@
 #include "read_depth_scan.h"
 #include "read_velodyne.h"
 #include "roomgraph/scans/read_observation.h"
+#include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
 namespace {
@@ -122,10 +123,6 @@ bool isCloudClass(const std::string& className) {
          className == "CObservationVelodyneScan" || className == "CObservationRotatingScan";
 }
 
-bool isPointsMapClass(const std::string& className) {
-  return className.find("Points") != std::string::npos && className[0] == 'C';
-}
-
 PointCloud readCloud(ByteReader& in, const ObjectHeader& header) {
   PointCloud cloud;
   if (header.className == "CObservation3DRangeScan") {
@@ -142,14 +139,6 @@ PointCloud readCloud(ByteReader& in, const ObjectHeader& header) {
     readPointCloud(in, cloud);
   }
   return cloud;
-}
-
-std::vector<TPoint3Df> readPoints(ByteReader& in) {
-  const std::uint64_t count = in.get<std::uint32_t>();
-  const std::uint8_t* x = in.take(count * sizeof(float));
-  const std::uint8_t* y = in.take(count * sizeof(float));
-  const std::uint8_t* z = in.take(count * sizeof(float));
-  return pointsOf(x, y, z, count);
 }
 
 }  // namespace roomgraph

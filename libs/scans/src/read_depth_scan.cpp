@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "point_bytes.h"
+#include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
 namespace {

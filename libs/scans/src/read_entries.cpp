@@ -106,10 +106,6 @@ ObjectHeader readMapHeader(ByteReader& in) {
 
 }  // namespace
 
-bool isSimplemapClass(const std::string& className) {
-  return className == "CSimpleMap" || className == "CSensFrameProbSequence";
-}
-
 void checkSimplemapHead(ByteReader head, std::uint64_t size) {
   readMapHeader(head);
   readCount(head, size);

@@ -67,13 +67,4 @@ mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
   return pose;
 }
 
-mrpt::Clock::time_point readTime(ByteReader& in) {
-  return mrpt::Clock::time_point(mrpt::Clock::duration(in.get<std::int64_t>()));
-}
-
-std::string readText(ByteReader& in) {
-  const auto length = in.get<std::uint32_t>();
-  return {reinterpret_cast<const char*>(in.take(length)), length};
-}
-
 }  // namespace roomgraph

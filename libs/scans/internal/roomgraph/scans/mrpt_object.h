@@ -1,34 +1,14 @@
 #pragma once
+#include <mrpt/core/Clock.h>
 #include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3D.h>
 
-#include <optional>
-#include <string>
-
-#include "roomgraph/files/byte_reader.h"
+#include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
 
-/** How MRPT's streams announce an object. */
-struct ObjectHeader {
-  std::string className;  ///< without its namespace
-  int version = 0;
-  /** Objects from before MRPT 0.5.5 have no mark at their end. */
-  bool isOldFormat = false;
-};
-
-/** Whether a value that may be missing begins at `bytes`: MRPT writes "std::optional" before it. */
-bool startsWithOptional(ByteView bytes);
-
-/** The header at `bytes`, if it looks like one. Moves nothing. */
-std::optional<ObjectHeader> peekObjectHeader(ByteView bytes);
-/** Reads the header. Throws DataError where there is none. */
-ObjectHeader readObjectHeader(ByteReader& in);
-/** The mark at an object's end. */
-constexpr std::uint8_t kObjectEnd = 0x88;
-void readObjectEnd(ByteReader& in, const ObjectHeader& header);
-/** Throws DataError unless the version is one of 0 to `newest`. */
-void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest);
+/** Reads a time of MRPT's: 100 ns from 1601 on; 0, which is INVALID_TIMESTAMP, stands for none. */
+mrpt::Clock::time_point readTime(ByteReader& in);
 
 /** Reads a mrpt::poses::CPose3D object. Every number is finite, the rotation is a rotation. */
 mrpt::poses::CPose3D readPose3D(ByteReader& in);

@@ -30,9 +30,6 @@ struct SimplemapEntry {
 
 using EntryVisitor = std::function<void(const SimplemapEntry& entry)>;
 
-/** Whether an object of this class is a CSimpleMap under one of its names. */
-bool isSimplemapClass(const std::string& className);
-
 /** Compares the number of entries that the first bytes claim with the size of the whole. */
 void checkSimplemapHead(ByteReader head, std::uint64_t size);
 

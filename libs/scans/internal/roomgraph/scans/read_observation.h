@@ -14,10 +14,4 @@ void readScan(ByteReader& in, const ObjectHeader& header, mrpt::obs::CObservatio
  *  the rest. */
 mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header);
 
-/** Reads a time of MRPT's: 100 ns from 1601 on; 0, which is INVALID_TIMESTAMP, stands for none. */
-mrpt::Clock::time_point readTime(ByteReader& in);
-
-/** Reads a text with its length before it. */
-std::string readText(ByteReader& in);
-
 }  // namespace roomgraph

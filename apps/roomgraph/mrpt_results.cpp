@@ -1,0 +1,75 @@
+#include "mrpt_results.h"
+
+#include <algorithm>
+#include <map>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/mrpt_plugin/break_files.h"
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
+#include "roomgraph/mrpt_plugin/rawlog_file.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "roomgraph/mrpt_plugin/scene_file.h"
+#include "roomgraph/scans/load_scans.h"
+
+namespace roomgraph {
+
+std::string graphSceneFile(const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }
+std::string graphObjectFile(const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }
+
+std::string roomGraphText(const std::string& file) { return loadRoomGraph(file).asString(); }
+std::string mapComparisonText(const std::string& file) {
+  return loadMapComparison(file).asString();
+}
+
+std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs) {
+  return comparisonSceneBytes(comparison, runs);
+}
+std::string comparisonObjectFile(const Comparison& comparison, const std::vector<Run>& runs) {
+  return mapComparisonBytes(CMapComparison(comparison, runs));
+}
+
+std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                                       const LoadGridOptions& reading,
+                                       const std::filesystem::path& folder, StagedFiles& staged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    names.push_back((folder / name).string());
+    staged.add(names.back(), bytes);
+  };
+  std::map<std::string, std::vector<RobotScan>> scansOf;  // by run
+  for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
+    const MapBreak& tear = comparison.breaks[i];
+    const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
+    const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
+    const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
+    if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
+    const auto [known, isNew] = scansOf.try_emplace(tear.run);
+    if (isNew) known->second = loadScans(run->file, reading);
+    const std::vector<RobotScan>& scans = known->second;
+    const std::string stem = "comparison.break" + std::to_string(i + 1);
+    for (const bool isUntorn : {false, true})
+      add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
+          rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
+    add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
+  }
+  return names;
+}
+
+std::string scanLog(const std::string& file, const LoadGridOptions& reading,
+                    const KeyFrameStretch& stretch) {
+  std::vector<RobotScan> scans = loadScans(file, reading);
+  if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
+  const std::size_t last = scans.back().keyFrame, to = stretch.to.value_or(last);
+  if (std::max(stretch.from, to) > last)
+    throw DataError(file + ": its last key frame is " + std::to_string(last) +
+                    ": choose --from and --to up to that");
+  scans.erase(std::remove_if(scans.begin(), scans.end(),
+                             [&](const RobotScan& scan) {
+                               return scan.keyFrame < stretch.from || scan.keyFrame > to;
+                             }),
+              scans.end());
+  return rawlogBytes(scans);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,54 @@
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/grid/Grid.h"
+#include "roomgraph/grid/LoadGridOptions.h"
+#include "roomgraph/pipeline/Stages.h"
+#include "roomgraph/relate/Run.h"
+
+namespace roomgraph {
+
+// What the program writes and reads with MRPT's scenes and observations. None of their classes
+// stands here, so that a command that needs none of this starts without MRPT's large libraries: see
+// OnDemand.h.
+
+/** The bytes of X.3Dscene and X.roomgraph. */
+std::string graphSceneFile(const Stages& stages);
+std::string graphObjectFile(const Stages& stages);
+
+/** What `info` says of X.roomgraph and of comparison.roomgraph.
+ *  @throws DataError where the file is missing or damaged. */
+std::string roomGraphText(const std::string& file);
+std::string mapComparisonText(const std::string& file);
+
+/** The bytes of comparison.3Dscene and comparison.roomgraph. */
+std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs);
+std::string comparisonObjectFile(const Comparison& comparison, const std::vector<Run>& runs);
+
+/** For each break with a key frame: logs of the scans before and behind it, as the run has them and
+ *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from
+ *  1. Those whose run is not among `runs` are left out. Returns their names.
+ *  @throws DataError where a run cannot be read any more. */
+std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                                       const LoadGridOptions& reading,
+                                       const std::filesystem::path& folder, StagedFiles& staged);
+
+/** Key frames by their numbers in the file, both included. */
+struct KeyFrameStretch {
+  std::size_t from = 0;
+  std::optional<std::size_t> to;  ///< none for the last one
+};
+
+/** The bytes of a .rawlog of the scans of a simplemap.
+ *  @throws DataError where the file is missing or damaged, or has no such key frames. */
+std::string scanLog(const std::string& file, const LoadGridOptions& reading,
+                    const KeyFrameStretch& stretch);
+
+}  // namespace roomgraph

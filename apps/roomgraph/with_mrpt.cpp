@@ -1,0 +1,11 @@
+#include "OnDemand.h"
+
+namespace roomgraph {
+
+extern "C" __attribute__((visibility("default"))) const OnDemandLibrary<WithMrpt>
+    roomgraph_on_demand = {ROOMGRAPH_VERSION,
+                           {gridOfScans, readKeyframes, readRunInfo, gridmapBytes, graphSceneFile,
+                            graphObjectFile, roomGraphText, mapComparisonText, comparisonSceneFile,
+                            comparisonObjectFile, addBreakFiles, scanLog}};
+
+}  // namespace roomgraph

@@ -1,0 +1,152 @@
+#include "roomgraph/map_files/grid_of_scans.h"
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "read_gridmap.h"
+#include "roomgraph/base/Options.h"
+#include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/place_scans.h"
+
+namespace roomgraph {
+namespace {
+
+using mrpt::maps::COccupancyGridMap2D;
+using mrpt::obs::CObservation2DRangeScan;
+using mrpt::poses::CPose3D;
+
+// Beyond this, MRPT's single precision no longer tells neighbouring cells apart.
+constexpr double kFarthestPose = 1e5;
+// MRPT traces its rays in integers that a longer side would overflow.
+constexpr double kLongestSide = 1e6;
+
+/** Where the scans reach, and how many there are to insert. */
+struct Extent {
+  double xMin = HUGE_VAL, xMax = -HUGE_VAL, yMin = HUGE_VAL, yMax = -HUGE_VAL, longest = 0;
+
+  void add(double x, double y) {
+    xMin = std::min(xMin, x);
+    xMax = std::max(xMax, x);
+    yMin = std::min(yMin, y);
+    yMax = std::max(yMax, y);
+  }
+};
+
+/** Adds the sensor and the ends of its beams as MRPT draws them: it runs those without return half
+ *  as far as the last one with a return. */
+void addScan(Extent& extent, const CPose3D& sensor, const CObservation2DRangeScan& scan,
+             const LoadGridOptions& options) {
+  extent.add(sensor.x(), sensor.y());
+  const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
+  const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;
+  const double start = sensor.yaw() - turn * double(scan.aperture) / 2;
+  double last = options.maxDistanceInsertion;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
+    const bool isValid = scan.getScanRangeValidity(i);
+    if (isValid) last = double(scan.getScanRange(i));
+    if (!isValid && !options.considerInvalidRangesAsFreeSpace) continue;
+    const double reach = std::min(isValid ? last : last / 2, options.maxDistanceInsertion);
+    const double angle =
+        start + turn * double(scan.aperture) * double(i) / double(scan.getScanSize());
+    extent.add(sensor.x() + std::cos(angle) * reach, sensor.y() + std::sin(angle) * reach);
+    extent.longest = std::max(extent.longest, reach);
+  }
+}
+
+Extent extentOf(const ByteReader& in, const ScanSource& source, const LoadGridOptions& options) {
+  Extent extent;
+  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
+    const CPose3D sensor = placed.robot + placed.scan.sensorPose;
+    if (!(std::abs(sensor.x()) < kFarthestPose && std::abs(sensor.y()) < kFarthestPose))
+      refuse(in.file(), "has a scan farther than 100 km from the origin",
+             "shift the map to near (0, 0)");
+    addScan(extent, sensor, placed.scan, options);
+  });
+  return extent;
+}
+
+/** Makes the grid large enough beforehand. MRPT would grow it scan by scan, copying each time, and
+ *  writes outside of it where a scan does not surround its sensor. */
+void setSize(COccupancyGridMap2D& grid, const Extent& extent, const std::string& file,
+             double resolution) {
+  // Rounding bends MRPT's rays by up to a cell in 1024; closer than 15 cells to the border it
+  // grows.
+  const double margin = (20 + extent.longest / resolution / 512) * resolution;
+  const double width = (extent.xMax - extent.xMin + 2 * margin) / resolution;
+  const double height = (extent.yMax - extent.yMin + 2 * margin) / resolution;
+  if (width > kLongestSide || height > kLongestSide || width * height > double(kMostCells))
+    refuse(file, "its scans reach over more than 400 million cells",
+           "use a coarser resolution, or check its poses");
+  grid.setSize(float(extent.xMin - margin), float(extent.xMax + margin),
+               float(extent.yMin - margin), float(extent.yMax + margin), float(resolution));
+}
+
+void setInsertion(COccupancyGridMap2D& grid, const LoadGridOptions& options) {
+  grid.insertionOptions.maxDistanceInsertion = float(options.maxDistanceInsertion);
+  grid.insertionOptions.maxOccupancyUpdateCertainty = float(options.maxOccupancyUpdateCertainty);
+  grid.insertionOptions.considerInvalidRangesAsFreeSpace = options.considerInvalidRangesAsFreeSpace;
+  grid.insertionOptions.wideningBeamsWithDistance = options.wideningBeamsWithDistance;
+}
+
+std::string insertionText(LoadGridOptions options) {
+  FieldTable table;
+  describe(options, table);
+  std::string text;
+  for (const Field& field : table.fields())
+    text += (text.empty() ? "" : "; ") + field.name + " = " + valueText(field);
+  return text;
+}
+
+GreyMap toGreyMap(const COccupancyGridMap2D& grid, double resolution) {
+  GreyMap map;
+  map.frame.width = int(grid.getSizeX());
+  map.frame.height = int(grid.getSizeY());
+  map.frame.resolution = resolution;
+  // MRPT aligns the border to multiples of the resolution, in single precision.
+  map.frame.origin = {resolution * std::round(double(grid.getXMin()) / resolution),
+                      resolution * std::round(double(grid.getYMin()) / resolution)};
+  std::array<std::uint8_t, 256> table;
+  for (int cell = -128; cell < 128; ++cell) table[std::uint8_t(cell)] = greyOfLogOdds(cell);
+  map.grey.resize(map.frame.cellCount());
+  auto out = map.grey.begin();
+  for (int y = 0; y < map.frame.height; ++y) {
+    const auto* row = grid.getRow(y);
+    out = std::transform(row, row + map.frame.width, out,
+                         [&](auto cell) { return table[std::uint8_t(cell)]; });
+  }
+  map.occupiedAbove = 0.55;
+  map.freeBelow = 0.45;
+  return map;
+}
+
+}  // namespace
+
+GreyMap gridOfScans(CheckedFile& file, const LoadGridOptions& options) {
+  constexpr std::uint64_t mostBytes = 1'000'000'000;
+  checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
+  if (file.claimedSize() > mostBytes)
+    refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
+
+  const ByteReader in(file.content(), file.name());
+  ScanSource source = findScans(in, options);
+  LoadGridOptions insertion = options;
+  // A cloud has no points where its rings see above or below the slice: that is not free.
+  if (source.slice) insertion.considerInvalidRangesAsFreeSpace = false;
+  COccupancyGridMap2D grid;
+  setSize(grid, extentOf(in, source, insertion), file.name(), options.resolution);
+  setInsertion(grid, insertion);
+  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
+    grid.insertObservation(placed.scan, placed.robot);
+  });
+  file.release();
+
+  GreyMap map = toGreyMap(grid, options.resolution);
+  map.source.insertion = insertionText(insertion);
+  map.notes = std::move(source.notes);
+  return map;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,35 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "roomgraph/files/byte_reader.h"
+
+namespace roomgraph {
+
+/** How MRPT's streams announce an object. */
+struct ObjectHeader {
+  std::string className;  ///< without its namespace
+  int version = 0;
+  /** Objects from before MRPT 0.5.5 have no mark at their end. */
+  bool isOldFormat = false;
+};
+
+/** Whether a value that may be missing begins at `bytes`: MRPT writes "std::optional" before it. */
+bool startsWithOptional(ByteView bytes);
+
+/** The header at `bytes`, if it looks like one. Moves nothing. */
+std::optional<ObjectHeader> peekObjectHeader(ByteView bytes);
+/** Whether a file that begins so announces a CSimpleMap, under one of its names. */
+bool announcesSimplemap(ByteView head);
+/** Reads the header. Throws DataError where there is none. */
+ObjectHeader readObjectHeader(ByteReader& in);
+/** The mark at an object's end. */
+constexpr std::uint8_t kObjectEnd = 0x88;
+void readObjectEnd(ByteReader& in, const ObjectHeader& header);
+/** Throws DataError unless the version is one of 0 to `newest`. */
+void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest);
+
+/** Reads a text with its length before it. */
+std::string readText(ByteReader& in);
+
+}  // namespace roomgraph

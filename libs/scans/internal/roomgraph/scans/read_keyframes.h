@@ -1,0 +1,12 @@
+#pragma once
+#include "roomgraph/files/checked_file.h"
+#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/scans/load_scans.h"
+
+namespace roomgraph {
+
+/** What loadKeyframes() and loadScans() give of a file that is a simplemap. */
+std::vector<Keyframe> readKeyframes(CheckedFile& file, const LoadGridOptions& options);
+std::vector<RobotScan> readRobotScans(CheckedFile& file, const LoadGridOptions& options);
+
+}  // namespace roomgraph
