@@ -87,6 +87,10 @@ void flicker(const View& view, ViewState& state) {
   if (state.isFlickering) state.mode = Mode::look;
 }
 
+void showOrHide(const std::string& layer, ViewState& state) {
+  if (state.hidden.erase(layer) == 0) state.hidden.insert(layer);
+}
+
 /** Steps along the path of the run. */
 void walk(Wish wish, const View& view, ViewState& state) {
   const bool isForward = wish == Wish::nextFrame || wish == Wish::tenOn || wish == Wish::lastFrame;
@@ -130,8 +134,7 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
     case Wish::swipe:
       return change(Mode::swipe, view, state);
     case Wish::disagreement:
-      if (state.hidden.erase(kDisagreement) == 0) state.hidden.insert(kDisagreement);
-      return;
+      return showOrHide(kDisagreement, state);
     case Wish::keys:
       state.showsKeys = !state.showsKeys;
       return;
