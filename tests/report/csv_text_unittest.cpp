@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace roomgraph {
 namespace {
 
@@ -22,6 +24,8 @@ TEST(CsvNumber, hasFourPlaces) {
   EXPECT_EQ(csvNumber(0.12345), "0.1235");
   EXPECT_EQ(csvNumber(-0.00001), "0.0000");
   EXPECT_EQ(csvNumber({}), "");
+  EXPECT_EQ(csvNumber(HUGE_VAL), "") << "as in JSON, which has no word for it";
+  EXPECT_EQ(csvNumber(NAN), "");
 }
 
 }  // namespace

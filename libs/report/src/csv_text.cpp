@@ -1,5 +1,6 @@
 #include "roomgraph/report/csv_text.h"
 
+#include <cmath>
 #include <cstdio>
 
 #include "roomgraph/json/rounded.h"
@@ -16,7 +17,7 @@ std::string csvField(const std::string& given) {
 }
 
 std::string csvNumber(std::optional<double> value) {
-  if (!value) return "";
+  if (!value || !std::isfinite(*value)) return "";
   char text[40];
   std::snprintf(text, sizeof text, "%.4f", rounded(*value));
   return text;

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "roomgraph/base/version.h"
+#include "roomgraph/json/rounded.h"
 #include "stability_json.h"
 
 namespace roomgraph {
@@ -61,8 +62,6 @@ Columns columnsOf(const StabilityRun& run, const RunMeasures& measures, double r
   columns.push_back({"rooms", measures.rooms});
   return columns;
 }
-
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json json(const Columns& columns) {
   Json object = Json::object();
