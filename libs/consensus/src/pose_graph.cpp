@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kAxesTurn = 0.03, kAxesWidth = 6;  // standard deviation [rad], and of the kernel
 // Kernels start this many times as wide and are halved from stage to stage.
-constexpr double kFirstStretch = 8;
+constexpr double kFirstWidening = 8;
 constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
 
 /** The pose of one submap in another is as it was measured. */
@@ -96,13 +96,13 @@ class Solver {
     options.logging_type = ceres::SILENT;
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
-    double stretch = startIs == StartIs::good ? 1 : kFirstStretch;
+    double widening = startIs == StartIs::good ? 1 : kFirstWidening;
     for (int stage = startIs == StartIs::good ? kStages - 1 : 0; stage < kStages; ++stage) {
       const bool isLast = stage + 1 == kStages;
       options.max_num_iterations = isLast ? kLastSteps : kStageSteps;
-      stretchKernels(isLast ? 1 : stretch);
+      widenKernels(isLast ? 1 : widening);
       ceres::Solve(options, &problem_, &summary);
-      stretch = std::max(1.0, stretch / 2);
+      widening = std::max(1.0, widening / 2);
     }
     return {poses(), summary.final_cost};
   }
@@ -119,9 +119,9 @@ class Solver {
     return loss;  // the problem takes it
   }
 
-  void stretchKernels(double stretch) {
+  void widenKernels(double factor) {
     for (const Kernel& kernel : kernels_)
-      kernel.loss->Reset(new ceres::ScaledLoss(new ceres::CauchyLoss(kernel.width * stretch),
+      kernel.loss->Reset(new ceres::ScaledLoss(new ceres::CauchyLoss(kernel.width * factor),
                                                kernel.weight, ceres::TAKE_OWNERSHIP),
                          ceres::TAKE_OWNERSHIP);
   }
