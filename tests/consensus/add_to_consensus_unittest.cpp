@@ -71,5 +71,30 @@ TEST(AddToConsensus, aRunThatNobodyHasSeenKeepsItsShape) {
   EXPECT_EQ(added.error.seen, 0);
 }
 
+TEST(AddToConsensus, matchesOfOthersHaveNoSay) {
+  const Block block;
+  const AddedToConsensus before = addToConsensus(block.runs(), 3, block.matches, block.poses);
+  std::vector<RunMatches> matches = block.matches;
+  for (RunMatches& piece : matches)
+    if (piece.of != 3 && piece.in != 3)
+      for (SubmapMatch& match : piece.matches) match.pose.x += 4;
+  const AddedToConsensus after = addToConsensus(block.runs(), 3, matches, block.poses);
+  EXPECT_EQ(after.error.error, before.error.error);
+  EXPECT_EQ(after.error.high, before.error.high);
+  for (std::size_t k = 0; k < before.poses.size(); ++k)
+    EXPECT_EQ(after.poses[k].shift(), before.poses[k].shift());
+}
+
+TEST(AddToConsensus, theFrameOfTheConsensusIsKept) {
+  Block block;
+  const AddedToConsensus here = addToConsensus(block.runs(), 3, block.matches, block.poses);
+  const Transform2D motion{12, 50, 1.3};
+  for (Way& way : block.poses) way = test::moved(way, motion);
+  const AddedToConsensus there = addToConsensus(block.runs(), 3, block.matches, block.poses);
+  EXPECT_NEAR(there.error.error, here.error.error, 0.01);
+  for (std::size_t k = 0; k < here.poses.size(); ++k)
+    EXPECT_LT(distance((motion * here.poses[k]).shift(), there.poses[k].shift()), 0.02) << k;
+}
+
 }  // namespace
 }  // namespace roomgraph

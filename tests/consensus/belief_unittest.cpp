@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "RandomNumbers.h"
 #include "drawn_submaps.h"
 
 namespace roomgraph {
@@ -73,6 +76,35 @@ TEST(CostOfDisbelief, isThatOfWhatIsNotBelieved) {
   const double full = costOfGivingUp(two.matches.front());
   EXPECT_EQ(costOfDisbelief(two.matches, {1}), 0);
   EXPECT_NEAR(costOfDisbelief(two.matches, {0.25}), 0.75 * full, 1e-9);
+}
+
+TEST(IsBorneOut, theFrameOfTheSiteChangesNothing) {
+  test::RandomNumbers random(4);
+  std::size_t borneOut = 0;
+  for (int i = 0; i < 200; ++i) {
+    SubmapMatch match;
+    match.pose = random.pose(3);
+    const Transform2D in = random.pose(20), motion = random.pose(50);
+    const Point off = random.place(1.2);
+    const Transform2D of = in * match.pose * Transform2D{off.x, off.y, random.between(-0.2, 0.2)};
+    const bool here = isBorneOut(match, in, of, kBorneOut);
+    borneOut += here;
+    EXPECT_EQ(isBorneOut(match, motion * in, motion * of, kBorneOut), here);
+  }
+  EXPECT_GT(borneOut, 20u);
+  EXPECT_LT(borneOut, 180u) << "else this shows nothing";
+}
+
+TEST(BeliefOf, growsWithTheShareFromLittleToAll) {
+  EXPECT_EQ(beliefOf(1), 1);
+  double last = 0;
+  for (int i = 0; i <= 10; ++i) {
+    const double belief = beliefOf(i / 10.0);
+    EXPECT_GT(belief, 0);
+    EXPECT_GE(belief, last);
+    EXPECT_LE(belief, std::max(1e-3, i / 10.0)) << "a part counts less than its share";
+    last = belief;
+  }
 }
 
 }  // namespace

@@ -32,5 +32,22 @@ TEST(Likeness, isNothingBeyondWhatTheMapKnows) {
   EXPECT_EQ(likenessUnder({500, 0, 0}, mapOf(test::drawnBuilding(4, {}))), 0);
 }
 
+TEST(Likeness, theFrameOfTheMapChangesLittle) {
+  const Transform2D pose{13, -8, 0.6};
+  const MapForAlignment here = mapOf(test::drawnBuilding(4, {}));
+  const MapForAlignment there = mapOf(test::drawnBuilding(4, pose));
+  const Point middle = here.middle();
+  for (const Transform2D& motion :
+       {Transform2D{}, carrying(middle, middle, M_PI), Transform2D{3, 0, 0}}) {
+    const double l = likenessUnder(motion, here);
+    const double r = likenessUnder(pose * motion * pose.inverse(), there);
+    EXPECT_NEAR(l, r, 0.15);
+  }
+}
+
+TEST(Likeness, aMapWithoutWallsIsLikeNothing) {
+  EXPECT_EQ(likenessUnder({}, MapForAlignment{}), 0);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "RandomNumbers.h"
 #include "drawn_submaps.h"
 
 namespace roomgraph {
@@ -113,6 +116,80 @@ TEST(MapErrors, aRunThatHasDrawnNothingHasNone) {
     EXPECT_EQ(error.seen, 0);
   }
   EXPECT_TRUE(mapErrors({}, {}, {}).empty());
+}
+
+/** A run whose submaps have drawn points of their own, anywhere. */
+struct AnyRun {
+  std::vector<std::vector<Point>> points;
+  RunSubmaps run;
+  std::vector<Transform2D> poses;  // where they really lie
+
+  explicit AnyRun(std::uint32_t seed) {
+    test::RandomNumbers random(seed);
+    run.areScans = true;
+    for (int k = 0; k < 12; ++k) {
+      run.submaps.push_back({random.pose(10), {}, std::nullopt});
+      poses.push_back(run.submaps.back().pose * random.pose(1));
+      points.emplace_back();
+      for (std::size_t i = random.below(6); i > 0; --i) {
+        points.back().push_back(random.place(4));
+        run.submaps.back().points.add(points.back().back());
+      }
+    }
+  }
+
+  /** Mean squared distance of all points after a motion, the slow way. */
+  double meanSquare(const Transform2D& motion) const {
+    double squares = 0, count = 0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (const Point p : points[k])
+        squares += squaredNorm(motion(run.submaps[k].pose(p)) - poses[k](p)), ++count;
+    return squares / count;
+  }
+};
+
+TEST(MapErrors, noOtherMotionLeavesLessOver) {
+  for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+    const AnyRun any(seed);
+    const MapError error = mapErrors({any.run}, {}, {any.poses})[0];
+    const double best = any.meanSquare(error.pose);
+    EXPECT_NEAR(error.error, std::sqrt(best), 1e-9);
+    for (const Transform2D& nudge :
+         {Transform2D{0.01, 0, 0}, Transform2D{0, 0.01, 0}, Transform2D{0, 0, 0.01},
+          Transform2D{-0.01, 0.02, -0.01}, Transform2D{1, 2, 3}})
+      EXPECT_GT(any.meanSquare(nudge * error.pose), best) << seed;
+  }
+}
+
+TEST(MapErrors, thoseOfSubmapsAreThoseOfTheirPoints) {
+  const AnyRun any(7);
+  const MapError error = mapErrors({any.run}, {}, {any.poses})[0];
+  for (std::size_t k = 0; k < any.points.size(); ++k) {
+    if (any.points[k].empty()) continue;
+    double squares = 0;
+    for (const Point p : any.points[k])
+      squares += squaredNorm(error.pose(any.run.submaps[k].pose(p)) - any.poses[k](p));
+    EXPECT_NEAR(error.errors[k], std::sqrt(squares / double(any.points[k].size())), 1e-9) << k;
+  }
+}
+
+TEST(MapErrors, areThoseOfTheRunsInAnyOrder) {
+  const Way truth = roundTheBlock();
+  std::vector<RunSubmaps> runs{drawnSubmaps(test::drifting(truth, 0.01)), drawnSubmaps(truth),
+                               drawnSubmaps(test::torn(truth, 20, 1, {}))};
+  std::vector<RunMatches> matches = test::exactMatches({truth, truth, truth});
+  matches.erase(matches.begin());
+  for (RunMatches& pair : matches) pair.matches.resize(pair.of == 2 ? 5 : 20);
+  const SubmapPoses poses{truth, truth, truth};
+  const auto before = mapErrors(runs, matches, poses);
+  std::reverse(runs.begin(), runs.end());
+  for (RunMatches& pair : matches) pair.of = 2 - pair.of, pair.in = 2 - pair.in;
+  const auto after = mapErrors(runs, matches, poses);
+  for (std::size_t r = 0; r < 3; ++r) {
+    EXPECT_EQ(after[2 - r].error, before[r].error);
+    EXPECT_EQ(after[2 - r].high, before[r].high);
+    EXPECT_EQ(after[2 - r].isSeen, before[r].isSeen);
+  }
 }
 
 }  // namespace

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+
+#include "RandomNumbers.h"
+
 namespace roomgraph {
 namespace {
 
@@ -35,6 +40,53 @@ TEST(SharedDrives, aFewScansInCommonAreNone) {
   EXPECT_TRUE(drivesOf({over(1, 50), over(45, 100)}).empty());
   EXPECT_TRUE(drivesOf({over(1, 50), {}, {}}).empty()) << "runs without scans";
   EXPECT_TRUE(drivesOf({}).empty());
+}
+
+TEST(SharedDrives, aFifthOfTheShorterRunIsTheLimit) {
+  EXPECT_TRUE(drivesOf({over(1, 50), over(41, 140)}).empty()) << "10 of 50";
+  EXPECT_EQ(drivesOf({over(1, 50), over(40, 139)}), (Sets{{0, 1}})) << "11 of 50";
+  EXPECT_EQ(drivesOf({over(1, 500), over(495, 500)}), (Sets{{0, 1}})) << "all of a short one";
+}
+
+TEST(SharedDrives, blindScansAreNotSharedOnes) {
+  roomgraph::Run a = over(1, 50), b = over(1, 50);
+  for (ScanWalls& scan : b.scans) scan.ends = {};
+  EXPECT_TRUE(drivesOf({a, b}).empty());
+}
+
+TEST(SharedDrives, areThoseOfPlainCounting) {
+  test::RandomNumbers random(8);
+  for (int trial = 0; trial < 60; ++trial) {
+    const std::size_t count = 2 + random.below(7);
+    std::vector<roomgraph::Run> runs;
+    std::vector<std::set<std::uint64_t>> scans;
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::uint64_t first = 1 + random.below(120), last = first + random.below(60);
+      runs.push_back(over(first, last));
+      scans.emplace_back();
+      for (std::uint64_t id = first; id <= last; ++id) scans.back().insert(id);
+    }
+    // Which two share a drive, and by way of others: the closure of the pairs.
+    std::vector<std::vector<bool>> share(count, std::vector<bool>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < count; ++j) {
+        std::size_t same = 0;
+        for (const std::uint64_t id : scans[i]) same += scans[j].count(id);
+        share[i][j] = 5 * same > std::min(scans[i].size(), scans[j].size());
+      }
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+          if (share[i][k] && share[k][j]) share[i][j] = true;
+    Sets expected;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::vector<std::size_t> set;
+      for (std::size_t j = 0; j < count; ++j)
+        if (share[i][j]) set.push_back(j);
+      if (set.size() > 1 && set.front() == i) expected.push_back(set);
+    }
+    EXPECT_EQ(drivesOf(runs), expected) << trial;
+  }
 }
 
 }  // namespace

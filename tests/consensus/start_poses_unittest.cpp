@@ -76,5 +76,49 @@ TEST(StartPoses, aRunThatWasFoundNowhereKeepsItsPoses) {
   EXPECT_TRUE(poses[2].empty());
 }
 
+TEST(StartPoses, eachPivotBringsSoundRunsTogetherAlike) {
+  const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
+  const std::vector<RunSubmaps> runs{drawnSubmaps(truth[0]),
+                                     drawnSubmaps(test::moved(truth[1], {7, -3, 2})),
+                                     drawnSubmaps(test::moved(truth[2], {-1, 9, -1}))};
+  const auto matches = test::exactMatches(truth);
+  for (const std::size_t pivot : {0u, 1u, 2u}) {
+    const SubmapPoses poses = startPoses(runs, matches, pivot);
+    EXPECT_LT(test::misplaced(poses, truth), kExact);
+    for (std::size_t k = 0; k < truth[pivot].size(); ++k)
+      EXPECT_EQ(poses[pivot][k].shift(), runs[pivot].submaps[k].pose.shift()) << "in its frame";
+  }
+}
+
+TEST(StartPoses, whatThePivotSaysGoesBeforeWhatOthersSay) {
+  const Way way = roundTheBlock();
+  const std::vector<RunSubmaps> runs(3, drawnSubmaps(way));
+  std::vector<RunMatches> matches = test::exactMatches({way, way, way});
+  std::size_t misled = 0;
+  for (RunMatches& pair : matches)
+    if (pair.of + pair.in == 3)  // 1 and 2, which say of each other what is wrong
+      for (SubmapMatch& match : pair.matches) match.pose.x += 5, ++misled;
+  ASSERT_GT(misled, 0u);
+  for (const Way& poses : startPoses(runs, matches, 0)) expectSame(poses, way);
+}
+
+TEST(StartPoses, ofTwoMatchesOfASubmapTheFirstCounts) {
+  const Way way = roundTheBlock();
+  std::vector<RunMatches> matches = test::exactMatches({way, way});
+  RunMatches wrong = matches.front();
+  for (SubmapMatch& match : wrong.matches) match.pose.x += 5;
+  matches.push_back(wrong);
+  expectSame(startPoses({drawnSubmaps(way), drawnSubmaps(way)}, matches, 0)[1], way);
+}
+
+TEST(StartPoses, aPartThatNoLinkJoinsGoesWithTheFirstThatWasFound) {
+  const Way way = roundTheBlock(), there = test::moved(way, {7, -3, 2});
+  RunSubmaps cut = drawnSubmaps(there);
+  cut.links.erase(cut.links.begin() + 39);  // 39 and 40
+  std::vector<RunMatches> matches = test::exactMatches({way, way});
+  for (RunMatches& pair : matches) pair.matches.resize(10);
+  expectSame(startPoses({drawnSubmaps(way), cut}, matches, 0)[1], way);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "drive_in_building.h"
 
@@ -44,6 +46,71 @@ TEST(TrackScans, atAnyTearTheScansAreFoundAgain) {
     }
     EXPECT_GE(found + 3, track.size()) << turn;
   }
+}
+
+/** The share of the scans that lie where they were taken, once `back` has carried them there. */
+double shareFound(const std::vector<std::optional<Transform2D>>& track,
+                  const std::vector<Keyframe>& driven, const Transform2D& back) {
+  double found = 0;
+  for (std::size_t i = 0; i < track.size(); ++i)
+    if (track[i])
+      found += distance(back((*track[i])(driven[i].pose.shift())),
+                        driveInBuilding().frames[i].pose.shift()) < 0.15;
+  return found / double(track.size());
+}
+
+TEST(TrackScans, theFrameOfTheRunChangesNothing) {
+  const Transform2D motion{31, -12, 2.1};
+  const auto driven = test::moved(driveInBuilding().frames, motion);
+  const auto track =
+      trackScans(scanWalls(driven), {}, {}, {motion.inverse()}, driveInBuilding().map, {});
+  EXPECT_GE(shareFound(track, driven, {}), 0.95);
+}
+
+TEST(TrackScans, theFrameOfTheMapChangesNothing) {
+  const Transform2D motion{-9, 40, -1.2};
+  const MapForAlignment there = mapForAlignment(test::drawnBuilding(4, motion), {});
+  const auto& driven = driveInBuilding().frames;
+  const auto track = trackScans(scanWalls(driven), {}, {}, {motion}, there, {});
+  EXPECT_GE(shareFound(track, driven, motion.inverse()), 0.9);
+}
+
+TEST(TrackScans, ofSeveralWholesTheLikeliestComesFirst) {
+  const auto& drive = driveInBuilding();
+  const Transform2D wrong{3, 1, 2};
+  const auto track = trackScans(scanWalls(drive.frames), {}, {}, {{}, wrong}, drive.map, {});
+  EXPECT_GE(shareFound(track, drive.frames, {}), 0.95);
+  const auto other = trackScans(scanWalls(drive.frames), {}, {}, {wrong, {}}, drive.map, {});
+  EXPECT_GE(shareFound(other, drive.frames, {}), 0.95) << "what fits goes before what is likely";
+}
+
+TEST(TrackScans, aBlindStretchIsNotFoundAndWhatIsBehindItIs) {
+  const auto& drive = driveInBuilding();
+  std::vector<ScanWalls> scans = scanWalls(drive.frames);
+  for (std::size_t k = 10; k < 15; ++k) scans[k].walls.clear();
+  for (std::size_t k = 25; k < 27; ++k) scans[k].walls.resize(15);  // too few to tell
+  const auto track = trackScans(scans, {}, {}, {{}}, drive.map, {});
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const bool isBlind = (k >= 10 && k < 15) || (k >= 25 && k < 27);
+    EXPECT_EQ(track[k].has_value(), !isBlind) << k;
+  }
+}
+
+TEST(TrackScans, whatNoScanFitsWellEnoughIsNotFound) {
+  TrackScansOptions strict;
+  strict.minQuality = 1.01;
+  const auto& drive = driveInBuilding();
+  for (const auto& pose : trackScans(scanWalls(drive.frames), {}, {}, {{}}, drive.map, strict))
+    EXPECT_FALSE(pose);
+}
+
+TEST(TrackScans, oneScanIsTracked) {
+  const auto& drive = driveInBuilding();
+  const std::vector<Keyframe> one{drive.frames[12]};
+  const auto track = trackScans(scanWalls(one), {}, {}, {{}}, drive.map, {});
+  ASSERT_EQ(track.size(), 1u);
+  ASSERT_TRUE(track[0]);
+  EXPECT_LT(distance((*track[0])(one[0].pose.shift()), one[0].pose.shift()), 0.1);
 }
 
 }  // namespace

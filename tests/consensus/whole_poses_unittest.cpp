@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawn_submaps.h"
 
 namespace roomgraph {
@@ -70,6 +72,48 @@ TEST(WholePoses, aRunThatWasFoundNowhereKeepsItsPoses) {
   const SubmapPoses poses = wholePoses({three.runs[0], three.runs[1], {}}, {}, {});
   EXPECT_LT(distance(poses[1][5].shift(), three.runs[1].submaps[5].pose.shift()), 1e-9);
   EXPECT_TRUE(poses[2].empty());
+}
+
+TEST(WholePoses, theOrderOfRunsAndPiecesChangesTheFrameAtMost) {
+  ThreeRuns three;
+  three.mislead(three.matches[2], 0, 20);
+  const SubmapPoses before = wholePoses(three.runs, three.matches, {});
+  std::reverse(three.runs.begin(), three.runs.end());
+  std::reverse(three.matches.begin(), three.matches.end());
+  for (RunMatches& piece : three.matches) piece.of = 2 - piece.of, piece.in = 2 - piece.in;
+  const SubmapPoses after = wholePoses(three.runs, three.matches, {});
+  EXPECT_LT(test::misplaced(after, {before[2], before[1], before[0]}), 1e-9);
+}
+
+TEST(WholePoses, theFirstRunGivesTheFrame) {
+  const ThreeRuns three;
+  const SubmapPoses poses = wholePoses(three.runs, three.matches, {});
+  for (std::size_t k = 0; k < poses[0].size(); ++k)
+    EXPECT_EQ(poses[0][k].shift(), three.runs[0].submaps[k].pose.shift());
+}
+
+TEST(WholePoses, aMatchCountsAsMuchAsOfItWasFound) {
+  ThreeRuns three;
+  // Two pieces contradict each other: the smaller one was found better.
+  RunMatches wrong, right;
+  for (const RunMatches& piece : three.matches)
+    if (piece.of == 1 && piece.in == 0) wrong = right = piece;
+  three.mislead(wrong, 0, wrong.matches.size());
+  right.matches.resize(20);
+  for (SubmapMatch& match : wrong.matches) match.weight = 0.1;
+  three.matches = {wrong, right};
+  three.runs.resize(2), three.truth.resize(2);
+  EXPECT_LT(three.misplaced(), 1e-9);
+  for (SubmapMatch& match : three.matches.front().matches) match.weight = 1;
+  EXPECT_GT(three.misplaced(), 5) << "there are more of the others";
+}
+
+TEST(WholePoses, aRunIsPlacedThroughAnother) {
+  ThreeRuns three;
+  three.matches.erase(std::remove_if(three.matches.begin(), three.matches.end(),
+                                     [](const RunMatches& m) { return m.of + m.in == 2; }),
+                      three.matches.end());  // the first and the last never met
+  EXPECT_LT(three.misplaced(), 1e-9);
 }
 
 }  // namespace
