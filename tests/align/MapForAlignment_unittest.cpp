@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawn_building.h"
@@ -37,6 +38,124 @@ TEST(MapForAlignment, measuresTheFreeSpace) {
 
 TEST(MapForAlignment, anEmptyMapHasNoWalls) {
   const MapForAlignment map = mapForAlignment(Grid{}, {});
+  EXPECT_TRUE(map.walls.empty());
+  EXPECT_EQ(map.freeArea, 0);
+}
+
+TEST(MapForAlignment, theNearestWallIsThatOfPlainSearch) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {1, 2, 0.3}), {});
+  const AlignmentMapOptions options;
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < map.frame.cellCount(); i += 37)
+    for (int octant = 0; octant < kOctants; ++octant) {
+      const int width = map.frame.width;
+      const Point at = map.frame.center({int(i) % width, int(i) / width});
+      const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
+      double nearest = options.reach;
+      for (const WallPoint& wall : map.walls)
+        if (dot(wall.normal, axis) > M_SQRT1_2)
+          nearest = std::min(nearest, distance(wall.place, at));
+      const std::uint32_t wall = map.nearest[std::size_t(octant)][i];
+      if (wall == MapForAlignment::kNoWall) {
+        EXPECT_GT(nearest, options.reach - 0.05) << i << ' ' << octant;
+        continue;
+      }
+      ++found;
+      EXPECT_GT(dot(map.walls[wall].normal, axis), M_SQRT1_2);
+      EXPECT_LT(distance(map.walls[wall].place, at), nearest + map.frame.resolution)
+          << "walls are spread cell by cell";
+    }
+  EXPECT_GT(found, 500u);
+}
+
+TEST(MapForAlignment, depthsAreDistancesToWhatIsNotFree) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {}), {});
+  std::size_t deep = 0;
+  for (std::size_t i = 0; i < map.frame.cellCount(); i += 53) {
+    const Cell cell{int(i) % map.frame.width, int(i) / map.frame.width};
+    if (map.states[i] != State::free) {
+      EXPECT_EQ(map.depths[i], 0);
+      continue;
+    }
+    double nearest = HUGE_VAL;
+    for (int y = 0; y < map.frame.height; ++y)
+      for (int x = 0; x < map.frame.width; ++x)
+        if (map.states[map.frame.index({x, y})] != State::free)
+          nearest = std::min(nearest, std::hypot(x - cell.x, y - cell.y));
+    nearest *= map.frame.resolution;
+    EXPECT_GE(map.depths[i], nearest - 1e-4);
+    EXPECT_LE(map.depths[i], 1.09 * nearest) << "steps along and across cells are longer";
+    deep += map.depths[i] > 0.7;
+  }
+  EXPECT_GT(deep, 20u);
+}
+
+TEST(MapForAlignment, aShiftOfTheFrameShiftsTheWalls) {
+  Grid grid = test::drawnBuilding(6, {});
+  const MapForAlignment here = mapForAlignment(grid, {});
+  const Point shift{64, -32};
+  grid.frame.origin = grid.frame.origin + shift;
+  const MapForAlignment there = mapForAlignment(grid, {});
+  // What lies on a boundary of cells falls to this side or the other by rounding.
+  EXPECT_NEAR(double(here.walls.size()), double(there.walls.size()), 10);
+  EXPECT_NEAR(here.freeArea, there.freeArea, 0.01 * here.freeArea);
+  std::size_t alone = 0;
+  for (const WallPoint& wall : here.walls)
+    alone += std::none_of(there.walls.begin(), there.walls.end(), [&](const WallPoint& other) {
+      return distance(wall.place + shift, other.place) < 0.03 &&
+             distance(wall.normal, other.normal) < 0.1;
+    });
+  EXPECT_LT(alone, here.walls.size() / 50);
+}
+
+TEST(MapForAlignment, unknownSpaceAroundAMapChangesNothing) {
+  const Grid grid = test::drawnBuilding(6, {});
+  Grid padded;
+  const int pad = 24;
+  padded.frame = grid.frame;
+  padded.frame.width += 2 * pad, padded.frame.height += 2 * pad;
+  padded.frame.origin = grid.frame.origin - grid.frame.resolution * Point{pad, pad};
+  padded.cells.assign(padded.frame.cellCount(), State::unknown);
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x)
+      padded.cells[padded.frame.index({x + pad, y + pad})] = grid.at({x, y});
+  const MapForAlignment here = mapForAlignment(grid, {}), there = mapForAlignment(padded, {});
+  ASSERT_EQ(here.walls.size(), there.walls.size());
+  for (std::size_t i = 0; i < here.walls.size(); ++i)
+    EXPECT_LT(distance(here.walls[i].place, there.walls[i].place), 1e-6);
+  EXPECT_EQ(here.states, there.states);
+}
+
+TEST(MapForAlignment, freePlacesAreSpreadOverTheFreeSpace) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {}), {});
+  for (const Point& place : map.freePlaces)
+    EXPECT_EQ(map.states[map.frame.index(map.frame.cellAt(place))], State::free);
+  EXPECT_NEAR(double(map.freePlaces.size()) * 0.2 * 0.2, map.freeArea, 0.1 * map.freeArea);
+}
+
+TEST(MapForAlignment, thatWhichIsOnlyLookedForHasTheSameWalls) {
+  const Grid grid = test::drawnBuilding(4, {});
+  const MapForAlignment whole = mapForAlignment(grid, {}), walls = wallsForAlignment(grid, {});
+  ASSERT_EQ(walls.walls.size(), whole.walls.size());
+  for (std::size_t i = 0; i < walls.walls.size(); ++i)
+    EXPECT_EQ(walls.walls[i].place, whole.walls[i].place);
+  EXPECT_EQ(walls.freeArea, whole.freeArea);
+  EXPECT_FALSE(walls.axisDeviation);
+  EXPECT_TRUE(whole.axisDeviation);
+}
+
+TEST(MapForAlignment, aMapOfCoarserCellsKeepsThem) {
+  Grid grid = test::drawnBuilding(4, {});
+  EXPECT_EQ(mapForAlignment(grid, {}).frame.resolution, 0.1);
+  grid.frame.resolution = 0.25;
+  EXPECT_EQ(mapForAlignment(grid, {}).frame.resolution, 0.25);
+}
+
+TEST(MapForAlignment, aMapWithoutFreeSpaceHasNoWalls) {
+  Grid grid = test::squareHall({});
+  for (State& state : grid.cells)
+    if (state == State::free) state = State::unknown;
+  const MapForAlignment map = mapForAlignment(grid, {});
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
 }

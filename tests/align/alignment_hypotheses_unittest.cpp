@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "drawn_building.h"
 #include "roomgraph/align/near_poses.h"
+#include "search_images.h"
 
 namespace roomgraph {
 namespace {
@@ -47,6 +49,69 @@ TEST(AlignmentHypotheses, withoutWallsThereAreNone) {
   const MapForAlignment empty = mapForAlignment(Grid{}, {});
   EXPECT_TRUE(alignmentHypotheses(map, empty, {}).empty());
   EXPECT_TRUE(alignmentHypotheses(empty, map, {}).empty());
+}
+
+TEST(AlignmentHypotheses, aSquareHallLiesInItselfByEachQuarterTurn) {
+  const MapForAlignment hall = mapForAlignment(test::squareHall({}), {});
+  const auto found = alignmentHypotheses(hall, hall, {});
+  for (const double turn : {0.0, M_PI / 2, M_PI, -M_PI / 2}) {
+    const auto near = std::find_if(found.begin(), found.end(), [&](const AlignmentHypothesis& h) {
+      return areNear(h.pose, {0, 0, turn}, {}, {0.05, 0.4});
+    });
+    ASSERT_NE(near, found.end()) << turn;
+    EXPECT_LT(near - found.begin(), 6) << turn;
+  }
+}
+
+TEST(AlignmentHypotheses, aScoreIsTheSumOfWhatTheWallsOfBothAreWorth) {
+  AlignmentHypothesesOptions options;
+  options.maxPoints = 800;
+  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
+  const MapForAlignment b = mapForAlignment(test::squareHall({}), {});
+  const auto found = alignmentHypotheses(a, b, options);
+  const CentredMap fixed = centred(a), moved = centred(b);
+  const auto valueAt = [](const SearchImages& images, int octant, Cell cell) {
+    const int x = cell.x - images.low.x, y = cell.y - images.low.y;
+    if (x < 0 || y < 0 || x >= images.width || y >= images.height) return 0;
+    return int(images.values[std::size_t(octant)]
+                            [std::size_t(y) * std::size_t(images.width) + std::size_t(x)]);
+  };
+  ASSERT_GT(found.size(), 20u);
+  for (std::size_t i = 0; i < 20; ++i) {
+    // The angle that was tried, to the last bit: what lies on a boundary of cells hangs on it.
+    const auto step = std::lround((found[i].pose.phi + 2 * M_PI) / M_PI * 90) % 180;
+    const double angle = double(step) * 2 * M_PI / 180;
+    const Point shift = found[i].pose(b.middle()) - a.middle();
+    const Cell cell{int(std::lround(shift.x / options.cell)),
+                    int(std::lround(shift.y / options.cell))};
+    int sum = 0;
+    // To a sum at shift s each point gives the other's image at s less the point.
+    const SearchImages images = imagesOf(fixed, 0, options.cell, 1);
+    for (const SearchPoint& p : searchPoints(moved, angle, options.cell, 800, -1))
+      sum += valueAt(images, p.octant, {cell.x - p.cell.x, cell.y - p.cell.y});
+    const SearchImages turned = imagesOf(moved, angle, options.cell, -1);
+    for (const SearchPoint& p : searchPoints(fixed, 0, options.cell, 800, 1))
+      sum += valueAt(turned, p.octant, {cell.x - p.cell.x, cell.y - p.cell.y});
+    EXPECT_EQ(found[i].score, sum) << i;
+  }
+}
+
+TEST(AlignmentHypotheses, noneIsNearABetterOne) {
+  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
+  const MapForAlignment b = mapForAlignment(test::drawnBuilding(5, {2, 1, 0.6}), {});
+  const auto found = alignmentHypotheses(a, b, {});
+  for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 100); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(areNear(found[i].pose, found[j].pose, b.middle(), {0.08, 0.4}));
+}
+
+TEST(AlignmentHypotheses, noMoreAreKeptThanAskedFor) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(2, {}), {});
+  AlignmentHypothesesOptions few;
+  few.count = 7;
+  const auto all = alignmentHypotheses(map, map, {}), some = alignmentHypotheses(map, map, few);
+  ASSERT_EQ(some.size(), 7u);
+  for (std::size_t i = 0; i < some.size(); ++i) EXPECT_EQ(some[i].score, all[i].score);
 }
 
 }  // namespace

@@ -34,5 +34,41 @@ TEST(FitScale, whatIsOutOfReachStaysAsItIs) {
   EXPECT_EQ(found.pose.x, 500);
 }
 
+TEST(FitScale, theFramesOfTheMapsChangeNothing) {
+  const Grid building = test::drawnBuilding(5, {});
+  const Transform2D there{40, -20, 2};
+  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, there), {});
+  const MapForAlignment b = mapForAlignment(shrunk(building, 0.98), {});
+  const Point middle{12, 8};
+  const ScaledPose found = fitScale(a, b, carrying(0.98 * middle, there(middle), there.phi), {});
+  EXPECT_NEAR(found.scale, 1 / 0.98, 0.002);
+  EXPECT_LT(distance(found.pose((found.scale * 0.98) * middle), there(middle)), 0.1);
+  EXPECT_NEAR(wrappedAngle(found.pose.phi - there.phi), 0, 0.01);
+}
+
+TEST(FitScale, swappingTheMapsGivesTheInverse) {
+  const Grid building = test::drawnBuilding(5, {});
+  const MapForAlignment a = mapForAlignment(building, {});
+  const MapForAlignment b = mapForAlignment(shrunk(building, 0.97), {});
+  const Point middle{12, 8};
+  const ScaledPose forth = fitScale(a, b, carrying(0.97 * middle, middle, 0), {});
+  const ScaledPose back = fitScale(b, a, carrying(middle, 0.97 * middle, 0), {});
+  EXPECT_NEAR(forth.scale * back.scale, 1, 0.003);
+}
+
+TEST(FitScale, mapsOfOneSizeKeepIt) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(5, {}), {});
+  const ScaledPose found = fitScale(map, map, {}, {});
+  EXPECT_NEAR(found.scale, 1, 1e-6);
+  EXPECT_NEAR(found.pose.x, 0, 1e-4);
+}
+
+TEST(FitScale, withoutWallsNothingMoves) {
+  const MapForAlignment map = mapForAlignment(test::drawnBuilding(5, {}), {});
+  const ScaledPose found = fitScale(map, mapForAlignment(Grid{}, {}), {1, 2, 3}, {});
+  EXPECT_EQ(found.scale, 1);
+  EXPECT_EQ(found.pose.y, 2);
+}
+
 }  // namespace
 }  // namespace roomgraph

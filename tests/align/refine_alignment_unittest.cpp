@@ -39,5 +39,29 @@ TEST(RefineAlignment, whatIsOutOfReachStaysAsItIs) {
   EXPECT_EQ(found.phi, far.phi);
 }
 
+TEST(RefineAlignment, swappingTheMapsGivesTheInverse) {
+  const Pair pair;
+  const Transform2D near = Transform2D{0.2, -0.15, 0.02} * kBFromA.inverse();
+  const Transform2D forth = refineAlignment(pair.a, pair.b, near, {});
+  const Transform2D back = refineAlignment(pair.b, pair.a, near.inverse(), {}).inverse();
+  for (const Point p : {Point{2, 2}, {22, 2}, {12, 14}})
+    EXPECT_LT(distance(forth(kBFromA(p)), back(kBFromA(p))), 0.02);
+}
+
+TEST(RefineAlignment, whatIsRefinedStays) {
+  const Pair pair;
+  const Transform2D once = refineAlignment(pair.a, pair.b, kBFromA.inverse(), {});
+  const Transform2D twice = refineAlignment(pair.a, pair.b, once, {});
+  for (const Point p : {Point{2, 2}, {22, 2}, {12, 14}})
+    EXPECT_LT(distance(once(kBFromA(p)), twice(kBFromA(p))), 0.01);
+}
+
+TEST(RefineAlignment, withoutWallsThePoseStays) {
+  const Pair pair;
+  const MapForAlignment empty = mapForAlignment(Grid{}, {});
+  EXPECT_EQ(refineAlignment(pair.a, empty, {1, 2, 3}, {}).x, 1);
+  EXPECT_EQ(refineAlignment(empty, pair.a, {1, 2, 3}, {}).phi, 3);
+}
+
 }  // namespace
 }  // namespace roomgraph

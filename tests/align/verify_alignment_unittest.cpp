@@ -44,5 +44,68 @@ TEST(VerifyAlignment, mapsThatDoNotTouchSayNothing) {
   EXPECT_EQ(e.overlap, 0);
 }
 
+void expectSame(const AlignmentEvidence& l, const AlignmentEvidence& r, double share) {
+  const double little = share * l.all;
+  EXPECT_NEAR(l.close, r.close, little);
+  EXPECT_NEAR(l.loose, r.loose, little);
+  EXPECT_NEAR(l.slightly, r.slightly, little);
+  EXPECT_NEAR(l.contradicted, r.contradicted, little);
+  EXPECT_NEAR(l.known, r.known, little);
+  EXPECT_NEAR(l.all, r.all, little);
+  EXPECT_NEAR(l.weakest, r.weakest, little);
+  EXPECT_NEAR(l.overlap, r.overlap, share);
+  EXPECT_NEAR(l.common, r.common, share * l.common + 1e-9);
+  EXPECT_NEAR(l.freeOnWall, r.freeOnWall, share);
+}
+
+TEST(VerifyAlignment, swappingTheMapsChangesNothing) {
+  const Pair pair;
+  for (const Transform2D& pose : {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}})
+    expectSame(verifyAlignment(pair.a, pair.b, pose, {}),
+               verifyAlignment(pair.b, pair.a, pose.inverse(), {}), 1e-9);
+}
+
+TEST(VerifyAlignment, theFramesOfTheMapsChangeLittle) {
+  const Pair pair;
+  const MapForAlignment there = mapForAlignment(test::drawnBuilding(5, {7, -3, 1.1}), {});
+  const Transform2D off{0.4, -0.2, 0.02};
+  expectSame(verifyAlignment(pair.a, pair.b, off * kBFromA.inverse(), {}),
+             verifyAlignment(pair.a, there, off * Transform2D{7, -3, 1.1}.inverse(), {}), 0.05);
+}
+
+TEST(VerifyAlignment, whatIsFoundAndContradictedIsPartOfWhatIsKnown) {
+  const Pair pair;
+  for (const Transform2D& pose :
+       {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}, Transform2D{9, 9, 3}}) {
+    const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, pose, {});
+    EXPECT_LE(e.close, e.loose + 1e-9);
+    EXPECT_LE(e.known, e.all + 1e-9);
+    EXPECT_LE(e.loose, e.known + 1e-9);
+    EXPECT_LE(e.contradicted, e.known + 1e-9);
+    EXPECT_LE(e.weakest, e.loose / 2 + 1e-9);
+    EXPECT_GE(e.weakest, -1e-9);
+    EXPECT_GE(e.overlap, 0);
+    EXPECT_LE(e.overlap, 1);
+    EXPECT_LE(e.freeOnWall, 1);
+  }
+}
+
+TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
+  const Pair pair;
+  MapForAlignment striped = pair.a;
+  for (WallPoint& wall : striped.walls) wall.normal = {wall.normal.x > 0 ? 1.0 : -1.0, 0};
+  const AlignmentEvidence all = verifyAlignment(pair.a, pair.a, {}, {});
+  const AlignmentEvidence some = verifyAlignment(striped, striped, {}, {});
+  EXPECT_GT(all.weakest, 0.2 * all.loose);
+  EXPECT_NEAR(some.weakest, 0, 1e-9);
+}
+
+TEST(VerifyAlignment, mapsWithoutWallsSayNothing) {
+  const Pair pair;
+  const AlignmentEvidence e = verifyAlignment(pair.a, mapForAlignment(Grid{}, {}), {}, {});
+  EXPECT_EQ(e.loose, 0);
+  EXPECT_EQ(e.overlap, 0);
+}
+
 }  // namespace
 }  // namespace roomgraph

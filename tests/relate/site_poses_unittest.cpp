@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include "RandomNumbers.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {
@@ -70,6 +74,112 @@ TEST(SitePoses, aRunWithoutATrustedPairIsNotPlaced) {
 TEST(SitePoses, aStrangeRunIsAnError) {
   EXPECT_THROW(sitePoses(2, {pairOf(0, 2)}, 0, {}), UsageError);
   EXPECT_THROW(sitePoses(2, {}, 2, {}), UsageError);
+}
+
+/** Runs at random, and pairs that are a little off. */
+struct NoisyPairs {
+  std::vector<Transform2D> truth;
+  std::vector<PairPose> pairs;
+
+  NoisyPairs(std::uint32_t seed, std::size_t runs, std::size_t reach) {
+    test::RandomNumbers random(seed);
+    for (std::size_t i = 0; i < runs; ++i) truth.push_back(random.pose(20));
+    for (std::size_t a = 0; a < runs; ++a)
+      for (std::size_t b = a + 1; b < std::min(runs, a + 1 + reach); ++b) {
+        const Transform2D off{random.between(-0.05, 0.05), random.between(-0.05, 0.05),
+                              random.between(-0.005, 0.005)};
+        pairs.push_back(
+            {a, b, truth[a].inverse() * truth[b] * off, random.between(0.5, 1), random.place(5)});
+      }
+  }
+};
+
+/** What the poses leave over of the pairs, with the weights of a robust fit. */
+double costOf(const std::vector<PairPose>& pairs, const std::vector<SitePose>& runs) {
+  const SitePosesOptions options;
+  double cost = 0;
+  for (const PairPose& pair : pairs) {
+    const Transform2D &a = runs[pair.a].pose, &b = runs[pair.b].pose;
+    const Point off = b(pair.middle) - a(pair.pose(pair.middle));
+    const double turn = options.lever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
+    const double s = (squaredNorm(off) + turn * turn) / (options.width * options.width);
+    cost += pair.confidence * s / (1 + s);
+  }
+  return cost;
+}
+
+TEST(SitePoses, noRunCanMoveAloneAndFitBetter) {
+  const NoisyPairs noisy(1, 6, 6);
+  const SitePoses found = sitePoses(6, noisy.pairs, 0, {});
+  const double best = costOf(noisy.pairs, found.runs);
+  for (std::size_t run = 1; run < 6; ++run)
+    for (const Transform2D& nudge :
+         {Transform2D{0.005, 0, 0}, Transform2D{0, -0.005, 0}, Transform2D{0, 0, 0.001}}) {
+      std::vector<SitePose> moved = found.runs;
+      moved[run].pose = moved[run].pose * nudge;
+      EXPECT_GT(costOf(noisy.pairs, moved), best) << run;
+    }
+}
+
+TEST(SitePoses, theOrderOfThePairsChangesNothing) {
+  NoisyPairs noisy(2, 7, 7);
+  const SitePoses before = sitePoses(7, noisy.pairs, 2, {});
+  test::RandomNumbers random(3);
+  random.shuffle(noisy.pairs);
+  for (std::size_t i = 0; i < noisy.pairs.size(); i += 2) {
+    PairPose& pair = noisy.pairs[i];  // named the other way round
+    pair = {pair.b, pair.a, pair.pose.inverse(), pair.confidence, pair.pose(pair.middle)};
+  }
+  const SitePoses after = sitePoses(7, noisy.pairs, 2, {});
+  for (std::size_t run = 0; run < 7; ++run)
+    EXPECT_LT(distance(before.runs[run].pose.shift(), after.runs[run].pose.shift()), 1e-6);
+}
+
+TEST(SitePoses, theReferenceChangesTheFrameOnly) {
+  const NoisyPairs noisy(4, 6, 6);
+  const SitePoses here = sitePoses(6, noisy.pairs, 0, {}), there = sitePoses(6, noisy.pairs, 4, {});
+  const Transform2D motion = here.runs[4].pose;
+  EXPECT_EQ(there.runs[4].pose.shift(), Point{});
+  for (std::size_t run = 0; run < 6; ++run)
+    EXPECT_LT(distance((motion * there.runs[run].pose).shift(), here.runs[run].pose.shift()), 1e-5);
+  for (std::size_t i = 0; i < noisy.pairs.size(); ++i)
+    EXPECT_NEAR(here.misfit[i], there.misfit[i], 1e-5);
+}
+
+TEST(SitePoses, ofManyRunsTheSparseEquationsSayTheSame) {
+  // 59 runs are solved densely, 61 sparsely; the last two hang at the end of a chain, and so move
+  // nothing of what is before them.
+  NoisyPairs noisy(5, 59, 4);
+  const SitePoses dense = sitePoses(59, noisy.pairs, 0, {});
+  for (const std::size_t run : {59u, 60u})
+    noisy.pairs.push_back({run - 1, run, {1, 2, 0.3}, 0.9, {}});
+  const SitePoses sparse = sitePoses(61, noisy.pairs, 0, {});
+  for (std::size_t run = 0; run < 59; ++run)
+    EXPECT_LT(distance(dense.runs[run].pose.shift(), sparse.runs[run].pose.shift()), 1e-6) << run;
+  EXPECT_TRUE(sparse.runs[60].isPlaced);
+  EXPECT_NEAR(sparse.misfit.back(), 0, 1e-6);
+}
+
+TEST(SitePoses, whatClosesTrianglesIsTrustedMore) {
+  // Of 0 and 3 there is one sure pair that is wrong; over 1 and 2 the right one comes out twice.
+  std::vector<PairPose> pairs{pairOf(0, 1), pairOf(0, 2), pairOf(1, 2), pairOf(1, 3), pairOf(2, 3)};
+  for (PairPose& pair : pairs) pair.confidence = 0.7;
+  pairs.push_back(pairOf(0, 3));
+  pairs.back().pose = Transform2D{30, 0, 1} * pairs.back().pose;
+  pairs.back().confidence = 1;
+  expectTrue(sitePoses(4, pairs, 0, {}), 3, 0.01);
+}
+
+TEST(SitePoses, aSiteOfOneRunLiesInItsOwnFrame) {
+  const SitePoses found = sitePoses(1, {}, 0, {});
+  ASSERT_EQ(found.runs.size(), 1u);
+  EXPECT_TRUE(found.runs[0].isPlaced);
+  EXPECT_EQ(found.runs[0].pose.shift(), Point{});
+  EXPECT_TRUE(found.misfit.empty());
+}
+
+TEST(SitePoses, aPairOfARunWithItselfIsAnError) {
+  EXPECT_THROW(sitePoses(2, {{1, 1, {}, 0.9, {}}}, 0, {}), UsageError);
 }
 
 }  // namespace

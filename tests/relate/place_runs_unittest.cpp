@@ -1,0 +1,193 @@
+#include "roomgraph/relate/place_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawn_building.h"
+
+namespace roomgraph {
+namespace {
+
+/** Runs of one building in frames of their own, and where their pairs were found. */
+struct RunsOfABuilding {
+  std::vector<Transform2D> truth{{}, {3, -1, 0.4}, {-6, 2, 2}, {1, 8, -1.5}, {0, 0, 3}};
+  std::vector<roomgraph::Run> runs;
+  MapPairs related{5};
+
+  RunsOfABuilding() {
+    for (const Transform2D& pose : truth) {
+      runs.emplace_back();
+      runs.back().map = mapForAlignment(test::drawnBuilding(1, pose), {});
+    }
+    for (const auto& [a, b] : related.pairs()) join(a, b, 0.9);
+  }
+
+  /** The pair was found, with this confidence, where it really lies. */
+  void join(std::size_t a, std::size_t b, double confidence) {
+    Alignment& alignment = related(a, b).alignment;
+    alignment.isSameSite = confidence > 0;
+    alignment.confidence = confidence;
+    alignment.pose = truth[a] * truth[b].inverse();
+    alignment.poses = {alignment.pose};
+  }
+
+  Site placed(std::optional<std::size_t> reference = {}) const {
+    return placeRuns(runs, related, {}, reference);
+  }
+};
+
+void expectSame(const Transform2D& l, const Transform2D& r) {
+  EXPECT_LT(distance(l.shift(), r.shift()), 1e-6);
+  EXPECT_NEAR(wrappedAngle(l.phi - r.phi), 0, 1e-9);
+}
+
+TEST(IsJoined, aPairMustBeOfOneSiteAndSureEnough) {
+  MapPair pair;
+  const SitePosesOptions options;
+  pair.alignment.confidence = 0.9;
+  EXPECT_FALSE(isJoined(pair, options)) << "not of one site";
+  pair.alignment.isSameSite = true;
+  EXPECT_TRUE(isJoined(pair, options));
+  pair.alignment.confidence = 0.4;
+  EXPECT_FALSE(isJoined(pair, options)) << "nor is it anywhere else";
+  pair.alignment.runnerUpConfidence = 0.3;
+  EXPECT_TRUE(isJoined(pair, options)) << "it lies in one of two turns";
+  pair.alignment.confidence = 0.2;
+  EXPECT_FALSE(isJoined(pair, options)) << "less than the least that is used";
+}
+
+TEST(PlaceRuns, allLieWhereTheyReallyDo) {
+  const RunsOfABuilding five;
+  const Site site = five.placed();
+  EXPECT_EQ(site.members, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  ASSERT_EQ(site.poses.size(), 5u);
+  EXPECT_TRUE(site.others.empty());
+  EXPECT_FALSE(site.reference);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(site.runs[i], &five.runs[i]);
+    expectSame(site.poses[0].inverse() * site.poses[i], five.truth[0] * five.truth[i].inverse());
+  }
+}
+
+TEST(PlaceRuns, theFrameIsThatOfTheReference) {
+  const RunsOfABuilding five;
+  for (const std::size_t reference : {0u, 3u}) {
+    const Site site = five.placed(reference);
+    EXPECT_EQ(site.reference, reference);
+    expectSame(site.poses[reference], {});
+  }
+}
+
+TEST(PlaceRuns, withoutAReferenceItIsThatOfTheRunThatTheOthersFitBest) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs()) five.join(a, b, a == 2 || b == 2 ? 0.95 : 0.7);
+  expectSame(five.placed().poses[2], {});
+}
+
+TEST(PlaceRuns, theSiteIsTheLargestSetThatIsJoined) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs())
+    five.join(a, b, (a < 2) == (b < 2) ? 0.9 : 0);  // 0 and 1; 2, 3 and 4
+  const Site site = five.placed();
+  EXPECT_EQ(site.members, (std::vector<std::size_t>{2, 3, 4}));
+  EXPECT_EQ(site.others, (std::vector<std::vector<std::size_t>>{{0, 1}}));
+  EXPECT_EQ(site.runs[0], &five.runs[2]);
+  const Site referred = five.placed(1);
+  EXPECT_EQ(referred.members, (std::vector<std::size_t>{0, 1})) << "that of the reference";
+  EXPECT_EQ(referred.reference, 1u);
+  EXPECT_EQ(referred.others, (std::vector<std::vector<std::size_t>>{{2, 3, 4}}));
+}
+
+TEST(PlaceRuns, ofEquallyLargeSetsTheSurerIsTheSite) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs()) five.join(a, b, 0);
+  five.join(0, 1, 0.7), five.join(3, 4, 0.9);
+  EXPECT_EQ(five.placed().members, (std::vector<std::size_t>{3, 4}));
+  five.join(0, 1, 0.95);
+  EXPECT_EQ(five.placed().members, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(PlaceRuns, runsThatNothingJoinsAreInNoSet) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs()) five.join(a, b, 0);
+  const Site site = five.placed();
+  EXPECT_EQ(site.members.size(), 1u);
+  EXPECT_TRUE(site.others.empty()) << "of one run there is nothing to compare";
+  EXPECT_TRUE(placeRuns({}, {}, {}, {}).runs.empty());
+}
+
+TEST(PlaceRuns, aRunThatOneOtherFoundIsPlacedThroughIt) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs()) five.join(a, b, b == a + 1 ? 0.9 : 0);
+  const Site site = five.placed();
+  ASSERT_EQ(site.members.size(), 5u);
+  expectSame(site.poses[0].inverse() * site.poses[4], five.truth[0] * five.truth[4].inverse());
+}
+
+TEST(PairsInSite, aPairThatLiesOtherwiseInItselfIsFollowedAgain) {
+  RunsOfABuilding five;
+  MapPairs& related = five.related;
+  for (const auto& [a, b] : related.pairs())
+    follow(related(a, b), five.runs[a].map, five.runs[b].map, {related(a, b).alignment.pose});
+  const double share = related(1, 2).bInA.share;
+  ASSERT_GT(share, 0.9);
+  related(1, 2).bInA = related(1, 2).aInB = {};  // bent maps that did not find each other
+  related.core = {0, 2, 4};
+  const Site site = five.placed();
+  const MapPairs pairs = pairsInSite(site, related, oneByOne);
+  EXPECT_NEAR(pairs(1, 2).bInA.share, share, 0.02);
+  EXPECT_GT(pairs(1, 2).aInB.share, 0.9);
+  EXPECT_EQ(pairs(0, 1).bInA.patches.size(), related(0, 1).bInA.patches.size()) << "as it was";
+  EXPECT_EQ(pairs.core, related.core);
+}
+
+TEST(PairsInSite, whatTheSiteDoesNotBearOutKeepsItsOwnAnswer) {
+  RunsOfABuilding five;
+  MapPairs& related = five.related;
+  for (const auto& [a, b] : related.pairs())
+    follow(related(a, b), five.runs[a].map, five.runs[b].map, {related(a, b).alignment.pose});
+  Site site = five.placed();
+  site.poses[4] = site.poses[4] * Transform2D{40, 0, 1};  // a site that is wrong
+  const MapPairs pairs = pairsInSite(site, related, oneByOne);
+  EXPECT_EQ(pairs(0, 4).bInA.share, related(0, 4).bInA.share);
+}
+
+TEST(PairsInSite, onlyThePairsOfItsRunsAreKept) {
+  RunsOfABuilding five;
+  for (const auto& [a, b] : five.related.pairs()) five.join(a, b, (a < 2) == (b < 2) ? 0.9 : 0);
+  five.related.core = {1, 2, 4};
+  const MapPairs pairs = pairsInSite(five.placed(), five.related, oneByOne);
+  EXPECT_EQ(pairs.things(), 3u);
+  EXPECT_EQ(pairs.pairs(), pairsOf(3));
+  EXPECT_EQ(pairs.core, (std::vector<std::size_t>{0, 2})) << "by their places in the site";
+}
+
+TEST(FollowedIn, namesTheOneOfBothWays) {
+  MapPairs pairs(3);
+  pairs(0, 2).bInA.share = 0.25, pairs(0, 2).aInB.share = 0.75;
+  EXPECT_EQ(followedIn(pairs, 2, 0).share, 0.25);
+  EXPECT_EQ(followedIn(pairs, 0, 2).share, 0.75);
+}
+
+TEST(BendsOf, theLargerBendAndTheSmallerShareCount) {
+  MapPairs pairs(3, {{0, 1}, {1, 2}});
+  MapPair& pair = pairs(0, 1);
+  pair.bInA.bend = 0.1, pair.aInB.bend = 0.3;
+  pair.bInA.share = 0.9, pair.aInB.share = 0.5;
+  pair.bInA.patches.resize(2), pair.aInB.patches.resize(1);
+  pair.bInA.patches[0].walls = 10, pair.bInA.patches[1].walls = 20;
+  pair.aInB.patches[0].walls = 5;
+  pairs(1, 2).areIdentical = true;
+  const PairBends bends = bendsOf(pairs);
+  EXPECT_EQ(bends(1, 0).bend, 0.3);
+  EXPECT_EQ(bends(1, 0).share, 0.5);
+  EXPECT_EQ(bends(1, 0).walls, 35);
+  EXPECT_FALSE(bends(0, 1).areIdentical);
+  EXPECT_TRUE(bends(1, 2).areIdentical);
+  EXPECT_FALSE(bends.has(0, 2)) << "they were not related";
+}
+
+}  // namespace
+}  // namespace roomgraph
