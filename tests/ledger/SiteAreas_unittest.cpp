@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawn_areas.h"
+#include "drawn_house.h"
 
 namespace roomgraph::test {
 namespace {
@@ -48,6 +51,73 @@ TEST(SiteAreas, cellsAreLabelledByTheAreaTheyLieIn) {
   EXPECT_EQ(labelAt({2, 6}), RunAreas::kFirst + 0);
   EXPECT_EQ(labelAt({8, 4}), RunAreas::kFirst + 3);
   EXPECT_EQ(labelAt({0.2, 0.2}), RunAreas::kOccupied);
+}
+
+/** Runs of the drawn house in frames of their own. */
+struct Houses {
+  std::vector<Transform2D> poses{{}, {4, -3, 1.2}, {-8, 1, -2.5}};
+  std::vector<roomgraph::Run> runs;
+  Site site;
+
+  Houses() {
+    for (const Transform2D& pose : poses) runs.push_back(runOf(house(), "run", pose));
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      site.runs.push_back(&runs[i]);
+      site.poses.push_back(poses[i].inverse());
+    }
+  }
+  Houses(const Houses&) = delete;
+};
+
+TEST(SiteAreas, runsInFramesOfTheirOwnAreLaidOnEachOther) {
+  const Houses houses;
+  const SiteAreas areas = siteAreas(houses.site, {1, 1, 1});
+  ASSERT_EQ(areas.runs.size(), 3u);
+  for (const RunAreas& run : areas.runs) {
+    ASSERT_EQ(run.shapes.size(), house().rooms.size());
+    for (std::size_t a = 0; a < run.shapes.size(); ++a) {
+      EXPECT_LT(distance(run.shapes[a].middle, areas.runs[0].shapes[a].middle), 1e-6);
+      EXPECT_NEAR(run.shapes[a].area, areas.runs[0].shapes[a].area, 1e-6);
+      EXPECT_EQ(run.doors[a].size(), areas.runs[0].doors[a].size());
+    }
+    std::size_t same = 0, known = 0;
+    for (std::size_t i = 0; i < run.labels.size(); ++i) {
+      known += areas.runs[0].labels[i] != RunAreas::kUnknown;
+      same +=
+          areas.runs[0].labels[i] != RunAreas::kUnknown && run.labels[i] == areas.runs[0].labels[i];
+    }
+    EXPECT_GT(double(same), 0.93 * double(known)) << "but for cells at the walls";
+  }
+}
+
+TEST(SiteAreas, weightsAreTheFourthRootsOfTrustAndNeverNothing) {
+  const Houses houses;
+  const auto weightsFor = [&](const Trust& trust) {
+    std::vector<double> weights;
+    for (const RunAreas& run : siteAreas(houses.site, trust).runs) weights.push_back(run.weight);
+    return weights;
+  };
+  const auto weights = weightsFor({1, 0.0625, 0});
+  EXPECT_DOUBLE_EQ(weights[0], 1);
+  EXPECT_DOUBLE_EQ(weights[1], 0.5);
+  EXPECT_DOUBLE_EQ(weights[2], 0.1);
+  EXPECT_EQ(weightsFor({0, 0, 0}), (std::vector<double>{1, 1, 1}));
+}
+
+TEST(SiteAreas, ofNoRunsThereAreNone) {
+  const SiteAreas areas = siteAreas({}, {});
+  EXPECT_TRUE(areas.runs.empty());
+  EXPECT_EQ(areas.frame.cellCount(), 0u);
+}
+
+TEST(SiteAreas, aRunWithoutAreasStillTellsWhatIsFree) {
+  Houses houses;
+  houses.runs[1].areas = {};
+  const SiteAreas areas = siteAreas(houses.site, {1, 1, 1});
+  EXPECT_TRUE(areas.runs[1].shapes.empty());
+  const auto free =
+      std::count(areas.runs[1].labels.begin(), areas.runs[1].labels.end(), RunAreas::kFree);
+  EXPECT_GT(free, 1000);
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "drawn_areas.h"
 
@@ -107,6 +109,75 @@ TEST(ConsensusRooms, noRunsAgreeOnNothing) {
   EXPECT_TRUE(consensusOf({}).rooms.shapes.empty());
   EXPECT_EQ(roomsAt(consensusOf({drawnAreas(threeRooms())}), kTop), 1u) << "one alone has a say";
   EXPECT_EQ(roomsAt(consensusOf({drawnAreas(threeRooms())}), kBelow), 1u);
+}
+
+TEST(ConsensusRooms, theOrderOfTheAreasDoesNotMatter) {
+  const RunAreas a = drawnAreas(threeRooms(), threeDoors());
+  const RunAreas b = drawnAreas(withASplitRoom(), {}, 0.9);
+  const ConsensusRooms before = consensusOf({a, b});
+  const ConsensusRooms after =
+      consensusOf({reordered(a, {2, 0, 3, 1}), reordered(b, {4, 1, 0, 3, 2})});
+  ASSERT_EQ(after.rooms.shapes.size(), before.rooms.shapes.size());
+  std::multiset<std::pair<double, double>> l, r;
+  for (const SiteShape& room : before.rooms.shapes) l.insert({room.middle.x, room.middle.y});
+  for (const SiteShape& room : after.rooms.shapes) r.insert({room.middle.x, room.middle.y});
+  EXPECT_EQ(l, r);
+}
+
+TEST(ConsensusRooms, aMirroredSiteHasTheMirroredRooms) {
+  const Rows plain = threeRooms(), split = withASplitRoom(), more = withAnotherRoom();
+  const ConsensusRooms here = consensusOf({drawnAreas(plain), drawnAreas(split), drawnAreas(more)});
+  const ConsensusRooms there = consensusOf(
+      {drawnAreas(mirrored(plain)), drawnAreas(mirrored(split)), drawnAreas(mirrored(more))});
+  ASSERT_EQ(here.rooms.shapes.size(), there.rooms.shapes.size());
+  for (const SiteShape& room : here.rooms.shapes)
+    EXPECT_EQ(roomsAt(there, mirrored(room.middle, plain)), roomsAt(here, room.middle));
+}
+
+TEST(ConsensusRooms, onlyHowWeightsCompareCounts) {
+  const auto roomsOf = [](double unit) {
+    return consensusOf({drawnAreas(threeRooms(), {}, unit), drawnAreas(withASplitRoom(), {}, unit),
+                        drawnAreas(withAnotherRoom(), {}, 0.4 * unit)})
+        .rooms.shapes.size();
+  };
+  EXPECT_EQ(roomsOf(1), roomsOf(0.1));
+  EXPECT_EQ(roomsOf(1), roomsOf(64));
+}
+
+TEST(ConsensusRooms, theHeavierRunDecidesHowARoomIsDrawn) {
+  const RunAreas whole = drawnAreas(threeRooms(), {}, 1),
+                 split = drawnAreas(withASplitRoom(), {}, 2);
+  EXPECT_EQ(consensusOf({whole, split}).rooms.shapes.size(), 5u);
+  const RunAreas heavy = drawnAreas(threeRooms(), {}, 2),
+                 light = drawnAreas(withASplitRoom(), {}, 1);
+  EXPECT_EQ(consensusOf({heavy, light}).rooms.shapes.size(), 4u);
+}
+
+TEST(ConsensusRooms, noPlaceIsInTwoRooms) {
+  const RunAreas whole = drawnAreas(threeRooms()), split = drawnAreas(withASplitRoom()),
+                 more = drawnAreas(withAnotherRoom());
+  for (const std::vector<RunAreas>& runs :
+       {std::vector<RunAreas>{whole, split}, {split, more}, {whole, split, more, split}}) {
+    const ConsensusRooms consensus = consensusOf(runs);
+    for (double x = 0.25; x < 11; x += 0.5)
+      for (double y = 0.25; y < 8; y += 0.5) EXPECT_LE(roomsAt(consensus, {x, y}), 1u);
+  }
+}
+
+TEST(ConsensusRooms, eachRunIsMatchedWithEachRoom) {
+  const ConsensusRooms consensus = consensusOf(
+      {drawnAreas(threeRooms()), drawnAreas(withASplitRoom()),
+       drawnAreas({"######################", "######################", "######################",
+                   "######################", "######################", "######################",
+                   "######################", "######################", "######################",
+                   "######################", "######################", "##########CCCCCCCC####",
+                   "##########CCCCCCCC####", "##########CCCCCCCC####", "##########CCCCCCCC####",
+                   "######################"})});
+  for (const auto& inRun : consensus.matches)
+    EXPECT_EQ(inRun.size(), consensus.rooms.shapes.size());
+  std::size_t matched = 0;
+  for (const AreaMatch& match : consensus.matches[2]) matched += match.isMatched();
+  EXPECT_EQ(matched, 1u) << "it has but one of them";
 }
 
 }  // namespace

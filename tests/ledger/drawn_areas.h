@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -58,6 +61,33 @@ inline RunAreas drawnAreas(const std::vector<std::string>& rows,
     if (letter == ' ') run.labels[i] = RunAreas::kUnknown;
   }
   return run;
+}
+
+/** The same run with its areas in another order: area order[i] becomes area i. */
+inline RunAreas reordered(const RunAreas& run, const std::vector<std::size_t>& order) {
+  std::vector<std::size_t> placeOf(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i]] = i;
+  RunAreas other = run;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    other.shapes[i] = run.shapes[order[i]];
+    other.doors[i] = run.doors[order[i]];
+    for (AreaDoor& door : other.doors[i]) door.to = placeOf[door.to];
+  }
+  for (std::uint16_t& label : other.labels)
+    if (label >= RunAreas::kFirst)
+      label = std::uint16_t(RunAreas::kFirst + placeOf[label - RunAreas::kFirst]);
+  return other;
+}
+
+/** The drawing as a mirror shows it. */
+inline std::vector<std::string> mirrored(std::vector<std::string> rows) {
+  for (std::string& row : rows) std::reverse(row.begin(), row.end());
+  return rows;
+}
+
+/** A place of a drawing in its mirror image. */
+inline Point mirrored(Point p, const std::vector<std::string>& rows) {
+  return {double(rows[0].size()) * kDrawnCell - p.x, p.y};
 }
 
 /** A corridor with a room on the left and two on the right. */

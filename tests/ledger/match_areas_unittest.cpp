@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "drawn_areas.h"
 
 namespace roomgraph::test {
@@ -104,6 +106,73 @@ TEST(MatchAreas, addFitsKeepsThoseThatAreThere) {
   ASSERT_EQ(fits.size(), 4u);
   EXPECT_TRUE(fits[0].empty());
   EXPECT_EQ(fits[1].count(1), 1u);
+}
+
+TEST(MatchAreas, theOrderOfTheAreasChangesNothing) {
+  std::vector<std::string> rows = threeRooms();
+  for (std::size_t y = 11; y < 15; ++y) rows[y].replace(10, 3, "EEE");  // a room in two pieces
+  const RunAreas run = drawnAreas(rows, threeDoors());
+  const auto before = matchesIn(run);
+  std::vector<std::size_t> order{0, 1, 2, 3, 4};
+  while (std::next_permutation(order.begin(), order.end())) {
+    const auto after = matchesIn(reordered(run, order));
+    for (std::size_t s = 0; s < before.size(); ++s) {
+      ASSERT_EQ(after[s].areas.size(), before[s].areas.size()) << s;
+      for (std::size_t k = 0; k < before[s].areas.size(); ++k)
+        EXPECT_EQ(order[after[s].areas[k]], before[s].areas[k]) << s;
+      EXPECT_EQ(after[s].overlap, before[s].overlap);
+      EXPECT_EQ(after[s].move.shift, before[s].move.shift);
+    }
+  }
+}
+
+TEST(MatchAreas, aRunThatLiesABitOffIsMatchedAllTheSame) {
+  for (const int columns : {1, 2}) {
+    std::vector<std::string> rows = threeRooms();
+    for (std::string& row : rows) {  // drawn further left
+      row.erase(0, std::size_t(columns));
+      row += std::string(std::size_t(columns), '#');
+    }
+    const auto matches = matchesIn(drawnAreas(rows));
+    for (std::size_t s = 0; s < 3; ++s) {
+      ASSERT_TRUE(matches[s].isMatched()) << s;
+      EXPECT_EQ(matches[s].areas[0], s);
+      EXPECT_NEAR(matches[s].move.shift.x, -columns * kDrawnCell, 0.15) << s;
+      EXPECT_NEAR(matches[s].move.shift.y, 0, 0.15) << s;
+      EXPECT_GT(matches[s].overlap, 0.9);
+    }
+  }
+}
+
+TEST(MatchAreas, noAreaIsTwoRoomsUnlessTheyAreMerged) {
+  for (const std::string& gone : {std::string("A"), std::string("B"), std::string("d")}) {
+    const auto matches = matchesIn(drawnAreas(replaced(threeRooms(), gone, '#')));
+    std::vector<int> uses(4);
+    for (const AreaMatch& match : matches)
+      for (const std::size_t area : match.areas) uses[area] += !match.isMerged;
+    for (const int count : uses) EXPECT_LE(count, 1) << gone;
+  }
+}
+
+TEST(MatchAreas, aRoomHalfSeenIsKnownByThatHalf) {
+  std::vector<std::string> rows = threeRooms();
+  for (std::size_t y = 11; y < 15; ++y) rows[y].replace(14, 4, "    ");  // half of C
+  const auto matches = matchesIn(drawnAreas(rows));
+  EXPECT_NEAR(matches[2].known, 0.5, 0.05);
+  EXPECT_EQ(matches[2].areas, Areas{2});
+  EXPECT_GT(matches[2].overlap, 0.9) << "what was not looked at is left out";
+}
+
+TEST(MatchAreas, ofARunWithoutAreasNoneMatches) {
+  std::vector<std::string> rows = threeRooms();
+  const auto matches = matchesIn(drawnAreas(replaced(rows, "ABCd", '.')));
+  for (const AreaMatch& match : matches) {
+    EXPECT_FALSE(match.isMatched());
+    EXPECT_EQ(match.move.shift, (Point{0, 0})) << "there is nobody to follow";
+    EXPECT_DOUBLE_EQ(match.bare, 1);
+  }
+  const RunAreas run = drawnAreas(threeRooms());
+  EXPECT_TRUE(matchAreas({}, {}, frameOf(threeRooms()), run, {}).empty());
 }
 
 }  // namespace

@@ -89,5 +89,54 @@ TEST(RoomDoors, aRunInWhichTheRoomIsNoAreaOfItsOwnSaysNothing) {
   EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
 }
 
+TEST(RoomDoors, theOrderOfTheOtherRunsChangesNothing) {
+  const RunAreas both = withDoors({kDown, kAside}), one = withDoors({kDown});
+  const RoomDoors forth = doorsOfUpperRoom({both, one, both, one, both});
+  const RoomDoors back = doorsOfUpperRoom({both, both, one, one, both});
+  EXPECT_EQ(forth.doors.size(), back.doors.size());
+  EXPECT_EQ(forth.lost, (Counts{0, 1, 0, 1, 0}));
+  EXPECT_EQ(back.lost, (Counts{0, 0, 1, 1, 0}));
+}
+
+TEST(RoomDoors, halfOfTheWeightIsNotEnough) {
+  const RunAreas both = withDoors({kDown, kAside}), one = withDoors({kDown});
+  const RoomDoors doors = doorsOfUpperRoom({both, one});
+  EXPECT_EQ(doors.doors.size(), 1u);
+  EXPECT_EQ(doors.gained, (Counts{1, 0}));
+}
+
+TEST(RoomDoors, doorsToDifferentRoomsAreTwoWhereTheyAreApart) {
+  // Where the room behind is another one, they must be nearer to be one.
+  const RunAreas here = withDoors({{'B', 'd', {8, 5.25}}});
+  const auto beside = [&](double x) {
+    return doorsOfUpperRoom({here, here, withDoors({{'B', 'C', {8 + x, 5.25}}})});
+  };
+  EXPECT_EQ(beside(0.7).gained, (Counts{0, 0, 0}));
+  EXPECT_EQ(beside(1.2).gained, (Counts{0, 0, 1}));
+}
+
+TEST(RoomDoors, twoDoorsOfARunAreNeverOne) {
+  const RunAreas two = withDoors({{'B', 'd', {7, 5.25}}, {'B', 'd', {8, 5.25}}});
+  const RoomDoors doors = doorsOfUpperRoom({two, two, two});
+  EXPECT_EQ(doors.doors.size(), 2u);
+  EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
+  EXPECT_EQ(doors.lost, (Counts{0, 0, 0}));
+}
+
+TEST(RoomDoors, aDoorIsJoinedToTheNearest) {
+  const RunAreas two = withDoors({{'B', 'd', {7, 5.25}}, {'B', 'd', {8.2, 5.25}}});
+  const RoomDoors doors = doorsOfUpperRoom({two, two, withDoors({{'B', 'd', {7.9, 5.25}}})});
+  EXPECT_EQ(doors.doors.size(), 2u);
+  EXPECT_EQ(doors.lost, (Counts{0, 0, 1})) << "the one that is farther";
+  EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
+}
+
+TEST(RoomDoors, aRoomWithoutDoorsHasNone) {
+  const RunAreas none = withDoors({});
+  const RoomDoors doors = doorsOfUpperRoom({none, none});
+  EXPECT_TRUE(doors.doors.empty());
+  EXPECT_EQ(doors.lost, (Counts{0, 0}));
+}
+
 }  // namespace
 }  // namespace roomgraph::test

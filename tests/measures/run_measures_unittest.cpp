@@ -114,5 +114,34 @@ TEST(RunMeasures, ofAPairTheWallsOfBothCount) {
   EXPECT_FALSE(wallDistanceOfPair(DistanceTable(2, pairsOf(2)), 0, 1, 0.5).value) << "no walls";
 }
 
+TEST(RunMeasures, coverageIsThatOfPlainCounting) {
+  // Runs that have seen stripes of different widths, at whole cells.
+  const std::vector<double> widths{3, 7, 10, 5.5};
+  std::vector<roomgraph::Run> runs;
+  for (const double width : widths) runs.push_back(square(width));
+  const std::vector<Transform2D> poses{{}, {2, 0, 0}, {-1, 0, 0}, {4, 0, 0}};
+  const auto measures = coverage(runs, poses, PairBends(4));
+  const auto sees = [&](std::size_t run, double x) {
+    return x > poses[run].x && x < poses[run].x + widths[run];
+  };
+  double all = 0;
+  std::vector<double> mine(4);
+  for (double x = -1.95; x < 15; x += 0.1) {
+    std::size_t count = 0;
+    for (std::size_t run = 0; run < 4; ++run) count += sees(run, x);
+    if (count < 2) continue;
+    ++all;
+    for (std::size_t run = 0; run < 4; ++run) mine[run] += sees(run, x);
+  }
+  for (std::size_t run = 0; run < 4; ++run)
+    EXPECT_NEAR(measures[run].value.value(), mine[run] / all, 0.02) << run;
+}
+
+TEST(RunMeasures, withoutAPlaceThatTwoHaveSeenThereIsNoCoverage) {
+  const std::vector<roomgraph::Run> runs{square(10), square(10)};
+  for (const MeasuredValue& measure : coverage(runs, {{}, {50, 0, 0}}, PairBends(2)))
+    EXPECT_FALSE(measure.value);
+}
+
 }  // namespace
 }  // namespace roomgraph

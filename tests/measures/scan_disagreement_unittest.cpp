@@ -50,5 +50,36 @@ TEST(ScanDisagreement, withoutScansThereIsNone) {
   EXPECT_FALSE(scanDisagreement(std::vector<ScanWalls>(3), {}).value);
 }
 
+TEST(ScanDisagreement, theFrameOfTheRunChangesLittle) {
+  std::vector<ScanWalls> scans = thereAndBack({0.1, 0.15});
+  const double here = scanDisagreement(scans, {}).value.value();
+  const Transform2D motion{50, -20, 2};
+  for (ScanWalls& scan : scans) {
+    scan.pose = motion * scan.pose;
+    for (WallPoint& wall : scan.walls)
+      wall.place = motion(wall.place), wall.normal = turned(wall.normal, motion.phi);
+  }
+  const Figure there = scanDisagreement(scans, {});
+  EXPECT_NEAR(there.value.value(), here, 1e-6);
+}
+
+TEST(ScanDisagreement, drivenBackwardsIsTheSameDrive) {
+  std::vector<ScanWalls> scans = thereAndBack({0.1, 0.15});
+  const Figure forth = scanDisagreement(scans, {});
+  std::reverse(scans.begin(), scans.end());
+  const Figure back = scanDisagreement(scans, {});
+  EXPECT_NEAR(back.value.value(), forth.value.value(), 1e-9);
+  EXPECT_EQ(back.support, forth.support);
+}
+
+TEST(ScanDisagreement, wallsThatFaceAwayAreNotTheSame) {
+  std::vector<ScanWalls> scans = thereAndBack({});
+  const std::size_t half = scans.size() / 2;
+  for (std::size_t k = half; k < scans.size(); ++k)
+    for (WallPoint& wall : scans[k].walls) wall.normal = -1.0 * wall.normal;
+  const Figure found = scanDisagreement(scans, {});
+  EXPECT_LT(found.support, scanDisagreement(thereAndBack({}), {}).support);
+}
+
 }  // namespace
 }  // namespace roomgraph

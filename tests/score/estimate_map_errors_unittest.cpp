@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "RandomNumbers.h"
 
 namespace roomgraph {
 namespace {
@@ -126,6 +129,130 @@ TEST(EstimateMapErrors, aMapWithoutAPairHasNone) {
   EXPECT_FALSE(found[2]);
   EXPECT_TRUE(estimateMapErrors(PairBends(), {}, {}, {}).empty());
   EXPECT_FALSE(estimateMapErrors(bendsOf({0.1}), untold(1), {}, {})[0]);
+}
+
+/** What the bends cost where the maps err so, as the header has it. */
+double costOf(const PairBends& bends, const std::vector<double>& errors,
+              const MapErrorOptions& options) {
+  double cost = 0;
+  for (const auto& [i, j] : bends.pairs()) {
+    const PairBend& pair = bends(i, j);
+    const double r = std::log((pair.bend + options.bendNoise) /
+                              (std::hypot(errors[i], errors[j]) + options.bendNoise));
+    const double width = r > 0 ? options.above : options.below, s = 1 + r * r / width / width;
+    cost += pair.share * width * width * (r > 0 ? std::log(s) / 2 : std::sqrt(s) - 1);
+  }
+  return cost;
+}
+
+TEST(EstimateMapErrors, noErrorCanChangeAloneAndExplainMore) {
+  test::RandomNumbers random(1);
+  const MapErrorOptions options;
+  for (int trial = 0; trial < 10; ++trial) {
+    PairBends bends(6);
+    for (const auto& [i, j] : bends.pairs())
+      bends(i, j) = {random.between(0.1, 1), random.between(0.3, 1), 1000, false};
+    std::vector<double> errors;
+    for (const auto& found : estimateMapErrors(bends, untold(6), {}, options))
+      errors.push_back(found->error + options.leastError);
+    const double best = costOf(bends, errors, options);
+    for (std::size_t i = 0; i < 6; ++i)
+      for (const double factor : {0.98, 1.02}) {
+        std::vector<double> other = errors;
+        other[i] = std::max(options.leastError, factor * other[i]);
+        EXPECT_GE(costOf(bends, other, options), best - 1e-4 * best) << trial << ' ' << i;
+      }
+  }
+}
+
+TEST(EstimateMapErrors, theIntervalHoldsTheError) {
+  test::RandomNumbers random(2);
+  PairBends bends(5);
+  for (const auto& [i, j] : bends.pairs())
+    bends(i, j) = {random.between(0, 2), random.between(0.1, 1), 1000, false};
+  for (const auto& found : estimateMapErrors(bends, untold(5), {}, {})) {
+    EXPECT_GE(found->error, 0);
+    EXPECT_LE(found->low, found->error);
+    EXPECT_GE(found->high, found->error);
+  }
+}
+
+TEST(EstimateMapErrors, noErrorIsBelowNothingOrBeyondAllMeasure) {
+  const auto none = estimateMapErrors(bendsOf({0, 0, 0}), untold(3), {}, {});
+  for (const auto& found : none) EXPECT_NEAR(found->error, 0, 0.02);
+  const MapErrorOptions options;
+  const auto huge = estimateMapErrors(bendsOf({1e6, 1e6, 1e6}), untold(3), {}, options);
+  for (const auto& found : huge) EXPECT_LE(found->error, options.mostError + 1e-9);
+}
+
+/** Runs of a site, with walls that are so far from right angles. */
+struct SiteOfRuns {
+  std::vector<roomgraph::Run> runs;
+  Site site;
+
+  explicit SiteOfRuns(const std::vector<double>& deviations) : runs(deviations.size()) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      runs[i].map.axisDeviation = deviations[i];
+      site.runs.push_back(&runs[i]);
+    }
+    site.poses.resize(runs.size());
+  }
+  SiteOfRuns(const SiteOfRuns&) = delete;
+};
+
+TEST(ErrorsByBends, copiesOfAMapShareOneErrorAndHaveOneSay) {
+  const SiteOfRuns three({0.01, 0.02, 0.03}), four({0.01, 0.02, 0.03, 0.02});
+  const PairBends bends = bendsOf({0.1, 0.4, 0.8});
+  PairBends withCopy = bendsOf({0.1, 0.4, 0.8, 0.4});
+  withCopy(1, 3) = {0, 1, 1000, true};
+  const auto before = errorsByBends(three.site, bends), after = errorsByBends(four.site, withCopy);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after[i].error, before[i].error) << i;
+  EXPECT_EQ(after[3].error, after[1].error);
+  EXPECT_EQ(after[3].high, after[1].high);
+}
+
+TEST(ErrorsByBends, ofCopiesAloneThereIsNoErrorButTheyAreSeen) {
+  const SiteOfRuns two({0.01, 0.01});
+  PairBends bends(2);
+  bends(0, 1) = {0, 1, 1000, true};
+  for (const MapError& error : errorsByBends(two.site, bends)) {
+    EXPECT_EQ(error.error, 0);
+    EXPECT_EQ(error.seen, 1);
+  }
+}
+
+TEST(ErrorsByBends, whatNoOtherHasIsNotSeen) {
+  const SiteOfRuns three({0.01, 0.02, 0.03});
+  PairBends bends = bendsOf({0.1, 0.4, 0.8});
+  bends(0, 2) = bends(1, 2) = {};
+  const auto errors = errorsByBends(three.site, bends);
+  EXPECT_GT(errors[0].seen, 0.9);
+  EXPECT_EQ(errors[2].seen, 0);
+  EXPECT_EQ(errors[2].error, 0);
+}
+
+TEST(ErrorsByBends, aReferenceHasNone) {
+  SiteOfRuns three({0.01, 0.02, 0.03});
+  three.site.reference = 1;
+  PairBends bends = bendsOf({0.3, 0, 0.8});
+  const auto errors = errorsByBends(three.site, bends);
+  EXPECT_EQ(errors[1].error, 0);
+  EXPECT_GT(errors[1].seen, 0);
+  EXPECT_NEAR(errors[0].error, 0.3, 0.1);
+  EXPECT_NEAR(errors[2].error, 0.8, 0.2);
+}
+
+TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
+  SiteOfRuns three({0.01, 0.02, 0.03});
+  const PairBends bends = bendsOf({0.1, 0.4, 0.8});
+  Consensus consensus;
+  consensus.errors.resize(3);
+  consensus.errors[0].error = 42;
+  EXPECT_NE(siteErrors(three.site, bends, consensus)[0].error, 42);
+  for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);
+  EXPECT_NE(siteErrors(three.site, bends, consensus)[0].error, 42) << "the third has none";
+  three.runs[2].scans.resize(5);
+  EXPECT_EQ(siteErrors(three.site, bends, consensus)[0].error, 42);
 }
 
 }  // namespace

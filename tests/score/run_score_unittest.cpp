@@ -94,5 +94,52 @@ TEST(ScoreRuns, theBestRunHasTheMostTrust) {
   EXPECT_NEAR(scores[0]->bend, 0.1, 0.02) << "the outlier weighs little";
 }
 
+TEST(ScoreRuns, theOrderOfTheRunsChangesNothing) {
+  PairBends bends(4), back(4);
+  for (const auto& [i, j] : bends.pairs()) {
+    bends(i, j) = {0.1 + 0.1 * double(i) + 0.03 * double(j), 0.5 + 0.1 * double(j), 500, false};
+    back(3 - i, 3 - j) = bends(i, j);
+  }
+  const auto forth = scoreRuns(bends, errorsOf({0.1, 0.2, 0.3, 0.9}), {}, {});
+  const auto other = scoreRuns(back, errorsOf({0.9, 0.3, 0.2, 0.1}), {}, {});
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(forth[i]->score, other[3 - i]->score);
+    EXPECT_NEAR(forth[i]->bend, other[3 - i]->bend, 1e-12);
+    EXPECT_NEAR(forth[i]->share, other[3 - i]->share, 1e-12);
+    EXPECT_EQ(forth[i]->trust, other[3 - i]->trust);
+    EXPECT_EQ(forth[i]->support, other[3 - i]->support);
+  }
+}
+
+TEST(ScoreRuns, theBendIsTheMeanByTrustAndShare) {
+  PairBends bends = allBends(3, 0);
+  bends(0, 1) = {0.2, 0.5, 300, false}, bends(0, 2) = {0.8, 1, 700, false};
+  const auto scores = scoreRuns(bends, errorsOf({0.1, 0.1, 0.3}), {}, {});
+  const double one = scores[1]->trust * 0.5, two = scores[2]->trust * 1;
+  EXPECT_NEAR(scores[0]->bend, (one * 0.2 + two * 0.8) / (one + two), 1e-12);
+  EXPECT_NEAR(scores[0]->share, (one + two) / (scores[1]->trust + scores[2]->trust), 1e-12);
+  EXPECT_EQ(scores[0]->support, 1000);
+}
+
+TEST(ScoreRuns, whereAllAreSmallTheyAreTrustedAllTheSame) {
+  PairBends bends = allBends(3, 0.2);
+  for (const auto& [i, j] : bends.pairs()) bends(i, j).share = 0.05;
+  for (const auto& score : scoreRuns(bends, errorsOf({0.1, 0.1, 0.1}), {}, {})) {
+    EXPECT_EQ(score->trust, 1);
+    EXPECT_FALSE(score->isMeaningful);
+  }
+}
+
+TEST(ScoreRuns, ofNoRunsThereAreNone) {
+  EXPECT_TRUE(scoreRuns(PairBends(), {}, {}, {}).empty());
+  EXPECT_TRUE(trustOf({}, {}).empty());
+}
+
+TEST(TrustOf, aRunWithoutAScoreHasNone) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[2].seen = 0;
+  EXPECT_EQ(trustOf(scoreRuns(allBends(3, 0.1), errors, {}, {}), {}), (Trust{1, 1, 0}));
+}
+
 }  // namespace
 }  // namespace roomgraph
