@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "RandomNumbers.h"
+
 namespace roomgraph {
 namespace {
 
@@ -63,6 +67,47 @@ TEST(ChooseRecord, othersTakeThePlaceOfRunsWhoseFilesAreGone) {
   EXPECT_EQ(chooseRecord(runs(50), 4, isThere), (Indices{1, 2, 47, 48}));
   EXPECT_EQ(asked, (std::vector<std::string>{"49", "48", "47", "0", "1", "2"}));
 }
+
+/** Runs at random: some torn, some of another site, some without an error that can be trusted. */
+std::vector<KnownRun> anyRuns(test::RandomNumbers& random, std::size_t count) {
+  std::vector<KnownRun> any = runs(count);
+  for (KnownRun& run : any) {
+    run.error = double(random.below(20)) / 20;
+    if (random.below(4) == 0) run.error.reset();
+    run.isPlaced = random.below(5) > 0, run.isBroken = random.below(5) == 0;
+  }
+  return any;
+}
+
+TEST(ChooseRecord, isWhatItsSentenceSays) {
+  test::RandomNumbers random(6);
+  for (int trial = 0; trial < 200; ++trial) {
+    const std::vector<KnownRun> some = anyRuns(random, random.below(160));
+    const std::size_t most = 1 + random.below(12);
+    const auto isUsable = [](const KnownRun& run) { return run.sha256.back() != '3'; };
+    Indices last;  // of the site, the latest first
+    for (std::size_t i = some.size(); i-- > 0 && last.size() < 100;)
+      if (some[i].isPlaced) last.push_back(i);
+    Indices expected;
+    const auto take = [&](std::size_t i, std::size_t upTo) {
+      const bool isNew = std::find(expected.begin(), expected.end(), i) == expected.end();
+      if (isNew && isUsable(some[i]) && expected.size() < upTo) expected.push_back(i);
+    };
+    for (const std::size_t i : last) take(i, most / 2);
+    Indices best;
+    for (const std::size_t i : last)
+      if (some[i].error && !some[i].isBroken) best.push_back(i);
+    std::stable_sort(best.begin(), best.end(), [&](std::size_t l, std::size_t r) {
+      return some[l].error.value() < some[r].error.value();
+    });
+    for (const std::size_t i : best) take(i, most);
+    for (const std::size_t i : last) take(i, most);
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(chooseRecord(some, most, isUsable), expected) << trial;
+  }
+}
+
+TEST(ChooseRecord, ofNoneNoneIsChosen) { EXPECT_TRUE(chooseRecord(runs(9), 0, any).empty()); }
 
 }  // namespace
 }  // namespace roomgraph

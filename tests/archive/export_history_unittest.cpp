@@ -5,9 +5,13 @@
 #include <rapidjson/schema.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <string>
 
 #include "sample_nights.h"
 
@@ -94,6 +98,80 @@ TEST(ExportHistory, textHasALinePerRobot) {
   const std::string text = historyText(oneSite()[0]);
   EXPECT_NE(text.find("  anna: its map is as good as ever\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  =berta: no run of it can be judged yet\n"), std::string::npos) << text;
+}
+
+TEST(ExportHistory, namesCannotBreakOutOfALabel) {
+  std::vector<WatchedSite> sites = oneSite();
+  sites[0].history.site = "a\"}\nb\\";
+  const std::string text = historyPrometheus(sites);
+  EXPECT_NE(text.find("{site=\"a\\\"}\\nb\\\\\",robot=\"anna\"}"), std::string::npos) << text;
+  std::size_t begin = 0;
+  while (begin < text.size()) {  // each line is a comment or a gauge
+    const std::size_t end = text.find('\n', begin);
+    const std::string line = text.substr(begin, end - begin);
+    EXPECT_TRUE(line.rfind("# ", 0) == 0 || line.rfind("roomgraph_", 0) == 0) << line;
+    begin = end + 1;
+  }
+}
+
+TEST(ExportHistory, numbersThatAreNoneAreLeftOut) {
+  std::vector<WatchedSite> sites = oneSite();
+  for (HistoryRun& run : sites[0].history.runs)
+    for (Measure& figure : run.figures) figure.value = HUGE_VAL, figure.high = NAN;
+  const auto json = nlohmann::json::parse(historyJson(sites));
+  EXPECT_TRUE(json["sites"][0]["runs"][0]["figures"]["map_error_m"]["value"].is_null());
+  EXPECT_TRUE(json["sites"][0]["runs"][0]["figures"]["map_error_m"]["high"].is_null());
+  EXPECT_EQ(historyPrometheus(sites).find("roomgraph_map_error_metres{"), std::string::npos);
+  EXPECT_EQ(historyCsv(sites).find("inf"), std::string::npos);
+}
+
+TEST(ExportHistory, textThatIsNotUtf8IsStillJson) {
+  std::vector<WatchedSite> sites = oneSite();
+  sites[0].history.site =
+      "b\xfc"
+      "ro";
+  sites[0].history.runs[0].robot = "\xff\xfe";
+  const auto json = nlohmann::json::parse(historyJson(sites));
+  EXPECT_EQ(json["sites"].size(), 1U);
+}
+
+TEST(ExportHistory, ofNoSitesThereIsAHeadAndNoMore) {
+  const std::string csv = historyCsv({});
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1);
+  EXPECT_TRUE(nlohmann::json::parse(historyJson({}))["sites"].empty());
+  const std::string gauges = historyPrometheus({});
+  EXPECT_EQ(gauges.find("{site="), std::string::npos);
+}
+
+TEST(ExportHistory, eachGaugeHasItsHelpAndItsTypeOnce) {
+  const std::string text = historyPrometheus(oneSite());
+  std::istringstream lines(text);
+  std::map<std::string, int> helps, types;
+  std::set<std::string> used;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, kind, name;
+    words >> first >> kind >> name;
+    if (first != "#") used.insert(line.substr(0, line.find('{')));
+    if (kind == "HELP") ++helps[name];
+    if (kind == "TYPE") ++types[name];
+  }
+  EXPECT_EQ(helps, types);
+  for (const auto& [name, count] : helps) EXPECT_EQ(count, 1) << name;
+  for (const std::string& name : used) EXPECT_EQ(helps.count(name), 1U) << name;
+  EXPECT_GT(used.size(), 5U);
+}
+
+TEST(ExportHistory, aChangeOfARoomIsToldInTextAndJson) {
+  std::vector<WatchedSite> sites = oneSite();
+  sites[0].watch.changes = {{"R1", "doors", 0, 3, 2}};
+  EXPECT_NE(historyText(sites[0]).find("  R1: 2 doors instead of 3 since 1970-01-01\n"),
+            std::string::npos);
+  const auto json = nlohmann::json::parse(historyJson(sites));
+  const auto& change = json["sites"][0]["changes"][0];
+  EXPECT_EQ(change["room"], "R1");
+  EXPECT_EQ(change["before"], 3);
+  EXPECT_EQ(change["since"], "1970-01-01T00:00:00Z");
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "roomgraph/base/Error.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -48,6 +51,33 @@ TEST(NameKnownRooms, theRoomsOfTheFirstTwoRunsAreTakenAsTheyAre) {
   Comparison alone = test::night("s", "a", 1, 0.1).comparison;
   nameKnownRooms(alone, ledger, "a.db");
   EXPECT_EQ(ledger.rooms.size(), 3U);
+}
+
+TEST(NameKnownRooms, namesThatPeopleGaveStay) {
+  SiteFile ledger;
+  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
+  nameKnownRooms(first, ledger, "a.db");
+  ledger.rooms[1].name = "Kitchen";
+  const std::string id = ledger.rooms[1].id;
+  Comparison later = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
+  std::rotate(later.rooms.begin(), later.rooms.begin() + 1, later.rooms.end());
+  for (std::size_t r = 0; r < 3; ++r) later.rooms[r].id = "R" + std::to_string(r + 1);
+  nameKnownRooms(later, ledger, "a.db");
+  ASSERT_EQ(ledger.rooms.size(), 3U);
+  for (const SiteRoom& room : later.rooms)
+    EXPECT_EQ(room.id == id, room.name == "Kitchen") << room.id;
+}
+
+TEST(NameKnownRooms, whereTheRoomsLieNowhereNothingIsChanged) {
+  SiteFile ledger;
+  Comparison first = test::night("s", "a", 1, 0.1, {"2", "3"}).comparison;
+  nameKnownRooms(first, ledger, "a.db");
+  Comparison other = test::night("s", "a", 4, 0.1, {"2", "3"}).comparison;
+  other.rooms = {squareRoom("R1", {500, 500}, {"1", "2"})};
+  const std::size_t rooms = ledger.rooms.size();
+  EXPECT_THROW(nameKnownRooms(other, ledger, "a.db"), DataError);
+  EXPECT_EQ(ledger.rooms.size(), rooms);
+  EXPECT_EQ(idsOf(other), (std::vector<std::string>{"R1"}));
 }
 
 }  // namespace

@@ -116,5 +116,92 @@ TEST(WatchSite, anEmptyHistorySaysNothing) {
   EXPECT_FALSE(watch.isAlarm());
 }
 
+/** Nights of one robot with these errors. */
+SiteHistory nightsOf(const std::vector<double>& errors) {
+  SiteHistory history;
+  for (std::size_t n = 0; n < errors.size(); ++n)
+    history.runs.push_back(historyRun("anna", int(n), errors[n]));
+  return history;
+}
+
+std::string sentenceOf(const std::vector<double>& errors, const WatchOptions& options = {}) {
+  return watchSite(nightsOf(errors), options).robots.at(0).sentence;
+}
+
+TEST(WatchSite, aSentenceSaysWhatIsWrong) {
+  EXPECT_EQ(sentenceOf({0.1, 0.1}), "too few nights to see a trend");
+  EXPECT_EQ(sentenceOf(std::vector<double>(40, 0.9)),
+            "its map is above the limit of 0.30 m; no good one is known");
+  std::vector<double> rising, stepped;
+  for (int n = 0; n < 40; ++n) {
+    rising.push_back(0.05 + 0.004 * n + 0.002 * (n % 3));
+    stepped.push_back((n < 25 ? 0.05 : 0.15) + 0.002 * (n % 3));
+  }
+  const std::string worse = sentenceOf(rising);
+  EXPECT_EQ(worse.rfind("its map gets worse, by ", 0), 0u) << worse;
+  EXPECT_NE(worse.find(" in 30 days; the limit is reached in "), std::string::npos) << worse;
+  WatchOptions patient;
+  patient.limit = 5;
+  EXPECT_EQ(sentenceOf(std::vector<double>(40, 0.9), patient), "its map is as good as ever");
+  const std::string changed = sentenceOf(stepped, patient);
+  EXPECT_TRUE(changed.find("worse since 1970-01-26, by 0.10 m") != std::string::npos ||
+              changed.find("gets worse") != std::string::npos)
+      << changed;
+}
+
+TEST(WatchSite, eachRobotIsJudgedByItself) {
+  SiteHistory both = sixtyNights(), alone;
+  for (const HistoryRun& run : both.runs)
+    if (run.robot == "berta") alone.runs.push_back(run);
+  const RobotWatch withOther = watchSite(both, {}).robots[1],
+                   byItself = watchSite(alone, {}).robots[0];
+  EXPECT_EQ(withOther.sentence, byItself.sentence);
+  EXPECT_EQ(withOther.runs.size(), byItself.runs.size());
+  EXPECT_EQ(both.runs[*withOther.lastGood].time, alone.runs[*byItself.lastGood].time);
+  EXPECT_EQ(both.runs[withOther.latest].time, alone.runs[byItself.latest].time);
+}
+
+TEST(WatchSite, fourRunsAreNotEnoughForAChange) {
+  for (const int since : {15, 16}) {  // of twenty nights, so that five or four have the new door
+    SiteHistory history;
+    for (int n = 0; n < 20; ++n) {
+      history.runs.push_back(historyRun("anna", n, 0.1));
+      history.runs.back().rooms = {seen("R1", n < since ? 2 : 3, 20)};
+    }
+    EXPECT_EQ(watchSite(history, {}).changes.size(), since == 15 ? 1u : 0u) << since;
+  }
+}
+
+TEST(WatchSite, whatIsDrawnALittleLargerIsNoChange) {
+  SiteHistory history;
+  for (int n = 0; n < 20; ++n) {
+    history.runs.push_back(historyRun("anna", n, 0.1));
+    history.runs.back().rooms = {seen("R1", 2, n < 10 ? 20 : 22)};
+  }
+  EXPECT_TRUE(watchSite(history, {}).changes.empty());
+}
+
+TEST(WatchSite, aRoomThatSomeRunsDoNotVisitIsStillThere) {
+  SiteHistory history;
+  for (int n = 0; n < 20; ++n) {
+    history.runs.push_back(historyRun("anna", n, 0.1));
+    history.runs.back().rooms = {seen("R1", 2, 20)};
+    if (n >= 8) history.runs.back().rooms[0].sighting = RoomSighting::unvisited;
+  }
+  EXPECT_TRUE(watchSite(history, {}).changes.empty());
+}
+
+TEST(ChangeText, saysWhatIsThereAgainAndHowManyDoors) {
+  SiteHistory history;
+  history.runs.push_back(historyRun("anna", 3, 0.1));
+  EXPECT_EQ(changeText({"R1", "seen", 0, 0, 1}, history), "R1: is there since 1970-01-04");
+  EXPECT_EQ(changeText({"R1", "doors", 0, 2, 1}, history),
+            "R1: 1 door instead of 2 since 1970-01-04");
+  KnownRoom unnamed;
+  unnamed.id = unnamed.name = "R1";
+  history.ledger.rooms = {unnamed};
+  EXPECT_EQ(changeText({"R1", "seen", 0, 1, 0}, history), "R1: is gone since 1970-01-04");
+}
+
 }  // namespace
 }  // namespace roomgraph
