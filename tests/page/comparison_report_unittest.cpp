@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "base64.h"
 #include "page_data.h"
-#include "page_summary.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/report/comparison_json.h"
 #include "sample_comparison.h"
@@ -121,50 +119,6 @@ TEST(ComparisonReport, holdsTheSavedDocument) {
   EXPECT_EQ(comparisonJson(read), comparisonJson(sample().comparison));
 }
 
-TEST(PageData, isJsonThatCannotEndAScript) {
-  const std::string text = pageData(sample().comparison, sample().runs);
-  EXPECT_EQ(text.find_first_of("<>&"), std::string::npos);
-  const auto data = nlohmann::json::parse(text);
-  EXPECT_EQ(data["runs"][2]["colour"], colourText(2));
-  EXPECT_FALSE(data["heat"].is_null()) << "the third run has another wall";
-}
-
-TEST(PageData, allRunsOfOneBuildingLieInOnePlace) {
-  const auto data = nlohmann::json::parse(pageData(sample().comparison, sample().runs));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto box = data["runs"][i]["picture"]["box"];
-    EXPECT_NEAR(box[0][0].get<double>(), 0, 0.4) << i;
-    EXPECT_NEAR(box[0][1].get<double>(), 0, 0.7) << i;
-    EXPECT_NEAR(box[1][1].get<double>(), 12, 0.9) << i;
-  }
-}
-
-TEST(PageSummary, saysWhatStandsOut) {
-  const std::vector<std::string> said = pageSummary(sample().comparison);
-  const std::string name = kHostileName;
-  EXPECT_EQ(said,
-            (std::vector<std::string>{
-                "Navigation with morning: good enough with a localisation that corrects itself; "
-                "probably also for docking, and for goals and zones that robots share. It has no "
-                "break, and its map error is about 0.05 m, and most likely no more than 0.13 m.",
-                "Why morning: its walls lie near those of the 3 other runs.",
-                "1 map is torn: " + name + " (2 places).",
-                "1 room is missing where a run has looked: R3 in " + name + ".",
-                "1 file is left out: garage."}));
-  EXPECT_TRUE(pageSummary({}).empty());
-}
-
-TEST(PageSummary, pairsOfLowConfidenceAreNamed) {
-  Comparison comparison = sample().comparison;
-  comparison.pairs[1].confidence = 0.68;
-  const std::vector<std::string> said = pageSummary(comparison);
-  EXPECT_EQ(std::count(said.begin(), said.end(),
-                       "1 pair is laid on each other with a confidence under 0.9: look at morning "
-                       "on " +
-                           std::string(kHostileName) + " (0.68)."),
-            1);
-}
-
 TEST(ComparisonReport, atFirstTheBestRunAndTheTornOnesAreShown) {
   const auto shown = [](const Comparison& comparison) {
     const std::string html = comparisonReport(comparison, sample().runs);
@@ -178,14 +132,6 @@ TEST(ComparisonReport, atFirstTheBestRunAndTheTornOnesAreShown) {
   EXPECT_EQ(shown(comparison), "02");
   comparison.breaks.clear();
   EXPECT_EQ(shown(comparison), "0123");
-}
-
-TEST(Base64, isThatOfTheStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(RunMarks, fortyTwoRunsInARowDiffer) {

@@ -1,0 +1,180 @@
+#include "summarize.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace roomgraph {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/** What was found of runs of one site, each related to each; all can be changed. */
+struct Found {
+  std::vector<roomgraph::Run> runs;
+  MapPairs related;
+  Site site;
+  Consensus consensus;
+  RunScores scores;
+  std::vector<std::vector<MapBreak>> breaks;
+  SiteMeasures measures;
+  std::vector<SiteRoom> rooms;
+
+  /** Runs of these names with these errors; those behind `members` are of no site. */
+  Found(const Names& names, const std::vector<double>& errors, std::size_t members)
+      : runs(names.size()), related(names.size()) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      runs[i].name = names[i], runs[i].file = names[i] + ".simplemap";
+      if (i >= members) continue;
+      site.members.push_back(i);
+      scores.emplace_back();
+      scores.back().emplace();
+      scores.back()->mapError = errors[i], scores.back()->isMeaningful = true;
+      scores.back()->others = members - 1;
+    }
+    for (const std::size_t i : site.members) site.runs.push_back(&runs[i]);
+    site.poses.resize(members);
+    consensus.errors.resize(members);
+    breaks.resize(members);
+    measures.runs.resize(members);
+    measures.pairs = PairTable<std::vector<Measure>>(members);
+  }
+  Found(const Found&) = delete;
+
+  Comparison comparison() const {
+    return summarize(runs, related, {site, related, consensus, scores, breaks, measures, rooms});
+  }
+  Names order() const {
+    Names names;
+    for (const ComparedRun& run : comparison().runs) names.push_back(run.name);
+    return names;
+  }
+  std::vector<std::size_t> ranks() const {
+    std::vector<std::size_t> ranks;
+    for (const ComparedRun& run : comparison().runs) ranks.push_back(run.rank);
+    return ranks;
+  }
+};
+
+TEST(Summarize, theLeastErrorComesFirst) {
+  const Found found({"a", "b", "c"}, {0.3, 0.1, 0.2}, 3);
+  EXPECT_EQ(found.order(), (Names{"b", "c", "a"}));
+  EXPECT_EQ(found.ranks(), (std::vector<std::size_t>{1, 2, 3}));
+  EXPECT_EQ(found.comparison().verdict.rfind("b is the best map", 0), 0u);
+}
+
+TEST(Summarize, equalErrorsShareARankAndStandByName) {
+  const Found found({"c", "a", "b", "d"}, {0.1, 0.1 + 1e-9, 0.1, 0.2}, 4);
+  EXPECT_EQ(found.ranks(), (std::vector<std::size_t>{1, 1, 1, 4}));
+  EXPECT_EQ(Found({"c", "a"}, {0.1, 0.1}, 2).order(), (Names{"a", "c"}));
+}
+
+TEST(Summarize, whatMeansLittleComesBehindWhatMeansMuchAndWhatHasNoScoreLast) {
+  Found found({"small", "none", "good", "bad"}, {0.01, 0, 0.2, 0.9}, 4);
+  found.scores[0]->isMeaningful = false;
+  found.scores[1].reset();
+  EXPECT_EQ(found.order(), (Names{"good", "bad", "small", "none"}));
+  EXPECT_EQ(found.ranks(), (std::vector<std::size_t>{1, 2, 3, 0}));
+}
+
+TEST(Summarize, aMeaningfulRunDoesNotShareARankWithOneThatIsNot) {
+  Found found({"a", "b"}, {0.1, 0.1}, 2);
+  found.scores[1]->isMeaningful = false;
+  EXPECT_EQ(found.ranks(), (std::vector<std::size_t>{1, 2}));
+}
+
+TEST(Summarize, runsOfNoSiteAreLeftOutWithAReason) {
+  const Found found({"a", "b", "c"}, {0.1, 0.2}, 2);
+  const Comparison comparison = found.comparison();
+  ASSERT_EQ(comparison.leftOut.size(), 1u);
+  EXPECT_EQ(comparison.leftOut[0].name, "c");
+  EXPECT_EQ(comparison.leftOut[0].file, "c.simplemap");
+  EXPECT_EQ(comparison.leftOut[0].reason, "does not lie in the same site as the others");
+  EXPECT_TRUE(comparison.leftOut[0].isOtherSite);
+  EXPECT_EQ(comparison.pairs.size(), 3u) << "how it lies to the others is told";
+}
+
+TEST(Summarize, otherSitesAreNamedWithTheirRuns) {
+  Found found({"a", "b", "z", "y"}, {0.1, 0.2}, 2);
+  found.site.others = {{2, 3}};
+  const Comparison comparison = found.comparison();
+  EXPECT_EQ(comparison.leftOut[0].reason, "lies in another site: y and z");
+  EXPECT_NE(comparison.verdict.find("There are 2 sites, of which only the first is compared: {a "
+                                    "and b}, {y and z}."),
+            std::string::npos)
+      << comparison.verdict;
+}
+
+TEST(Summarize, runsOfOneDriveAreACaveat) {
+  Found found({"a", "b", "c"}, {0.1, 0.2, 0.3}, 3);
+  for (const std::size_t run : {0u, 2u})
+    for (std::uint64_t id = 1; id <= 20; ++id) {
+      found.runs[run].scans.emplace_back();
+      found.runs[run].scans.back().scanId = id;
+      found.runs[run].scans.back().ends.add({1, 1});
+    }
+  for (const std::size_t run : {0u, 2u}) {
+    found.consensus.errors[run].errors.assign(20, 0.1);
+    found.consensus.errors[run].isSeen.assign(20, true);
+  }
+  EXPECT_NE(found.comparison().verdict.find("2 runs are of one drive (a and c)"), std::string::npos)
+      << found.comparison().verdict;
+}
+
+TEST(Summarize, roomsSayWhatRunsSayInTheOrderOfTheRuns) {
+  Found found({"a", "b", "c"}, {0.3, 0.1, 0.2}, 3);
+  found.rooms.resize(1);
+  for (const char* run : {"a", "b", "c"}) {
+    found.rooms[0].runs.emplace_back();
+    found.rooms[0].runs.back().run = run;
+  }
+  const Comparison comparison = found.comparison();
+  ASSERT_EQ(comparison.rooms.size(), 1u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(comparison.rooms[0].runs[i].run, comparison.runs[i].name);
+}
+
+TEST(Summarize, measuresOfAPairAreThoseOfItsRuns) {
+  Found found({"stranger", "a", "b"}, {}, 0);
+  found.site.members = {1, 2};
+  found.site.runs = {&found.runs[1], &found.runs[2]};
+  found.site.poses.resize(2), found.consensus.errors.resize(2), found.breaks.resize(2);
+  found.scores.resize(2), found.measures.runs.resize(2);
+  found.measures.pairs = PairTable<std::vector<Measure>>(2);
+  found.measures.pairs(0, 1) = {{"bend", 0.25, "m", 500, {}, {}, true}};
+  found.related(1, 2).alignment.confidence = 0.75;
+  found.related(1, 2).alignment.isSameSite = true;
+  for (const ComparedPair& pair : found.comparison().pairs) {
+    const bool isOfSite = pair.a == "a" && pair.b == "b";
+    EXPECT_EQ(pair.measures.size(), isOfSite ? 1u : 0u) << pair.a << pair.b;
+    EXPECT_EQ(pair.confidence, isOfSite ? 0.75 : 0);
+    EXPECT_EQ(pair.isSameSite, isOfSite);
+    EXPECT_FALSE(pair.transform) << "a pose that no one has looked for";
+  }
+}
+
+TEST(Summarize, breaksStandRunByRun) {
+  Found found({"a", "b"}, {0.1, 0.2}, 2);
+  found.breaks[0].resize(1), found.breaks[1].resize(2);
+  found.breaks[0][0].run = "a";
+  found.breaks[1][0].run = found.breaks[1][1].run = "b";
+  const Comparison comparison = found.comparison();
+  ASSERT_EQ(comparison.breaks.size(), 3u);
+  EXPECT_EQ(comparison.breaks[0].run, "a");
+  EXPECT_EQ(comparison.breaks[2].run, "b");
+  EXPECT_NE(comparison.runs[1].reason.find("torn in 2 places"), std::string::npos);
+}
+
+TEST(Summarize, theCoreAndTheReferenceAreNamed) {
+  Found found({"b", "a", "c"}, {0.1, 0.2, 0.3}, 3);
+  found.related.core = {0, 1};
+  found.site.reference = 2;
+  found.scores[2].reset();
+  const Comparison comparison = found.comparison();
+  EXPECT_EQ(comparison.core, (Names{"a", "b"})) << "by name";
+  EXPECT_EQ(comparison.reference, "c");
+  EXPECT_EQ(comparison.runs.back().reason, "the others are measured against it");
+}
+
+}  // namespace
+}  // namespace roomgraph

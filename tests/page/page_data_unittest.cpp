@@ -1,0 +1,87 @@
+#include "page_data.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sample_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+const test::SampleComparison& sample() {
+  static const test::SampleComparison one = test::sampleComparison();
+  return one;
+}
+
+TEST(PageData, isJsonThatCannotEndAScript) {
+  const std::string text = pageData(sample().comparison, sample().runs);
+  EXPECT_EQ(text.find_first_of("<>&"), std::string::npos);
+  const auto data = nlohmann::json::parse(text);
+  EXPECT_EQ(data["runs"][2]["colour"], colourText(2));
+  EXPECT_FALSE(data["heat"].is_null()) << "the third run has another wall";
+}
+
+TEST(PageData, allRunsOfOneBuildingLieInOnePlace) {
+  const auto data = nlohmann::json::parse(pageData(sample().comparison, sample().runs));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto box = data["runs"][i]["picture"]["box"];
+    EXPECT_NEAR(box[0][0].get<double>(), 0, 0.4) << i;
+    EXPECT_NEAR(box[0][1].get<double>(), 0, 0.7) << i;
+    EXPECT_NEAR(box[1][1].get<double>(), 12, 0.9) << i;
+  }
+}
+
+TEST(PageData, aBreakOfARunWithScansHasThem) {
+  const auto data = nlohmann::json::parse(pageData(sample().comparison, sample().runs));
+  ASSERT_EQ(data["breaks"].size(), sample().comparison.breaks.size());
+  EXPECT_NE(data["breaks"][0], data["breaks"][1]) << "the second has no key frame";
+}
+
+TEST(PageData, ofNoRunsThereIsNothingToDraw) {
+  const auto data = nlohmann::json::parse(pageData({}, {}));
+  EXPECT_TRUE(data["runs"].empty());
+  EXPECT_TRUE(data["breaks"].empty());
+  EXPECT_TRUE(data["heat"].is_null());
+}
+
+TEST(PageDocument, cannotEndAScript) {
+  const std::string text = pageDocument(sample().comparison);
+  EXPECT_EQ(text.find_first_of("<>&"), std::string::npos);
+  const auto document = nlohmann::json::parse(text);
+  EXPECT_EQ(document["runs"][2]["name"], test::kHostileName) << "and is the same text all the same";
+}
+
+TEST(ColourText, isAColourAsPagesHaveIt) {
+  std::set<std::string> colours;
+  for (std::size_t run = 0; run < 6; ++run) {
+    const std::string text = colourText(run);
+    ASSERT_EQ(text.size(), 7u);
+    EXPECT_EQ(text[0], '#');
+    EXPECT_EQ(text.find_first_not_of("0123456789abcdef", 1), std::string::npos) << text;
+    colours.insert(text);
+  }
+  EXPECT_EQ(colours.size(), 6u);
+}
+
+TEST(FixedText, hasSoManyDigitsAndADashForNothing) {
+  EXPECT_EQ(fixedText(1.005, 1), "1.0");
+  EXPECT_EQ(fixedText(-0.04, 1), "-0.0");
+  EXPECT_EQ(fixedText(-0.0, 0), "0");
+  EXPECT_EQ(fixedText(12.345, 2), "12.35");
+  for (const auto& none :
+       {std::optional<double>(), std::optional<double>(HUGE_VAL), std::optional<double>(NAN)})
+    EXPECT_EQ(fixedText(none, 2), "–");
+  EXPECT_EQ(fixedText(1e300, 0).size(), 59u) << "cut, and not beyond its place";
+}
+
+TEST(PercentText, isOfAHundred) {
+  EXPECT_EQ(percentText(0.1), "10 %");
+  EXPECT_EQ(percentText(1), "100 %");
+  EXPECT_EQ(percentText(NAN), "– %");
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,129 @@
+#include "page_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sample_comparison.h"
+
+namespace roomgraph {
+namespace {
+
+using test::kHostileName;
+
+const test::SampleComparison& sample() {
+  static const test::SampleComparison one = test::sampleComparison();
+  return one;
+}
+
+bool isSaid(const Comparison& comparison, const std::string& sentence) {
+  const std::vector<std::string> said = pageSummary(comparison);
+  return std::count(said.begin(), said.end(), sentence) == 1;
+}
+
+TEST(PageSummary, saysWhatStandsOut) {
+  const std::vector<std::string> said = pageSummary(sample().comparison);
+  const std::string name = kHostileName;
+  EXPECT_EQ(said,
+            (std::vector<std::string>{
+                "Navigation with morning: good enough with a localisation that corrects itself; "
+                "probably also for docking, and for goals and zones that robots share. It has no "
+                "break, and its map error is about 0.05 m, and most likely no more than 0.13 m.",
+                "Why morning: its walls lie near those of the 3 other runs.",
+                "1 map is torn: " + name + " (2 places).",
+                "1 room is missing where a run has looked: R3 in " + name + ".",
+                "1 file is left out: garage."}));
+  EXPECT_TRUE(pageSummary({}).empty());
+}
+
+TEST(PageSummary, pairsOfLowConfidenceAreNamed) {
+  Comparison comparison = sample().comparison;
+  comparison.pairs[1].confidence = 0.68;
+  const std::vector<std::string> said = pageSummary(comparison);
+  EXPECT_EQ(std::count(said.begin(), said.end(),
+                       "1 pair is laid on each other with a confidence under 0.9: look at morning "
+                       "on " +
+                           std::string(kHostileName) + " (0.68)."),
+            1);
+}
+
+TEST(PageSummary, manyNamesAreCounted) {
+  Comparison comparison;
+  for (int i = 1; i <= 5; ++i)
+    comparison.leftOut.push_back({"m" + std::to_string(i), "", "", false});
+  EXPECT_TRUE(isSaid(comparison, "5 files are left out: m1, m2, m3, m4 and m5."));
+  comparison.leftOut.push_back({"m6", "", "", false});
+  EXPECT_TRUE(isSaid(comparison, "6 files are left out: m1, m2, m3, m4 and 2 more."));
+}
+
+TEST(PageSummary, aRunTornOnceIsNamedWithoutANumber) {
+  Comparison comparison = sample().comparison;
+  comparison.breaks.resize(1);
+  comparison.breaks[0].run = "evening";
+  EXPECT_TRUE(isSaid(comparison, "1 map is torn: evening."));
+  comparison.breaks.push_back(comparison.breaks[0]);
+  comparison.breaks.push_back(comparison.breaks[0]);
+  comparison.breaks[2].run = "west";
+  EXPECT_TRUE(isSaid(comparison, "2 maps are torn: evening (2 places) and west."));
+}
+
+TEST(PageSummary, roomsThatAreGoneAreNamedWithTheRunsThatLooked) {
+  Comparison comparison = sample().comparison;
+  comparison.rooms[1].runs[0].sighting = comparison.rooms[1].runs[1].sighting = RoomSighting::gone;
+  comparison.rooms[2].runs[2].sighting = RoomSighting::seen;
+  EXPECT_TRUE(
+      isSaid(comparison, "1 room is missing where a run has looked: R2 in morning and evening."));
+}
+
+TEST(PageSummary, aGateIsToldWithWhatWasAsked) {
+  Comparison comparison = sample().comparison;
+  comparison.gate = GateVerdict{{}, {"west"}, {"a score of 50 at least"}};
+  EXPECT_TRUE(isSaid(comparison, "The gate of west passes (a score of 50 at least)."));
+  comparison.gate->complaints = {"west: is torn", "west: has too little"};
+  EXPECT_TRUE(isSaid(comparison,
+                     "The gate of west strikes (a score of 50 at least): west: is torn and west: "
+                     "has too little."));
+  comparison.gate = GateVerdict{{}, {}, {}};
+  EXPECT_TRUE(isSaid(comparison, "The gate passes."));
+}
+
+TEST(PageSummary, aReferenceAndACoreAreNamed) {
+  Comparison comparison = sample().comparison;
+  comparison.reference = "plan";
+  EXPECT_TRUE(isSaid(comparison, "All runs are measured against plan."));
+  comparison.core = {"morning", "evening"};
+  EXPECT_TRUE(isSaid(comparison,
+                     "The consensus is that of 2 runs, the core; each other run is held against "
+                     "it."));
+}
+
+TEST(PageSummary, ofTwoRunsNoneIsGivenAReason) {
+  Comparison comparison = sample().comparison;
+  comparison.runs.resize(2);
+  for (const std::string& sentence : pageSummary(comparison))
+    EXPECT_NE(sentence.rfind("Why ", 0), 0u) << sentence;
+}
+
+TEST(PageSummary, pairsOfOtherSitesAreNotDoubtful) {
+  Comparison comparison = sample().comparison;
+  for (ComparedPair& pair : comparison.pairs) pair.isSameSite = false, pair.confidence = 0.1;
+  for (const std::string& sentence : pageSummary(comparison))
+    EXPECT_EQ(sentence.find("confidence under"), std::string::npos) << sentence;
+}
+
+TEST(PageCounts, oneIsNotMany) {
+  Comparison comparison;
+  comparison.runs.resize(1);
+  EXPECT_EQ(pageCounts(comparison), "1 run of one site, 0 pairs");
+  comparison.runs.resize(2);
+  comparison.runs[0].name = "a", comparison.runs[1].name = "b";
+  comparison.pairs.resize(2);
+  comparison.pairs[0].a = "a", comparison.pairs[0].b = "b";
+  comparison.pairs[1].a = "a", comparison.pairs[1].b = "stranger";
+  comparison.rooms.resize(1);
+  EXPECT_EQ(pageCounts(comparison), "2 runs of one site, 1 pair, 1 room");
+}
+
+}  // namespace
+}  // namespace roomgraph
