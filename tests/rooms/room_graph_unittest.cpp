@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cut_graph.h"
 #include "roomgraph/topology/invariants.h"
 
@@ -71,6 +73,80 @@ TEST(RoomGraph, doesNotStandWhereAnObstacleIs) {
   };
   EXPECT_NEAR(distance(centre(true), {2, 2}), 0, 1e-12);
   EXPECT_NEAR(centre(false).y, 0.8, 1e-12);
+}
+
+/** A room with four ways out of its middle, and a way on from each. */
+TopologyGraph crossing() {
+  return {{{{2, 2}, 1, VertexKind::junction, {}},
+           {{9, 2}, 1, VertexKind::deadEnd, {}},
+           {{2, 9}, 1, VertexKind::deadEnd, {}},
+           {{-5, 2}, 1, VertexKind::deadEnd, {}},
+           {{2, -5}, 1, VertexKind::deadEnd, {}}},
+          {{VertexId(0), VertexId(1), straight({{2, 2}, {9, 2}}), {}},
+           {VertexId(0), VertexId(2), straight({{2, 2}, {2, 9}}), {}},
+           {VertexId(0), VertexId(3), straight({{2, 2}, {-5, 2}}), {}},
+           {VertexId(0), VertexId(4), straight({{2, 2}, {2, -5}}), {}}}};
+}
+
+TEST(RoomGraph, theVertexOfARoomHasAnEdgeToEachOfItsBordersAndToNothingElse) {
+  const Rooms rooms{squareRoom(0, 0)};
+  Notes notes;
+  const RoomGraph result = roomGraph(cutAtRooms(crossing(), rooms, 1), rooms,
+                                     ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  ASSERT_EQ(result.rooms.size(), 1u);
+  const GraphRoom& room = result.rooms[0];
+  EXPECT_EQ(room.borderVertices.size(), 4u);
+  EXPECT_EQ(result.graph.degree(room.vertex), 4u);
+  for (const HalfEdgeId h : result.graph.outgoing(room.vertex)) {
+    const VertexId to = result.graph.target(h);
+    EXPECT_EQ(std::count(room.borderVertices.begin(), room.borderVertices.end(), to), 1);
+    EXPECT_EQ(result.graph.vertex(to).kind, VertexKind::border);
+    EXPECT_EQ(result.graph.edge(h).room, RoomId(0));
+    EXPECT_NEAR(result.graph.edge(h).path.length, 2, 1e-9);
+  }
+}
+
+TEST(RoomGraph, whatIsOutsideOfRoomsStaysAsItIs) {
+  const Rooms rooms{squareRoom(100, 100)};
+  Notes notes;
+  const TopologyGraph graph = crossing();
+  const RoomGraph result =
+      roomGraph(graph, rooms, ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  EXPECT_TRUE(result.rooms.empty());
+  EXPECT_EQ(notes.size(), 1u);
+  ASSERT_EQ(result.graph.vertices().size(), graph.vertices().size());
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
+    EXPECT_EQ(result.graph.vertices()[v].at, graph.vertices()[v].at);
+    EXPECT_EQ(result.graph.vertices()[v].kind, graph.vertices()[v].kind);
+  }
+  ASSERT_EQ(result.graph.edges().size(), graph.edges().size());
+  for (std::size_t e = 0; e < graph.edges().size(); ++e)
+    EXPECT_EQ(result.graph.edges()[e].path.points, graph.edges()[e].path.points);
+}
+
+TEST(RoomGraph, theWayBetweenTwoRoomsIsKept) {
+  const Rooms rooms{squareRoom(0, 0), squareRoom(6, 0)};
+  Notes notes;
+  const RoomGraph result = roomGraph(cutAtRooms(line({{2, 2}, {8, 2}}), rooms, 1), rooms,
+                                     ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  ASSERT_EQ(result.rooms.size(), 2u);
+  EXPECT_TRUE(notes.empty());
+  double corridor = 0;
+  for (const Edge& edge : result.graph.edges())
+    if (!edge.room) corridor += edge.path.length;
+  EXPECT_NEAR(corridor, 2, 1e-9);
+  EXPECT_EQ(countOf(result.graph, VertexKind::room), 2u);
+  EXPECT_EQ(countOf(result.graph, VertexKind::border), 2u);
+  EXPECT_TRUE(brokenInvariants(result.graph, 0).empty());
+}
+
+TEST(RoomGraph, ofNothingThereIsNothing) {
+  Notes notes;
+  const RoomGraph result =
+      roomGraph(TopologyGraph({}, {}), {}, ObstacleRows(kNoObstacle), kClearance, {}, notes);
+  EXPECT_TRUE(result.rooms.empty());
+  EXPECT_TRUE(result.graph.vertices().empty());
+  EXPECT_TRUE(notes.empty());
 }
 
 }  // namespace
