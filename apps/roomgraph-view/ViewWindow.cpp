@@ -230,8 +230,8 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   /** The place on the map that lies under the mouse; none where one looks along it. */
   std::optional<Point> placeAt(const nanogui::Vector2i& at) {
     mrpt::math::TLine3D ray;
-    drawn_.scene()->getViewport()->get3DRayForPixelCoord(at.x() * pixelRatio(),
-                                                         at.y() * pixelRatio(), ray);
+    drawn_.scene()->getViewport()->get3DRayForPixelCoord(float(at.x()) * pixelRatio(),
+                                                         float(at.y()) * pixelRatio(), ray);
     if (std::abs(ray.director.z) < 1e-9) return std::nullopt;
     const double along = -ray.pBase.z / ray.director.z;
     return Point{ray.pBase.x + along * ray.director.x, ray.pBase.y + along * ray.director.y};

@@ -12,7 +12,7 @@ constexpr mrpt::img::TColor kRuler{110, 60, 150}, kRead{230, 0, 120}, kSwipeLine
 constexpr float kDot = 0.08f;      // [m]
 constexpr double kDotStep = 0.06;  // along a line [m]
 
-viz::CDisk::Ptr dotAt(Point at, mrpt::img::TColor colour) {
+viz::CDisk::Ptr dotAt(Point at, const mrpt::img::TColor& colour) {
   auto dot = viz::CDisk::Create(kDot, 0.0f);
   dot->setColor_u8(colour);
   dot->setLocation(at.x, at.y, kMarkHeight);
@@ -20,7 +20,8 @@ viz::CDisk::Ptr dotAt(Point at, mrpt::img::TColor colour) {
 }
 
 /** As dots in a row: OpenGL's own lines are one pixel wide on most machines. */
-viz::CPointCloud::Ptr lineThrough(const Polyline& points, bool isClosed, mrpt::img::TColor colour) {
+viz::CPointCloud::Ptr lineThrough(const Polyline& points, bool isClosed,
+                                  const mrpt::img::TColor& colour) {
   auto line = viz::CPointCloud::Create();
   line->setColor_u8(colour);
   line->setPointSize(4);
