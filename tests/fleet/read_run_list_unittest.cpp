@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "RandomNumbers.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {
@@ -42,6 +43,38 @@ TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
   EXPECT_EQ(complaint("site,file\n\"open,b"),
             "list.csv: line 2 has no site or no file: fill it in, "
             "or take the line out");
+}
+
+TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
+  test::RandomNumbers random(3);
+  const std::string letters = "ab,\"\n\r ,,\"\"";
+  std::size_t read = 0, refused = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::string text = "site,file\n";
+    for (std::size_t i = random.below(30); i > 0; --i)
+      text += letters[random.below(letters.size())];
+    try {
+      for (const ListedRun& run : readRunList(text, "list.csv", "/data")) {
+        EXPECT_FALSE(run.site.empty());
+        EXPECT_EQ(run.file[0], '/');
+      }
+      ++read;
+    } catch (const DataError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("list.csv: line ", 0), 0u) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 100u);
+  EXPECT_GT(refused, 100u);
+}
+
+TEST(ReadRunList, aFileIsInTheFolderOfTheListUnlessItSaysOtherwise) {
+  const auto fileOf = [](const std::string& file) {
+    return readRunList("site,file\na," + file + "\n", "list.csv", "/data/night")[0].file;
+  };
+  EXPECT_EQ(fileOf("m.yaml"), "/data/night/m.yaml");
+  EXPECT_EQ(fileOf("../m.yaml"), "/data/m.yaml");
+  EXPECT_EQ(fileOf("/maps/./m.yaml"), "/maps/m.yaml");
 }
 
 }  // namespace
