@@ -36,4 +36,4 @@ diff -r o before
 
 rmdir o/report.html
 expect 0 "$roomgraph" compare a.gridmap.gz c.gridmap.gz -o o --names o/site.json
-[ "$(ls -A o | wc -l)" -eq 7 ] || fail "not six results and the names"
+[ "$(ls -A o | wc -l)" -eq 8 ] || fail "not seven results and the names"
