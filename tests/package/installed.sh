@@ -11,3 +11,13 @@ cmake -S "$stranger" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix"
 cmake --build "$work/build"
 "$work/build/stranger"
 "$work/build/stranger_plugin"
+
+# The same without CMake.
+export PKG_CONFIG_PATH
+PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name roomgraph.pc)")
+[ "$(pkg-config --modversion roomgraph)" = "$("$work/prefix/bin/roomgraph" --version)" ]
+for program in stranger stranger_plugin; do
+  # shellcheck disable=SC2046
+  "${CXX:-c++}" -O0 "$stranger/$program.cpp" -o "$work/$program" $(pkg-config --cflags --libs roomgraph)
+  "$work/$program"
+done
