@@ -39,6 +39,8 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
   const SiteBreaksOptions breaks;
   expectSaid("Where that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
   expectSaid("moves by %g m from one scan to the next", breaks.findBreaks.minShift);
+  expectSaid("where it turns by %g degrees or", degrees(breaks.findBreaks.wideRotation));
+  expectSaid("moves by %g m within four scans", breaks.findBreaks.wideShift);
   expectSaid("differ by %g degrees or ", degrees(breaks.findPieces.minRotation));
   expectSaid(" degrees or %g m, and by", breaks.findPieces.minShift);
   expectSaid("and by %g times what they bend themselves", breaks.findPieces.minContrast);

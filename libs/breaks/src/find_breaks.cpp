@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "find_wide_breaks.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -85,7 +86,14 @@ std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const Sca
   const std::vector<Jump> steps = stepsOf(scans, track);
   std::vector<ScanBreak> breaks;
   for (const Jump& jump : JumpFinder(steps, options).find())
-    breaks.push_back({jump.scan, jump.rotation, jump.shift});
+    breaks.push_back({jump.scan, jump.before, jump.scan, jump.rotation, jump.shift});
+  const auto sharp = breaks;
+  for (const ScanBreak& wide : findWideBreaks(scans, track, options))
+    if (std::none_of(sharp.begin(), sharp.end(),
+                     [&](const ScanBreak& known) { return areOne(known, wide, options); }))
+      breaks.push_back(wide);
+  std::sort(breaks.begin(), breaks.end(),
+            [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });
   return breaks;
 }
 

@@ -57,8 +57,8 @@ class BreakSearch {
     const std::size_t k = found.scan;
     const std::size_t place = placeBreak(run.scans, consensus_.errors[run_].isSeen, k);
     // What would mend the run: untorn <- run, for all from the break on.
-    const Transform2D mend =
-        run.scans[k - 1].pose * poses[k - 1].inverse() * poses[k] * run.scans[k].pose.inverse();
+    const Transform2D mend = run.scans[found.before].pose * poses[found.before].inverse() *
+                             poses[found.behind] * run.scans[found.behind].pose.inverse();
     const ScanWalls& scan = run.scans[place];
     const Transform2D& pose = site_.poses[run_];
     const TornPose torn{pose * scan.pose, pose * mend * scan.pose};

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/breaks/find_breaks.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   where the scans of a run really lie
+// Out:  the breaks that are too wide for noise
+// Next: findBreaks
+
+/** Where the poses of a run's scans turn or shift too far for any noise, in one step or in a few,
+ *  and stay so: at least `wideRotation` or `wideShift` in `wideSteps`. The sharpest first, and of
+ *  those that are one only the sharpest. O(scans * steps^2). */
+std::vector<ScanBreak> findWideBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
+                                      const FindBreaksOptions& options);
+
+/** Whether two breaks begin or end within a few scans of each other. */
+bool areOne(const ScanBreak& l, const ScanBreak& r, const FindBreaksOptions& options);
+
+}  // namespace roomgraph
