@@ -99,6 +99,7 @@ int main(int, char** arguments) {
   writeTexts(folder / "text", stages);
   const std::string packed = roomGraphBytes(CRoomGraph(stages));
   write(folder / "extract" / "zeros", std::string(40, '\0'));
+  write(folder / "compare" / "zeros", std::string(40, '\0'));
   // Unpacked, as the target packs it.
   const std::string& file = test::asFile(packed);
   std::string bytes(1 << 20, '\0');

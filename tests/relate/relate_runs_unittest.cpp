@@ -240,6 +240,9 @@ TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
   EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.pose.x = NAN; }));
   EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.poses[0].phi = HUGE_VAL; }));
   EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.confidence = NAN; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.bInA.bend = 1e300; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.alignment.pose.x = 1e6; }));
+  EXPECT_FALSE(isTaken([&](MapPair& pair) { pair.bInA.patches[0].pose.y = -1e6; }));
 }
 
 TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {

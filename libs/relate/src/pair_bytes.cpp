@@ -43,10 +43,14 @@ class Writer {
   std::string bytes_;
 };
 
+/** Beyond all that can be said of maps, and far from where squares overflow. */
+constexpr double kLargestKept = 1e15;
+
 /** Whether a T can have the value. */
 template <typename T>
 bool holds(double wide) {
-  if constexpr (std::is_floating_point_v<T>) return !std::isnan(wide);
+  if constexpr (std::is_floating_point_v<T>)
+    return std::abs(wide) <= kLargestKept || std::isinf(wide);
   // As doubles, the limits of the larger types are powers of two, which are too large.
   return wide >= double(std::numeric_limits<T>::min()) &&
          wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
@@ -152,6 +156,30 @@ bool areOf(const FollowedWalls& walls, const MapForAlignment& map) {
                      });
 }
 
+double radiusOf(const MapForAlignment& map) {
+  return 0.5 * map.frame.resolution * std::hypot(map.frame.width, map.frame.height);
+}
+
+/** Whether maps and patches lie where two maps that meet can lie: elsewhere, the site would be as
+ *  large as the pose is wrong. `walls` are those of b in a. */
+bool canMeet(const FollowedWalls& walls, const MapForAlignment& a, const MapForAlignment& b) {
+  const double farthest = 2 * (radiusOf(a) + radiusOf(b));
+  const auto isNear = [&](const Transform2D& pose) {
+    return norm(pose(b.middle()) - a.middle()) <= farthest;
+  };
+  return isNear(walls.pose) &&
+         std::all_of(walls.patches.begin(), walls.patches.end(),
+                     [&](const FollowedPatch& followed) { return isNear(followed.pose); });
+}
+
+bool canMeet(const MapPair& pair, const MapForAlignment& a, const MapForAlignment& b) {
+  if (!pair.alignment.isSameSite) return true;  // then none of them is used
+  FollowedWalls wholes;
+  wholes.pose = pair.alignment.pose;
+  for (const Transform2D& pose : pair.alignment.poses) wholes.patches.push_back({0, pose, 0, 0});
+  return canMeet(wholes, a, b) && canMeet(pair.bInA, a, b) && canMeet(pair.aInB, b, a);
+}
+
 ByteView viewOf(std::string_view bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
@@ -190,7 +218,8 @@ std::optional<MapPair> pairOfBytes(std::string_view bytes, const MapForAlignment
   MapPair pair;
   Reader reader(body);
   visitPair(reader, pair);
-  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a)) return {};
+  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a) || !canMeet(pair, a, b))
+    return {};
   return pair;
 }
 

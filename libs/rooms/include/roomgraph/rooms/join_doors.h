@@ -16,8 +16,9 @@ struct JoinDoorsOptions {
 void describe(JoinDoorsOptions& options, FieldTable& table);
 
 /** A corridor up to `maxDepth` long that does nothing but join two rooms is a door: it and its two
- *  border vertices become one border vertex, in its middle, that both rooms share. Whether a wall
- *  is one cell thick or two then makes no difference to the graph. O(n). */
+ *  border vertices become one border vertex, in its middle, that both rooms share: it lies up to
+ *  half of `maxDepth` off their rings. Whether a wall is one cell thick or two then makes no
+ *  difference to the graph. O(n). */
 TopologyGraph joinDoors(TopologyGraph graph, const JoinDoorsOptions& options);
 
 }  // namespace roomgraph
