@@ -1,7 +1,8 @@
 # The packages that programs which link roomgraph need.
 include(CMakeFindDependencyMacro)
-find_dependency(mrpt-maps)
-find_dependency(mrpt-opengl)
+include("${CMAKE_CURRENT_LIST_DIR}/RoomgraphMrpt.cmake")
+roomgraph_need_mrpt(maps)
+roomgraph_need_mrpt(viz)
 find_dependency(Boost)      # headers of Boost.Polygon
 find_dependency(Ceres)      # the consensus of several runs
 find_dependency(CGAL)       # only its kernel, which is LGPL

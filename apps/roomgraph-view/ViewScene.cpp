@@ -232,7 +232,7 @@ void ViewScene::hideRuns(const ViewState& state) {
     const auto walls = scene_->getByName(view_.comparison.runs[i].name);
     if (!walls) continue;
     const Transform2D pose = shownPose(view_, state, i);
-    walls->setPose(mrpt::poses::CPose3D(pose.x, pose.y, walls->getPoseZ(), pose.phi, 0, 0));
+    walls->setPose(mrpt::poses::CPose3D(pose.x, pose.y, walls->getPose().z, pose.phi, 0, 0));
     // What was seen at a break is to stand out from the maps.
     const bool isShownThere = state.tear && state.other == i;
     walls->setColor_u8(wallColour(i, state.tear && !isShownThere));

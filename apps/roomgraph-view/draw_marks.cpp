@@ -50,12 +50,11 @@ viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const std::string& r
   if (!walls) return cloud;
   cloud->setColor_u8(walls->getColor_u8());
   cloud->setPointSize(walls->getPointSize());
-  const auto offset = walls->getPoseX();
-  const auto offsetY = walls->getPoseY();
+  const auto offset = walls->getPose();
   const Motion2D move(pose);
   for (std::size_t i = 0; i < walls->size(); ++i) {
     const auto& p = walls->getPoint3Df(i);
-    const Point at = move({double(p.x) + offset, double(p.y) + offsetY});
+    const Point at = move({double(p.x) + offset.x, double(p.y) + offset.y});
     if ((at.x < line) == isLeft) cloud->insertPoint(float(at.x), float(at.y), 0);
   }
   return cloud;

@@ -58,9 +58,9 @@ std::string simplemap() {
       scan->setScanRange(i, 2);
       scan->setScanRangeValidity(i, i != 7);
     }
-    mrpt::obs::CSensoryFrame frame;
-    frame.insert(scan);
-    map.insert(mrpt::poses::CPose3DPDFGaussian(mrpt::poses::CPose3D(x, 0, 0)), frame);
+    const auto frame = mrpt::obs::CSensoryFrame::Create();
+    frame->insert(scan);
+    map.insert(mrpt::poses::CPose3DPDFGaussian::Create(mrpt::poses::CPose3D(x, 0, 0)), frame);
   }
   return streamed(map);
 }

@@ -11,6 +11,7 @@
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph {
 namespace {
@@ -116,7 +117,7 @@ TEST_F(BadInput, simplemapCutAnywhereIsRefused) {
 TEST_F(BadInput, simplemapWithUnknownObservationsCutAnywhereIsRefused) {
   auto simplemap = test::smallSimplemap();
   for (std::size_t i = 0; i < simplemap.size(); ++i)
-    simplemap.getAsPair(i).sf->insert(mrpt::obs::CObservationOdometry::Create());
+    test::entryOf(simplemap, i).sf->insert(mrpt::obs::CObservationOdometry::Create());
   expectEveryCutRefused(test::streamed(simplemap));
 }
 
@@ -287,14 +288,14 @@ TEST_F(BadSimplemap, mapWithoutScansSaysSo) {
 TEST_F(BadSimplemap, absurdPosesAreRefused) {
   for (const double x : {1e6, 1e300, double(NAN), double(INFINITY)}) {
     auto simplemap = test::smallSimplemap();
-    dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(*simplemap.getAsPair(1).pose).mean.x(x);
+    dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(*test::entryOf(simplemap, 1).pose).mean.x(x);
     expectRefused(test::streamed(simplemap));
   }
 }
 
 TEST_F(BadSimplemap, scansThatReachTooFarApartAreRefused) {
   auto simplemap = test::smallSimplemap();
-  auto& pose = *simplemap.getAsPair(1).pose;
+  auto& pose = *test::entryOf(simplemap, 1).pose;
   dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(pose).mean = mrpt::poses::CPose3D(9e4, 9e4, 0);
   expectRefused(test::streamed(simplemap), "400 million");
 }

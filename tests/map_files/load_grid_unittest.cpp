@@ -15,6 +15,7 @@
 
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph {
 namespace {
@@ -46,7 +47,7 @@ COccupancyGridMap2D builtByMrpt(const CSimpleMap& simplemap, const GreyMap& map,
   grid.insertionOptions.maxDistanceInsertion = float(options.maxDistanceInsertion);
   grid.insertionOptions.maxOccupancyUpdateCertainty = float(options.maxOccupancyUpdateCertainty);
   for (std::size_t i = 0; i < simplemap.size(); ++i) {
-    const auto [pose, frame] = simplemap.getAsPair(i);
+    const auto [pose, frame] = test::entryOf(simplemap, i);
     for (const auto& observation : *frame) grid.insertObservation(*observation, pose->getMeanVal());
   }
   return grid;
@@ -171,7 +172,8 @@ TEST(LoadGrid, posesOfEveryCommonClassMeanTheSamePlace) {
   particles3D.resetDeterministic(place.asTPose());
   mrpt::poses::CPosePDFParticles particles2D(2);
   particles2D.resetDeterministic(place2D.asTPose());
-  const auto frame = test::smallSimplemap().getAsPair(0).sf;
+  auto simplemap = test::smallSimplemap();
+  const auto frame = test::entryOf(simplemap, 0).sf;
 
   const auto load = [&](int version, const mrpt::serialization::CSerializable& pose) {
     return loadGrid(dir.write("a", oneEntry(version, pose, *frame)), {});
@@ -191,7 +193,7 @@ TEST(LoadGrid, otherObservationsAreSteppedOverAndNoted) {
   const auto comment = mrpt::obs::CObservationComment::Create();
   comment->text = std::string("the mark of an end, \x88\x88, is no end in itself");
   for (std::size_t i = 0; i < simplemap.size(); ++i) {
-    auto& frame = *simplemap.getAsPair(i).sf;
+    auto& frame = *test::entryOf(simplemap, i).sf;
     mrpt::obs::CSensoryFrame mixed;
     if (i != 1) mixed.insert(comment);
     mixed.insert(*frame.begin());
@@ -209,8 +211,8 @@ TEST(LoadGrid, aScanThatDoesNotSurroundItsSensorStaysInsideTheGrid) {
   const TempDir dir;
   auto simplemap = test::smallSimplemap();
   for (std::size_t n = 0; n < simplemap.size(); ++n) {
-    auto& scan =
-        dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**simplemap.getAsPair(n).sf->begin());
+    auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
+        **test::entryOf(simplemap, n).sf->begin());
     scan.aperture = 0.1f;
     for (std::size_t i = 0; i < scan.getScanSize(); ++i) scan.setScanRange(i, 25);
   }

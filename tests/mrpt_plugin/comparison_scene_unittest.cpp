@@ -40,10 +40,10 @@ TEST(ComparisonScene, eachRunIsALayerWithItsNameAndPose) {
   MrptScene scene = comparisonScene(twoRuns(), runs());
   const auto a = scene.getByName("a"), b = scene.getByName("b");
   ASSERT_TRUE(a && b);
-  EXPECT_NEAR(b->getPoseX(), 10, 1e-9);
-  EXPECT_NEAR(b->getPoseY(), -3, 1e-9);
-  EXPECT_NEAR(b->getPoseYawRad(), 0.5, 1e-9);
-  EXPECT_GT(a->getPoseZ(), b->getPoseZ()) << "the best is on top";
+  EXPECT_NEAR(b->getPose().x, 10, 1e-9);
+  EXPECT_NEAR(b->getPose().y, -3, 1e-9);
+  EXPECT_NEAR(b->getPose().yaw, 0.5, 1e-9);
+  EXPECT_GT(a->getPose().z, b->getPose().z) << "the best is on top";
 }
 
 TEST(ComparisonScene, aLayerHoldsTheWallsWhereTheyAre) {
@@ -54,7 +54,7 @@ TEST(ComparisonScene, aLayerHoldsTheWallsWhereTheyAre) {
   EXPECT_GT(walls->size(), 100u);
   double low = HUGE_VAL, high = -HUGE_VAL;  // of x [m]
   for (std::size_t i = 0; i < walls->size(); ++i) {
-    const double x = walls->getPoseX() + double(walls->getPoint3Df(i).x);
+    const double x = walls->getPose().x + double(walls->getPoint3Df(i).x);
     low = std::min(low, x), high = std::max(high, x);
   }
   EXPECT_NEAR(low, 0, 0.11);
@@ -80,7 +80,7 @@ std::map<std::string, Point> textsIn(MrptScene& scene, const char* name) {
   std::map<std::string, Point> texts;
   for (std::size_t i = 0; set && set->getByClass<viz::CText3D>(i); ++i) {
     const auto text = set->getByClass<viz::CText3D>(i);
-    texts[text->getString()] = {text->getPoseX(), text->getPoseY()};
+    texts[text->getString()] = {text->getPose().x, text->getPose().y};
   }
   return texts;
 }

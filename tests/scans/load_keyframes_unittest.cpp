@@ -10,12 +10,13 @@
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/scans/load_scans.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph {
 namespace {
 
 mrpt::obs::CObservation2DRangeScan& scanOf(mrpt::maps::CSimpleMap& map, std::size_t entry) {
-  return dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**map.getAsPair(entry).sf->begin());
+  return dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**test::entryOf(map, entry).sf->begin());
 }
 
 TEST(LoadKeyframes, givesEachScanWithWhatItsBeamsMet) {
@@ -51,7 +52,7 @@ TEST(LoadScans, givesTheScansOfTheKeyFrames) {
 TEST(LoadKeyframes, areNumberedAsInTheFile) {
   const test::TempDir dir;
   auto map = test::smallSimplemap();
-  dynamic_cast<mrpt::obs::CSensoryFrame&>(*map.getAsPair(1).sf).clear();
+  dynamic_cast<mrpt::obs::CSensoryFrame&>(*test::entryOf(map, 1).sf).clear();
   const std::string file = dir.write("map", test::streamed(map));
   const auto frames = loadKeyframes(file, 30);
   ASSERT_EQ(frames.size(), 2u);
@@ -86,7 +87,7 @@ TEST(LoadKeyframes, theSameRangesAreTheSameScanWhereverTheyWereTaken) {
   auto map = test::smallSimplemap();
   const auto before = loadKeyframes(dir.write("map", test::streamed(map)), 30);
   EXPECT_NE(before[0].scanId, before[1].scanId);
-  dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(*map.getAsPair(0).pose).mean.x(7);
+  dynamic_cast<mrpt::poses::CPose3DPDFGaussian&>(*test::entryOf(map, 0).pose).mean.x(7);
   scanOf(map, 1).setScanRange(3, 1);
   scanOf(map, 2).setScanRangeValidity(4, false);
   const auto after = loadKeyframes(dir.write("map", test::streamed(map)), 30);

@@ -16,6 +16,7 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/scans/load_keyframes.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph {
 namespace {
@@ -313,11 +314,11 @@ TEST_F(Clouds, theSliceCanBeSetAndIsNoted) {
 TEST_F(Clouds, scansGoBeforeCloudsUnlessASliceIsAskedFor) {
   auto simplemap = test::smallSimplemap();
   const GreyMap scans = load(test::streamed(simplemap));
-  const auto [pose, frame] = simplemap.getAsPair(0);
+  const auto [pose, frame] = test::entryOf(simplemap, 0);
   std::vector<std::string> entries;
   for (std::size_t i = 0; i < simplemap.size(); ++i)
-    entries.push_back(test::streamed(*simplemap.getAsPair(i).pose) +
-                      test::frameBytes({test::streamed(**simplemap.getAsPair(i).sf->begin()),
+    entries.push_back(test::streamed(*test::entryOf(simplemap, i).pose) +
+                      test::frameBytes({test::streamed(**test::entryOf(simplemap, i).sf->begin()),
                                         cloudBytes(sensor_, std::string(1, '\0') + simple_)}) +
                       test::twistBytes(false));
   const std::string both = test::simplemapBytes(2, entries);

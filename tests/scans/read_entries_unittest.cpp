@@ -9,6 +9,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/scans/load_keyframes.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph {
 namespace {
@@ -68,7 +69,7 @@ TEST_F(NewerSimplemap, observationsOfOtherSensorsAreSteppedOver) {
   const mrpt::obs::CObservationGPS gps;
   std::vector<std::string> entries;
   for (std::size_t i = 0; i < simplemap_.size(); ++i) {
-    const auto [pose, frame] = simplemap_.getAsPair(i);
+    const auto [pose, frame] = test::entryOf(simplemap_, i);
     const std::string scan = test::streamed(**frame->begin());
     entries.push_back(test::streamed(*pose) +
                       test::frameBytes({test::streamed(gps), scan, test::streamed(imu)}) +
@@ -81,7 +82,7 @@ TEST_F(NewerSimplemap, keyframesKeepOdometryWhereThereIsSome) {
   mrpt::obs::CObservationOdometry odometry;
   odometry.odometry = mrpt::poses::CPose2D(1, 2, 0.5);
   odometry.hasEncodersInfo = true;
-  const auto [pose, frame] = simplemap_.getAsPair(0);
+  const auto [pose, frame] = test::entryOf(simplemap_, 0);
   const std::string scan = test::streamed(**frame->begin()), at = test::streamed(*pose);
   const auto bytes = test::simplemapBytes(
       2, {at + test::frameBytes({scan, test::streamed(odometry)}) + test::twistBytes(false),
@@ -116,7 +117,7 @@ TEST_F(NewerSimplemap, cutAnywhereItIsRefused) {
 }
 
 TEST_F(NewerSimplemap, liesAboutTheTwistAreRefused) {
-  const auto [pose, frame] = simplemap_.getAsPair(0);
+  const auto [pose, frame] = test::entryOf(simplemap_, 0);
   const std::string start = test::streamed(*pose) + test::streamed(*frame);
   const std::string twist = test::twistBytes(true);
   for (const std::string& behind : {std::string(), twist.substr(0, 17), "x" + twist, twist + "x",

@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservationComment.h>
 
 #include "map_files.h"
+#include "simplemap_entry.h"
 
 namespace roomgraph::test {
 namespace {
@@ -52,7 +53,7 @@ std::string asNewer(const mrpt::maps::CSimpleMap& map, const Newer& how) {
   const std::string twist = how.mapVersion >= 2 ? twistBytes(how.hasTwist) : "";
   std::vector<std::string> entries;
   for (std::size_t i = 0; i < map.size(); ++i) {
-    const auto [pose, frame] = map.getAsPair(i);
+    const auto [pose, frame] = entryOf(map, i);
     std::vector<std::string> observations;
     for (const auto& observation : *frame)
       observations.push_back(observationBytes(*observation, how.scanVersion));
