@@ -1,6 +1,6 @@
 #!/bin/bash
-# debian.sh BUILD_DIR WORK_DIR: the Debian packages hold all that is installed, each file once, and
-# the program runs out of its own.
+# debian.sh BUILD_DIR WORK_DIR: the Debian packages hold all that is installed, each file once, the
+# program runs out of its own, and lintian finds no error in them, where it is there.
 set -euo pipefail
 build=$1 work=$2
 if ! command -v dpkg-deb dpkg-shlibdeps > /dev/null; then
@@ -9,7 +9,8 @@ if ! command -v dpkg-deb dpkg-shlibdeps > /dev/null; then
 fi
 rm -rf "$work"
 mkdir -p "$work"
-(cd "$build" && cpack -B "$work/packages" > "$work/cpack.log") || { cat "$work/cpack.log"; exit 1; }
+(cd "$build" && cpack -D CPACK_PACKAGE_CONTACT="A Packager <packager@debian.org>" \
+  -B "$work/packages" > "$work/cpack.log" 2>&1) || { cat "$work/cpack.log"; exit 1; }
 
 packages=(roomgraph roomgraph-mrpt libroomgraph-dev)
 [ ! -x "$build/bin/roomgraph-view" ] || packages+=(roomgraph-view)
@@ -28,3 +29,6 @@ roomgraph=$work/roomgraph/usr/bin/roomgraph
 "$roomgraph" extract "$work/roomgraph/usr/share/roomgraph/maps/office.yaml" -o "$work/results" -q
 test -s "$work/results/office.json"
 dpkg-deb -f "$work"/packages/roomgraph_*.deb Depends | grep -q libmrpt-maps
+if command -v lintian > /dev/null; then
+  lintian --allow-root --fail-on error "$work"/packages/*.deb
+fi
