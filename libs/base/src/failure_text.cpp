@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <system_error>
 
 #include "roomgraph/base/Error.h"
 
@@ -12,6 +13,10 @@ namespace {
 std::string firstLine(const std::string& text) {
   constexpr std::size_t kMost = 200;
   return text.substr(0, std::min(text.find('\n'), kMost));
+}
+
+std::string unforeseen(const std::exception& error) {
+  return "failed (" + firstLine(error.what()) + "): please report this";
 }
 
 }  // namespace
@@ -26,8 +31,12 @@ std::string failureText(const std::string& file) {
     return error.what();
   } catch (const std::bad_alloc&) {
     return prefix + "not enough memory: use a coarser map, or --threads 1";
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return prefix + "not enough memory for a thread: end other programs";
+    return prefix + unforeseen(error);
   } catch (const std::exception& error) {
-    return prefix + "failed (" + firstLine(error.what()) + "): please report this";
+    return prefix + unforeseen(error);
   }
 }
 
