@@ -262,6 +262,7 @@ std::function<int()> compareCommand(CLI::App& app) {
       ->allow_extra_args(false);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
+  declareRooms(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 
