@@ -1,5 +1,7 @@
 #include "usage_fault.h"
 
+#include <regex>
+
 #include "nearest_word.h"
 
 namespace roomgraph {
@@ -19,11 +21,17 @@ std::vector<std::string> optionsOf(const CLI::App& command) {
   return names;
 }
 
+/** CLI11 writes the ends of a range with six decimals. */
+std::string plainText(const CLI::ParseError& error) {
+  const std::string text = std::regex_replace(error.what(), std::regex("([0-9])\\.0+\\b"), "$1");
+  return std::regex_replace(text, std::regex("(\\.[0-9]*[1-9])0+\\b"), "$1");
+}
+
 }  // namespace
 
 std::string usageFault(const CLI::App& app, const std::vector<std::string>& arguments,
                        const CLI::ParseError& error) {
-  if (arguments.empty() || arguments[0].rfind('-', 0) == 0) return error.what();
+  if (arguments.empty() || arguments[0].rfind('-', 0) == 0) return plainText(error);
   const CLI::App* command = nullptr;
   std::vector<std::string> names;
   for (const CLI::App* known : app.get_subcommands({})) {
@@ -36,7 +44,7 @@ std::string usageFault(const CLI::App& app, const std::vector<std::string>& argu
     if (name.rfind("--", 0) == 0 && name.size() > 2 && !command->get_option_no_throw(name))
       return noSuch("option", name, optionsOf(*command));
   }
-  return error.what();
+  return plainText(error);
 }
 
 }  // namespace roomgraph

@@ -43,3 +43,6 @@ for option in --resolution --room-width --alpha-px2 --config; do
   expect 2 "$roomgraph" extract a.pgm "$option" '' -o o
   one_line err "roomgraph:"
 done
+
+expect 2 "$roomgraph" compare a b --fail-below 101
+one_line err "Value 101 not in range 0 to 100 "
