@@ -77,7 +77,9 @@ TEST(GraphTerm, letsGoOfWhatIsFarOff) {
     const double cost = t.cost({}, {off, 0, 0});
     EXPECT_GT(cost, last) << off;
     EXPECT_LT(cost, 0.5 * off * off / 0.1 / 0.1) << "less than its square";
-    if (off > 2) EXPECT_LE(cost - last, 1.05 * gain) << "each doubling costs about the same";
+    if (off > 2) {
+      EXPECT_LE(cost - last, 1.05 * gain) << "each doubling costs about the same";
+    }
     gain = cost - last, last = cost;
   }
 }

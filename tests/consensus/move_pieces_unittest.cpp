@@ -136,7 +136,9 @@ TEST(MovePieces, neverMakesTheGraphDearerWhateverLiesElsewhere) {
     const SubmapPoses once = two.poses;
     movePieces({two.runs, two.matches, {1, 1}, {}, {}}, two.poses);
     EXPECT_LE(costOf(two), after + 1e-9) << i;
-    if (after < 1) EXPECT_EQ(test::misplaced(two.poses, once), 0) << "what is home stays";
+    if (after < 1) {
+      EXPECT_EQ(test::misplaced(two.poses, once), 0) << "what is home stays";
+    }
   }
 }
 

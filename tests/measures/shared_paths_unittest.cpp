@@ -103,9 +103,13 @@ TEST(SharedPaths, stepsLeadFromTheOneEndToTheOther) {
     double length = 0;
     for (std::size_t k = 0; k < path.a.size(); ++k) {
       length += graph.edge(path.a[k]).path.length;
-      if (k > 0) EXPECT_EQ(graph.source(path.a[k]), graph.target(path.a[k - 1]));
+      if (k > 0) {
+        EXPECT_EQ(graph.source(path.a[k]), graph.target(path.a[k - 1]));
+      }
       for (const VertexMatch& other : some)
-        if (k > 0) EXPECT_NE(graph.source(path.a[k]), other.a) << "past no matched vertex";
+        if (k > 0) {
+          EXPECT_NE(graph.source(path.a[k]), other.a) << "past no matched vertex";
+        }
     }
     EXPECT_NEAR(length, path.lengthInA, 1e-9);
     EXPECT_EQ(path.a, path.b) << "of a graph in itself";

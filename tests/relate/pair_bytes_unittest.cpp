@@ -11,9 +11,10 @@
 namespace roomgraph {
 namespace {
 
-/** Maps with so many patches. */
+/** A map of 100 m about the origin with so many patches. */
 MapForAlignment withPatches(std::size_t count) {
   MapForAlignment map;
+  map.frame = {1000, 1000, 0.1, {-50, -50}};
   map.patches.resize(count);
   return map;
 }

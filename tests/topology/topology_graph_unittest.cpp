@@ -95,8 +95,9 @@ TEST(MakeTopologyGraph, keepsAllOfWhatIsKeptAndNothingElse) {
     for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
       foundEnds += graph.vertices()[v].kind == VertexKind::deadEnd;
       foundJunctions += graph.vertices()[v].kind == VertexKind::junction;
-      if (graph.vertices()[v].kind == VertexKind::ring)
+      if (graph.vertices()[v].kind == VertexKind::ring) {
         EXPECT_EQ(graph.degree(VertexId(v)), 2u) << "both ends of its edge";
+      }
     }
     EXPECT_EQ(foundEnds, deadEnds);
     EXPECT_EQ(foundJunctions, junctions);
