@@ -34,7 +34,13 @@ struct GateOptions {
 
 /** The complaints are "run: what is wrong". Scores and coverage count as they are, meaningful or
  *  not, map errors only where they can be trusted; a reference needs none of them. Where no run is
- *  left to judge, that is a complaint. */
+ *  left to judge, that is a complaint.
+ *
+ *      GateOptions gate;
+ *      gate.maxError = 0.3, gate.failsOnBreaks = true, gate.candidates = {"tonight"};
+ *      for (const std::string& line : gateVerdict(comparison, gate).complaints)
+ *        std::puts(line.c_str());  // "tonight: its map error of 0.412 m is ..."
+ */
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
 /** The median of the three least map errors that can be trusted, of runs that are neither this one

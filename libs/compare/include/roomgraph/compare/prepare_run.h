@@ -15,8 +15,13 @@ namespace roomgraph {
 
 /** All that the comparison needs to know of a map: its graph and areas by extract(), its walls
  *  and its scans. `scans` are what loadKeyframes gives for a simplemap, else empty: without them
- *  breaks are told from the walls alone. `name` is to be another one for each run. Cost: that of
- *  extract().
+ *  breaks are told from the walls alone. `name` is to be another one for each run.
+ *
+ *      const ExtractOptions options;
+ *      const Run monday = prepareRun("monday", loadGrid("monday.simplemap", options.loadGrid),
+ *                                    loadKeyframes("monday.simplemap", options.loadGrid), options);
+ *
+ *  Cost: that of extract().
  *  @throws DataError where no wall stands beside free space. */
 Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
                const ExtractOptions& options);

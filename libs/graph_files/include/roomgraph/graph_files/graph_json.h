@@ -14,7 +14,12 @@ namespace roomgraph {
  *  what each field means. Ids are places in the lists; vertices, edges, rooms, areas and passages
  *  stand on a line each. Lengths and coordinates are rounded to 0.1 mm, and `area` is that of the
  *  rounded polygon. The same file gives the same bytes. Numbers that are not finite are written as
- *  null. O(size of the text). */
+ *  null.
+ *
+ *      writeFileAtomically("office.json", graphJson(extract(loadGrid("office.yaml", {}), {})));
+ *      const GraphFile again = readGraphJson("office.json");  // the same graph
+ *
+ *  O(size of the text). */
 std::string graphJson(const GraphFile& file);
 
 /** The file of an extraction. */

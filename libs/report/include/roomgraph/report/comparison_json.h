@@ -12,7 +12,11 @@ namespace roomgraph {
 
 /** JSON of format "roomgraph/comparison", version 1; see the schema in share/roomgraph/schema. What
  *  cannot be told is null. Numbers are rounded to 0.0001, resolutions to 0.000001. File names
- *  without their folder. */
+ *  without their folder.
+ *
+ *      writeFileAtomically("comparison.json", comparisonJson(compareMaps(files, {})));
+ *      const Comparison again = readComparison("comparison.json");
+ */
 std::string comparisonJson(const Comparison& comparison);
 
 /** The comparison of such a text: comparisonJson of it is the same text again, but for the version
