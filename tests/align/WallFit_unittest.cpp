@@ -56,5 +56,47 @@ TEST(WallFit, withoutWallsThereIsNotEnough) {
   EXPECT_FALSE(fit.isEnough());
 }
 
+TEST(NarrowingBand, goesFromItsFirstWidthToItsLastByOneFactor) {
+  const NarrowingBand band{0.8, 0.1, 4};
+  EXPECT_DOUBLE_EQ(band.widthAt(0), 0.8);
+  EXPECT_NEAR(band.widthAt(1), 0.4, 1e-12);
+  EXPECT_NEAR(band.widthAt(2), 0.2, 1e-12);
+  EXPECT_NEAR(band.widthAt(3), 0.1, 1e-12);
+  EXPECT_DOUBLE_EQ((NarrowingBand{0.8, 0.1, 1}.widthAt(0)), 0.1) << "one step is the last one";
+}
+
+TEST(FittedPose, isWhatItsStepsComeTo) {
+  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const NarrowingBand band{0.8, 0.2, 5};
+  const Transform2D start{0.3, -0.2, 0.02};
+  const auto all = [&](WallFit& fit, int) {
+    for (const WallPoint& wall : map.walls) fit.add(wall, map);
+  };
+  Transform2D at = start;
+  for (int step = 0; step < band.steps; ++step) {
+    WallFit fit(at, {4, 3}, band.widthAt(step));
+    all(fit, step);
+    at = fit.improved();
+  }
+  const Transform2D found = fittedPose(start, {4, 3}, band, all);
+  EXPECT_EQ(found.x, at.x);
+  EXPECT_EQ(found.y, at.y);
+  EXPECT_EQ(found.phi, at.phi);
+  EXPECT_LT(distance(found({4, 3}), {4, 3}), 0.03);
+}
+
+TEST(FittedPose, staysWhereTooFewWallsAreInReach) {
+  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  int steps = 0;
+  const Transform2D found =
+      fittedPose({100, 0, 0.5}, {}, {0.8, 0.2, 5}, [&](WallFit& fit, int step) {
+        EXPECT_EQ(step, steps++);
+        for (const WallPoint& wall : map.walls) fit.add(wall, map);
+      });
+  EXPECT_EQ(found.x, 100);
+  EXPECT_EQ(found.phi, 0.5);
+  EXPECT_EQ(steps, 1) << "it gives up";
+}
+
 }  // namespace
 }  // namespace roomgraph

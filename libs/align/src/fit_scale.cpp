@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -65,11 +66,9 @@ ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Tr
                     const FitScaleOptions& options) {
   ScaledPose at{1, pose};
   if (a.walls.empty() || b.walls.empty()) return at;
-  for (int i = 0; i < options.iterations; ++i) {
-    const double share = options.iterations > 1 ? double(i) / (options.iterations - 1) : 1;
-    const double width =
-        options.firstWidth * std::pow(options.lastWidth / options.firstWidth, share);
-    const ScaleStep step = stepAt(a, b, at, width, options.maxPoints);
+  const NarrowingBand band{options.firstWidth, options.lastWidth, options.iterations};
+  for (int i = 0; i < band.steps; ++i) {
+    const ScaleStep step = stepAt(a, b, at, band.widthAt(i), options.maxPoints);
     if (step.weight < 4) break;
     const Eigen::Vector4d by = step.solution();
     at.scale *= std::exp(by[3]);

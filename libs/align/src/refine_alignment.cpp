@@ -1,8 +1,8 @@
 #include "roomgraph/align/refine_alignment.h"
 
 #include <Eigen/Dense>
-#include <cmath>
 
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -64,11 +64,9 @@ Transform2D refineAlignment(const MapForAlignment& a, const MapForAlignment& b,
                             const Transform2D& pose, const RefineAlignmentOptions& options) {
   Transform2D at = pose;
   if (a.walls.empty() || b.walls.empty()) return at;
-  for (int i = 0; i < options.iterations; ++i) {
-    const double share = options.iterations > 1 ? double(i) / (options.iterations - 1) : 1;
-    const double width =
-        options.firstWidth * std::pow(options.lastWidth / options.firstWidth, share);
-    const Step step = stepAt(a, b, at, width, options);
+  const NarrowingBand band{options.firstWidth, options.lastWidth, options.iterations};
+  for (int i = 0; i < band.steps; ++i) {
+    const Step step = stepAt(a, b, at, band.widthAt(i), options);
     if (step.weight < 3) break;
     Eigen::Matrix3d h = step.h;
     h.diagonal() += Eigen::Vector3d(0.02, 0.02, 0.02) * step.weight;  // holds what nothing holds

@@ -1,7 +1,6 @@
 #include "likeness.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "roomgraph/align/WallFit.h"
@@ -10,9 +9,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLookedAt = 80;                   // patches
-constexpr double kFirstWidth = 0.8, kLastWidth = 0.25;  // of the band around a wall that counts [m]
-constexpr int kSteps = 4;
+constexpr std::size_t kLookedAt = 80;  // patches
+constexpr NarrowingBand kBand{0.8, 0.25, 4};
 constexpr double kPatchNear = 0.12;  // how far apart the same wall lies [m]
 constexpr double kPatchFound = 0.6;  // share of its walls from which on a patch looks alike
 constexpr double kLeastLookedAt =
@@ -22,15 +20,9 @@ constexpr double kLeastLookedAt =
  *  knows most of that place. */
 std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
                                  const MapForAlignment& map) {
-  Transform2D pose = motion;
-  for (int i = 0; i < kSteps; ++i) {
-    const double share = double(i) / (kSteps - 1);
-    WallFit fit(pose, patch.middle, kFirstWidth * std::pow(kLastWidth / kFirstWidth, share));
+  const Motion2D forth(fittedPose(motion, patch.middle, kBand, [&](WallFit& fit, int) {
     for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
-    if (!fit.isEnough()) break;
-    pose = fit.improved();
-  }
-  const Motion2D forth(pose);
+  }));
   double known = 0, found = 0;
   for (const std::uint32_t w : patch.around) {
     const Point at = forth(map.walls[w].place);

@@ -164,18 +164,13 @@ class Tracker {
     return qualityAt(scans_[k], in_, pose, options_, stride, kRoughNear);
   }
 
-  Transform2D fitted(const ScanWalls& scan, Transform2D pose) const {
-    for (int i = 0; i < options_.iterations; ++i) {
-      const double share = double(i) / std::max(1, options_.iterations - 1);
-      WallFit fit(pose, scan.at(),
-                  options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share));
+  Transform2D fitted(const ScanWalls& scan, const Transform2D& pose) const {
+    const NarrowingBand band{options_.firstWidth, options_.lastWidth, options_.iterations};
+    return fittedPose(pose, scan.at(), band, [&](WallFit& fit, int step) {
       // The first steps only have to come near: a part of the walls will do.
-      const std::size_t stride = i < options_.iterations / 2 ? kRoughStride : 1;
+      const std::size_t stride = step < options_.iterations / 2 ? kRoughStride : 1;
       for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
-      if (!fit.isEnough()) break;
-      pose = fit.improved();
-    }
-    return pose;
+    });
   }
 
   /** What was followed near a place, alike poses once. */

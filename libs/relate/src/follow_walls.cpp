@@ -57,17 +57,11 @@ class Follower {
   }
 
   /** Moves the pose so that what is left around the patch comes to lie on walls. */
-  Transform2D refined(std::uint32_t patch, Transform2D pose) const {
-    for (int i = 0; i < options_.iterations; ++i) {
-      const double share = double(i) / std::max(1, options_.iterations - 1);
-      const double width =
-          options_.firstWidth * std::pow(options_.lastWidth / options_.firstWidth, share);
-      WallFit fit(pose, patches_[patch].middle, width);
+  Transform2D refined(std::uint32_t patch, const Transform2D& pose) const {
+    const NarrowingBand band{options_.firstWidth, options_.lastWidth, options_.iterations};
+    return fittedPose(pose, patches_[patch].middle, band, [&](WallFit& fit, int) {
       for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
-      if (!fit.isEnough()) break;
-      pose = fit.improved();
-    }
-    return pose;
+    });
   }
 
   /** The share of what is left around the patch that lies on walls, 0 to 1. */

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -30,5 +31,19 @@ class WallFit {
   std::array<Row, 3> h_{};  // the normal equations h x = g: of h what is on and below its diagonal
   Row g_{};
 };
+
+/** The pose that several steps come to, each with the walls that `addWalls(fit, step)` adds. It
+ *  stays where too few walls are in reach. */
+template <class AddWalls>
+Transform2D fittedPose(Transform2D pose, Point about, const NarrowingBand& band,
+                       const AddWalls& addWalls) {
+  for (int step = 0; step < band.steps; ++step) {
+    WallFit fit(pose, about, band.widthAt(step));
+    addWalls(fit, step);
+    if (!fit.isEnough()) break;
+    pose = fit.improved();
+  }
+  return pose;
+}
 
 }  // namespace roomgraph
