@@ -58,7 +58,8 @@ std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
     first = piece.last;
   }
   if (length <= kMinTotal) return std::nullopt;
-  const double agreement = std::hypot(cosine, sine) / length;
+  // Where all agree, rounding makes it a hair more than all.
+  const double agreement = std::min(1.0, std::hypot(cosine, sine) / length);
   if (agreement <= kMinAxesAgreement) return std::nullopt;
   return ScanAxes{std::atan2(sine, cosine) / 4, agreement * std::min(1.0, length / kFullLength)};
 }
