@@ -87,6 +87,8 @@ void flicker(const View& view, ViewState& state) {
   if (state.isFlickering) state.mode = Mode::look;
 }
 
+void change(bool& flag) { flag = !flag; }
+
 void showOrHide(const std::string& layer, ViewState& state) {
   if (state.hidden.erase(layer) == 0) state.hidden.insert(layer);
 }
@@ -122,8 +124,7 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
     case Wish::flicker:
       return flicker(view, state);
     case Wish::grow:
-      state.growsMap = !state.growsMap;
-      return;
+      return change(state.growsMap);
     case Wish::nextStage:
     case Wish::previousStage:
       return stepStage(wish == Wish::nextStage, view, state);
@@ -136,8 +137,7 @@ void fulfil(Wish wish, const View& view, ViewState& state) {
     case Wish::disagreement:
       return showOrHide(kDisagreement, state);
     case Wish::keys:
-      state.showsKeys = !state.showsKeys;
-      return;
+      return change(state.showsKeys);
     case Wish::leave:
       return leave(state);
   }

@@ -42,13 +42,7 @@ struct CompareArguments {
   bool isQuiet = false;
 };
 
-void declareRunning(CompareArguments& arguments, CLI::App& app) {
-  app.add_option("-o,--output", arguments.folder,
-                 "Folder for the results: report.html, comparison.json, comparison.runs.csv, "
-                 "comparison.rooms.csv, comparison.rooms.geojson, comparison.3Dscene and "
-                 "comparison.roomgraph; made if it is not there.")
-      ->type_name("DIR")
-      ->capture_default_str();
+void declareFrames(CompareArguments& arguments, CLI::App& app) {
   CLI::Option* aligned =
       app.add_flag("--aligned", arguments.areAligned,
                    "All maps are in one frame already [m]: do not look for their poses.");
@@ -59,6 +53,16 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_option("--reference", arguments.reference,
                  "A map to measure all runs against, instead of against each other.")
       ->type_name("MAP");
+}
+
+void declareRunning(CompareArguments& arguments, CLI::App& app) {
+  app.add_option("-o,--output", arguments.folder,
+                 "Folder for the results: report.html, comparison.json, comparison.runs.csv, "
+                 "comparison.rooms.csv, comparison.rooms.geojson, comparison.3Dscene and "
+                 "comparison.roomgraph; made if it is not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+  declareFrames(arguments, app);
   app.add_option(
          "--names", arguments.names,
          "JSON file that keeps the ids and names of the site's rooms from call to call; made "

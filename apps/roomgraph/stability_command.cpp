@@ -59,7 +59,7 @@ void declareRunning(StabilityTask& task, CLI::App& app) {
 int run(const StabilityArguments& arguments) {
   StabilityTask task = arguments.task;
   task.extract = toOptions(arguments.options);
-  stabilityRuns(task.options);  // throws where they make no sense
+  static_cast<void>(stabilityRuns(task.options));  // throws where they make no sense
   checkOutputNames(arguments.maps, task.folder,
                    {"stability.csv", "stability.json", "stability.partial.json"});
   makeWritableFolder(task.folder);

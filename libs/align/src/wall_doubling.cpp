@@ -20,13 +20,16 @@ bool isCopy(const WallPoint& wall, const WallPoint& other) {
 }
 
 bool hasCopy(const MapForAlignment& map, const WallPoint& wall) {
-  const double step = map.frame.resolution;
-  for (double along = kNearestCopy; along <= kFarthestCopy; along += step)
-    for (const double way : {along, -along}) {
-      const std::size_t cell = cellIndexAt(map.frame, wall.place + way * wall.normal);
-      const WallPoint* other = nearestWall(map, cell, wall.normal);
-      if (other && isCopy(wall, *other)) return true;
-    }
+  const auto isCopyAt = [&](double along) {
+    const std::size_t cell = cellIndexAt(map.frame, wall.place + along * wall.normal);
+    const WallPoint* other = nearestWall(map, cell, wall.normal);
+    return other && isCopy(wall, *other);
+  };
+  double along = kNearestCopy;
+  while (along <= kFarthestCopy) {
+    if (isCopyAt(along) || isCopyAt(-along)) return true;
+    along += map.frame.resolution;
+  }
   return false;
 }
 

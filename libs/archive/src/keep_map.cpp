@@ -31,7 +31,7 @@ bool isKept(const std::string& file, const std::string& sha256) {
 
 std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder) {
   const fs::path home = fs::absolute(folder).lexically_normal() / sha256.substr(0, kNameLength);
-  const std::string kept = (home / fs::path(file).filename()).string();
+  std::string kept = (home / fs::path(file).filename()).string();
   if (isKept(kept, sha256)) return kept;
   makeWritableFolder(folder);
   makeWritableFolder(home.string());

@@ -1,5 +1,6 @@
 #include "Pen.h"
 
+#include "roomgraph/base/printable.h"
 #include "roomgraph/geometry/thinned_line.h"
 
 namespace roomgraph {
@@ -7,35 +8,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kTolerancePx = 0.3;
-
-/** The number of bytes of the UTF-8 character that starts at `i`; 0 where none does. */
-std::size_t characterLength(const std::string& text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? std::uint8_t(text[k]) : 0; };
-  const unsigned lead = byte(i);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((byte(i + k) & 0xc0u) != 0x80) return 0;
-  const unsigned second = byte(i + 1);
-  const bool isForbidden = (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
-                           (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f);
-  return isForbidden || lead < 0x20 || lead == 0x7f ? 0 : length;
-}
-
-/** cairo refuses to draw anything more after one bad character. */
-std::string printable(const std::string& text) {
-  std::string good;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = characterLength(text, i);
-    good += length ? text.substr(i, length) : "?";
-    i += length ? length : 1;
-  }
-  return good;
-}
 
 void traceSquare(cairo_t* cairo, Point px, double half) {
   cairo_rectangle(cairo, px.x - half, px.y - half, 2 * half, 2 * half);
@@ -123,6 +95,7 @@ void Pen::font(double sizePx, bool isBold) const {
 double Pen::textWidth(const std::string& line, double sizePx, bool isBold) const {
   font(sizePx, isBold);
   cairo_text_extents_t extents;
+  // cairo refuses to draw anything more after one bad character.
   cairo_text_extents(cairo_, printable(line).c_str(), &extents);
   return extents.x_advance;
 }

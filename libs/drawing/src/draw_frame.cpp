@@ -85,8 +85,8 @@ double roundLength(double length) {
 Layout layoutOf(const Scene& scene, const View& view) {
   Layout layout;
   layout.width = std::max(kMinWidth, view.widthPx() + 2 * kFrameMargin);
-  layout.map = {double((layout.width - view.widthPx()) / 2),
-                double(kFrameMargin + kTitleHeight - 6)};
+  const int left = (layout.width - view.widthPx()) / 2;  // whole pixels
+  layout.map = {double(left), double(kFrameMargin + kTitleHeight - 6)};
   const Cairo cairo = scratch();
   const Pen pen(cairo.get(), view);
   const double right = layout.width - kFrameMargin;

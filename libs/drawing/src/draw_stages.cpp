@@ -18,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /** One step: what it counts, what it shows. */
+// NOLINTNEXTLINE(bugprone-exception-escape): JSON throws nothing when it is moved
 struct Picture {
   Json counts;
   Scene scene;

@@ -41,7 +41,8 @@ Surface backdropSurface(const PaletteImage& image) {
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* row = &image.indices[std::size_t(y) * std::size_t(image.width)];
     unsigned char* out = pixels + std::ptrdiff_t(y) * stride;
-    for (int x = 0; x < image.width; ++x) std::memcpy(out + 4 * x, &words[row[x]], 4);
+    for (int x = 0; x < image.width; ++x)
+      std::memcpy(out + std::ptrdiff_t(4) * x, &words[row[x]], 4);
   }
   cairo_surface_mark_dirty(surface.get());
   return surface;

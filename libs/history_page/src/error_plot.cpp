@@ -91,18 +91,21 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 std::string axes(const Scales& scales) {
   std::string svg;
   const double step = niceStep(scales.most / kSteps);
-  for (double error = 0; error <= scales.most * (1 + 1e-9); error += step) {
-    const double y = scales.y(error);
+  for (int k = 0; k * step <= scales.most * (1 + 1e-9); ++k) {
+    const double error = k * step, y = scales.y(error);
     svg += line(kLeft, y, kPlotWidth - kRight, y, "stroke:var(--grid)");
     svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g m</text>",
                 kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
   }
   const double days = (scales.last - scales.first) / kDay;
   const double apart = std::max(1.0, std::ceil(days / kDates));
-  for (double day = std::ceil(scales.first / kDay); day * kDay <= scales.last; day += apart)
+  const double firstDay = std::ceil(scales.first / kDay);
+  for (int k = 0; (firstDay + k * apart) * kDay <= scales.last; ++k) {
+    const double time = (firstDay + k * apart) * kDay;
     svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
-                std::clamp(scales.x(day * kDay), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
-                dayText(day * kDay).c_str());
+                std::clamp(scales.x(time), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
+                dayText(time).c_str());
+  }
   return svg;
 }
 

@@ -41,6 +41,29 @@ SeenCells seenCells(const Site& site, const GridFrame& frame, const DistinctMaps
   return seen;
 }
 
+/** Cells that enough witnesses have seen. */
+struct CountedCells {
+  double all = 0;
+  std::vector<double> mine;                   ///< of each run
+  std::vector<double> lost;                   ///< those that do not count without this witness
+  std::vector<std::vector<double>> lostToMe;  ///< of those of a run, without another
+
+  CountedCells(const SeenCells& seen, std::size_t runs, std::size_t enough)
+      : mine(runs), lost(runs), lostToMe(runs, std::vector<double>(runs)) {
+    for (std::size_t cell = 0; cell < seen.witnesses.size(); ++cell) {
+      const SeenCells::Witnesses& witnesses = seen.witnesses[cell];
+      if (witnesses.count < enough) continue;
+      ++all;
+      for (std::size_t i = 0; i < runs; ++i) mine[i] += seen.by[i][cell] ? 1 : 0;
+      if (witnesses.count != 2) continue;
+      for (const std::uint32_t j : {witnesses.first, witnesses.last}) {
+        ++lost[j];
+        for (std::size_t i = 0; i < runs; ++i) lostToMe[i][j] += seen.by[i][cell] ? 1 : 0;
+      }
+    }
+  }
+};
+
 void widen(MeasuredValue& measured, double value) {
   measured.low = std::min(*measured.low, value), measured.high = std::max(*measured.high, value);
 }
@@ -60,32 +83,18 @@ MeasuredValue measuredIn(const WallDistances& both, double value) {
 
 std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps) {
   const GridFrame frame = siteFrame(site);
-  const SeenCells seen = seenCells(site, frame, maps);
-  const std::size_t n = site.runs.size(), enough = std::min<std::size_t>(2, maps.count());
-  double all = 0;
-  std::vector<double> mine(n), lost(n);  // cells; those that do not count without this witness
-  std::vector<std::vector<double>> lostToMe(n, std::vector<double>(n));  // of mine, without another
-  for (std::size_t cell = 0; cell < seen.witnesses.size(); ++cell) {
-    const SeenCells::Witnesses& witnesses = seen.witnesses[cell];
-    if (witnesses.count < enough) continue;
-    ++all;
-    for (std::size_t i = 0; i < n; ++i) mine[i] += seen.by[i][cell] ? 1 : 0;
-    if (witnesses.count != 2) continue;
-    for (const std::uint32_t j : {witnesses.first, witnesses.last}) {
-      ++lost[j];
-      for (std::size_t i = 0; i < n; ++i) lostToMe[i][j] += seen.by[i][cell] ? 1 : 0;
-    }
-  }
+  const std::size_t n = site.runs.size();
+  const CountedCells cells(seenCells(site, frame, maps), n, std::min<std::size_t>(2, maps.count()));
   std::vector<MeasuredValue> coverage(n);
-  if (all == 0) return coverage;
+  if (cells.all == 0) return coverage;
   for (std::size_t i = 0; i < n; ++i) {
-    coverage[i].value = mine[i] / all, coverage[i].support = all;
+    coverage[i].value = cells.mine[i] / cells.all, coverage[i].support = cells.all;
     coverage[i].hasEnoughOthers = maps.count() > kFewestOthers;
     coverage[i].leastSupport = kMinArea / (frame.resolution * frame.resolution);
     if (maps.count() > 2) coverage[i].low = coverage[i].high = coverage[i].value;
     for (std::size_t j = 0; coverage[i].low && j < n; ++j)
-      if (maps.isMeasuredAgainst(i, j) && all > lost[j])
-        widen(coverage[i], (mine[i] - lostToMe[i][j]) / (all - lost[j]));
+      if (maps.isMeasuredAgainst(i, j) && cells.all > cells.lost[j])
+        widen(coverage[i], (cells.mine[i] - cells.lostToMe[i][j]) / (cells.all - cells.lost[j]));
   }
   return coverage;
 }

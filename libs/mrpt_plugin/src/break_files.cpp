@@ -30,7 +30,7 @@ Transform2D poseOf(const Comparison& comparison, const std::string& name) {
 
 Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
 
-viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, mrpt::img::TColor colour,
+viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, const mrpt::img::TColor& colour,
                               double height, float size) {
   auto cloud = viz::CPointCloud::Create();
   cloud->setColor_u8(colour);
@@ -43,7 +43,7 @@ viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, mrpt::img::TColo
 class Piece {
  public:
   /** The name stands `labelAbove` the end of the way [m]. */
-  Piece(const char* name, mrpt::img::TColor colour, double height, double labelAbove)
+  Piece(const char* name, const mrpt::img::TColor& colour, double height, double labelAbove)
       : name_(name), colour_(colour), height_(height), labelAbove_(labelAbove) {}
 
   void add(const ScanWalls& scan, const Transform2D& siteFromRun) {

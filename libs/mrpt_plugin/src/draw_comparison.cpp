@@ -119,7 +119,7 @@ class Writer {
   explicit Writer(double letter) : letter_(letter) {}
 
   /** They start at `place`, or have it in their middle. */
-  viz::CText3D::Ptr written(const std::string& words, mrpt::img::TColor colour, Point place,
+  viz::CText3D::Ptr written(const std::string& words, const mrpt::img::TColor& colour, Point place,
                             double height, bool isCentred = false) const {
     auto text = viz::CText3D::Create(words, "sans", float(letter_), viz::FILL);
     text->setColor_u8(colour);

@@ -184,7 +184,7 @@ class SiteBySite {
       runs.push_back(&runs_[member.run]);
       seen.push_back(seenPlaces(runs.back()->map, member.pose));
     }
-    const auto core = chooseCore(runs, seen, options_.core, fixedIn(members));
+    auto core = chooseCore(runs, seen, options_.core, fixedIn(members));
     std::vector<PairOver> pairs;
     for (const auto& [a, b] : pairsOf(core.size()))
       pairs.push_back({hub, members[core[a]].run, members[core[b]].run});

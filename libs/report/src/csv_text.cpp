@@ -9,7 +9,7 @@ namespace roomgraph {
 
 std::string csvField(const std::string& given) {
   const bool isFormula = given.find_first_of("=+-@\t\r") == 0;
-  const std::string text = isFormula ? "'" + given : given;
+  std::string text = isFormula ? "'" + given : given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -100,20 +100,27 @@ class KindFinder {
         if (isHalfSeen(region) && isHalfSeen(other)) unseen.join(region, other);
         if (!isHalfSeen(region) && !isHalfSeen(other)) seen.join(region, other);
       }
-    std::vector<std::uint8_t> hasRoom(kinds_.size());
+    const std::vector<std::uint8_t> isLink = linksBetween(seen, unseen);
+    for (const auto& [region, around] : around_)
+      if (isHalfSeen(region) && isLink[unseen.find(region)]) kinds_[region] = RegionKind::corridor;
+  }
+
+  /** Which sets of half-seen space have sets of seen space with rooms on two sides. */
+  std::vector<std::uint8_t> linksBetween(UnionFind& seen, UnionFind& unseen) const {
+    std::vector<std::uint8_t> hasRoom(kinds_.size()), isLink(kinds_.size());
     for (const auto& [region, around] : around_)
       if (kinds_[region] == RegionKind::room) hasRoom[seen.find(region)] = 1;
     std::vector<std::uint32_t> firstOf(kinds_.size(), Regions::kNone);
-    std::vector<std::uint8_t> isLink(kinds_.size());
+    const auto meet = [&](std::uint32_t half, std::uint32_t whole) {
+      std::uint32_t& first = firstOf[half];
+      if (first == Regions::kNone) first = whole;
+      if (first != whole) isLink[half] = 1;
+    };
     for (const auto& [region, around] : around_)
-      for (const auto& [other, passage] : around) {
-        if (!isHalfSeen(region) || isHalfSeen(other) || !hasRoom[seen.find(other)]) continue;
-        std::uint32_t& first = firstOf[unseen.find(region)];
-        if (first == Regions::kNone) first = seen.find(other);
-        if (first != seen.find(other)) isLink[unseen.find(region)] = 1;
-      }
-    for (const auto& [region, around] : around_)
-      if (isHalfSeen(region) && isLink[unseen.find(region)]) kinds_[region] = RegionKind::corridor;
+      for (const auto& [other, passage] : around)
+        if (isHalfSeen(region) && !isHalfSeen(other) && hasRoom[seen.find(other)])
+          meet(unseen.find(region), seen.find(other));
+    return isLink;
   }
 
   bool isHalfSeen(std::uint32_t region) const { return kinds_[region] == RegionKind::halfSeen; }

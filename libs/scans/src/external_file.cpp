@@ -36,7 +36,7 @@ std::unique_ptr<CheckedFile> openExternalFile(const std::string& map, const std:
   return nullptr;
 }
 
-std::vector<TPoint3Df> kittiPoints(ByteReader bytes) {
+std::vector<TPoint3Df> kittiPoints(const ByteReader& bytes) {
   std::vector<TPoint3Df> points;
   for (std::size_t i = 0; i + 4 <= bytes.left() / sizeof(float); i += 4) {
     const TPoint3Df p(floatAt(bytes.peek(), i), floatAt(bytes.peek(), i + 1),
@@ -46,7 +46,7 @@ std::vector<TPoint3Df> kittiPoints(ByteReader bytes) {
   return points;
 }
 
-std::vector<TPoint3Df> textPoints(ByteReader bytes) {
+std::vector<TPoint3Df> textPoints(const ByteReader& bytes) {
   std::istringstream text(std::string(reinterpret_cast<const char*>(bytes.peek()), bytes.left()));
   std::vector<TPoint3Df> points;
   for (std::string line; std::getline(text, line);) {

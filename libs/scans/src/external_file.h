@@ -17,8 +17,8 @@ std::string externalFolder(const std::string& map);
 std::unique_ptr<CheckedFile> openExternalFile(const std::string& map, const std::string& name);
 
 /** The points of a file of KITTI's: x, y, z and intensity of each as floats. */
-std::vector<mrpt::math::TPoint3Df> kittiPoints(ByteReader bytes);
+std::vector<mrpt::math::TPoint3Df> kittiPoints(const ByteReader& bytes);
 /** The points of a text: a line each, of which the first three numbers count. */
-std::vector<mrpt::math::TPoint3Df> textPoints(ByteReader bytes);
+std::vector<mrpt::math::TPoint3Df> textPoints(const ByteReader& bytes);
 
 }  // namespace roomgraph

@@ -7,6 +7,7 @@ namespace roomgraph {
 using mrpt::math::TPoint3Df;
 
 bool isFinite(const TPoint3Df& p) {
+  // NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage): MRPT's constructors set all three
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 

@@ -81,6 +81,7 @@ std::vector<TPoint3Df> readOrganizedPoints(ByteReader& in) {
   std::vector<TPoint3Df> points;
   for (std::size_t i = 0; i < count; ++i) {
     const TPoint3Df p(floatAt(bytes, 3 * i), floatAt(bytes, 3 * i + 1), floatAt(bytes, 3 * i + 2));
+    // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): as in isFinite()
     if (isFinite(p) && (p.x != 0 || p.y != 0 || p.z != 0)) points.push_back(p);
   }
   return points;

@@ -53,8 +53,9 @@ std::vector<TPoint3Df> pointsOf(const DepthImage& image, const DepthCamera& came
     std::memcpy(&stored, image.depths + 2 * i, 2);
     if (stored == 0) continue;
     const double depth = stored * image.unit;
-    const double right = (double(i % image.columns) - camera.cx) / camera.fx;
-    const double down = (double(i / image.columns) - camera.cy) / camera.fy;
+    const std::size_t column = i % image.columns, row = i / image.columns;
+    const double right = (double(column) - camera.cx) / camera.fx;
+    const double down = (double(row) - camera.cy) / camera.fy;
     const TPoint3Df p{float(depth), float(-depth * right), float(-depth * down)};
     if (isFinite(p)) points.push_back(p);
   }

@@ -61,7 +61,7 @@ void readScan(ByteReader& in, const ObjectHeader& header, CObservation2DRangeSca
 
 mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
   checkVersion(in, header, 2);
-  const mrpt::poses::CPose2D pose = readPose2D(in);
+  mrpt::poses::CPose2D pose = readPose2D(in);
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
     refuse(in.file(), "it is damaged: an odometry in it is no pose", kSaveAgain);
   return pose;

@@ -23,7 +23,7 @@ Floats readFloats(ByteReader& in) {
 }
 
 /** Points that the packets of a laser scanner mean; MRPT knows its geometry. */
-std::vector<TPoint3Df> pointsOfPackets(ByteReader packets, ByteReader lasers,
+std::vector<TPoint3Df> pointsOfPackets(const ByteReader& packets, const ByteReader& lasers,
                                        mrpt::obs::CObservationVelodyneScan& scan) {
   using Packet = mrpt::obs::CObservationVelodyneScan::TVelodyneRawPacket;
   using Laser = mrpt::obs::VelodyneCalibration::PerLaserCalib;

@@ -20,8 +20,8 @@ struct ObservationKind {
 
 /** What a simplemap keeps of one place. */
 struct SimplemapEntry {
-  std::size_t number = 0;  ///< from 0, in the order of the file
   mrpt::poses::CPose3D robot;
+  std::size_t number = 0;  ///< from 0, in the order of the file
   std::vector<mrpt::obs::CObservation2DRangeScan> scans;
   std::vector<PointCloud> clouds;
   std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
