@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drawn_submaps.h"
+#include "roomgraph/consensus/find_consensus.h"
 
 namespace roomgraph {
 namespace {

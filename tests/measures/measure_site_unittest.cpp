@@ -4,6 +4,7 @@
 
 #include "measure_table.h"
 #include "placed_graphs.h"
+#include "roomgraph/measures/measure_kinds.h"
 
 namespace roomgraph {
 namespace {

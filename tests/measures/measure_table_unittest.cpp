@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomgraph/measures/measure_kinds.h"
+
 namespace roomgraph {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "draw_map.h"
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "sample_graph.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/find_consensus.h"
+#include "roomgraph/consensus/RunMatches.h"
 
 namespace roomgraph::test {
 

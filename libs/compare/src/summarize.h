@@ -4,8 +4,8 @@
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/measures/measure_site.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/score/run_score.h"
 
 namespace roomgraph {

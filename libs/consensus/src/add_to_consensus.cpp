@@ -3,6 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "roomgraph/consensus/find_consensus.h"
+
 namespace roomgraph {
 namespace {
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/find_consensus.h"
+#include "roomgraph/consensus/RunMatches.h"
 
 namespace roomgraph {
 

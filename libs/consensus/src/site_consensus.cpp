@@ -7,6 +7,7 @@
 
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/add_to_consensus.h"
+#include "roomgraph/consensus/find_consensus.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 

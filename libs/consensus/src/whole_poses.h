@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/consensus/find_consensus.h"
+#include "roomgraph/consensus/RunMatches.h"
 
 namespace roomgraph {
 

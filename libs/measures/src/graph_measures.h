@@ -4,8 +4,8 @@
 #include "MeasuredValue.h"
 #include "compare_graphs.h"
 #include "roomgraph/base/ForEach.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "MeasuredValue.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
 

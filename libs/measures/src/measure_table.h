@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "SiteEvidence.h"
-#include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/measures/MeasureKind.h"
 
 namespace roomgraph {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "match_graphs.h"
+#include "GraphMatch.h"
 
 namespace roomgraph {
 

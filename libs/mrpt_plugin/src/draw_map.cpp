@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "roomgraph/mrpt_plugin/colors.h"
-#include "roomgraph/mrpt_plugin/draw_graph.h"
 
 namespace roomgraph {
 namespace {

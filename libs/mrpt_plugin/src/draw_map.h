@@ -4,6 +4,9 @@
 
 namespace roomgraph {
 
+/** A map with more cells than this on a side is drawn coarser. */
+constexpr int kMostTexels = 2048;
+
 /** The map as a textured plane at z = 0, shifted by -`anchor`. A cell of the picture shows the
  *  darkest of the map cells that it stands for, so that thin walls stay. O(cells). */
 viz::CTexturedPlane::Ptr drawMap(const Grid& map, Point anchor);

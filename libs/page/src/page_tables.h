@@ -1,10 +1,6 @@
 #pragma once
-#include <string>
-#include <vector>
-
 #include "kainjow/mustache.hpp"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/page/comparison_report.h"
 
 namespace roomgraph {
 

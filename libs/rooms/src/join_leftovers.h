@@ -1,6 +1,6 @@
 #pragma once
 #include "RegionGroups.h"
-#include "roomgraph/rooms/split_at_doors.h"
+#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
 

@@ -4,7 +4,7 @@
 
 #include "RegionGroups.h"
 #include "number_regions.h"
-#include "roomgraph/rooms/split_at_doors.h"
+#include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
 

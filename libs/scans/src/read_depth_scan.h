@@ -1,5 +1,6 @@
 #pragma once
-#include "roomgraph/scans/read_cloud.h"
+#include "roomgraph/scans/PointCloud.h"
+#include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
 

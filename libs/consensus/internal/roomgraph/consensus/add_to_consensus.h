@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "roomgraph/consensus/find_consensus.h"
 #include "roomgraph/consensus/map_errors.h"
 
 namespace roomgraph {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/consensus/match_submaps.h"
+#include "roomgraph/consensus/RunMatches.h"
 
 namespace roomgraph {
 
@@ -12,16 +12,6 @@ namespace roomgraph {
 // In:   the submaps of all runs of a site, and which was found where
 // Out:  Consensus
 // Next: mapErrors, findBreaks
-
-/** What of one run was found in another, in one piece. */
-struct RunMatches {
-  std::size_t of = 0, in = 0;  ///< runs
-  std::vector<SubmapMatch> matches;
-  double likeness = 0;  ///< see MatchedPiece
-};
-
-/** A pose for each submap of each run, site <- submap: [run][submap]. */
-using SubmapPoses = std::vector<std::vector<Transform2D>>;
 
 /** What the submaps' poses may be. */
 struct ConsensusPoses {

@@ -3,8 +3,8 @@
 
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
 

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/relate/site_poses.h"
 
 namespace roomgraph {

@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/base/PairTable.h"
 #include "roomgraph/relate/KeptPairs.h"
+#include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Run.h"
-#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 
@@ -15,17 +14,6 @@ namespace roomgraph {
 // In:   the runs
 // Out:  MapPair of pairs of runs
 // Next: placeRuns
-
-/** MapPair of each two runs, or of those that were related; that of a and b is said of the one with
- *  the lower index first. Where it is asked for one that was not related, there is nothing that
- *  both have in common. */
-struct MapPairs : PairTable<MapPair> {
-  using PairTable<MapPair>::PairTable;
-
-  /** The runs among which the consensus is worked out, ascending: of a site all are related to each
-   *  other. Empty where all runs are. */
-  std::vector<std::size_t> core;
-};
 
 struct RelateRunsOptions {
   bool areAligned = false;               ///< all maps are in one frame already

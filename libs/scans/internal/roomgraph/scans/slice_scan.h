@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "roomgraph/scans/PointCloud.h"
 #include "roomgraph/scans/find_slice.h"
-#include "roomgraph/scans/read_cloud.h"
 
 namespace roomgraph {
 

@@ -1,0 +1,15 @@
+#pragma once
+
+namespace roomgraph {
+
+/** A measure, and all that is said about it: tables, labels and tests are made from this. What it
+ *  is computed from stands in docs/scoring.md. */
+struct MeasureKind {
+  const char* name;      ///< as in the files
+  const char* label;     ///< for people
+  const char* unit;      ///< "m", "deg", "pieces", or "1" for a share of 1
+  double leastSupport;   ///< below it the measure is not meaningful [what was counted]
+  const char* sentence;  ///< what it is
+};
+
+}  // namespace roomgraph
