@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+
+#include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 namespace {
@@ -74,6 +78,74 @@ TEST(Polygon, boxHoldsAllPoints) {
   EXPECT_EQ(box.high, (Point{1, 9}));
   EXPECT_TRUE(box.contains({1, 9}));
   EXPECT_FALSE(box.contains({1.1, 9}));
+}
+
+/** A ragged ring about a place; star-shaped, so that it does not cross itself. */
+Ring ragged(std::mt19937& random, Point middle, double largest) {
+  const auto number = [&](double low, double high) {
+    return low + (high - low) * double(random()) / 4294967296.0;
+  };
+  Ring ring;
+  const int corners = 3 + int(random() % 12);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * M_PI * k / corners, far = number(0.3, 1) * largest;
+    ring.push_back(middle + far * Point{std::cos(angle), std::sin(angle)});
+  }
+  return ring;
+}
+
+Polygon anyPolygon(std::mt19937& random) {
+  Polygon polygon{ragged(random, {3, -2}, 9), {}};
+  // Nothing of the outer ring is nearer to its middle than cos(60 degrees) of the least radius.
+  if (random() % 2) polygon.holes.push_back(backwards(ragged(random, {3, -2}, 1.2)));
+  return polygon;
+}
+
+TEST(Polygon, areaAndMiddleAreThoseOfManyPlaces) {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Polygon polygon = anyPolygon(random);
+    const double step = 0.1;
+    double count = 0;
+    Point sum;
+    for (double x = -7 + step / 2; x < 13; x += step)
+      for (double y = -12 + step / 2; y < 8; y += step)
+        if (sideOf(polygon, {x, y}) == Side::inside) ++count, sum = sum + Point{x, y};
+    EXPECT_NEAR(area(polygon), count * step * step, 0.05 * area(polygon) + 0.3) << trial;
+    EXPECT_LT(distance(centroid(polygon), (1 / count) * sum), 0.15) << trial;
+  }
+}
+
+TEST(Polygon, motionsChangeNeitherAreaNorSides) {
+  std::mt19937 random(2);
+  const auto number = [&] { return 20 * (double(random()) / 4294967296.0 - 0.5); };
+  for (int trial = 0; trial < 50; ++trial) {
+    const Polygon polygon = anyPolygon(random);
+    const Transform2D motion{number(), number(), number()};
+    Polygon moved = polygon;
+    for (Point& p : moved.outer) p = motion(p);
+    for (Ring& hole : moved.holes)
+      for (Point& p : hole) p = motion(p);
+    EXPECT_NEAR(area(moved), area(polygon), 1e-9);
+    EXPECT_NEAR(perimeter(moved), perimeter(polygon), 1e-9);
+    EXPECT_LT(distance(centroid(moved), motion(centroid(polygon))), 1e-9);
+    for (int i = 0; i < 20; ++i) {
+      const Point p{number(), number()};
+      EXPECT_EQ(sideOf(moved, motion(p)), sideOf(polygon, p));
+    }
+  }
+}
+
+TEST(Polygon, whereARingStartsChangesNothing) {
+  std::mt19937 random(3);
+  const Polygon polygon = anyPolygon(random);
+  for (std::size_t k = 1; k < polygon.outer.size(); ++k) {
+    Polygon other = polygon;
+    std::rotate(other.outer.begin(), other.outer.begin() + std::ptrdiff_t(k), other.outer.end());
+    EXPECT_NEAR(area(other), area(polygon), 1e-9);
+    EXPECT_LT(distance(centroid(other), centroid(polygon)), 1e-9);
+    EXPECT_EQ(sideOf(other, {3.1, -2}), sideOf(polygon, {3.1, -2}));
+  }
 }
 
 }  // namespace

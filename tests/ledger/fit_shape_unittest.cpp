@@ -74,5 +74,67 @@ TEST(FitShape, whereHalfOfItIsUnknownNothingIsSaid) {
   EXPECT_TRUE(fitShape(room, kFrame, run, {{}}, here).empty());
 }
 
+TEST(FitShape, aTurnedRoomIsFound) {
+  const RunAreas run = drawnAreas(kRoom);
+  const SiteShape& room = run.shapes[0];
+  for (const double turn : {-0.2, 0.1, 0.25}) {
+    SiteShape drawn = room;  // where the site has it
+    const Transform2D motion = carrying(room.middle, room.middle + Point{0.3, -0.2}, turn);
+    for (Point& p : drawn.samples) p = motion(p);
+    drawn.middle = motion(room.middle);
+    const auto fits = fitShape(drawn, kFrame, run, {{}}, {});
+    ASSERT_EQ(fits.size(), 1u) << turn;
+    EXPECT_GT(fits.at(0).overlap, 0.93) << turn;
+    EXPECT_NEAR(fits.at(0).move.turn, -turn, 0.05) << turn;
+    EXPECT_LT(distance(fits.at(0).move.shift, {-0.3, 0.2}), 0.15) << turn;
+  }
+}
+
+TEST(FitShape, anOverlapIsIntersectionOverUnion) {
+  // The run has the left half only, and there is wall where the right one was.
+  const SiteShape room = drawnAreas(kRoom).shapes[0];
+  const RunAreas half =
+      drawnAreas({"                ", "   ##########   ", "   #AAAA#####   ", "   #AAAA#####   ",
+                  "   #AAAA#####   ", "   #AAAA#####   ", "   ##########   ", "                "});
+  FitShapeOptions here;
+  here.reach = 0, here.isQuick = true;
+  EXPECT_NEAR(fitShape(room, kFrame, half, {{}}, here).at(0).overlap, 0.5, 0.03);
+  EXPECT_NEAR(fitShape(half.shapes[0], kFrame, drawnAreas(kRoom), {{}}, here).at(0).overlap, 0.5,
+              0.03)
+      << "the same the other way round";
+}
+
+TEST(FitShape, noMoreAreasThanAskedForAndThoseThatFitBest) {
+  const SiteShape room = drawnAreas(kRoom).shapes[0];
+  const RunAreas parts =
+      drawnAreas({"                ", "   ##########   ", "   #ABBCCCDD#   ", "   #ABBCCCDD#   ",
+                  "   #ABBCCCDD#   ", "   #ABBCCCDD#   ", "   ##########   ", "                "});
+  FitShapeOptions two;
+  two.most = 2, two.reach = 0;
+  const auto fits = fitShape(room, kFrame, parts, {{}}, two);
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_EQ(fits.count(0), 0u) << "the narrowest";
+  EXPECT_EQ(fits.count(2), 1u) << "the widest";
+  two.least = 0.9;
+  EXPECT_TRUE(fitShape(room, kFrame, parts, {{}}, two).empty());
+}
+
+TEST(FitShape, ofTwoStartsTheBetterOneCounts) {
+  const RunAreas run = drawnAreas(kRoom);
+  FitShapeOptions here;
+  here.reach = 0, here.isQuick = true;
+  const auto fits = fitShape(run.shapes[0], kFrame, run, {{{1, 0}, 0}, {}, {{0, 1}, 0}}, here);
+  EXPECT_EQ(fits.at(0).move.shift, (Point{0, 0}));
+  EXPECT_DOUBLE_EQ(fits.at(0).overlap, 1);
+}
+
+TEST(RoomMove, isAPartOfAMotion) {
+  const Transform2D whole{3, -1, 0.7};
+  for (const Point middle : {Point{0, 0}, Point{5, 2}}) {
+    const Transform2D about = moveOf(whole, middle).about(middle);
+    for (const Point p : {Point{1, 1}, Point{-4, 7}}) EXPECT_LT(distance(about(p), whole(p)), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace roomgraph::test

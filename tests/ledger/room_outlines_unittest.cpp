@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace roomgraph {
@@ -85,6 +86,64 @@ TEST(Simplified, dropsHolesThatVanish) {
 TEST(LengthOf, isFromEndToEnd) {
   EXPECT_NEAR(lengthOf({{{0, 0}, {12, 0}, {12, 2}, {0, 2}}, {}}), std::hypot(12, 2), 1e-12);
   EXPECT_EQ(lengthOf({}), 0);
+}
+
+TEST(RefinedMove, theFrameOfTheRunChangesNothing) {
+  const Point middle{2, 2};
+  const RoomMove truth{{0.12, 0.09}, -0.03};
+  const Transform2D pose{40, -7, 1.4};
+  const RoomOutline room(ell());
+  const RoomMove here =
+      refinedMove(room, RoomOutline(moved(ell(), truth.about(middle))), {}, middle);
+  const RoomOutline there(moved(ell(), pose * truth.about(middle)));
+  const RoomMove start{pose(middle) - middle, pose.phi};
+  const RoomMove found = refinedMove(room, there, start, middle);
+  EXPECT_NEAR(found.turn, pose.phi + here.turn, 0.004);
+  EXPECT_LT(distance(middle + found.shift, pose(middle + here.shift)), 0.01);
+}
+
+TEST(RefinedMove, aWallThatOneHasMoreDoesNotPullTheRest) {
+  const Point middle{2, 2};
+  Polygon longer = ell();
+  longer.outer[1].x = longer.outer[2].x = 6.4;  // one wall farther out
+  const RoomMove found = refinedMove(RoomOutline(ell()), RoomOutline(longer), {}, middle);
+  EXPECT_LT(norm(found.shift), 0.06);
+  EXPECT_NEAR(found.turn, 0, 0.01);
+}
+
+TEST(OutlineAgreement, isTheSameFromBothSides) {
+  const Transform2D pose{0.2, -0.15, 0.05};
+  Polygon other = moved(ell(), pose);
+  other.outer[3].y += 0.3;
+  const RoomOutline a(ell()), b(other);
+  for (const Transform2D& by : {Transform2D{}, pose})
+    EXPECT_NEAR(outlineAgreement(a, b, by, 0.1), outlineAgreement(b, a, by.inverse(), 0.1), 0.02);
+  EXPECT_GT(outlineAgreement(a, b, pose, 0.1), outlineAgreement(a, b, {}, 0.1));
+}
+
+TEST(Simplified, noCornerThatIsLeftOutIsFarFromTheRest) {
+  Ring wavy;
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 2 * M_PI * k / 200, far = 5 + 0.05 * std::sin(13 * angle);
+    wavy.push_back({far * std::cos(angle), far * std::sin(angle)});
+  }
+  for (const double tolerance : {0.02, 0.1, 0.5}) {
+    const Ring few = simplified(wavy, tolerance);
+    EXPECT_LT(few.size(), wavy.size());
+    for (const Point& p : wavy) {
+      double nearest = HUGE_VAL;
+      for (std::size_t k = 0; k < few.size(); ++k) {
+        const Point a = few[k], along = few[(k + 1) % few.size()] - a;
+        const double share = std::min(1.0, std::max(0.0, dot(p - a, along) / squaredNorm(along)));
+        nearest = std::min(nearest, distance(p, a + share * along));
+      }
+      EXPECT_LE(nearest, tolerance + 1e-9);
+    }
+  }
+}
+
+TEST(LengthOf, doesNotChangeWithTheFrame) {
+  EXPECT_NEAR(lengthOf(moved(ell(), {7, 3, 1.1})), lengthOf(ell()), 1e-9);
 }
 
 }  // namespace

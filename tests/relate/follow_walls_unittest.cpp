@@ -95,5 +95,73 @@ TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
   EXPECT_EQ(followWalls(map, MapForAlignment(), {{}}, {}).share, 0);
 }
 
+TEST(FollowWalls, theFramesOfBothMapsChangeLittle) {
+  const Transform2D ofA{5, 1, -0.8}, ofB{-7, 20, 2.2};
+  const Grid half = bent(drawnBuilding(4, {}), 0.08);
+  const MapForAlignment a = mapOf(half), b = mapOf(drawnBuilding(4, {}));
+  const FollowedWalls here = followWalls(a, b, {{}}, {});
+  const FollowedWalls there = followWalls(a, mapOf(drawnBuilding(4, ofB)), {ofB}, {});
+  EXPECT_NEAR(there.bend, here.bend, 0.2 * here.bend);
+  EXPECT_NEAR(there.share, here.share, 0.05);
+  const FollowedWalls sound = followWalls(mapOf(drawnBuilding(4, ofA)),
+                                          mapOf(drawnBuilding(4, ofB)), {ofB * ofA.inverse()}, {});
+  EXPECT_LT(sound.bend, 0.04);
+  EXPECT_GT(sound.share, 0.9);
+}
+
+TEST(FollowWalls, aMapInItselfHardlyBends) {
+  const MapForAlignment map = mapOf(drawnBuilding(4, {}));
+  const FollowedWalls found = followWalls(map, map, {{}}, {});
+  EXPECT_LT(found.bend, 0.005);
+  EXPECT_GT(found.share, 0.99);
+  for (const FollowedPatch& patch : found.patches) {
+    EXPECT_EQ(patch.layer, 0);
+    EXPECT_LT(
+        distance(patch.pose(map.patches[patch.patch].middle), map.patches[patch.patch].middle),
+        0.03);
+  }
+}
+
+TEST(FollowWalls, theWholePoseLeavesTheLeastOver) {
+  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const FollowedWalls found = followWalls(a, b, {{}}, {});
+  const auto restAt = [&](const Transform2D& pose) {
+    double squares = 0, count = 0;
+    for (const FollowedPatch& patch : found.patches) {
+      const Point middle = a.patches[patch.patch].middle;
+      squares += patch.walls * squaredNorm(pose(middle) - patch.pose(middle)), count += patch.walls;
+    }
+    return std::sqrt(squares / count);
+  };
+  const double rest = restAt(found.pose);
+  EXPECT_NEAR(rest, found.bend, 0.15 * found.bend) << "by the middles of the patches";
+  for (const Transform2D& nudge : {Transform2D{0.1, 0, 0}, Transform2D{0, -0.1, 0},
+                                   Transform2D{0, 0, 0.02}, Transform2D{0.1, 0.1, -0.02}})
+    EXPECT_GT(restAt(nudge * found.pose), rest);
+}
+
+TEST(FollowWalls, whatOneHasNotSeenIsNotFound) {
+  const MapForAlignment all = mapOf(drawnBuilding(4, {}));
+  const MapForAlignment half = mapOf(drawnBuilding(4, {}, {-1e9, 12}));
+  const FollowedWalls found = followWalls(all, half, {{}}, {});
+  EXPECT_LT(found.share, 0.65);
+  EXPECT_GT(found.share, 0.3);
+  EXPECT_LT(found.bend, 0.05);
+  for (const FollowedPatch& patch : found.patches) EXPECT_LT(all.patches[patch.patch].middle.x, 14);
+  EXPECT_GT(followWalls(half, all, {{}}, {}).share, 0.9) << "and the other way round all of it is";
+}
+
+TEST(FollowWalls, theSameInputGivesTheSamePatches) {
+  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const FollowedWalls l = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
+  const FollowedWalls r = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
+  ASSERT_EQ(l.patches.size(), r.patches.size());
+  EXPECT_EQ(l.bend, r.bend);
+  for (std::size_t k = 0; k < l.patches.size(); ++k) {
+    EXPECT_EQ(l.patches[k].patch, r.patches[k].patch);
+    EXPECT_EQ(l.patches[k].pose.x, r.patches[k].pose.x);
+  }
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -49,7 +49,7 @@ struct FollowWallsOptions {
  *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
  *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
  *  and next to what was found, as walls can be there twice. Nothing is found where there is no
- *  pose. A map followed in itself from no shift and no turn has no bend. Deterministic. O(patches *
+ *  pose. A map followed in itself from where it lies hardly bends. Deterministic. O(patches *
  *  points of a patch). */
 FollowedWalls followWalls(const MapForAlignment& of, const MapForAlignment& in,
                           const std::vector<Transform2D>& poses, const FollowWallsOptions& options);
