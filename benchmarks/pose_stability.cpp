@@ -21,6 +21,7 @@
 #include "roomgraph/match/match_rooms.h"
 #include "roomgraph/pipeline/extract.h"
 #include "turn_map.h"
+#include "write_map.h"
 
 namespace roomgraph {
 namespace {
@@ -86,6 +87,7 @@ std::vector<GraphRoom> laidBack(std::vector<GraphRoom> rooms, const MapPose& pos
     for (Point& p : ring) p = turnedBack(p, pose, old);
   };
   for (GraphRoom& room : rooms) {
+    room.shape.widestPlace = turnedBack(room.shape.widestPlace, pose, old);
     layBack(room.shape.polygon.outer);
     for (Ring& hole : room.shape.polygon.holes) layBack(hole);
   }
@@ -104,14 +106,25 @@ void printUnmatched(const char* what, const std::vector<GraphRoom>& rooms,
     if (!isMatched[i]) printRoom(what, rooms[i]);
 }
 
+struct Request {
+  std::string data, only, maps;
+  int step = 10, until = 360;
+  bool isVerbose = false;
+};
+
 Change changeAt(const Stages& base, const ExtractOptions& options, const MapPose& pose,
-                bool isVerbose) {
+                const Request& request) {
   const std::vector<GraphRoom>& rooms = base.result.rooms;
   const GridFrame& frame = base.grid.frame;
+  const GreyMap turned = turnMap(base.grid, pose);
+  if (!request.maps.empty())
+    writeGridmap(turned, request.maps + "/" + request.only + "_" +
+                             std::to_string(std::lround(pose.angle * 180 / M_PI)) + "_" +
+                             std::to_string(std::lround(100 * pose.finer)) + ".gridmap.gz");
   const std::vector<GraphRoom> others =
-      laidBack(extract(turnMap(base.grid, pose), options).result.rooms, pose, frame);
+      laidBack(extract(turned, options).result.rooms, pose, frame);
   const std::vector<MatchedRooms> matched = matchRooms(rooms, others, frame);
-  if (isVerbose) {
+  if (request.isVerbose) {
     std::vector<bool> isFound(rooms.size()), hasPartner(others.size());
     for (const MatchedRooms& pair : matched)
       isFound[pair.base.index()] = hasPartner[pair.other.index()] = true;
@@ -123,18 +136,18 @@ Change changeAt(const Stages& base, const ExtractOptions& options, const MapPose
   return {rooms.size(), rooms.size() - matched.size(), others.size() - matched.size()};
 }
 
-CaseChanges measure(const Case& which, const ExtractOptions& options, int step, bool isVerbose) {
+CaseChanges measure(const Case& which, const ExtractOptions& options, const Request& request) {
   const Stages base = extract(which.load(), options);
   CaseChanges changes;
   changes.rooms = base.result.rooms.size();
-  for (int degrees = 0; degrees < 360; degrees += step) {
-    const Change change = changeAt(base, options, {degrees * M_PI / 180, 1}, isVerbose);
+  for (int degrees = 0; degrees < request.until; degrees += request.step) {
+    const Change change = changeAt(base, options, {degrees * M_PI / 180, 1}, request);
     (degrees % 90 == 0 ? changes.quarters : changes.turned) += change;
     if (change.changed() > changes.worst.changed())
       changes.worst = change, changes.worstDegrees = degrees;
   }
   for (std::size_t i = 0; i < std::size(kFiner); ++i)
-    changes.finer[i] = changeAt(base, options, {0, kFiner[i]}, isVerbose);
+    changes.finer[i] = changeAt(base, options, {0, kFiner[i]}, request);
   return changes;
 }
 
@@ -167,19 +180,14 @@ void printHeader() {
   std::printf("\n");
 }
 
-struct Request {
-  std::string data, only;
-  int step = 10;
-  bool isVerbose = false;
-};
-
 /** Over all maps. Prints a row for each map as well where `isEach`. */
 CaseChanges measureMaps(const Request& request, const RoomRule& rule, bool isEach) {
   CaseChanges all;
+  Request quiet = request;
+  quiet.isVerbose = false, quiet.maps.clear();
   for (const Case& which : allCases(request.data)) {
     if (!request.only.empty() && request.only != which.name) continue;
-    const CaseChanges changes =
-        measure(which, rule.options, request.step, request.isVerbose && isEach);
+    const CaseChanges changes = measure(which, rule.options, isEach ? request : quiet);
     if (isEach) printRow(which.name, changes);
     all += changes;
   }
@@ -192,6 +200,7 @@ bool measureAll(const Request& request) {
   printHeader();
   const RoomRule rule = defaultRule();
   const bool isWithin = printRow("**all rooms**", measureMaps(request, rule, true));
+  if (!request.only.empty()) return isWithin;
   for (const RoomRule& ablated : ablatedRules())
     printRow("ablation: " + ablated.name, measureMaps(request, ablated, false));
   return isWithin;
@@ -212,8 +221,13 @@ int main(int argc, char** argv) {
   app.add_option("--step", request.step, "between two angles [degrees]")
       ->check(CLI::Range(1, 360))
       ->capture_default_str();
+  app.add_option("--until", request.until,
+                 "angles below this only; as quarter turns change nothing, 90 is as good as 360")
+      ->check(CLI::Range(1, 360))
+      ->capture_default_str();
   app.add_flag("--rooms", request.isVerbose,
                "also list the lost and the new rooms, on standard error");
+  app.add_option("--maps", request.maps, "also write each turned map into this folder");
   CLI11_PARSE(app, argc, argv);
   try {
     return roomgraph::measureAll(request) ? 0 : 1;

@@ -82,5 +82,18 @@ TEST(RegionGroups, aSquareHasAnElongationOfOne) {
   EXPECT_NEAR(elongationOf(corridor), 81.0 / 21, 0.05);
 }
 
+TEST(RegionGroups, wallsCountByTheSpaceBesideThem) {
+  // The left of two sites is wall: half of all space lies nearest to it.
+  const VoronoiGraph graph = row();
+  const InsideFlags all(4, 1);
+  RegionGroups regions(graph, all, 0, 0);
+  regions.sumWalls({1, 1});
+  EXPECT_DOUBLE_EQ(regions.wallShare(0), 1);
+  regions.sumWalls({1, 0});
+  for (std::uint32_t v = 0; v < 4; ++v) EXPECT_DOUBLE_EQ(regions.wallShare(v), 1) << v;
+  regions.sumWalls({0, 0});
+  EXPECT_EQ(regions.wallShare(0), 0);
+}
+
 }  // namespace
 }  // namespace roomgraph::test

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "plan.h"
 
@@ -29,6 +31,7 @@ class DividedRooms {
       regions_.join(*first, v);
     }
     regions_.sumAreas();
+    regions_.sumWalls(std::vector<std::uint8_t>(inside.voronoi.sites.size(), 1));
   }
 
   void run(const SplitAtDoorsOptions& options) { joinLeftovers(regions_, options); }

@@ -31,6 +31,32 @@ TEST(SplitAtDoors, aWideOpeningDoesNot) {
   EXPECT_EQ(regions.count, 1u);
 }
 
+/** A hall of 12 m, and a way out of its right side: 4 m wide, and so many cells of 0.2 m deep. */
+Inside hallWithABay(int depth) {
+  return Plan(60 + depth, 60).wall(61, 1, depth, 20).wall(61, 41, depth, 20).inside();
+}
+
+TEST(SplitAtDoors, aBayBelongsToItsHall) {
+  EXPECT_EQ(split(hallWithABay(14)).count, 1u);
+  EXPECT_EQ(split(hallWithABay(70)).count, 2u);
+}
+
+TEST(SplitAtDoors, aNookOfAHallIsNoRoomThoughOneAsWideIsInAHome) {
+  // 1.4 m x 1.6 m behind a door of 0.8 m, beside 12 m or 3 m.
+  const auto nookBeside = [](int size) {
+    return Plan(size + 9, size)
+        .wall(size + 1, 1, 9, size)
+        .gap(size + 1, 5, 1, 4)
+        .gap(size + 2, 4, 8, 7)
+        .inside();
+  };
+  EXPECT_EQ(split(nookBeside(60)).roomCount, 1u);
+  EXPECT_EQ(split(nookBeside(15)).roomCount, 2u);
+  SplitAtDoorsOptions options;
+  options.minRoomRatio = 0;
+  EXPECT_EQ(split(nookBeside(60), options).roomCount, 2u);
+}
+
 TEST(SplitAtDoors, aDoorFrameIsNoAreaOfItsOwn) {
   // The larger room takes it.
   const Regions regions = split(Plan(45, 20).wall(20, 1, 4, 20).gap(20, 8, 4, 5).inside());

@@ -1,6 +1,7 @@
 #include "RegionGroups.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -51,7 +52,8 @@ void RegionGroups::join(std::uint32_t a, std::uint32_t b) {
   if (!groups_.join(a, b)) return;
   const std::uint32_t both = find(a);
   radius_[both] = std::max(radius_[a], radius_[b]);
-  if (!area_.empty()) area_[both] = area_[a] + area_[b];
+  for (std::vector<double>* sums : {&area_, &bounded_, &walled_})
+    if (!sums->empty()) (*sums)[both] = (*sums)[a] + (*sums)[b];
 }
 
 void RegionGroups::sumAreas() {
@@ -59,31 +61,36 @@ void RegionGroups::sumAreas() {
 }
 
 void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> bounds;  // region and site
+  bounded_.assign(voronoi_.vertices.size(), 0);
+  walled_.assign(voronoi_.vertices.size(), 0);
   for (const VoronoiEdge& edge : voronoi_.edges) {
-    if (edge.isInfinite() || !isInside_[edge.source] || !isInside_[edge.target]) continue;
-    for (const std::uint32_t vertex : {edge.source, edge.target})
-      for (const std::uint32_t site : {edge.left, edge.right})
-        bounds.push_back({find(vertex), site});
-  }
-  std::sort(bounds.begin(), bounds.end());
-  bounds.erase(std::unique(bounds.begin(), bounds.end()), bounds.end());
-  std::vector<std::uint32_t> all(voronoi_.vertices.size());
-  wallShare_.assign(voronoi_.vertices.size(), 0);
-  for (const auto& [region, site] : bounds) {
-    ++all[region];
-    wallShare_[region] += isWall[site] ? 1 : 0;
-  }
-  for (std::size_t region = 0; region < all.size(); ++region)
-    if (all[region]) wallShare_[region] /= all[region];
-  double sum = 0, area = 0;
-  for (std::uint32_t v = 0; v < all.size(); ++v)
-    if (all[v]) {
-      sum += wallShare_[v] * area_[v];
-      area += area_[v];
+    // What lies behind the two sites is another space.
+    const Point between = midpoint(voronoi_.sites[edge.left], voronoi_.sites[edge.right]);
+    for (const auto& [end, other] :
+         {std::pair(edge.source, edge.target), {edge.target, edge.source}}) {
+      if (end == VoronoiEdge::kNoVertex || !isInside_[end]) continue;
+      const Point from = voronoi_.vertices[end].at;
+      const bool isInfinite = other == VoronoiEdge::kNoVertex;
+      const Point to = isInfinite ? between : voronoi_.vertices[other].at;
+      const bool isCrossed = isInfinite || dot(between - from, to - between) > 0;
+      const Point half = isCrossed ? between : midpoint(from, to);
+      for (const std::uint32_t site : {edge.left, edge.right}) {
+        const Point at = voronoi_.sites[site];
+        const double area = std::abs(cross(from - at, half - at)) / 2;
+        bounded_[find(end)] += area;
+        walled_[find(end)] += isWall[site] ? area : 0;
+      }
     }
-  if (sum > 0)
-    for (double& share : wallShare_) share *= area / sum;
+  }
+  double walls = 0, shares = 0;
+  for (std::size_t v = 0; v < bounded_.size(); ++v)
+    if (bounded_[v] > 0) walls += walled_[v], shares += walled_[v] * walled_[v] / bounded_[v];
+  if (walls > 0) meanWallShare_ = shares / walls;
+}
+
+double RegionGroups::wallShare(std::uint32_t region) const {
+  const double bounded = bounded_[region];
+  return bounded > 0 ? walled_[region] / bounded / meanWallShare_ : 0;
 }
 
 void RegionGroups::keepPassages() {

@@ -46,12 +46,13 @@ class RegionGroups {
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
   double elongation(std::uint32_t region) const;
 
-  /** How much of what bounds it is wall, beside the mean of all areas; after sumWalls(). */
-  double wallShare(std::uint32_t region) const { return wallShare_[region]; }
+  /** How much of its area lies nearest to walls, beside the mean where walls are; after sumWalls(). */
+  double wallShare(std::uint32_t region) const;
 
   void join(std::uint32_t a, std::uint32_t b);
   void sumAreas();
-  /** `isWall`, per site, tells walls from the edge of the unknown. O(n log n). */
+  /** `isWall`, per site, tells walls from the edge of the unknown. Areas count, not sites: cells
+   *  make an edge the more ragged the smaller they are. O(n). */
   void sumWalls(const std::vector<std::uint8_t>& isWall);
   /** Who meets whom where, by region. O(passages). */
   std::map<std::uint32_t, Neighbours> neighbours();
@@ -64,7 +65,9 @@ class RegionGroups {
   const InsideFlags& isInside_;
   std::vector<std::uint32_t> edges_;
   UnionFind groups_;
-  std::vector<double> radius_, area_, wallShare_;
+  std::vector<double> radius_, area_;
+  std::vector<double> bounded_, walled_;  // areas nearest to obstacles, and to walls [m2]
+  double meanWallShare_ = 1;
 };
 
 /** Whether a passage is narrow beside both of its sides. */

@@ -22,16 +22,48 @@ bool isLeftover(const RegionGroups& regions, const SplitAtDoorsOptions& options,
          regions.area(region) < options.maxLeftoverArea;
 }
 
-/** Whether a narrow region opens widely into one other and nowhere else, and is short or comes back
- *  to it: the space between a bed and the wall, a niche, the way round a table. */
+bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+              std::uint32_t region) {
+  return 2 * regions.radius(region) < options.openRoomWidth * (1 - kSameWidth);
+}
+
+bool isLong(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region) {
+  return regions.elongation(region) > options.maxElongation &&
+         2 * regions.radius(region) <= options.maxCorridorWidth;
+}
+
+/** The one wider neighbour that a region opens into with nearly its whole width; none where there
+ *  are several, or where it is long. What comes back to it is short. */
+std::uint32_t openTo(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                     std::uint32_t region, const Neighbours& around) {
+  const double width = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+  std::uint32_t found = kNone;
+  for (const auto& [other, passage] : around) {
+    if (passage.clearance < width) continue;
+    const bool isShort = passage.count > 1 || regions.elongation(region) <= kDeepestAlcove;
+    const bool isWider = regions.radius(region) < regions.radius(other) * (1 - kSameWidth);
+    if (found != kNone || !isShort || !isWider) return kNone;
+    found = other;
+  }
+  return found;
+}
+
+/** A narrow region that opens into one other and nowhere else: the space between a bed and the
+ *  wall, a niche, the way round a table. */
 bool isAlcove(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region,
               const Neighbours& around) {
-  if (around.size() != 1) return false;
-  const auto& [other, passage] = *around.begin();
-  return 2 * regions.radius(region) < options.openRoomWidth * (1 - kSameWidth) &&
-         regions.radius(region) < regions.radius(other) * (1 - kSameWidth) &&
-         passage.clearance >= options.maxRatio * regions.radius(region) * (1 - kSameWidth) &&
-         (passage.count > 1 || regions.elongation(region) <= kDeepestAlcove);
+  return around.size() == 1 && isNarrow(regions, options, region) &&
+         openTo(regions, options, region, around) != kNone;
+}
+
+/** A wider one that opens into a room; all other ways out of it are doors. What opens into a
+ *  corridor is a room, and a fan of beams stays apart. */
+bool isBay(const RegionGroups& regions, const SplitAtDoorsOptions& options, std::uint32_t region,
+           const Neighbours& around) {
+  if (isNarrow(regions, options, region) || regions.wallShare(region) < options.minWallShare)
+    return false;
+  const std::uint32_t room = openTo(regions, options, region, around);
+  return room != kNone && !isLong(regions, options, room);
 }
 
 /** The neighbour behind the widest passage; of several as wide the largest. None where these are
@@ -54,21 +86,33 @@ std::uint32_t hostOf(const RegionGroups& regions, const Neighbours& around) {
   return isTie ? kNone : host;
 }
 
+/** All at once: so no order matters, and no two that are none of these are ever joined. Returns
+ *  whether there was any. */
+template <class IsOne>
+bool joinAll(RegionGroups& regions, const IsOne& isOne) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> hosts;
+  for (const auto& [region, around] : regions.neighbours()) {
+    if (!isOne(region, around)) continue;
+    const std::uint32_t host = hostOf(regions, around);
+    if (host != kNone) hosts.push_back({region, host});
+  }
+  for (const auto& [region, host] : hosts) regions.join(region, host);
+  return !hosts.empty();
+}
+
 }  // namespace
 
 void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options) {
-  for (bool isAny = true; isAny;) {
-    // All at once: so no order matters, and no two that are no leftovers are ever joined.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> hosts;
-    for (const auto& [region, around] : regions.neighbours()) {
-      if (!isLeftover(regions, options, region) && !isAlcove(regions, options, region, around))
-        continue;
-      const std::uint32_t host = hostOf(regions, around);
-      if (host != kNone) hosts.push_back({region, host});
+  const auto isSmall = [&](std::uint32_t region, const Neighbours& around) {
+    return isLeftover(regions, options, region) || isAlcove(regions, options, region, around);
+  };
+  const auto isBayOf = [&](std::uint32_t region, const Neighbours& around) {
+    return isBay(regions, options, region, around);
+  };
+  do  // a region has its whole shape only when its corners have joined it
+    while (joinAll(regions, isSmall)) {
     }
-    for (const auto& [region, host] : hosts) regions.join(region, host);
-    isAny = !hosts.empty();
-  }
+  while (joinAll(regions, isBayOf));
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,8 @@
 #include "region_kinds.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 
 namespace roomgraph {
@@ -23,9 +25,9 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around) {
+                std::uint32_t region, const Neighbours& around, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
-  if (width < options.minRoomWidth) return true;
+  if (width < leastWidth) return true;
   const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
                         isBehindDoors(regions, options, region, around);
   if (width < options.openRoomWidth && !isClosed) return true;
@@ -45,10 +47,32 @@ class KindFinder {
         kinds_(regions.isInside().size(), RegionKind::corridor) {}
 
   std::vector<RegionKind> run() {
+    leastWidth_ = leastWidth();
     for (std::uint32_t v = 0; v < kinds_.size(); ++v)
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
     while (followCorridors()) {
     }
+    if (getenv("RG_DBG"))
+      for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+        if (regions_.isInside()[v] && regions_.find(v) == v && regions_.area(v) > 1) {
+          Point c{};
+          double best = 0;
+          for (std::uint32_t w = 0; w < kinds_.size(); ++w)
+            if (regions_.isInside()[w] && regions_.find(w) == v &&
+                regions_.voronoi().vertices[w].clearance > best)
+              best = regions_.voronoi().vertices[w].clearance,
+              c = regions_.voronoi().vertices[w].at;
+          fprintf(stderr, "REG %c %.1f %.1f w %.2f a %.1f e %.2f ws %.2f :",
+                  "RCH"[int(kinds_[v]) == int(RegionKind::room)       ? 0
+                        : int(kinds_[v]) == int(RegionKind::corridor) ? 1
+                                                                      : 2],
+                  c.x, c.y, 2 * regions_.radius(v), regions_.area(v), regions_.elongation(v),
+                  regions_.wallShare(v));
+          for (auto& [o, p] : around(v))
+            if (p.clearance > 0.2)
+              fprintf(stderr, " %.2f/%.2f", 2 * p.clearance, 2 * regions_.radius(o));
+          fprintf(stderr, "\n");
+        }
     keepLinks();
     return std::move(kinds_);
   }
@@ -60,10 +84,29 @@ class KindFinder {
     return it == around_.end() ? kNobody : it->second;
   }
 
+  /** Of a room: nooks of a hall may be as wide as the small rooms of a home. */
+  double leastWidth() {
+    std::vector<std::pair<double, double>> spaces;  // width and area
+    double area = 0;
+    for (std::uint32_t v = 0; v < kinds_.size(); ++v) {
+      if (!regions_.isInside()[v] || regions_.find(v) != v) continue;
+      if (regions_.wallShare(v) < options_.minWallShare) continue;
+      spaces.push_back({2 * regions_.radius(v), regions_.area(v)});
+      area += spaces.back().second;
+    }
+    std::sort(spaces.begin(), spaces.end());
+    double median = 0, below = 0;
+    for (std::size_t i = 0; i < spaces.size() && below < area / 2; ++i)
+      median = spaces[i].first, below += spaces[i].second;
+    return std::max(options_.minRoomWidth,
+                    std::min(options_.minRoomRatio * median, options_.openRoomWidth));
+  }
+
   RegionKind kindOf(std::uint32_t region) const {
     if (regions_.wallShare(region) < options_.minWallShare) return RegionKind::halfSeen;
-    return isCorridor(regions_, options_, region, around(region)) ? RegionKind::corridor
-                                                                  : RegionKind::room;
+    return isCorridor(regions_, options_, region, around(region), leastWidth_)
+               ? RegionKind::corridor
+               : RegionKind::room;
   }
 
   /** A corridor goes on through what is narrow and open to it on two sides. All at once, so no
@@ -128,6 +171,7 @@ class KindFinder {
   RegionGroups& regions_;
   const SplitAtDoorsOptions& options_;
   const AllNeighbours around_;
+  double leastWidth_ = 0;  // of a room [m]
   std::vector<RegionKind> kinds_;
 };
 

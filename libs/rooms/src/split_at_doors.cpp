@@ -15,13 +15,6 @@ namespace {
 
 using Neighbours = RegionGroups::Neighbours;
 
-/** Whether one of two regions is too narrow to be part of the other. */
-bool isNarrowBeside(const RegionGroups& regions, std::uint32_t a, std::uint32_t b,
-                    double narrowRatio) {
-  const double ofA = regions.radius(a), ofB = regions.radius(b);
-  return std::min(ofA, ofB) < narrowRatio * std::max(ofA, ofB) * (1 - kSameWidth);
-}
-
 /** Joins regions through open passages of one width. The order of these does not matter: first,
  *  regions as wide as each other join; then, in rounds, each joins the widest of the others that it
  *  is open to. So a door frame goes to one of its rooms, and not to both. */
@@ -50,8 +43,9 @@ class PassageJoiner {
       if (a == b) return true;
       if (regions_.radius(b) < regions_.radius(a)) std::swap(a, b);
       clearance_ = regions_.clearance(edge);
-      if (!isDoorBetween(a, b) && !isNarrowBeside(regions_, a, b, options_.narrowRatio))
-        pairs_.push_back({a, b, regions_.radius(b)});
+      // By the passage, not by the narrower region: that may have grown to here from the far side.
+      const double least = options_.narrowRatio * regions_.radius(b) * (1 - kSameWidth);
+      if (!isDoorBetween(a, b) && clearance_ >= least) pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
     edges.erase(std::remove_if(edges.begin(), edges.end(), isJoined), edges.end());
@@ -133,8 +127,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
   table.number(section, "max_width", options.maxWidth, "m", 0, 100, "A wider passage is no door.");
   table.number(
       section, "narrow_ratio", options.narrowRatio, "", 0, 1,
-      "Two regions are kept apart where one is narrower than this share of the other, even "
-      "without a door.");
+      "Two regions are kept apart where the passage between them is narrower than this share of "
+      "the wider one, even without a door.");
   table.number(section, "max_leftover_area", options.maxLeftoverArea, "m2", 0, 1e6,
                "A region with less area is a leftover and joins a neighbour.");
   table.number(section, "min_elongation", options.minElongation, "", 0, 1e6,
@@ -142,6 +136,10 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "leftover.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "Where no disc of this diameter fits in is no room.");
+  table.number(
+      section, "min_room_ratio", options.minRoomRatio, "", 0, 1,
+      "Nor is a region narrower than this share of the median width of the map's space, up "
+      "to open_room_width.");
   table.number(section, "open_room_width", options.openRoomWidth, "m", 0, 100,
                "A narrower region is a room only if all ways out of it are doors.");
   table.number(section, "min_wall_share", options.minWallShare, "", 0, 1,
@@ -167,8 +165,8 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   RegionGroups regions(voronoi, isClear, minClearance, resolution / 2);
   joinOpenPassages(regions, options);
   regions.sumAreas();
-  joinLeftovers(regions, options);
   regions.sumWalls(isWall);
+  joinLeftovers(regions, options);
   const std::vector<RegionKind> kinds = regionKinds(regions, options);
   joinCorridors(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are corridors.

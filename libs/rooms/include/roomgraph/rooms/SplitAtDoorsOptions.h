@@ -8,11 +8,12 @@ struct SplitAtDoorsOptions {
   /** A passage is a door where it is narrower than this share of the narrower of its two sides. */
   double maxRatio = 0.75;
   double maxWidth = 3.0;  ///< of a door [m]
-  /** A region narrower than this share of its neighbour is not part of that, door or not. */
+  /** Regions whose passage is narrower than this share of the wider one are two, door or not. */
   double narrowRatio = 0.45;
   double maxLeftoverArea = 1.1;   ///< a region with less joins a neighbour [m2]
   double minElongation = 0.75;    ///< a region that is shorter joins a neighbour
   double minRoomWidth = 0.9;      ///< of the largest disc in a room [m]
+  double minRoomRatio = 0.2;      ///< the same, as a share of the median width of the map's space
   double openRoomWidth = 1.95;    ///< of the same in a room with a way out that is no door [m]
   double minWallShare = 0.4;      ///< of a region that is not half seen, beside the map's
   double minClosedShare = 0.7;    ///< the same of a room that is narrower than openRoomWidth

@@ -16,18 +16,20 @@ namespace roomgraph {
 /** Splits the inside at its doors. The alpha shapes of all alphas form a tree: going from wide to
  *  narrow, each widest place starts a region, and two regions meet where a disc of some diameter
  *  first fits through between them. They become one unless that passage is a door (narrow beside
- *  both) or one of them is narrow beside the other. So each room has its own door width and its own
- *  inscribed radius, and no alpha is set. Then leftovers, such as door frames and the corners
- *  beside them, join the neighbour behind their widest passage; of several as wide the largest. So
- *  do alcoves: narrow regions that open widely into one other alone. What remains is half seen, and
- *  neither room nor corridor, where the edge of the unknown bounds it and not walls (`isWall`, per
- *  site), unless it alone links rooms. It is a corridor where it is too narrow for a room; or
- *  narrow, and not closed by walls and doors on all sides; or narrow and a corridor goes on through
- *  it; or long (its area in squares round its largest disc is its elongation) with two ways out.
- *  Pieces of corridor without a door between them become one. All widths are free ones, between the
- *  sides of obstacle cells of size `resolution` [m], not between their centres. `minClearance`
- *  keeps passages between neighbouring cells of a wall out [m]. Equal widths are judged together,
- *  so the order of the edges does not matter. O(n log n). */
+ *  both) or narrow beside the wider one. So each room has its own door width and its own inscribed
+ *  radius, and no alpha is set. Then leftovers, such as door frames and the corners beside them,
+ *  join the neighbour behind their widest passage; of several as wide the largest. So do alcoves,
+ *  narrow regions that open widely into one other alone, and bays: short regions that open with
+ *  nearly their whole width into one wider room, and else at doors only. What remains is half seen,
+ *  and neither room nor corridor, where it lies nearer to the edge of the unknown than to walls
+ *  (`isWall`, per site), unless it alone links rooms. It is a corridor where it is too narrow for a
+ *  room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
+ *  sides; or narrow and a corridor goes on through it; or long (its area in squares round its
+ *  largest disc is its elongation) with two ways out. Pieces of corridor without a door between
+ *  them become one. All widths are free ones, between the sides of obstacle cells of size
+ *  `resolution` [m], not between their centres. `minClearance` keeps passages between neighbouring
+ *  cells of a wall out [m]. Equal widths are judged together, so the order of the edges does not
+ *  matter. O(n log n). */
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                      const std::vector<std::uint8_t>& isWall, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options);
