@@ -46,7 +46,7 @@ class RegionGroups {
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
   double elongation(std::uint32_t region) const;
 
-  /** How much of its area lies nearest to walls, beside the mean where walls are; after sumWalls(). */
+  /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */
   double wallShare(std::uint32_t region) const;
 
   void join(std::uint32_t a, std::uint32_t b);
