@@ -62,6 +62,38 @@ TEST(FindConsensus, aRunMayBeTornByAnyTurn) {
   }
 }
 
+/** Seven runs, one of them torn and one that drifts: so many are first solved with few nodes. */
+struct ManyRuns {
+  std::vector<Way> truth, drawn;
+  std::vector<RunSubmaps> runs;
+  std::vector<RunMatches> matches;
+
+  ManyRuns() {
+    for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8, 0.1, 0.5})
+      truth.push_back(roundTheBlock(offset));
+    drawn = truth;
+    drawn[2] = test::moved(test::torn(truth[2], 29, 2, {-4, 3}), {0, 9, -1});
+    drawn[4] = test::moved(test::drifting(truth[4], 0.004), {-5, 0, 2});
+    for (const Way& way : drawn) runs.push_back(drawnSubmaps(way));
+    matches = test::exactMatches(truth);
+  }
+};
+
+TEST(FindConsensus, manyRunsLieWhereTheyReallyAre) {
+  const ManyRuns many;
+  EXPECT_LT(test::misplaced(findConsensus(many.runs, many.matches, {}).best, many.truth), 0.01);
+}
+
+TEST(FindConsensus, aReferenceOfManyRunsStaysExactlyAsItIs) {
+  const ManyRuns many;
+  ConsensusOptions options;
+  options.reference = 1;
+  const SubmapPoses poses = findConsensus(many.runs, many.matches, options).best;
+  for (std::size_t k = 0; k < poses[1].size(); ++k)
+    EXPECT_EQ(poses[1][k].shift(), many.drawn[1][k].shift());
+  EXPECT_LT(test::misplaced(poses, many.truth), 0.01);
+}
+
 TEST(FindConsensus, aPieceThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
   // Two sound runs that were found in each other one wing off, as in a building that repeats
   // itself. Torn between that and the third, they could bend to fit both.

@@ -7,7 +7,12 @@ namespace roomgraph {
 
 bool isBorneOut(const SubmapMatch& match, const Transform2D& in, const Transform2D& of,
                 const PoseTolerance& within) {
-  return match.isSameScan || areNear(in.inverse() * of, match.pose, {}, within);
+  return isBorneOut(match, in.inverse() * of, within);
+}
+
+bool isBorneOut(const SubmapMatch& match, const Transform2D& found, const PoseTolerance& within) {
+  return match.isSameScan || (std::abs(wrappedAngle(found.phi - match.pose.phi)) < within.turn &&
+                              distance(found.shift(), match.pose.shift()) < within.place);
 }
 
 double beliefOf(double share) {

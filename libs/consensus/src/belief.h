@@ -14,6 +14,9 @@ constexpr PoseTolerance kRoughly{0.35, 3.0}, kBorneOut{0.15, 1.0};
 bool isBorneOut(const SubmapMatch& match, const Transform2D& in, const Transform2D& of,
                 const PoseTolerance& within);
 
+/** The same of submaps that lie to each other as `found` (in <- of). */
+bool isBorneOut(const SubmapMatch& match, const Transform2D& found, const PoseTolerance& within);
+
 /** How far a piece is believed of whose matches this share is borne out, 0 to 1. In a building that
  *  repeats itself a run is found in the wrong wing as a whole, which is one mistake, however many
  *  scans it has. */

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "belief.h"
+#include "coarse_graph.h"
 #include "move_pieces.h"
 #include "roomgraph/consensus/pose_graph.h"
 #include "roomgraph/consensus/shared_drives.h"
@@ -54,12 +56,39 @@ std::vector<double> slackOf(const std::vector<RunSubmaps>& runs,
   return slack;
 }
 
-PoseGraphSolution solvedFrom(PoseGraph& graph, SubmapPoses start) {
+/** As a run has drawn them. */
+SubmapPoses ownPoses(const std::vector<RunSubmaps>& runs) {
+  SubmapPoses poses(runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const Submap& submap : runs[r].submaps) poses[r].push_back(submap.pose);
+  return poses;
+}
+
+/** The coarse form of a graph of many runs. With few runs each key frame tells. */
+std::optional<CoarseGraph> coarseOfMany(const PoseGraph& graph) {
+  if (graph.runs.size() <= kFewRuns) return std::nullopt;
+  return coarseGraph(graph.runs, graph.matches);
+}
+
+/** Solves a graph by its coarse form; submaps keep their `shape` within a coarse one. */
+SubmapPoses solvedCoarsely(const PoseGraph& graph, const CoarseGraph& coarse,
+                           const SubmapPoses& shape, const SubmapPoses& start, StartIs startIs) {
+  const PoseGraph rough{coarse.runs, coarse.matches, graph.slack, graph.belief, graph.reference};
+  SubmapPoses poses =
+      finePoses(coarse, shape, solvePoseGraph(rough, coarsePoses(coarse, start), startIs).poses);
+  if (graph.reference) poses[*graph.reference] = start[*graph.reference];  // to the last bit
+  return poses;
+}
+
+PoseGraphSolution solvedFrom(PoseGraph& graph, const std::optional<CoarseGraph>& coarse,
+                             const SubmapPoses& start) {
   graph.belief = beliefIn(graph.matches, start, kRoughly);
-  PoseGraphSolution solution = solvePoseGraph(graph, std::move(start), StartIs::rough);
-  movePieces(graph, solution.poses);
-  graph.belief = beliefIn(graph.matches, solution.poses, kBorneOut);
-  solution = solvePoseGraph(graph, std::move(solution.poses), StartIs::good);
+  SubmapPoses poses =
+      coarse ? solvedCoarsely(graph, *coarse, ownPoses(graph.runs), start, StartIs::rough)
+             : solvePoseGraph(graph, start, StartIs::rough).poses;
+  movePieces(graph, poses);
+  graph.belief = beliefIn(graph.matches, poses, kBorneOut);
+  PoseGraphSolution solution = solvePoseGraph(graph, std::move(poses), StartIs::good);
   solution.cost += costOfDisbelief(graph.matches, graph.belief);
   return solution;
 }
@@ -90,15 +119,17 @@ ConsensusPoses findConsensus(const std::vector<RunSubmaps>& runs,
   const std::vector<double> slack(runs.size(), 1.0);
   std::vector<PoseGraph> graphs(starts.size(), {runs, matches, slack, {}, options.reference});
   std::vector<PoseGraphSolution> solutions(starts.size());
-  options.forEach(starts.size(), [&](std::size_t i) {
-    solutions[i] = solvedFrom(graphs[i], std::move(starts[i]));
-  });
+  const std::optional<CoarseGraph> coarse = coarseOfMany(graphs.front());
+  options.forEach(starts.size(),
+                  [&](std::size_t i) { solutions[i] = solvedFrom(graphs[i], coarse, starts[i]); });
   const auto best = std::min_element(
       solutions.begin(), solutions.end(),
       [](const PoseGraphSolution& l, const PoseGraphSolution& r) { return l.cost < r.cost; });
   PoseGraph graph = graphs[std::size_t(best - solutions.begin())];
   graph.slack = slackOf(runs, matches, best->poses);
-  ConsensusPoses result{solvePoseGraph(graph, best->poses, StartIs::good).poses, {}};
+  SubmapPoses start = best->poses;
+  if (coarse) start = solvedCoarsely(graph, *coarse, start, start, StartIs::good);
+  ConsensusPoses result{solvePoseGraph(graph, std::move(start), StartIs::good).poses, {}};
   for (auto other = solutions.begin(); other != solutions.end(); ++other)
     if (other != best && other->cost <= kAboutAsGood * best->cost)
       result.others.push_back(std::move(other->poses));

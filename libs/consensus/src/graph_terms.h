@@ -17,7 +17,11 @@ struct GraphTerm {
   /** Half of the robust squared residual, as in Ceres, of a submap at `to` seen from one at `from`
    *  [site <- submap]. */
   double cost(const Transform2D& from, const Transform2D& to) const {
-    const Transform2D found = from.inverse() * to;
+    return cost(from.inverse() * to);
+  }
+
+  /** The same of submaps that lie to each other as `found`. */
+  double cost(const Transform2D& found) const {
     const double place = distance(found.shift(), measured.shift()) / noise.place;
     const double turn = wrappedAngle(found.phi - measured.phi) / noise.turn;
     const double squares = place * place + turn * turn, wide = width * width;

@@ -40,7 +40,10 @@ struct PieceSum {
 class Mover {
  public:
   Mover(const PoseGraph& graph, SubmapPoses& poses)
-      : graph_(graph), poses_(poses), changes_(graph.matches.size()) {
+      : graph_(graph),
+        poses_(poses),
+        changes_(graph.matches.size()),
+        isTouched_(graph.matches.size()) {
     for (const RunSubmaps& run : graph.runs) ties_.emplace_back(run.submaps.size());
     for (std::size_t p = 0; p < graph.matches.size(); ++p) {
       const RunMatches& piece = graph.matches[p];
@@ -83,7 +86,8 @@ class Mover {
                             const Transform2D& of) {
     GraphTerm term = matchTerm(match, 1);
     term.noise = term.noise.times(kLenient);
-    return {term.cost(in, of), isBorneOut(match, in, of, kBorneOut)};
+    const Transform2D found = in.inverse() * of;
+    return {term.cost(found), isBorneOut(match, found, kBorneOut)};
   }
 
   static void add(PieceSum& sum, const MatchState& state, double sign) {
@@ -172,7 +176,6 @@ class Mover {
       change += isIn(stretch, link.from) ? linkCost(stretch.run, link, motion * from, to)
                                          : linkCost(stretch.run, link, from, motion * to);
     });
-    touched_.clear();
     for (std::uint32_t k = stretch.first; k <= stretch.last; ++k) {
       const Transform2D pose = motion * poses_[stretch.run][k];
       for (const Tie& tie : ties_[stretch.run][k]) noteChange(stretch.run, pose, tie);
@@ -181,8 +184,9 @@ class Mover {
       const PieceSum now{sums_[p].cost + changes_[p].cost,
                          sums_[p].borneOut + changes_[p].borneOut};
       change += costOf(p, now) - costOf(p, sums_[p]);
-      changes_[p] = {};
+      changes_[p] = {}, isTouched_[p] = false;
     }
+    touched_.clear();
     return change;
   }
 
@@ -190,8 +194,8 @@ class Mover {
     const RunMatches& piece = graph_.matches[tie.piece];
     const SubmapMatch& match = matchOf(tie);
     PieceSum& change = changes_[tie.piece];
-    if (std::find(touched_.begin(), touched_.end(), tie.piece) == touched_.end())
-      touched_.push_back(tie.piece);
+    if (!isTouched_[tie.piece]) touched_.push_back(tie.piece);
+    isTouched_[tie.piece] = true;
     const bool isOf = piece.of == run;
     add(change,
         stateAt(match, isOf ? poses_[piece.in][match.in] : pose,
@@ -257,7 +261,8 @@ class Mover {
   std::vector<std::vector<std::vector<Tie>>> ties_;  // [run][submap]
   std::vector<std::vector<MatchState>> states_;      // [piece][match]
   std::vector<PieceSum> sums_, changes_;             // of each piece: now, and by a motion
-  std::vector<std::size_t> touched_;                 // pieces of which changes_ is not nothing
+  std::vector<bool> isTouched_;                      // whether changes_ is something
+  std::vector<std::size_t> touched_;                 // those pieces
 };
 
 }  // namespace
