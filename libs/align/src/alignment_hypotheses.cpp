@@ -33,7 +33,8 @@ Cell highest(const std::vector<SearchPoint>& points) {
 }
 
 // Most of the search is these sums: with 16 instead of 8 in one instruction they take half as long.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+// Which of them is there is asked before ThreadSanitizer has started, which that does not survive.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define ROOMGRAPH_WIDE_IF_THERE __attribute__((target_clones("avx2", "default")))
 #else
 #define ROOMGRAPH_WIDE_IF_THERE
