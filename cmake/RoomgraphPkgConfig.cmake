@@ -6,15 +6,18 @@
 include("${CMAKE_CURRENT_LIST_DIR}/roomgraph-dependencies.cmake")
 
 # Adds the words that link and include ITEM, a target or a library, to the lists roomgraph_pc_own
-# (names), roomgraph_pc_libs and roomgraph_pc_cflags (flags) of the caller, each once.
-function(roomgraph_collect_flags item)
+# (names), roomgraph_pc_libs and roomgraph_pc_cflags (flags) of the caller. What is only linked
+# (IS_LINKED_ONLY), as are the libraries behind it, needs no headers.
+function(roomgraph_collect_flags item is_linked_only)
   if(item MATCHES "^\\$<LINK_ONLY:(.*)>$")
     set(item "${CMAKE_MATCH_1}")
+    set(is_linked_only TRUE)
   endif()
-  if(item MATCHES "\\$<" OR item IN_LIST roomgraph_pc_seen)
+  if(item MATCHES "\\$<" OR "${item} FALSE" IN_LIST roomgraph_pc_seen
+      OR "${item} ${is_linked_only}" IN_LIST roomgraph_pc_seen)
     return()  # $<BUILD_INTERFACE:...> is no part of what is installed
   endif()
-  list(APPEND roomgraph_pc_seen "${item}")
+  list(APPEND roomgraph_pc_seen "${item} ${is_linked_only}")
   set(libs "")
   if(NOT TARGET ${item})
     roomgraph_link_flags(libs "${item}")
@@ -35,7 +38,7 @@ function(roomgraph_collect_flags item)
     endif()
     get_target_property(folders ${item} INTERFACE_INCLUDE_DIRECTORIES)
     foreach(folder IN LISTS folders)
-      if(is_imported AND IS_ABSOLUTE "${folder}"
+      if(is_imported AND NOT is_linked_only AND IS_ABSOLUTE "${folder}"
           AND NOT folder IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
         list(APPEND roomgraph_pc_cflags "-I${folder}")
       endif()
@@ -46,7 +49,7 @@ function(roomgraph_collect_flags item)
     get_target_property(more ${item} INTERFACE_LINK_LIBRARIES)
     foreach(next IN LISTS more)
       if(next)
-        roomgraph_collect_flags("${next}")
+        roomgraph_collect_flags("${next}" ${is_linked_only})
       endif()
     endforeach()
   endif()
@@ -75,7 +78,7 @@ set(roomgraph_pc_seen "")
 set(roomgraph_pc_own "")
 set(roomgraph_pc_libs "")
 set(roomgraph_pc_cflags "")
-roomgraph_collect_flags(roomgraph::roomgraph)
+roomgraph_collect_flags(roomgraph::roomgraph FALSE)
 list(REMOVE_DUPLICATES roomgraph_pc_own)
 # The libraries refer to each other, so they form a group; of the others, each stands behind those
 # that need it.
