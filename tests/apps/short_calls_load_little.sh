@@ -3,7 +3,6 @@
 . "$(dirname "$0")/common.sh"
 maps=$source_dir/share/roomgraph/maps
 name=libroomgraph_with_mrpt.so
-library=$(find "$(dirname "$roomgraph")/.." -name "$name" -path '*/roomgraph/*' -print -quit)
 
 ldd "$roomgraph" > linked
 if grep -E 'libmrpt|libopencv|libglog|libcholmod' linked; then fail "these are loaded by every call"; fi
@@ -12,6 +11,7 @@ loaded() { LD_DEBUG=files LD_DEBUG_OUTPUT="$work/debug" "$roomgraph" "$@" > out 
            cat "$work"/debug.* > loaded; rm "$work"/debug.*; grep -q libroomgraph_with_ loaded; }
 loaded extract "$maps/office.simplemap.gz" --format json -o built ||
   fail "this test sees nothing"
+library=$(grep -oE "[^ ]*/$name" loaded | head -n 1)
 for call in --version --help 'compare --help' config "info $maps/office.yaml" \
     "info $maps/office.gridmap.gz" 'info built/office.json' \
     "extract $maps/office.yaml --format json,svg,png,graphml,geojson,labels,osm -o o"; do
