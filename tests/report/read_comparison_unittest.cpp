@@ -37,8 +37,8 @@ std::string complaintOf(const Json& json) {
   return "";
 }
 
-/** Every key and every first entry of a list, as pointers. */
-void collect(const Json& json, const Pointer& at, std::vector<Pointer>& all) {
+/** Every key and every first entry of a list, as pointers. By value: \a all moves as it grows. */
+void collect(const Json& json, Pointer at, std::vector<Pointer>& all) {
   if (json.is_object())
     for (const auto& item : json.items()) {
       all.push_back(at / item.key());
