@@ -153,15 +153,20 @@ TEST(Summarize, measuresOfAPairAreThoseOfItsRuns) {
   }
 }
 
-TEST(Summarize, breaksStandRunByRun) {
+TEST(Summarize, theLargestBreakComesFirst) {
   Found found({"a", "b"}, {0.1, 0.2}, 2);
-  found.breaks[0].resize(1), found.breaks[1].resize(2);
-  found.breaks[0][0].run = "a";
+  found.breaks[0].resize(2), found.breaks[1].resize(2);
+  found.breaks[0][0].run = found.breaks[0][1].run = "a";
   found.breaks[1][0].run = found.breaks[1][1].run = "b";
+  found.breaks[0][0].shift = found.breaks[0][1].shift = 0.5;
+  found.breaks[0][0].keyFrame = 10, found.breaks[0][1].keyFrame = 20;
+  found.breaks[1][0].rotation = 0.04, found.breaks[1][1].rotation = -0.2;
   const Comparison comparison = found.comparison();
-  ASSERT_EQ(comparison.breaks.size(), 3u);
-  EXPECT_EQ(comparison.breaks[0].run, "a");
-  EXPECT_EQ(comparison.breaks[2].run, "b");
+  ASSERT_EQ(comparison.breaks.size(), 4u);
+  EXPECT_EQ(comparison.breaks[0].rotation, -0.2);
+  EXPECT_EQ(comparison.breaks[1].keyFrame, 10u) << "equal ones along the run";
+  EXPECT_EQ(comparison.breaks[2].keyFrame, 20u);
+  EXPECT_EQ(comparison.breaks[3].rotation, 0.04);
   EXPECT_NE(comparison.runs[1].reason.find("torn in 2 places"), std::string::npos);
 }
 

@@ -31,7 +31,8 @@ TEST(PageSummary, saysWhatStandsOut) {
                 "probably also for docking, and for goals and zones that robots share. It has no "
                 "break, and its map error is about 0.05 m, and most likely no more than 0.13 m.",
                 "Why morning: its walls lie near those of the 3 other runs.",
-                "1 map is torn: " + name + " (2 places).",
+                "1 map is torn: " + name + " (2 places). The largest break: " + name +
+                    " from key frame 12 on, by 4.0° and 0.58 m.",
                 "1 room is missing where a run has looked: R3 in " + name + ".",
                 "1 file is left out: garage."}));
   EXPECT_TRUE(pageSummary({}).empty());
@@ -65,7 +66,15 @@ TEST(PageSummary, aRunTornOnceIsNamedWithoutANumber) {
   comparison.breaks.push_back(comparison.breaks[0]);
   comparison.breaks.push_back(comparison.breaks[0]);
   comparison.breaks[2].run = "west";
-  EXPECT_TRUE(isSaid(comparison, "2 maps are torn: evening (2 places) and west."));
+  comparison.breaks[2].shift = 3, comparison.breaks[2].rotation = -0.1;
+  comparison.breaks[2].keyFrame = 47;
+  EXPECT_TRUE(isSaid(comparison,
+                     "2 maps are torn: evening (2 places) and west. The largest break: west from "
+                     "key frame 47 on, by 5.7° and 3.00 m."));
+  comparison.breaks[2].keyFrame.reset();
+  EXPECT_TRUE(isSaid(comparison,
+                     "2 maps are torn: evening (2 places) and west. The largest break: west, by "
+                     "5.7° and 3.00 m."));
 }
 
 TEST(PageSummary, roomsThatAreGoneAreNamedWithTheRunsThatLooked) {

@@ -126,6 +126,8 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   if (found.site.reference) result.reference = found.site.runs[*found.site.reference]->name;
   for (const std::vector<MapBreak>& ofRun : found.breaks)
     result.breaks.insert(result.breaks.end(), ofRun.begin(), ofRun.end());
+  std::stable_sort(result.breaks.begin(), result.breaks.end(),
+                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
   result.runs = runsOf(found);

@@ -1,6 +1,7 @@
 #include "page_summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -28,6 +29,18 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/** Which break moves most, where there are several. */
+std::string largestBreak(const Comparison& comparison) {
+  if (comparison.breaks.size() < 2) return "";
+  const MapBreak& largest =
+      *std::max_element(comparison.breaks.begin(), comparison.breaks.end(),
+                        [](const MapBreak& l, const MapBreak& r) { return l.size() < r.size(); });
+  std::string text = " The largest break: " + largest.run;
+  if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on";
+  return text + ", by " + fixedText(std::abs(largest.rotation) * 180 / M_PI, 1) + "° and " +
+         fixedText(largest.shift, 2) + " m.";
+}
+
 std::string breaksSentence(const Comparison& comparison) {
   std::map<std::string, std::size_t> breaks;
   for (const MapBreak& tear : comparison.breaks) ++breaks[tear.run];
@@ -37,7 +50,8 @@ std::string breaksSentence(const Comparison& comparison) {
       names.push_back(run.name + (breaks[run.name] > 1
                                       ? " (" + std::to_string(breaks[run.name]) + " places)"
                                       : ""));
-  return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names) + ".";
+  return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names) + "." +
+         largestBreak(comparison);
 }
 
 std::string goneSentence(const Comparison& comparison) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,9 @@ namespace roomgraph {
 constexpr double kBreakShift = 0.4;
 /** The same for a jump that turns it [rad]. */
 constexpr double kBreakRotation = 0.035;
+
+/** How far from a break is looked, to tell how much it moves [m]. */
+constexpr double kBreakLever = 10;
 
 /** Where the first key frame behind a break lies, site <- robot. What `drawn` says is wrong from
  *  there on by the motion mend(). */
@@ -31,6 +35,9 @@ struct MapBreak {
   std::optional<std::size_t> keyFrame;
   std::optional<double> time;
   std::optional<TornPose> torn{};  ///< none of a run without scans
+
+  /** By how much it moves what lies kBreakLever behind it, at most [m]. */
+  double size() const { return std::abs(shift) + kBreakLever * std::abs(rotation); }
 };
 
 }  // namespace roomgraph

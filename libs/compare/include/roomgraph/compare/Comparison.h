@@ -75,7 +75,7 @@ struct Comparison {
   std::vector<ComparedPair> pairs;  ///< that were related: all of few runs, by name
   std::vector<LeftOutRun> leftOut;  ///< by name
   std::vector<SiteRoom> rooms;      ///< by id
-  std::vector<MapBreak> breaks;     ///< by run, then along it
+  std::vector<MapBreak> breaks;     ///< the largest first; of equal ones by run, then along it
   /** Names of the runs among which the consensus was worked out, where these are not all. */
   std::vector<std::string> core;
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
