@@ -230,8 +230,8 @@ def all_pictures_are_whole(browser):
 
 def breaks_and_sorting_work(browser):
     browser.click_on('tr[data-break="1"] td')
-    check("17.2" not in browser.value("document.querySelector('.leaflet-popup-content').textContent")
-          and "-2.9°" in browser.value("document.querySelector('.leaflet-popup-content').textContent"),
+    check("17.2" not in browser.value("document.querySelector('.break-card').textContent")
+          and "-2.9°" in browser.value("document.querySelector('.break-card').textContent"),
           "the break does not tell its turn")
     browser.click_on("#pairs-table thead th:nth-child(4) button")
     column = browser.value("Array.from(document.querySelectorAll('#pairs-table tbody tr'),"
@@ -256,6 +256,12 @@ def breaks_and_marks_belong_together(browser):
                         ".length") == 1, "the torn piece is not shown where it belongs")
     check(browser.value("document.querySelector('#break-0').cells[5].textContent") == "12",
           "the key frame is not told")
+    check(browser.value("document.querySelector('.break-card b').textContent") ==
+          browser.value("document.querySelector('#break-0').cells[0].textContent").strip(),
+          "nothing is said of the break on the map")
+    browser.click_on(".break-card button")
+    check(browser.value("document.querySelectorAll('.break-card, tr.break.chosen').length") == 0,
+          "the break does not close")
     before = browser.value(paths)
     browser.click_on('input[data-layer="run-2"]')
     check(browser.value(marks) == 0, "a hidden run keeps its marks")
@@ -410,6 +416,38 @@ def a_hundred_runs_can_be_worked_with(browser, folder):
     nothing_is_wider_than_the_window(browser, 400)
 
 
+def places_on_the_map(browser):
+    """Where rooms, breaks and paths are, on the map of the whole site."""
+    browser.click_on('button[data-show="all"]')
+    browser.click_on('button[data-show="fit"]')
+    return browser.value(
+        "(m => Array.from(document.querySelectorAll('path.room-shape, .break-mark, .leaflet-paths-pane path,"
+        " .leaflet-runs-pane img'), e => e.getBoundingClientRect())"
+        ".map(b => [b.x - m.x, b.y - m.y, b.width, b.height]))"
+        "(document.querySelector('#map').getBoundingClientRect())")
+
+
+def an_askew_site_stands_upright(browser, url, upright):
+    """`upright` are the places on the map of the same site in an upright frame."""
+    check(browser.value("document.querySelector('#turned').textContent").startswith("Turned by -23°"),
+          "it is not said that the picture is turned")
+    places = places_on_the_map(browser)
+    check(len(places) == len(upright), "it shows other things")
+    for i, (at, wanted) in enumerate(zip(places, upright)):
+        check(max(abs(a - b) for a, b in zip(at, wanted)) < 12, f"{i} is at {at}, not {wanted}")
+    browser.click_on('tr[data-break="0"] td')
+    check(middle_on_map(browser, ".break-mark.chosen") < 0.05, "the chosen break is not in the middle")
+    x, y = (float(browser.value(f"document.querySelector('#break-0').cells[{k}].textContent")) for k in (1, 2))
+    browser.wait("location.hash.includes('view=')")
+    center = browser.value("new URLSearchParams(location.hash.slice(1)).get('view')").split(",")
+    check(abs(float(center[0]) - x) < 0.1 and abs(float(center[1]) - y) < 0.1,
+          f"the address has {center}, the table {x}, {y}")
+    address = browser.value("location.href").replace("&break=1", "")
+    browser.open("about:blank", "true")
+    browser.open(address)
+    check(middle_on_map(browser, ".break-mark") < 0.05, "the address leads elsewhere")
+
+
 def names_strike_nothing(browser):
     check(browser.value("window.struck") is None, "a name was run as code")
     check(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "a name made an image")
@@ -486,7 +524,8 @@ def work_with(browser, folder, url):
 
 @contextlib.contextmanager
 def opened_report(program, write_sample, folder, *runs):
-    """A browser with the sample report, and its address; or with one of so many runs."""
+    """A browser with the sample report, and its address; or with one of so many runs, in a site that
+    is turned by so much."""
     folder.mkdir(parents=True, exist_ok=True)
     report = folder / "report.html"
     subprocess.run([write_sample, str(report), *runs], check=True)
@@ -508,7 +547,13 @@ def main():
         print("skipped: no Chromium here (Debian's package: chromium)")
         return 77
     with opened_report(program, write_sample, folder) as (browser, url):
+        upright = places_on_the_map(browser)
+        browser.open("about:blank", "true")
+        browser.open(url)
         work_with(browser, folder, url)
+    with opened_report(program, write_sample, folder / "askew", "4", "0.4") as (browser, url):
+        an_askew_site_stands_upright(browser, url, upright)
+        it_asks_for_nothing_and_complains_of_nothing(browser, url)
     with opened_report(program, write_sample, folder / "hundred", "100") as (browser, url):
         a_hundred_runs_can_be_worked_with(browser, folder)
         it_asks_for_nothing_and_complains_of_nothing(browser, url)

@@ -1,5 +1,5 @@
-// write_sample_report FILE [RUNS]: a report for the tests in a browser, of the sample or of as many
-// runs like those of it.
+// write_sample_report FILE [RUNS [TURN]]: a report for the tests in a browser, of the sample or of
+// as many runs like those of it, in a site that is turned by so much [rad].
 #include <cstdlib>
 
 #include "roomgraph/files/write_file.h"
@@ -32,12 +32,32 @@ void enlarge(Comparison& comparison, std::size_t count) {
     }
 }
 
+/** The same site in another frame. */
+void turn(Comparison& comparison, double by) {
+  const roomgraph::Transform2D move{0, 0, by};
+  for (roomgraph::ComparedRun& run : comparison.runs) {
+    run.pose = move * run.pose;
+    for (roomgraph::PathPose& at : run.path) at.pose = move * at.pose;
+  }
+  for (roomgraph::SiteRoom& room : comparison.rooms) {
+    room.center = move(room.center);
+    for (roomgraph::Point& corner : room.polygon.outer) corner = move(corner);
+    for (roomgraph::Ring& hole : room.polygon.holes)
+      for (roomgraph::Point& corner : hole) corner = move(corner);
+  }
+  for (roomgraph::MapBreak& tear : comparison.breaks) {
+    tear.place = move(tear.place);
+    if (tear.torn) tear.torn = {move * tear.torn->drawn, move * tear.torn->untorn};
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
   auto sample = roomgraph::test::sampleComparison();
   if (argc > 2) enlarge(sample.comparison, std::strtoul(argv[2], nullptr, 10));
+  if (argc > 3) turn(sample.comparison, std::strtod(argv[3], nullptr));
   roomgraph::writeFileAtomically(argv[1],
                                  roomgraph::comparisonReport(sample.comparison, sample.runs));
 }

@@ -12,6 +12,7 @@
 #include "roomgraph/json/rounded.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
+#include "upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -54,6 +55,15 @@ std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vecto
     placed.push_back({found == maps.end() ? nullptr : found->second, run.pose});
   }
   return placed;
+}
+
+/** Turns the maps about the origin, so that the first of them stands upright; by how much. */
+double putUpright(std::vector<PlacedMap>& maps) {
+  const auto first = std::find_if(maps.begin(), maps.end(),
+                                  [](const PlacedMap& map) { return map.map != nullptr; });
+  const double turn = first == maps.end() ? 0 : uprightTurn(*first);
+  for (PlacedMap& map : maps) map.pose = Transform2D{0, 0, turn} * map.pose;
+  return turn;
 }
 
 /** Two cells of the coarsest map, so that turned maps leave no gaps. */
@@ -107,7 +117,8 @@ std::string pageDocument(const Comparison& comparison) {
 }
 
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs) {
-  const std::vector<PlacedMap> placed = placedMaps(comparison, runs);
+  std::vector<PlacedMap> placed = placedMaps(comparison, runs);
+  const double turn = putUpright(placed);
   std::vector<PlacedMap> known = placed;
   known.erase(std::remove_if(known.begin(), known.end(),
                              [](const PlacedMap& map) { return map.map == nullptr; }),
@@ -129,7 +140,8 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
   Json breaks = Json::array();
   for (const MapBreak& tear : comparison.breaks)
     breaks.push_back(scansJson(comparison, tear, runs));
-  const Json data = {{"box", boxJson(site)},
+  const Json data = {{"turn", turn},
+                     {"box", boxJson(site)},
                      {"heat", pictureJson(heat)},
                      {"runs", std::move(runsJson)},
                      {"breaks", std::move(breaks)}};

@@ -11,9 +11,10 @@ namespace roomgraph {
 /** comparison.json, as it may stand in a script element: the same JSON without '<', '>' and '&'. */
 std::string pageDocument(const Comparison& comparison);
 
-/** What the scripts of the report draw and that document does not have: the box of the site, the
- *  heat map, colour, shape and picture of each run, and what the scans at each break met, in its
- *  order. JSON as in pageDocument. */
+/** What the scripts of the report draw and that document does not have: by how much the picture
+ *  is turned to stand upright, and, so turned, the box of the site, the heat map, and colour, shape
+ *  and picture of each run; also what the scans at each break met, in its order, in the frame of
+ *  the site. JSON as in pageDocument. */
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** "#rrggbb". */

@@ -5,6 +5,24 @@
   // comparison.json, as it was saved; with each run what only this page draws.
   const data = read("comparison"), drawn = read("data");
   data.runs.forEach((run, i) => Object.assign(run, drawn.runs[i]));
+
+  // What is drawn stands upright: turned about the origin against the frame of the site.
+  const rotation = (turn) => ([x, y]) =>
+    [Math.cos(turn) * x - Math.sin(turn) * y, Math.sin(turn) * x + Math.cos(turn) * y];
+  const shownFromSite = rotation(drawn.turn), siteFromShown = rotation(-drawn.turn);
+  const turnPlace = (at) => { [at.x, at.y] = shownFromSite([at.x, at.y]); };
+  const turnPose = (pose) => pose && [...shownFromSite(pose), pose[2] + drawn.turn];
+
+  data.runs.forEach((run) => run.path.forEach(turnPlace));
+  data.rooms.forEach((room) => {
+    turnPlace(room);
+    room.polygon = room.polygon.map(shownFromSite);
+    room.holes = room.holes.map((ring) => ring.map(shownFromSite));
+  });
+  data.breaks.forEach((bend) => {
+    turnPlace(bend);
+    [bend.pose_drawn, bend.pose_untorn] = [turnPose(bend.pose_drawn), turnPose(bend.pose_untorn)];
+  });
   const placeOf = new Map(data.runs.map((run, i) => [run.name, i]));  // in data.runs
   const all = (selector, root) => Array.from((root || document).querySelectorAll(selector));
   const one = (selector) => document.querySelector(selector);
@@ -128,6 +146,13 @@
   map.on("mousedown focus", () => map.scrollWheelZoom.enable());
   map.getContainer().addEventListener("mouseleave", () => map.scrollWheelZoom.disable());
 
+  /** The map ends with the first screen, as long as that leaves it any height. */
+  function fitFirstScreen() {
+    const top = one(".workbench").getBoundingClientRect().top + window.scrollY;
+    document.documentElement.style.setProperty("--above-map", Math.ceil(top) + "px");
+    map.invalidateSize({animate: false});
+  }
+
   function home() {
     map.fitBounds(bounds(drawn.box), {animate: false, padding: [8, 8]});
     isWhole = true;
@@ -226,7 +251,8 @@
   /** A small picture of what the scans at a break met; null where they are not known. */
   function breakPicture(i, width, height) {
     const bend = data.breaks[i], scans = drawn.breaks[i];
-    const pairs = (numbers) => numbers.filter((_, k) => k % 2 === 0).map((x, k) => [x, numbers[2 * k + 1]]);
+    const pairs = (numbers) => numbers.filter((_, k) => k % 2 === 0)
+      .map((x, k) => shownFromSite([x, numbers[2 * k + 1]]));
     const before = pairs(scans.before), behind = pairs(scans.behind);
     if (!behind.length || !bend.pose_drawn) return null;
     const untorn = behind.map(mended(bend));
@@ -253,15 +279,27 @@
       '<path d="M-3.5,7L1.5,1L-2,-0.5L2,-6" fill="none" stroke="#fff" stroke-width="1.8"/></svg>';
     icon.querySelector("path").setAttribute("fill", run.colour);
     const marker = L.marker([bend.y, bend.x], {keyboard: false, alt: "Break of " + run.name,
-      icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26], popupAnchor: [0, -8]})});
-    const said = element("div");
-    said.append(element("b", {}, run.name), element("br"),
+      icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26]})});
+    marker.on("click", () => markBreak(i, true));
+    return marker;
+  }
+
+  /** What is said of a break, in a corner of the map, where it hides nothing of it. */
+  const card = L.control({position: "topright"});
+  const cardBox = element("div", {class: "break-card"});
+  card.onAdd = () => cardBox;
+  L.DomEvent.disableClickPropagation(cardBox);
+
+  function showCard(i) {
+    const bend = data.breaks[i];
+    const close = element("button", {type: "button", "aria-label": "Show no break", title: "Close"}, "×");
+    close.addEventListener("click", leaveBreak);
+    cardBox.replaceChildren(close, element("b", {}, bend.run), element("br"),
       "turns by " + fixed(bend.rotation_deg, 1) + "° and shifts by " + fixed(bend.shift_m, 2) + " m here" +
       (bend.key_frame === null ? "" : ", from key frame " + bend.key_frame + " on"));
     const picture = breakPicture(i, 220, 150);
-    if (picture) said.append(picture);
-    marker.on("click", () => markBreak(i, true));
-    return marker.bindPopup(said);
+    if (picture) cardBox.append(picture);
+    card.addTo(map);
   }
 
   const breaks = data.breaks.map(makeBreak);
@@ -333,6 +371,7 @@
   function leaveBreak() {
     if (chosenBreak !== null) setBreak(chosenBreak, false);
     if (posesOfBreak) posesOfBreak.remove();
+    card.remove();
     chosenBreak = posesOfBreak = null;
     map.getPane("paths").style.opacity = 1;
     changed();
@@ -344,6 +383,7 @@
     chosenBreak = i;
     map.getPane("paths").style.opacity = 0.2;
     setBreak(i, true);
+    showCard(i);
     posesOfBreak = bothPoses(data.breaks[i]).addTo(map);
     if (goesToRow) one("#break-" + i).scrollIntoView({block: "nearest"});
     one("#said").textContent = "Break " + (i + 1) + " of " + data.breaks.length + " is chosen.";
@@ -418,7 +458,6 @@
       button.addEventListener("click", () => {
         leaveBreak();
         endPair();
-        map.closePopup();
         shows[button.dataset.show]();
       }));
     all("label[data-run]").forEach((label) => {
@@ -521,9 +560,12 @@
     show("breaks", true);
     if (boxOf(layer)) show(layer, true);
     isWhole = false;
-    map.setView([bend.y, bend.x], Math.max(map.getZoom(), 4.5), {animate: false});
+    const near = Math.max(map.getZoom(), 4.5);
+    map.setView([bend.y, bend.x], near, {animate: false});
     markBreak(i, false);
-    breaks[i].openPopup();
+    const around = L.latLngBounds([[bend.y, bend.x]]);
+    posesOfBreak.eachLayer((line) => { if (line.getBounds) around.extend(line.getBounds()); });
+    if (!map.getBounds().contains(around)) map.fitBounds(around.pad(0.1), {animate: false, maxZoom: near});
     one("#map").scrollIntoView({block: "center"});
   }
 
@@ -589,7 +631,6 @@
       closed.forEach((details) => { if (details.closest("#ranking, #options")) details.open = true; });
       const size = map.getSize(), around = map.getBounds();
       Object.assign(one("#map").style, {width: "690px", height: Math.round(690 * Math.min(1, size.y / size.x)) + "px"});
-      map.closePopup();
       map.invalidateSize({animate: false});
       map.options.zoomSnap = 0;  // as large as fits
       if (view.isWhole) home(); else map.fitBounds(around, {animate: false});
@@ -612,13 +653,17 @@
     place.onAdd = () => text;
     place.addTo(map);
     map.on("mousemove", (event) => {
-      text.textContent = "x " + event.latlng.lng.toFixed(1) + "  y " + event.latlng.lat.toFixed(1) + " m";
+      const [x, y] = siteFromShown([event.latlng.lng, event.latlng.lat]);
+      text.textContent = "x " + x.toFixed(1) + "  y " + y.toFixed(1) + " m";
     });
     map.on("mouseout", () => { text.textContent = ""; });
     map.on("zoomend", () => map.getContainer().classList.toggle("far-out", map.getZoom() < 2.5));
   }
 
   addControls();
+  if (drawn.turn) one("#turned").textContent = "Turned by " + fixed(drawn.turn * 180 / Math.PI, 0) +
+    "° to stand upright; places are told in the frame of the site.";
+  fitFirstScreen();
   home();
   legendOfPaths();
   wireLayers();
@@ -633,7 +678,7 @@
     clearTimeout(pending);
     pending = setTimeout(() => {
       drawRanking();
-      map.invalidateSize({animate: false});
+      fitFirstScreen();
       if (isWhole) home();
     }, 100);
   });

@@ -268,8 +268,8 @@
     const parts = [
       ["runs", data.runs.map((run, i) => i).filter((i) => isOn("run-" + i)).map((i) => i + 1).join(",")],
       ["layers", siteLayers.filter(isOn).join(",")]];
-    const center = map.getCenter();
-    if (!isWhole) parts.push(["view", [center.lng.toFixed(2), center.lat.toFixed(2), map.getZoom()].join(",")]);
+    const center = map.getCenter(), [x, y] = siteFromShown([center.lng, center.lat]);
+    if (!isWhole) parts.push(["view", [x.toFixed(2), y.toFixed(2), map.getZoom()].join(",")]);
     if (chosen !== null) parts.push(["room", data.rooms[chosen].id]);
     if (chosenBreak !== null) parts.push(["break", chosenBreak + 1]);
     if (pair) parts.push([pair.kind, [pair.left + 1, pair.right + 1, Math.round(100 * pair.share)].join(",")]);
@@ -297,7 +297,7 @@
     const [x, y, zoom] = numbers("view");
     if (said.has("view") && [x, y, zoom].every(Number.isFinite)) {
       isWhole = false;
-      map.setView([y, x], zoom, {animate: false});
+      map.setView(latLng(shownFromSite([x, y])), zoom, {animate: false});
     }
     isRestoring = false;
   }
