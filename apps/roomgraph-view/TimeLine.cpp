@@ -34,8 +34,10 @@ void TimeLine::drawBars(NVGcontext* context) const {
   const float high = float(mSize.y()) - 2 * kFoot, foot = float(mPos.y() + mSize.y()) - kFoot;
   const float width =
       std::max(1.F, float(mSize.x()) / float(std::max<std::size_t>(1, path.size())));
+  double worst = kWorstError;
+  for (const PathPose& at : path) worst = std::max(worst, at.error.value_or(0));
   for (std::size_t k = 0; k < path.size(); ++k) {
-    const double share = std::min(1.0, path[k].error.value_or(0) / kWorstError);
+    const double share = path[k].error.value_or(0) / worst;
     const float bar = std::max(kLeast, high * float(share));
     const auto colour = colourOfError(path[k].error);
     nvgBeginPath(context);
@@ -51,6 +53,10 @@ void TimeLine::drawBreaks(NVGcontext* context) const {
   for (const MapBreak& tear : view_.comparison.breaks) {
     if (tear.run != view_.comparison.runs[state_.run].name || !tear.keyFrame) continue;
     const float x = xOf(placeInPath(view_, state_.run, *tear.keyFrame));
+    nvgBeginPath(context);  // light round it, to be seen on red bars
+    nvgRect(context, x - 3, top, 6, foot - top);
+    nvgFillColor(context, kPaper);
+    nvgFill(context);
     nvgBeginPath(context);
     nvgRect(context, x - 1, top, 2, foot - top);
     nvgMoveTo(context, x, top);

@@ -8,8 +8,9 @@
 
 namespace roomgraph {
 
-/** The path of the run as a strip: for each key frame a bar as high and as red as its error, a mark
- *  for each break, and a line where the shown one is. A click or a drag chooses a key frame. */
+/** The path of the run as a strip: for each key frame a bar as high as its error, of the largest
+ *  one, and as red as on the map; a mark for each break, and a line where the shown one is. A click
+ *  or a drag chooses a key frame. */
 class TimeLine : public nanogui::Widget {
  public:
   static constexpr int kHeight = 44;  // [px]

@@ -1,5 +1,6 @@
 #include "ViewPanel.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -8,9 +9,13 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMostButtons = 8;                   // of breaks
-constexpr std::size_t kMostLayers = 14;           // more can be scrolled
-constexpr int kScrollHeight = 320, kWidth = 190;  // [px]
+constexpr int kFromTop = 110, kWidth = 190;  // [px]
+constexpr int kRow = 30;                     // of a layer or a break, at most [px]
+constexpr int kElsewhere = 220;              // below the panel, and of it without lists [px]
+constexpr int kLeastRows = 3;                // of a list
+constexpr int kMostRows = 14;                // of the layers of one map
+constexpr double kLayersShare = 0.55;        // of what both lists have, where there are breaks
+constexpr std::size_t kLongest = 30;         // caption [bytes]
 constexpr double kQuick = 0.3;  // an extraction that is done while a slider moves takes less [s]
 
 /** Whether what a toggle stands for is on. */
@@ -33,6 +38,28 @@ bool isOn(Wish wish, const ViewState& state) {
   }
 }
 
+/** A name as a caption, that makes the panel no wider than it need be. */
+std::string captionOf(const std::string& name) {
+  std::string text = printable(name);
+  if (text.size() <= kLongest) return text;
+  std::size_t end = kLongest - 3;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "...";
+}
+
+/** Where the `count` rows of a list go: the panel, or a part of it that scrolls where they are
+ *  higher than `height`. */
+nanogui::Widget* hostOf(nanogui::Widget& panel, std::size_t count, int height) {
+  const int most = std::max(kLeastRows * kRow, height);
+  if (int(count) * kRow <= most) return &panel;
+  auto* scroll = new nanogui::VScrollPanel(&panel);
+  scroll->setFixedSize({kWidth + 20, most});
+  auto* host = new nanogui::Widget(scroll);
+  host->setLayout(
+      new nanogui::BoxLayout(nanogui::Orientation::Vertical, nanogui::Alignment::Fill, 0, 3));
+  return host;
+}
+
 }  // namespace
 
 ViewPanel::ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
@@ -41,30 +68,29 @@ ViewPanel::ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
   auto* panel = new nanogui::Window(&screen, "roomgraph");
   panel->setLayout(
       new nanogui::BoxLayout(nanogui::Orientation::Vertical, nanogui::Alignment::Fill, 8, 3));
-  panel->setPosition({10, 110});
-  addLayers(*panel, layers);
+  panel->setPosition({10, kFromTop});
+  const int lists = screen.height() - kFromTop - kElsewhere;
+  const bool hasBreaks = !view.comparison.breaks.empty();
+  const int ofLayers = hasBreaks ? int(kLayersShare * lists) : lists;
+  addLayers(*panel, layers, view_.map ? kMostRows * kRow : ofLayers);
   addWishes(*panel);
-  addBreaks(*panel);
+  const int used = std::min(ofLayers, int(layers.size()) * kRow);
+  if (hasBreaks) addBreaks(*panel, lists - used);
   if (view_.map) addOptions(*panel);
 }
 
-void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers) {
-  nanogui::Widget* host = &panel;
-  if (layers.size() > kMostLayers) {
-    auto* scroll = new nanogui::VScrollPanel(&panel);
-    scroll->setFixedSize({kWidth + 20, kScrollHeight});
-    host = new nanogui::Widget(scroll);
-    host->setLayout(
-        new nanogui::BoxLayout(nanogui::Orientation::Vertical, nanogui::Alignment::Fill, 0, 3));
-  }
+void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers,
+                          int height) {
+  nanogui::Widget* host = hostOf(panel, layers.size(), height);
   for (const std::string& layer : layers) {
-    auto* box = new nanogui::CheckBox(host, printable(layer), [this, layer](bool isShown) {
-      if (isShown)
-        state_.hidden.erase(layer);
-      else
-        state_.hidden.insert(layer);
-      calls_.refresh();
-    });
+    auto* box =
+        new nanogui::CheckBox(host, captionOf(nameOfLayer(layer)), [this, layer](bool isShown) {
+          if (isShown)
+            state_.hidden.erase(layer);
+          else
+            state_.hidden.insert(layer);
+          calls_.refresh();
+        });
     boxes_[layer] = box;
   }
 }
@@ -88,13 +114,15 @@ void ViewPanel::addWishes(nanogui::Widget& panel) {
   add(Wish::measure, "measure");
 }
 
-void ViewPanel::addBreaks(nanogui::Widget& panel) {
+void ViewPanel::addBreaks(nanogui::Widget& panel, int height) {
   const auto& breaks = view_.comparison.breaks;
-  if (!breaks.empty()) new nanogui::Label(&panel, "breaks");
-  for (std::size_t i = 0; i < breaks.size() && i < kMostButtons; ++i) {
-    std::string text = printable(breaks[i].run);
-    if (breaks[i].keyFrame) text += ", key frame " + std::to_string(*breaks[i].keyFrame);
-    auto* button = new nanogui::Button(&panel, text);
+  new nanogui::Label(&panel, "breaks, the largest first");
+  nanogui::Widget* host = hostOf(panel, breaks.size(), height);
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    std::string text = captionOf(breaks[i].run);
+    if (breaks[i].keyFrame) text += ", " + std::to_string(*breaks[i].keyFrame);
+    auto* button = new nanogui::Button(host, text);
+    button->setFontSize(15);
     button->setCallback([this, i] { calls_.lookAtBreak(i); });
   }
 }

@@ -26,9 +26,9 @@ class ViewPanel {
   void follow();
 
  private:
-  void addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers);
+  void addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers, int height);
   void addWishes(nanogui::Widget& panel);
-  void addBreaks(nanogui::Widget& panel);
+  void addBreaks(nanogui::Widget& panel, int height);
   void addOptions(nanogui::Widget& panel);
   void addOption(nanogui::Widget& panel, const std::string& name, const char* unit, double most,
                  double& option, double* rival);

@@ -13,6 +13,7 @@
 #include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/colors.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 
 namespace roomgraph {
@@ -22,6 +23,7 @@ constexpr double kFaint = 0.3;         // share of its colour that a faint wall 
 constexpr float kRobotRadius = 0.25f;  // [m]
 constexpr mrpt::img::TColor kScan{200, 30, 30}, kRobot{20, 20, 20}, kText{30, 34, 40};
 
+constexpr const char* kBreaks = "breaks";
 constexpr const char* kGraphParts[] = {"map",       "rooms",    "room outlines", "ways in rooms",
                                        "corridors", "vertices", "room numbers"};
 
@@ -63,6 +65,11 @@ void addScan(const ScanWalls& scan, const Transform2D& pose, viz::CPointCloud& c
 }
 
 }  // namespace
+
+std::string nameOfLayer(const std::string& layer) {
+  const std::string ofRuns = runLayer("");
+  return layer.rfind(ofRuns, 0) == 0 ? layer.substr(ofRuns.size()) : layer;
+}
 
 void clipFor(double away, MrptScene& scene) {
   scene.getViewport()->setViewportClipDistances(float(0.1 * away), float(5 * away + 10));
@@ -114,8 +121,8 @@ void ViewScene::addComparison() {
   if (view_.runs.size() > 1) addLayer(kDisagreement, drawDisagreement(view_));
   MrptScene drawn = comparisonScene(view_.comparison, view_.runs);
   std::vector<std::string> names;
-  for (const ComparedRun& run : view_.comparison.runs) names.push_back(run.name);
-  names.insert(names.end(), {"rooms", "room names", "breaks"});
+  for (const ComparedRun& run : view_.comparison.runs) names.push_back(runLayer(run.name));
+  names.insert(names.end(), {"rooms", "room names", kBreaks});
   for (const std::string& name : names)
     if (const auto object = drawn.getByName(name)) {
       scene_->insert(object);
@@ -210,6 +217,9 @@ void ViewScene::hideLayers(const ViewState& state) {
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
     if (const auto path = scene_->getByName("path " + std::to_string(i)))
       path->setVisibility(i == state.run && !state.tear);
+  // The two poses tell more of the break that is looked at; the words of others would hide them.
+  const auto breaks = scene_->getByName(kBreaks);
+  if (breaks && state.tear) breaks->setVisibility(false);
   hideGraph(state);
   hideRuns(state);
 }
@@ -229,7 +239,7 @@ void ViewScene::hideGraph(const ViewState& state) {
 void ViewScene::hideRuns(const ViewState& state) {
   const auto other = otherRun(view_, state);
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i) {
-    const auto walls = scene_->getByName(view_.comparison.runs[i].name);
+    const auto walls = scene_->getByName(runLayer(view_.comparison.runs[i].name));
     if (!walls) continue;
     const Transform2D pose = shownPose(view_, state, i);
     walls->setPose(mrpt::poses::CPose3D(pose.x, pose.y, walls->getPose().z, pose.phi, 0, 0));

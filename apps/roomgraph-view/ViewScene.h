@@ -7,6 +7,9 @@
 
 namespace roomgraph {
 
+/** What a layer is called: one that holds the walls of a run as that run is. */
+std::string nameOfLayer(const std::string& layer);
+
 /** A view in 3D. Its objects are made once; update() moves and hides them. */
 class ViewScene {
  public:

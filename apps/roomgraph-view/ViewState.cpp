@@ -46,6 +46,10 @@ void nextRun(const View& view, ViewState& state) {
 void nextOther(const View& view, ViewState& state) {
   const auto other = otherRun(view, state);
   if (!other) return;
+  if (state.tear && !state.other) {  // none is shown there yet
+    state.other = other;
+    return;
+  }
   const std::size_t count = view.comparison.runs.size();
   std::size_t next = (*other + 1) % count;
   if (next == state.run) next = (next + 1) % count;

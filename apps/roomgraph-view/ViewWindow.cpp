@@ -114,14 +114,14 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     return CDisplayWindowGUI::resizeEvent(size);
   }
 
-  /** What the scene itself writes in pictures stands on paper here. */
+  /** What the scene itself writes in pictures stands on paper here, above all else. */
   void draw(NVGcontext* context) override {
+    CDisplayWindowGUI::draw(context);
     drawText(context, kTextFromTop, readState(view_, state_));
     const std::vector<std::string> below = linesBelow();
     drawText(context,
              float(height() - bottom()) - kLineHeight * float(below.size()) - 2 * kTextMargin,
              below);
-    CDisplayWindowGUI::draw(context);
   }
 
   void drawContents() override {

@@ -4,6 +4,7 @@
 
 #include "heights.h"
 #include "read_place.h"
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
 
 namespace roomgraph {
 namespace {
@@ -45,7 +46,7 @@ void addOutline(const Polygon& polygon, viz::CSetOfObjects& set) {
 viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const std::string& run,
                                   const Transform2D& pose, MrptScene& scene) {
   auto cloud = viz::CPointCloud::Create();
-  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(run));
+  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(runLayer(run)));
   const auto walls = layer ? layer->getByClass<viz::CPointCloud>() : nullptr;
   if (!walls) return cloud;
   cloud->setColor_u8(walls->getColor_u8());

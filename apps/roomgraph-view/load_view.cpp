@@ -22,27 +22,37 @@ constexpr int kWallsOfScan = 400;  // one scan is drawn at a time
 
 bool isComparison(const std::string& file) { return fs::path(file).extension() == ".json"; }
 
-/** The maps of a comparison that were not named: files of their names near by. */
-void addNearby(const Comparison& comparison, const fs::path& folder,
-               std::vector<std::string>& files) {
-  std::error_code error;
-  for (const ComparedRun& run : comparison.runs)
-    for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
-      if (fs::is_regular_file(place, error)) files.push_back(place.string());
-}
-
-View viewOfComparison(std::vector<std::string> files, const Say& say) {
-  View view;
-  const std::string name = files.front();
-  files.erase(files.begin());
-  view.comparison = readComparison(name);
-  addNearby(view.comparison, fs::path(name).parent_path(), files);
-  for (const std::string& file : files)  // one by one, to know whose scans they are
-    for (Run& run : readMapsOf(view.comparison, {file})) {
+/** Adds the runs of a map file to the view; says why where there is none. */
+void addMap(const std::string& file, View& view, const std::string& comparison, const Say& say) {
+  try {
+    std::vector<Run> runs = readMapsOf(view.comparison, {file});
+    if (runs.empty()) say(file + ": is none of the maps of " + comparison + ": not drawn");
+    for (Run& run : runs) {
       if (view.runNamed(run.name)) continue;
       run.scans = scanWalls(loadKeyframes(file, LoadGridOptions()), kWallsOfScan);
       view.runs.push_back(std::move(run));
     }
+  } catch (const DataError& error) {
+    say(error.what());  // the others can be looked at
+  }
+}
+
+/** The maps of a comparison that were not named: files of their names near by. */
+void addNearby(const std::string& comparison, View& view, const Say& say) {
+  const fs::path folder = fs::path(comparison).parent_path();
+  std::error_code error;
+  for (const ComparedRun& run : view.comparison.runs)
+    for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
+      if (!view.runNamed(run.name) && fs::is_regular_file(place, error))
+        addMap(place.string(), view, comparison, say);
+}
+
+View viewOfComparison(const std::string& name, const std::vector<std::string>& maps,
+                      const Say& say) {
+  View view;
+  view.comparison = readComparison(name);
+  for (const std::string& file : maps) addMap(file, view, name, say);
+  addNearby(name, view, say);
   for (const ComparedRun& run : view.comparison.runs)
     if (!view.runNamed(run.name))
       say(name + ": the map " + run.file + " is not drawn: name it behind the comparison");
@@ -57,6 +67,8 @@ View viewOfRuns(const std::vector<std::string>& files, const ExtractOptions& opt
   ReadRuns read = readRuns(files, compare);
   View view;
   view.comparison = compareMaps(read, compare);
+  for (const LeftOutRun& run : view.comparison.leftOut)
+    if (run.isOtherSite) say(run.file + ": " + run.reason + ": not drawn");
   view.runs = std::move(read.runs);
   return view;
 }
@@ -88,9 +100,15 @@ const Run* View::runNamed(const std::string& name) const {
 
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const Say& say) {
-  View view = isComparison(files.front()) ? viewOfComparison(files, say)
-              : files.size() > 1          ? viewOfRuns(files, options, say)
-                                          : viewOfMap(files.front(), options);
+  std::vector<std::string> maps = files;
+  const auto comparison = std::find_if(maps.begin(), maps.end(), isComparison);
+  const std::string name = comparison == maps.end() ? "" : *comparison;
+  if (comparison != maps.end()) maps.erase(comparison);
+  if (!name.empty() && std::any_of(maps.begin(), maps.end(), isComparison))
+    throw UsageError(name + ": name one comparison, and its maps");
+  View view = !name.empty()     ? viewOfComparison(name, maps, say)
+              : maps.size() > 1 ? viewOfRuns(maps, options, say)
+                                : viewOfMap(maps.front(), options);
   if (view.comparison.runs.empty())
     throw DataError(files.front() + ": has no run to look at: name maps, or another comparison");
   return view;

@@ -30,8 +30,17 @@ void say(const std::string& text) {
 /** The place of the `number`th thing of `count`, counted from 1. */
 std::size_t placeOf(const char* option, std::size_t number, std::size_t count) {
   if (number >= 1 && number <= count) return number - 1;
+  if (count == 0) throw UsageError(std::string(option) + ": there is none here; leave it out");
   throw UsageError(std::string(option) + ": there are " + std::to_string(count) +
                    ", counted from 1");
+}
+
+/** The place of a key frame in the path of a run. */
+std::size_t placeOfFrame(std::size_t frame, const View& view, std::size_t run) {
+  const auto& path = view.path(run);
+  if (path.empty()) throw UsageError("--key-frame: the run has no scans; leave it out");
+  if (frame <= path.back().keyFrame) return placeInPath(view, run, frame);
+  throw UsageError("--key-frame: the last one is " + std::to_string(path.back().keyFrame));
 }
 
 ViewState stateOf(const Arguments& arguments, const View& view) {
@@ -40,7 +49,7 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
   if (arguments.tear)
     lookAtBreak(placeOf("--break", *arguments.tear, comparison.breaks.size()), view, state);
   if (arguments.run) state.run = placeOf("--run", *arguments.run, comparison.runs.size());
-  if (arguments.frame) state.frame = placeInPath(view, state.run, *arguments.frame);
+  if (arguments.frame) state.frame = placeOfFrame(*arguments.frame, view, state.run);
   const std::size_t stages = view.stages ? stageNames().size() : 0;
   if (arguments.stage) state.stage = placeOf("--stage", *arguments.stage, stages);
   return state;

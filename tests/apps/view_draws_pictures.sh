@@ -1,7 +1,8 @@
-# `roomgraph-view --screenshot` draws without a display. The first argument is roomgraph-view.
+# `roomgraph-view --screenshot` draws without a display. The first argument is
+# roomgraph-view, the third roomgraph.
 . "$(dirname "$0")/common.sh"
 unset DISPLAY WAYLAND_DISPLAY
-view=$roomgraph maps=$source_dir/share/roomgraph/maps
+view=$roomgraph compare=$3 maps=$source_dir/share/roomgraph/maps
 command -v identify > /dev/null || { echo "skipped: no imagemagick"; exit 77; }
 
 # pixels FILE COLOUR: how many there are
@@ -30,6 +31,24 @@ sed -n '/^<!-- help -->/,/^<!-- end -->/p' "$source_dir/apps/roomgraph-view/READ
 
 expect 2 "$view" "$maps/office_run4.simplemap.gz" --break 1 --screenshot none.png
 one_line err --break
+grep -q "there is none" err || fail "a break of a run alone"
+expect 2 "$view" "$maps/office_run4.simplemap.gz" --key-frame 120 --screenshot none.png
+one_line err "the last one is 119"
+expect 2 "$view" "$maps/office.yaml" --key-frame 0 --screenshot none.png
+one_line err "no scans"
+
+# A comparison, with its maps before or behind it; what cannot be drawn is told, and the rest is drawn.
+mkdir moved; cp "$maps"/office_run[124].simplemap.gz moved
+expect 0 "$compare" compare moved/*.gz -o results --quiet
+mv moved/office_run4.simplemap.gz moved/gone; head -c 9000 moved/gone > moved/office_run4.simplemap.gz
+expect 0 "$view" moved/*.gz "$maps/office.yaml" results/comparison.json --screenshot some.png
+grep -q "office_run4.simplemap.gz: .*damaged" err || fail "the damaged map is not told"
+grep -q "office.yaml: is none of the maps" err || fail "the other map is not told"
+grep -q "the map office_run4.simplemap.gz is not drawn" err || fail "the missing map is not told"
+[ "$(pixels some.png 'rgb(0,114,178)')" -gt 1000 ] || fail "the best run is not drawn"
+expect 2 "$view" results/comparison.json results/comparison.json --screenshot none.png
+one_line err "one comparison"
+
 expect 2 "$view"
 expect 2 "$view" "$maps/office_run4.simplemap.gz" --run 2 --screenshot none.png
 expect 1 "$view" missing.simplemap --screenshot none.png

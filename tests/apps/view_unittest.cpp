@@ -43,6 +43,15 @@ View sampleView() {
   return view;
 }
 
+/** The same, with walls to draw. */
+View viewWithMaps() {
+  View view = sampleView();
+  const auto map =
+      mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
+  for (roomgraph::Run& run : view.runs) run.map = map;
+  return view;
+}
+
 TEST(Fulfil, stepsStayWithinTheRun) {
   const View view = sampleView();
   ViewState state;
@@ -111,6 +120,17 @@ TEST(Fulfil, leavingEndsAllThatWasBegun) {
     fulfil(Wish::leave, view, state);
     EXPECT_FALSE(isBusy(state)) << int(wish);
   }
+}
+
+TEST(Fulfil, atABreakTheBestOtherRunIsShownFirst) {
+  View view = sampleView();
+  view.comparison.runs.resize(3);
+  ViewState state;
+  lookAtBreak(0, view, state);  // of run 1
+  fulfil(Wish::nextOther, view, state);
+  EXPECT_EQ(state.other, 0u);
+  fulfil(Wish::nextOther, view, state);
+  EXPECT_EQ(state.other, 2u);
 }
 
 TEST(Fulfil, theOtherRunIsNeverTheShownOne) {
@@ -286,6 +306,36 @@ TEST(ViewScene, aBreakIsShownInBothPoses) {
   EXPECT_TRUE(box.contains({5, 1}) && box.contains({6, 1}));
 }
 
+TEST(ViewScene, aRunMayHaveTheNameOfALayer) {
+  View view = sampleView();
+  const std::string names[] = {"rooms", "key frame"};
+  for (std::size_t i = 0; i < 2; ++i) view.comparison.runs[i].name = names[i];
+  view.comparison.runs[1].pose = {3, 4, 0};
+  view.comparison.breaks.clear();
+  view.runs.clear();  // no walls, so that nothing is theirs
+  ViewScene drawn(view);
+  const auto outlines = drawn.scene()->getByName("rooms");
+  ASSERT_TRUE(outlines);
+  const auto colour = outlines->getColor_u8();
+  drawn.update(ViewState());
+  EXPECT_EQ(outlines->getColor_u8(), colour);
+  EXPECT_EQ(drawn.scene()->getByName("key frame")->getPose().x, 0);
+}
+
+TEST(ViewScene, atABreakTheNamesOfOthersAreGone) {
+  const View view = sampleView();
+  ViewScene drawn(view);
+  ViewState state;
+  drawn.update(state);
+  EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
+  lookAtBreak(0, view, state);
+  drawn.update(state);
+  EXPECT_FALSE(drawn.scene()->getByName("breaks")->isVisible());
+  fulfil(Wish::leave, view, state);
+  drawn.update(state);
+  EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
+}
+
 TEST(ViewScene, hiddenLayersAreHidden) {
   const View view = sampleView();
   ViewScene drawn(view);
@@ -299,15 +349,15 @@ TEST(ViewScene, hiddenLayersAreHidden) {
 }
 
 TEST(ViewScene, flickeringShowsOneRunAfterTheOther) {
-  const View view = sampleView();
+  const View view = viewWithMaps();
   ViewScene drawn(view);
   ViewState state;
   state.run = 1;
   fulfil(Wish::flicker, view, state);
   for (int turn = 0; turn < 2; ++turn) {
     drawn.update(state);
-    EXPECT_EQ(drawn.scene()->getByName("torn")->isVisible(), turn == 0);
-    EXPECT_EQ(drawn.scene()->getByName("good")->isVisible(), turn == 1);
+    EXPECT_EQ(drawn.scene()->getByName("run torn")->isVisible(), turn == 0);
+    EXPECT_EQ(drawn.scene()->getByName("run good")->isVisible(), turn == 1);
     EXPECT_TRUE(flickOn(state));
   }
 }
@@ -328,15 +378,15 @@ TEST(ViewScene, aStageTakesThePlaceOfTheGraph) {
 }
 
 TEST(ViewScene, aBreakCanBeHeldAgainstOneOtherRun) {
-  const View view = sampleView();
+  const View view = viewWithMaps();
   ViewScene drawn(view);
   ViewState state;
   lookAtBreak(0, view, state);
   state.other = 0;
   drawn.update(state);
-  EXPECT_TRUE(drawn.scene()->getByName("good")->isVisible());
-  EXPECT_EQ(drawn.scene()->getByName("good")->getColor_u8(), mrpt::img::TColor(0, 114, 178));
-  EXPECT_FALSE(drawn.scene()->getByName("torn")->isVisible());
+  EXPECT_TRUE(drawn.scene()->getByName("run good")->isVisible());
+  EXPECT_EQ(drawn.scene()->getByName("run good")->getColor_u8(), mrpt::img::TColor(0, 114, 178));
+  EXPECT_FALSE(drawn.scene()->getByName("run torn")->isVisible());
 }
 
 TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
@@ -364,14 +414,11 @@ TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
 }
 
 TEST(ViewScene, aSwipeShowsEachRunOnItsSide) {
-  View view = sampleView();
-  const auto map =
-      mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
-  for (roomgraph::Run& run : view.runs) run.map = map;
+  const View view = viewWithMaps();
   ViewScene drawn(view);
   ViewState state;
   fulfil(Wish::swipe, view, state);
-  state.swipe = map.middle().x;
+  state.swipe = view.runs[0].map.middle().x;
   drawn.update(state);
   const auto swipe = setOf(setOf(drawn, "marks"), 0);
   const auto left = swipe->getByClass<viz::CPointCloud>(0);
@@ -382,7 +429,7 @@ TEST(ViewScene, aSwipeShowsEachRunOnItsSide) {
     EXPECT_LT(left->getPoint3Df(i).x, float(*state.swipe));
   for (std::size_t i = 0; i < right->size(); ++i)
     EXPECT_GE(right->getPoint3Df(i).x, float(*state.swipe));
-  EXPECT_FALSE(drawn.scene()->getByName("good")->isVisible());
+  EXPECT_FALSE(drawn.scene()->getByName("run good")->isVisible());
 }
 
 TEST(LoadView, whatIsMissingIsSaid) {

@@ -52,7 +52,7 @@ TEST(CMapComparison, drawsItsLayersBesideWhatIsThere) {
   test::sampleMapComparison().getVisualizationInto(*container);
   EXPECT_EQ(container->size(), 2U);
   for (const char* layer :
-       {"comparison", "good", "torn", "rooms", "room names", "breaks", "legend"})
+       {"comparison", "run good", "run torn", "rooms", "room names", "breaks", "legend"})
     EXPECT_TRUE(container->getByName(layer)) << layer;
 }
 

@@ -45,7 +45,7 @@ std::shared_ptr<viz::CPointCloud> cloudOf(MrptScene& scene, const char* name) {
 
 TEST(BreakScene, showsTheTornPieceInBothPoses) {
   MrptScene scene = breakScene(comparison(), tearAt(12), runs());
-  EXPECT_TRUE(scene.getByName("good"));
+  EXPECT_TRUE(scene.getByName("run good"));
   const auto before = cloudOf(scene, "before"), drawn = cloudOf(scene, "drawn"),
              untorn = cloudOf(scene, "untorn");
   ASSERT_TRUE(before && drawn && untorn);

@@ -38,7 +38,7 @@ const std::vector<Run>& runs() {
 
 TEST(ComparisonScene, eachRunIsALayerWithItsNameAndPose) {
   MrptScene scene = comparisonScene(twoRuns(), runs());
-  const auto a = scene.getByName("a"), b = scene.getByName("b");
+  const auto a = scene.getByName("run a"), b = scene.getByName("run b");
   ASSERT_TRUE(a && b);
   EXPECT_NEAR(b->getPose().x, 10, 1e-9);
   EXPECT_NEAR(b->getPose().y, -3, 1e-9);
@@ -48,7 +48,7 @@ TEST(ComparisonScene, eachRunIsALayerWithItsNameAndPose) {
 
 TEST(ComparisonScene, aLayerHoldsTheWallsWhereTheyAre) {
   MrptScene scene = comparisonScene(twoRuns(), runs());
-  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName("a"));
+  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName("run a"));
   const auto walls = std::dynamic_pointer_cast<viz::CPointCloud>(layer->getByName("walls"));
   ASSERT_TRUE(walls);
   EXPECT_GT(walls->size(), 100u);
@@ -112,8 +112,8 @@ TEST(ComparisonScene, isReadByMrpt) {
   mrpt::io::CMemoryStream stream(plain.data(), plain.size());
   MrptScene scene;
   mrpt::serialization::archiveFrom(stream) >> scene;
-  EXPECT_TRUE(scene.getByName("a"));
-  EXPECT_TRUE(scene.getByName("b"));
+  EXPECT_TRUE(scene.getByName("run a"));
+  EXPECT_TRUE(scene.getByName("run b"));
 }
 
 TEST(ComparisonScene, theSameRunsGiveTheSameBytes) {
@@ -122,8 +122,8 @@ TEST(ComparisonScene, theSameRunsGiveTheSameBytes) {
 
 TEST(ComparisonScene, aRunWithoutAMapIsNotDrawn) {
   MrptScene scene = comparisonScene(twoRuns(), {makeRun("a")});
-  EXPECT_TRUE(scene.getByName("a"));
-  EXPECT_FALSE(scene.getByName("b"));
+  EXPECT_TRUE(scene.getByName("run a"));
+  EXPECT_FALSE(scene.getByName("run b"));
   EXPECT_FALSE(comparisonSceneBytes({}, {}).empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include "look_from_above.h"
 #include "object_bytes.h"
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
 
 namespace roomgraph {
@@ -100,7 +101,7 @@ void addOthers(const Comparison& comparison, const MapBreak& tear, const std::ve
     std::vector<Point> walls;
     for (const WallPoint& wall : run->map.walls) walls.push_back(move(wall.place));
     auto cloud = cloudOf(walls, kOthers, 0, 3);
-    cloud->setName(other.name);
+    cloud->setName(runLayer(other.name));
     scene.insert(cloud);
     return;
   }

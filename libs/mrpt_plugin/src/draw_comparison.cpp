@@ -168,7 +168,6 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& wri
   rings->setName("breaks");
   for (const MapBreak& bend : comparison.breaks) {
     auto ring = viz::CDisk::Create();
-    ring->setName(bend.run);
     ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
     const auto found = places.find(bend.run);
     ring->setColor_u8(colourOf(found == places.end() ? 0 : found->second));
@@ -199,6 +198,8 @@ const std::vector<Point>* wallsOf(const std::vector<RunWalls>& walls, const std:
 }
 
 }  // namespace
+
+std::string runLayer(const std::string& run) { return "run " + run; }
 
 std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
   std::vector<RunWalls> walls;
@@ -234,7 +235,7 @@ viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
     const auto* known = wallsOf(walls, run.name);
     if (!known) continue;
     auto layer = viz::CSetOfObjects::Create();
-    layer->setName(run.name);
+    layer->setName(runLayer(run.name));
     layer->setPose(mrpt::poses::CPose3D(run.pose.x, run.pose.y,
                                         double(count - 1 - i) * kLayerHeight, run.pose.phi, 0, 0));
     layer->insert(cloudOf(*known, i));

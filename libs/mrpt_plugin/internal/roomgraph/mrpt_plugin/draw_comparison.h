@@ -6,11 +6,14 @@
 
 namespace roomgraph {
 
+/** The name of the set with the walls of a run: no other set has it, whatever the run is named. */
+std::string runLayer(const std::string& run);
+
 /** The walls of each run. */
 std::vector<RunWalls> runWalls(const std::vector<Run>& runs);
 
 /** The runs laid on each other, in the frame of the site [m], in one set of objects named
- *  "comparison". In it, for each run a set with its name and its pose holds the middles of its wall
+ *  "comparison". In it, for each run a set runLayer() with its pose holds the middles of its wall
  *  cells, in the colour that it has in the report, the best on top, a few centimetres apart. Then
  *  "rooms" (outlines), "room names" and "breaks" (rings in the colour of the run, with its name and
  *  key frame), where there are any, and "legend" (the names of the first kMostNamed runs in their
