@@ -105,8 +105,8 @@ TEST(WallDistances, quantilesRiseAndTheHistogramHoldsAll) {
 TEST(WallDistances, aWallWithNoneInReachIsAsFarAsCanBe) {
   MapForAlignment blank = building();
   for (auto& nearest : blank.nearest)
-    nearest = {std::vector<std::uint32_t>(blank.frame.cellCount(), MapForAlignment::kNoWall),
-               MapForAlignment::kNoWall};
+    nearest = SparseIndices(
+        std::vector<std::uint32_t>(blank.frame.cellCount(), MapForAlignment::kNoWall));
   const WallDistances found = wallDistances(building(), blank, {0.01, 0, 0});
   EXPECT_DOUBLE_EQ(found.mean(), WallDistances::kMost);
 }

@@ -227,7 +227,7 @@ MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& opt
   map.wallSharpness = wallSharpness(grid);
   map.depths = {depthsOf(map.frame, map.states), 0};
   for (int k = 0; k < kOctants; ++k)
-    map.nearest[std::size_t(k)] = {nearestWalls(map, k, options.reach), MapForAlignment::kNoWall};
+    map.nearest[std::size_t(k)] = SparseIndices(nearestWalls(map, k, options.reach));
   return map;
 }
 

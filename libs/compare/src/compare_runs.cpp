@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_related.h"
 #include "roomgraph/consensus/site_consensus.h"
@@ -65,12 +66,14 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
   const Consensus consensus = siteConsensus(site, pairs, forEach);
+  returnMemory();  // of hundreds of runs, what it is worked out from is much
   const std::vector<MapError> errors = siteErrors(site, bends, consensus);
   const RunScores scores = scoreRuns(bends, errors, site.reference, scoring(options));
   const Trust trust = trustOf(scores, site.reference);
   const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
+  returnMemory();
   return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});
 }
 

@@ -23,7 +23,8 @@ Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Ke
   run.areas.labels = {};  // not needed any more
   run.resolution = map.frame.resolution;
   run.scans = scanWalls(scans);
-  return run;
+  const Run& grown = run;
+  return grown;  // a copy, which has no room to spare: a site may have hundreds of runs
 }
 
 }  // namespace roomgraph

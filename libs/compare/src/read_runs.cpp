@@ -51,7 +51,7 @@ class Reader {
     forEachFile([this](MapFile& file) { open(file); });
     if (options_.estimatesScale) readPictures();
     ReadRuns result;
-    result.runs = runs();
+    result.runs = takeRuns();
     if (result.runs.empty())
       throw DataError("compare: no map could be used: nothing is written, earlier results stay");
     if (hasReference()) result.reference = placeOfReference(result.runs);
@@ -144,13 +144,18 @@ class Reader {
 
   std::vector<Run> runsOfKnownScale() const {
     if (hasReference() && files_.back().run) return {*files_.back().run};
-    return runs();
-  }
-
-  std::vector<Run> runs() const {
     std::vector<Run> runs;
     for (const MapFile& file : files_)
       if (file.run) runs.push_back(*file.run);
+    sortRuns(runs);
+    return runs;
+  }
+
+  /** All runs. Many of them would not fit in memory twice. */
+  std::vector<Run> takeRuns() {
+    std::vector<Run> runs;
+    for (MapFile& file : files_)
+      if (file.run) runs.push_back(*std::exchange(file.run, std::nullopt));
     sortRuns(runs);
     return runs;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgraph/align/SparseCells.h"
+#include "roomgraph/align/SparseIndices.h"
 #include "roomgraph/align/WallPatches.h"
 #include "roomgraph/align/WallPoint.h"
 #include "roomgraph/geometry/Point.h"
@@ -18,7 +19,7 @@ namespace roomgraph {
 
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct MapForAlignment {
-  static constexpr std::uint32_t kNoWall = UINT32_MAX;
+  static constexpr std::uint32_t kNoWall = SparseIndices::kNone;
 
   std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
   GridFrame frame;               ///< around all that is known, with a margin
@@ -27,7 +28,7 @@ struct MapForAlignment {
   SparseCells<float> depths;
   /** For each octant and cell the wall point that is nearest among those whose normal is within 45
    *  degrees of that octant; kNoWall where none is in reach. */
-  std::array<SparseCells<std::uint32_t>, kOctants> nearest;
+  std::array<SparseIndices, kOctants> nearest;
   std::vector<Point> freePlaces;  ///< evenly spread over the free space
   double freeArea = 0;            ///< [m2]
   std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle
