@@ -113,5 +113,14 @@ TEST(TrackScans, oneScanIsTracked) {
   EXPECT_LT(distance((*track[0])(one[0].pose.shift()), one[0].pose.shift()), 0.1);
 }
 
+TEST(TrackScans, moreBlindScansThanItRemembersDoNotLoseTheRest) {
+  const auto& drive = driveInBuilding();
+  std::vector<ScanWalls> scans = scanWalls(drive.frames);
+  for (std::size_t k = 8; k < 20; ++k) scans[k].walls.clear();
+  const auto track = trackScans(scans, {}, {}, {{}}, drive.map, {});
+  EXPECT_TRUE(track[7]);
+  for (std::size_t k = 20; k < track.size(); ++k) EXPECT_TRUE(track[k]) << k;
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -69,8 +69,10 @@ class Tracker {
   std::vector<std::optional<Transform2D>> track() {
     for (std::size_t k = 0; k < scans_.size(); ++k) propose(k, Way::forth);
     for (std::size_t k = scans_.size(); k-- > 0;) propose(k, Way::back);
-    for (auto& ofScan : candidates_)
-      for (Candidate& candidate : ofScan) link(candidate);
+    for (std::size_t k = 0; k < candidates_.size(); ++k) {
+      if (k > options_.memory) forget(k - options_.memory - 1);
+      for (Candidate& candidate : candidates_[k]) link(candidate);
+    }
     const Candidate* last = nullptr;
     for (const auto& ofScan : candidates_)
       for (const Candidate& candidate : ofScan)
@@ -198,6 +200,12 @@ class Tracker {
     return isOnTheWay ? options_.jumpCost : options_.farCost;
   }
 
+  /** Of the ways that end at a scan which is out of memory, only the best is gone on from. */
+  void forget(std::size_t k) {
+    for (const Candidate& from : candidates_[k])
+      if (!best_ || from.score > best_->score) best_ = &from;
+  }
+
   /** Finds the best way to a candidate. */
   void link(Candidate& to) {
     const double gain = to.quality - options_.lostQuality;
@@ -209,9 +217,6 @@ class Tracker {
     };
     for (std::size_t back = 1; back <= std::min(to.scan, options_.memory); ++back)
       for (const Candidate& from : candidates_[to.scan - back]) offer(from, stepCost(from, to));
-    if (to.scan > options_.memory)
-      for (const Candidate& from : candidates_[to.scan - options_.memory - 1])
-        if (!best_ || from.score > best_->score) best_ = &from;
     if (best_) offer(*best_, std::min(options_.farCost, stepCost(*best_, to)));
   }
 
