@@ -110,7 +110,7 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
 
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more) {
-  std::string text = comparisonText(comparison) + comparison.verdict + "\n";
+  std::string text = comparisonText(comparison) + printable(comparison.verdict) + "\n";
   for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
   for (const std::string& file : more) text += "  " + printable(file) + "\n";
   print(text);

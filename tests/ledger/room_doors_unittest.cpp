@@ -48,6 +48,12 @@ TEST(RoomDoors, whatOneOfThreeLacksItHasLost) {
   EXPECT_EQ(doors.doors.size(), 2u);
   EXPECT_EQ(doors.lost, (Counts{0, 1, 0}));
   EXPECT_EQ(doors.gained, (Counts{0, 0, 0}));
+  using Runs = std::vector<std::size_t>;
+  for (const RoomDoors::Door& door : doors.doors) {
+    const bool isAside = door.place == kAside.place;
+    EXPECT_EQ(door.seenIn, isAside ? (Runs{0, 2}) : (Runs{0, 1, 2}));
+    EXPECT_EQ(door.lostIn, isAside ? (Runs{1}) : (Runs{}));
+  }
 }
 
 TEST(RoomDoors, whatOneOfThreeHasAloneItHasGained) {

@@ -21,6 +21,7 @@ Comparison sample() {
   comparison.options.push_back({"compare", "reference", "plan.png", "", ""});
   comparison.gate = GateVerdict{{"west: has no score"}, {"west"}, {"a score of 50 at least"}};
   comparison.files = {"report.html", "comparison.json"};
+  comparison.rooms[0].doors = {{{1, 2}, 0.9, "C1", {"morning", "evening"}, {"west"}}};
   return comparison;
 }
 
@@ -31,6 +32,11 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     EXPECT_EQ(comparisonJson(again), text);
     EXPECT_EQ(again.files, comparison.files);
     EXPECT_EQ(again.core, comparison.core);
+    ASSERT_EQ(again.rooms.size(), comparison.rooms.size());
+    if (!again.rooms.empty()) {
+      EXPECT_EQ(again.rooms[0].doors[0].seenIn, comparison.rooms[0].doors[0].seenIn);
+      EXPECT_EQ(again.rooms[0].doors[0].lostIn, comparison.rooms[0].doors[0].lostIn);
+    }
     ASSERT_EQ(again.breaks.size(), comparison.breaks.size());
     for (std::size_t i = 0; i < again.breaks.size(); ++i)
       EXPECT_EQ(bool(again.breaks[i].torn), bool(comparison.breaks[i].torn));
@@ -39,6 +45,28 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     EXPECT_EQ(comparisonRunsCsv(again), comparisonRunsCsv(comparison));
     EXPECT_EQ(comparisonRoomsCsv(again), comparisonRoomsCsv(comparison));
   }
+}
+
+TEST(ParseComparisonJson, doorsOfAnEarlierVersionHaveNoRuns) {
+  std::string text = comparisonJson(sample());
+  const std::string runs = ",\"seen_in\":[\"morning\",\"evening\"],\"lost_in\":[\"west\"]";
+  ASSERT_NE(text.find(runs), std::string::npos);
+  text.replace(text.find(runs), runs.size(), "");
+  const Comparison again = parseComparisonJson(text, "comparison.json");
+  EXPECT_EQ(again.rooms[0].doors[0].to, "C1");
+  EXPECT_TRUE(again.rooms[0].doors[0].seenIn.empty());
+}
+
+TEST(ComparisonText, aNameStaysOnItsLine) {
+  Comparison comparison = sample();
+  const std::string before = comparisonText(comparison);
+  comparison.runs[2].name = "a\nb\x1b[31m";
+  comparison.rooms[2].runs[2].run = comparison.runs[2].name;
+  const std::string text = comparisonText(comparison);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'),
+            std::count(before.begin(), before.end(), '\n'));
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_NE(text.find("a?b?[31m"), std::string::npos);
 }
 
 TEST(ParseComparisonJson, knowsWhatAnOptionIs) {

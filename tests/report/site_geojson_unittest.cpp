@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 Comparison sample() {
   Comparison comparison = test::sampleComparison().comparison;
-  comparison.rooms[0].doors = {{{3.5, 5}, 1, "C1"}, {{0.2, 2}, 0.9, ""}};
+  comparison.rooms[0].doors = {{{3.5, 5}, 1, "C1", {"a"}, {"b"}}, {{0.2, 2}, 0.9, ""}};
   comparison.rooms[4].polygon.holes = {{{2, 6}, {3, 6}, {3, 6.5}}};
   return comparison;
 }
@@ -43,6 +43,8 @@ TEST(SiteGeojson, doorsFollowTheirRoom) {
   EXPECT_EQ(inner["geometry"]["coordinates"], Json({3.5, 5.0}));
   EXPECT_EQ(inner["properties"]["room"], "R1");
   EXPECT_EQ(inner["properties"]["to"], "C1");
+  EXPECT_EQ(inner["properties"]["seen_in"], Json({"a"}));
+  EXPECT_EQ(inner["properties"]["lost_in"], Json({"b"}));
   EXPECT_EQ(outer["properties"]["to"], nullptr);
   EXPECT_EQ(outer["properties"]["width"], 0.9);
 }

@@ -126,11 +126,13 @@ RoomDoors roomDoors(const SiteAreas& site, const ConsensusRooms& consensus, std:
   for (const Group& group : groupsOf(site, consensus, room, inRuns)) {
     const std::vector<bool> isKnown = whoKnows(group, site, consensus, room, inRuns);
     const bool isDoor = weightOf(group.isIn, site) > 0.5 * weightOf(isKnown, site);
-    if (isDoor) result.doors.push_back(group.door);
+    RoomDoors::Door door = group.door;
     for (std::size_t i = 0; i < n; ++i) {
-      if (isDoor && isKnown[i] && !group.isIn[i]) ++result.lost[i];
       if (!isDoor && group.isIn[i]) ++result.gained[i];
+      if (isDoor && group.isIn[i]) door.seenIn.push_back(i);
+      if (isDoor && isKnown[i] && !group.isIn[i]) ++result.lost[i], door.lostIn.push_back(i);
     }
+    if (isDoor) result.doors.push_back(std::move(door));
   }
   return result;
 }

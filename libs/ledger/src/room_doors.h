@@ -12,6 +12,8 @@ struct RoomDoors {
     Point place;                    ///< [m, site frame], as the room's shape lies
     double width = 0;               ///< [m]
     std::optional<std::size_t> to;  ///< the room behind it
+    /** The runs that have it, and those that know its place and do not; of the consensus only. */
+    std::vector<std::size_t> seenIn{}, lostIn{};
   };
   std::vector<Door> doors;        ///< of the consensus
   std::vector<int> gained, lost;  ///< by run; 0 where the room is not an area of its own

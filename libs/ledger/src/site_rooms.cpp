@@ -230,6 +230,13 @@ std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const C
   return text;
 }
 
+std::vector<std::string> namesOf(const Site& site, const std::vector<std::size_t>& runs) {
+  std::vector<std::string> names;
+  for (const std::size_t run : runs) names.push_back(site.runs[run]->name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 }  // namespace
 
 std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForEach& forEach) {
@@ -247,7 +254,8 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForE
   number(rooms);
   for (std::size_t s = 0; s < rooms.size(); ++s) {
     for (const RoomDoors::Door& door : doors[s].doors)
-      rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : ""});
+      rooms[s].doors.push_back({door.place, door.width, door.to ? rooms[*door.to].id : "",
+                                namesOf(site, door.seenIn), namesOf(site, door.lostIn)});
     for (std::size_t i = 0; i < site.runs.size(); ++i) rooms[s].runs[i].run = site.runs[i]->name;
   }
   sortRooms(rooms);

@@ -6,6 +6,7 @@
 
 #include "comparison_words.h"
 #include "json_places.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/ledger/site_rooms.h"
 
@@ -115,8 +116,15 @@ Json roomInRunJson(const RoomInRun& in) {
           {"doors_lost", in.doorsLost}};
 }
 
+Json doorWithRunsJson(const SiteDoor& door) {
+  Json json = doorJson(door);
+  json["seen_in"] = door.seenIn, json["lost_in"] = door.lostIn;
+  return json;
+}
+
 Json roomJson(const SiteRoom& room) {
-  Json runs = Json::array();
+  Json runs = Json::array(), doors = Json::array();
+  for (const SiteDoor& door : room.doors) doors.push_back(doorWithRunsJson(door));
   for (const RoomInRun& in : room.runs) runs.push_back(roomInRunJson(in));
   return {{"id", room.id},
           {"name", room.name},
@@ -126,7 +134,7 @@ Json roomJson(const SiteRoom& room) {
           {"area_m2", rounded(room.area)},
           {"polygon", ringJson(room.polygon.outer)},
           {"holes", ringsJson(room.polygon.holes)},
-          {"doors", doorsJson(room.doors)},
+          {"doors", doors},
           {"runs", runs}};
 }
 
@@ -187,13 +195,15 @@ std::string comparisonJson(const Comparison& comparison) {
 
 std::string comparisonText(const Comparison& comparison) {
   std::size_t width = 3;
-  for (const ComparedRun& run : comparison.runs) width = std::max(width, run.name.size());
+  for (const ComparedRun& run : comparison.runs)
+    width = std::max(width, printable(run.name).size());
   std::string text = "rank  run" + std::string(width - 3, ' ') +
                      "  score         (80 %)  map error [m]          (80 %)  coverage\n";
   for (const ComparedRun& run : comparison.runs) {
     const Measure* coverage = find(run.measures, "coverage");
     const double seen = coverage ? coverage->value.value_or(-1) : -1;
-    const std::string name = run.name + std::string(width - run.name.size(), ' ');
+    std::string name = printable(run.name);
+    name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
     char line[120];
     if (run.score)
@@ -212,10 +222,10 @@ std::string comparisonText(const Comparison& comparison) {
     if (!run.isScaleEstimated) continue;
     char scale[60];
     std::snprintf(scale, sizeof scale, ": %.5f m per cell, estimated.\n", run.resolution);
-    text += run.name + scale;
+    text += printable(run.name) + scale;
   }
   const std::string rooms = roomsText(comparison.rooms);
-  if (!rooms.empty()) text += rooms + ".\n";
+  if (!rooms.empty()) text += printable(rooms) + ".\n";
   return text;
 }
 

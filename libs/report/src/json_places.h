@@ -18,14 +18,11 @@ inline Json ringsJson(const std::vector<Ring>& rings) {
   return json;
 }
 
-inline Json doorsJson(const std::vector<SiteDoor>& doors) {
-  Json json = Json::array();
-  for (const SiteDoor& door : doors)
-    json.push_back({{"x", rounded(door.place.x)},
-                    {"y", rounded(door.place.y)},
-                    {"width", rounded(door.width)},
-                    {"to", door.to.empty() ? Json(nullptr) : Json(door.to)}});
-  return json;
+inline Json doorJson(const SiteDoor& door) {
+  return {{"x", rounded(door.place.x)},
+          {"y", rounded(door.place.y)},
+          {"width", rounded(door.width)},
+          {"to", door.to.empty() ? Json(nullptr) : Json(door.to)}};
 }
 
 }  // namespace roomgraph

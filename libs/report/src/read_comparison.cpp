@@ -141,6 +141,14 @@ RoomInRun roomInRun(const JsonNode& node) {
   return in;
 }
 
+/** Files of an earlier version have none. */
+std::vector<std::string> textsIfAny(const JsonNode& node, const char* key) {
+  std::vector<std::string> texts;
+  if (!node.contains(key)) return texts;
+  for (const JsonNode& one : node[key].list()) texts.push_back(one.text());
+  return texts;
+}
+
 SiteRoom room(const JsonNode& node) {
   SiteRoom room;
   room.id = node["id"].text(), room.name = node["name"].text();
@@ -151,7 +159,9 @@ SiteRoom room(const JsonNode& node) {
   for (const JsonNode& door : node["doors"].list())
     room.doors.push_back({{door["x"].number(), door["y"].number()},
                           door["width"].number(),
-                          textIfAny(door["to"]).value_or("")});
+                          textIfAny(door["to"]).value_or(""),
+                          textsIfAny(door, "seen_in"),
+                          textsIfAny(door, "lost_in")});
   for (const JsonNode& in : node["runs"].list()) room.runs.push_back(roomInRun(in));
   return room;
 }

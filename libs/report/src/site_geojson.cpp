@@ -45,7 +45,9 @@ Json doorFeature(const SiteRoom& room, const SiteDoor& door) {
   const Json properties = {{"kind", "door"},
                            {"room", room.id},
                            {"to", door.to.empty() ? Json() : Json(door.to)},
-                           {"width", rounded(door.width)}};
+                           {"width", rounded(door.width)},
+                           {"seen_in", door.seenIn},
+                           {"lost_in", door.lostIn}};
   return feature(properties, "Point", {rounded(door.place.x), rounded(door.place.y)});
 }
 

@@ -90,6 +90,8 @@ std::string siteJson(const SiteFile& file) {
   text += "\"rooms\": [";
   const char* separator = "\n";
   for (const KnownRoom& room : file.rooms) {
+    Json doors = Json::array();
+    for (const SiteDoor& door : room.doors) doors.push_back(doorJson(door));
     text += separator + lineOf({{"id", room.id},
                                 {"name", room.name},
                                 {"kind", room.isCorridor ? "corridor" : "room"},
@@ -98,7 +100,7 @@ std::string siteJson(const SiteFile& file) {
                                 {"area_m2", rounded(room.area)},
                                 {"polygon", ringJson(room.polygon.outer)},
                                 {"holes", ringsJson(room.polygon.holes)},
-                                {"doors", doorsJson(room.doors)}});
+                                {"doors", doors}});
     separator = ",\n";
   }
   return text + (file.rooms.empty() ? "]\n}\n" : "\n]\n}\n");

@@ -34,6 +34,9 @@ struct SiteDoor {
   Point place;       ///< [m, site frame]
   double width = 0;  ///< [m]
   std::string to;    ///< id of the room behind it; empty for none
+  /** Names of the runs that have it, and of those that know its place and do not;
+   *  by name. */
+  std::vector<std::string> seenIn{}, lostIn{};
 };
 
 /** A room or corridor of the site, over all runs. */
