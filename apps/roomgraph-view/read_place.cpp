@@ -7,6 +7,7 @@
 #include "draw_stage.h"
 #include "nudge_fit.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/time_text.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/kind_names.h"
 
@@ -63,7 +64,7 @@ void addGraph(const View& view, Point place, std::vector<std::string>& lines) {
 
 std::string frameLine(const PathPose& at) {
   std::string text = line("key frame %zu at (%.2f, %.2f)", at.keyFrame, at.pose.x, at.pose.y);
-  if (at.time) text += line(", time %.2f", *at.time);
+  if (at.time) text += line(", time %.2f (", *at.time) + timeText(*at.time) + ")";
   if (at.error) text += line(", error %.2f m", *at.error);
   return text;
 }

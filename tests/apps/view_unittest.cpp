@@ -217,7 +217,9 @@ TEST(ReadPlace, tellsRoomAndKeyFrame) {
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0], "(6.10, 1.20) m");
   EXPECT_EQ(lines[1], "room R1, 200.0 m2, in 1 of 2 runs; not in torn");
-  EXPECT_EQ(lines[2], "key frame 12 at (6.00, 1.00), time 1000000012.00, error 0.10 m");
+  EXPECT_EQ(lines[2],
+            "key frame 12 at (6.00, 1.00), time 1000000012.00 (2001-09-09T01:46:52Z), "
+            "error 0.10 m");
   EXPECT_EQ(readPlace(view, state, {50, 50}).size(), 1u);
 }
 
