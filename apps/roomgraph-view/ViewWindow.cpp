@@ -5,16 +5,17 @@
 #include <nanogui/opengl.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 
+#include "Beat.h"
 #include "TimeLine.h"
 #include "ViewPanel.h"
 #include "nudge_fit.h"
 #include "read_place.h"
 #include "roomgraph/base/Error.h"
 #include "view_keys.h"
+#include "wait_beside.h"
 
 namespace roomgraph {
 namespace {
@@ -23,22 +24,6 @@ constexpr float kFontSize = 16, kLineHeight = 18, kTextMargin = 4, kTextFromTop 
 constexpr int kClickReach = 3;     // how far the mouse may move in a click [px]
 constexpr int kLineReach = 8;      // how near to the line of a swipe it is caught [px]
 constexpr double kSwipeStep = 50;  // of the keys , and ., in the width of the picture
-
-/** Tells at most so often that a time has passed. */
-class Beat {
- public:
-  explicit Beat(double seconds) : length_(seconds) {}
-  bool isDue() {
-    const auto now = std::chrono::steady_clock::now();
-    if (std::chrono::duration<double>(now - last_).count() < length_) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  double length_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 /** Dark on light, from the left edge. */
 void drawText(NVGcontext* context, float top, const std::vector<std::string>& lines) {
@@ -281,19 +266,26 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   Beat playBeat_{0.1}, flickBeat_{0.5};
 };
 
+/** nanogui, as long as it is needed. */
+struct Toolkit {
+  Toolkit() { nanogui::init(); }
+  ~Toolkit() { nanogui::shutdown(); }
+  Toolkit(const Toolkit&) = delete;
+  Toolkit& operator=(const Toolkit&) = delete;
+};
+
 }  // namespace
 
-void showWindow(View& view, const ViewState& state, int width, int height) {
+void showWindow(const WindowTask& task) {
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY"))
     throw DataError("there is no display for a window: use --screenshot");
-  nanogui::init();
-  {
-    Window window(view, state, width, height);
-    window.drawAll();
-    window.setVisible(true);
-    nanogui::mainloop(20);
-  }
-  nanogui::shutdown();
+  const Toolkit toolkit;
+  std::optional<View> view;
+  waitBeside([&] { view = task.load(); }, task.words, task.width, task.height);
+  Window window(*view, task.firstState(*view), task.width, task.height);
+  window.drawAll();
+  window.setVisible(true);
+  nanogui::mainloop(20);
 }
 
 }  // namespace roomgraph

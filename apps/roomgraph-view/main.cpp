@@ -14,6 +14,8 @@
 namespace roomgraph {
 namespace {
 
+namespace fs = std::filesystem;
+
 enum ExitCode { kDone = 0, kBadData = 1, kBadUsage = 2 };
 
 struct Arguments {
@@ -53,6 +55,11 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
   const std::size_t stages = view.stages ? stageNames().size() : 0;
   if (arguments.stage) state.stage = placeOf("--stage", *arguments.stage, stages);
   return state;
+}
+
+std::string wordsFor(const std::vector<std::string>& files) {
+  if (files.size() == 1) return "Reading " + printable(fs::path(files[0]).filename().string());
+  return "Reading and comparing " + std::to_string(files.size()) + " files";
 }
 
 /** Draws into memory: no display is needed. */
@@ -107,11 +114,13 @@ int run(int count, char** words) {
     say(std::string(error.what()) + " (see 'roomgraph-view --help')");
     return kBadUsage;
   }
-  View view = loadView(arguments.files, ExtractOptions(), say);
+  const auto load = [&] { return loadView(arguments.files, ExtractOptions(), say); };
   if (arguments.screenshot.empty())
-    showWindow(view, stateOf(arguments, view), arguments.size[0], arguments.size[1]);
+    showWindow({load, wordsFor(arguments.files),
+                [&](const View& view) { return stateOf(arguments, view); }, arguments.size[0],
+                arguments.size[1]});
   else
-    writeScreenshot(arguments, view);
+    writeScreenshot(arguments, load());
   return kDone;
 }
 

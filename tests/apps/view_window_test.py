@@ -133,7 +133,7 @@ def look_at_one_map(viewer):
 
 
 def find_break(viewer):
-    viewer.wait("the runs", lambda c: c["text"] > 100 and c["untorn"] < 50)
+    viewer.wait("the runs", lambda c: c["best"] > 1000 and c["text"] > 100 and c["untorn"] < 50)
     viewer.press("b")
     alone = viewer.wait("the torn piece, its flag on the time line, and faint walls",
                         lambda c: c["untorn"] > 500 and c["before"] > 500 and c["flag"] > 20
@@ -178,6 +178,36 @@ def compare_runs(viewer):
     nudge(viewer)
 
 
+def write_large_map(path):
+    """Rooms of 5 m with doors, 2400 cells wide and high: it takes a while to read."""
+    side, room = 2400, 100
+    wall = bytes(0 if 40 <= x % room < 60 else 1 for x in range(side))  # 1 where wall is, but in doors
+    rows = []
+    for y in range(side):
+        isDoor = 40 <= y % room < 60
+        rows.append(bytes(0 if (y % room == 0 and wall[x]) or (x % room == 0 and not isDoor) else 254
+                          for x in range(side)))
+    path.write_bytes(b"P5 %d %d 255\n" % (side, side) + b"".join(rows))
+
+
+def wait_for_what_takes_long(viewers, program, out):
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as home:
+        large = pathlib.Path(home) / "large.pgm"
+        write_large_map(large)
+        viewer = Viewer(viewers, home, [program, str(large)],
+                        pathlib.Path(out) / "roomgraph-view-large.ppm")
+        try:
+            viewer.wait("what is being read", lambda c: c["text"] > 30 and c["vertex"] == 0)
+            viewer.wait("the map", lambda c: c["vertex"] > 100)
+            if not viewer.ends_well():
+                raise RuntimeError("Escape does not end it well")
+            viewer.desk.start([program, home + "/missing.simplemap", home + "/none.simplemap"])
+            if viewer.desk.processes[-1].wait(20) != 1:
+                raise RuntimeError("what cannot be read does not end it with 1")
+        finally:
+            viewer.desk.close()
+
+
 def main():
     program, maps, viewers_test, out = sys.argv[1:]
     for tool in ["Xvfb", "xdotool", "import"]:
@@ -196,6 +226,7 @@ def main():
                     raise RuntimeError("Escape does not end it well")
             finally:
                 viewer.desk.close()
+    wait_for_what_takes_long(viewers, program, out)
     return 0
 
 

@@ -1,0 +1,57 @@
+#include "wait_beside.h"
+
+#include <mrpt/gui/CDisplayWindowGUI.h>
+#include <nanogui/opengl.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <future>
+
+#include "roomgraph/mrpt_plugin/colors.h"
+
+namespace roomgraph {
+namespace {
+
+using std::chrono::milliseconds;
+constexpr milliseconds kMoment{150}, kBetweenPictures{60};
+constexpr float kLetters = 20;  // [px]
+
+/** An empty sheet with a line in its middle. */
+class WaitingWindow : public nanogui::Screen {
+ public:
+  WaitingWindow(const std::string& words, int width, int height)
+      : Screen({width, height}, "roomgraph-view", false), words_(words) {
+    setBackground(nanogui::Color(kBackgroundColor.r, kBackgroundColor.g, kBackgroundColor.b, 255));
+  }
+
+  void draw(NVGcontext* context) override {
+    Screen::draw(context);
+    nvgFontFace(context, "sans");
+    nvgFontSize(context, kLetters);
+    nvgTextAlign(context, NVG_ALIGN_CENTER | NVG_ALIGN_MIDDLE);
+    nvgFillColor(context, nvgRGB(30, 34, 40));
+    nvgText(context, float(width()) / 2, float(height()) / 2, words_.c_str(), nullptr);
+  }
+
+ private:
+  std::string words_;
+};
+
+}  // namespace
+
+void waitBeside(const std::function<void()>& work, const std::string& words, int width,
+                int height) {
+  std::future<void> done = std::async(std::launch::async, work);
+  if (done.wait_for(kMoment) != std::future_status::ready) {
+    WaitingWindow window(words, width, height);
+    window.setVisible(true);
+    while (done.wait_for(kBetweenPictures) != std::future_status::ready) {
+      glfwPollEvents();
+      if (glfwWindowShouldClose(window.glfwWindow())) std::_Exit(0);
+      window.drawAll();
+    }
+  }
+  done.get();
+}
+
+}  // namespace roomgraph
