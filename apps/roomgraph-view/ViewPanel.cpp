@@ -1,10 +1,10 @@
 #include "ViewPanel.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
@@ -135,9 +135,7 @@ void ViewPanel::addOption(nanogui::Widget& panel, const std::string& name, const
   auto* slider = new nanogui::Slider(&panel);
   slider->setFixedWidth(kWidth);
   captions_.push_back([label, slider, name, unit, most, &option] {
-    char text[80];
-    std::snprintf(text, sizeof text, "%s: %.2f %s", name.c_str(), option, unit);
-    label->setCaption(text);
+    label->setCaption(formatted("%s: %.2f %s", name.c_str(), option, unit));
     slider->setValue(float(option / most));
   });
   const auto done = std::make_shared<double>(option);  // what it was extracted with last

@@ -133,29 +133,30 @@ viz::CSetOfObjects::Ptr drawn(const Stages& stages, ShownStage stage) {
   return graphOf(*graphAt(stages, stage), stage < ShownStage::cut ? Rooms() : stages.rooms);
 }
 
-std::string counted(std::size_t count, const char* things) {
+std::string countText(std::size_t count, const char* things) {
   return "; " + std::to_string(count) + " " + things;
 }
 
 std::string countsAt(const Stages& stages, ShownStage stage) {
   if (const TopologyGraph* graph = graphAt(stages, stage))
-    return counted(graph->vertices().size(), "vertices") + counted(graph->edges().size(), "edges");
+    return countText(graph->vertices().size(), "vertices") +
+           countText(graph->edges().size(), "edges");
   switch (stage) {
     case ShownStage::sites:
-      return counted(stages.sites.cells.size(), "sites");
+      return countText(stages.sites.cells.size(), "sites");
     case ShownStage::voronoi:
     case ShownStage::inside:
     case ShownStage::clear: {
       const std::vector<bool> edges = edgesAt(stages, stage);
-      return counted(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
+      return countText(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
     }
     case ShownStage::rooms:
-      return counted(stages.rooms.size(), "rooms");
+      return countText(stages.rooms.size(), "rooms");
     case ShownStage::borderVertices:
-      return counted(crossings(stages).size(), "crossings");
+      return countText(crossings(stages).size(), "crossings");
     case ShownStage::areas:
-      return counted(stages.areas.areas.size(), "areas") +
-             counted(stages.areas.passages.size(), "passages");
+      return countText(stages.areas.areas.size(), "areas") +
+             countText(stages.areas.passages.size(), "passages");
     default:
       return "";
   }

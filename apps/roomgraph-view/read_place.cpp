@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "draw_stage.h"
 #include "nudge_fit.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/kind_names.h"
@@ -15,13 +15,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kPlaceReach = 1;  // how far a thing may lie from a click [m]
-
-template <class... Values>
-std::string line(const char* form, Values... values) {
-  char text[240];
-  std::snprintf(text, sizeof text, form, values...);
-  return text;
-}
 
 void addSiteRoom(const View& view, Point place, std::vector<std::string>& lines) {
   const SiteRoom* room = siteRoomAt(view, place);
@@ -35,8 +28,9 @@ void addSiteRoom(const View& view, Point place, std::vector<std::string>& lines)
     }
     missing += (missing.empty() ? "; not in " : ", ") + printable(in.run);
   }
-  lines.push_back(line("%s %s, %.1f m2, in %zu of %zu runs", room->isCorridor ? "corridor" : "room",
-                       printable(room->name).c_str(), room->area, seen, room->runs.size()) +
+  lines.push_back(formatted("%s %s, %.1f m2, in %zu of %zu runs",
+                            room->isCorridor ? "corridor" : "room", printable(room->name).c_str(),
+                            room->area, seen, room->runs.size()) +
                   missing);
 }
 
@@ -45,36 +39,36 @@ void addGraph(const View& view, Point place, std::vector<std::string>& lines) {
   const RoomGraph& graph = view.graph->file.graph;
   if (const auto r = roomAt(view, place)) {
     const GraphRoom& room = graph.rooms[*r];
-    lines.push_back(line("room %zu, %.1f m2, %.2f m wide, %zu ways out", *r,
-                         area(room.shape.polygon), 2 * room.shape.inscribedRadius,
-                         room.borderVertices.size()));
+    lines.push_back(formatted("room %zu, %.1f m2, %.2f m wide, %zu ways out", *r,
+                              area(room.shape.polygon), 2 * room.shape.inscribedRadius,
+                              room.borderVertices.size()));
   }
   if (const auto v = vertexNear(view, place)) {
     const Vertex& vertex = graph.graph.vertices()[*v];
-    lines.push_back(
-        line("vertex %zu (%s), clearance %.2f m", *v, kindName(vertex.kind), vertex.clearance));
+    lines.push_back(formatted("vertex %zu (%s), clearance %.2f m", *v, kindName(vertex.kind),
+                              vertex.clearance));
   }
   if (const auto e = pathNear(view, place)) {
     const Edge& edge = graph.graph.edges()[*e];
-    lines.push_back(line("path %zu from vertex %zu to %zu, %.2f m long, clearance %.2f m", *e,
-                         edge.source.index(), edge.target.index(), edge.path.length,
-                         edge.path.minClearance));
+    lines.push_back(formatted("path %zu from vertex %zu to %zu, %.2f m long, clearance %.2f m", *e,
+                              edge.source.index(), edge.target.index(), edge.path.length,
+                              edge.path.minClearance));
   }
 }
 
 std::string frameLine(const PathPose& at) {
-  std::string text = line("key frame %zu at (%.2f, %.2f)", at.keyFrame, at.pose.x, at.pose.y);
-  if (at.time) text += line(", time %.2f (", *at.time) + timeText(*at.time) + ")";
-  if (at.error) text += line(", error %.2f m", *at.error);
+  std::string text = formatted("key frame %zu at (%.2f, %.2f)", at.keyFrame, at.pose.x, at.pose.y);
+  if (at.time) text += formatted(", time %.2f (", *at.time) + timeText(*at.time) + ")";
+  if (at.error) text += formatted(", error %.2f m", *at.error);
   return text;
 }
 
 void addBreak(const View& view, const ViewState& state, std::vector<std::string>& lines) {
   if (!state.tear) return;
   const MapBreak& tear = view.comparison.breaks[*state.tear];
-  lines.push_back(line("break %zu of %zu: all behind it is turned by %.1f deg, shifted by %.2f m",
-                       *state.tear + 1, view.comparison.breaks.size(), tear.rotation * 180 / M_PI,
-                       tear.shift));
+  lines.push_back(formatted(
+      "break %zu of %zu: all behind it is turned by %.1f deg, shifted by %.2f m", *state.tear + 1,
+      view.comparison.breaks.size(), tear.rotation * 180 / M_PI, tear.shift));
   if (state.other)
     lines.push_back("what " + printable(view.comparison.runs[*state.other].name) + " shows there");
 }
@@ -82,13 +76,13 @@ void addBreak(const View& view, const ViewState& state, std::vector<std::string>
 void addNudge(const View& view, const ViewState& state, std::vector<std::string>& lines) {
   const auto fit = nudgeFit(view, state);
   const std::string onto = printable(view.comparison.runs[*otherRun(view, state)].name);
-  lines.push_back(line("nudged by (%.2f, %.2f) m, %.1f deg on ", state.nudge.x, state.nudge.y,
-                       state.nudge.phi * 180 / M_PI) +
+  lines.push_back(formatted("nudged by (%.2f, %.2f) m, %.1f deg on ", state.nudge.x, state.nudge.y,
+                            state.nudge.phi * 180 / M_PI) +
                   onto);
   if (fit)
-    lines.push_back(line("overlap %.0f %%, walls found %.0f %%, contradicted %.0f %%, fit %.1f",
-                         100 * fit->overlap, 100 * fit->found, 100 * fit->contradicted,
-                         fit->score));
+    lines.push_back(
+        formatted("overlap %.0f %%, walls found %.0f %%, contradicted %.0f %%, fit %.1f",
+                  100 * fit->overlap, 100 * fit->found, 100 * fit->contradicted, fit->score));
 }
 
 void addMode(const View& view, const ViewState& state, std::vector<std::string>& lines) {
@@ -96,7 +90,8 @@ void addMode(const View& view, const ViewState& state, std::vector<std::string>&
   if (state.mode == Mode::measure) {
     const std::size_t count = state.corners.size();
     const double last = count > 1 ? distance(state.corners[count - 2], state.corners.back()) : 0;
-    lines.push_back(line("measured: %.2f m, the last piece %.2f m", length(state.corners), last));
+    lines.push_back(
+        formatted("measured: %.2f m, the last piece %.2f m", length(state.corners), last));
   }
   if (state.mode == Mode::swipe && other)
     lines.push_back("left " + printable(view.comparison.runs[state.run].name) + ", right " +
@@ -110,7 +105,7 @@ void addMode(const View& view, const ViewState& state, std::vector<std::string>&
 }  // namespace
 
 std::vector<std::string> readPlace(const View& view, const ViewState& state, Point place) {
-  std::vector<std::string> lines{line("(%.2f, %.2f) m", place.x, place.y)};
+  std::vector<std::string> lines{formatted("(%.2f, %.2f) m", place.x, place.y)};
   addSiteRoom(view, place, lines);
   addGraph(view, place, lines);
   const auto& path = view.path(state.run);
@@ -168,7 +163,7 @@ std::vector<std::string> readState(const View& view, const ViewState& state) {
   std::vector<std::string> lines;
   std::string title = printable(run.name);
   if (run.score)
-    title += line(": score %.0f, map error %.2f m", run.score->score, run.score->mapError);
+    title += formatted(": score %.0f, map error %.2f m", run.score->score, run.score->mapError);
   lines.push_back(title);
   if (state.stage && view.stages) lines.push_back(stageLine(*view.stages, *state.stage));
   if (state.frame < run.path.size()) lines.push_back(frameLine(run.path[state.frame]));

@@ -1,6 +1,5 @@
 #include "add_to_archive.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -9,6 +8,7 @@
 #include "comparison_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -38,10 +38,7 @@ std::string lineOf(const std::string& file, const AddedRun& run) {
   std::string text = printable(file) + ": ";
   if (run.wasKnown) return text + "is known already\n";
   if (run.score && run.score->isMeaningful) {
-    char error[60];
-    std::snprintf(error, sizeof error, "map error %.3f m, score %.0f: ", run.score->mapError,
-                  run.score->score);
-    text += error;
+    text += formatted("map error %.3f m, score %.0f: ", run.score->mapError, run.score->score);
   } else if (run.isPlaced) {
     text += "added, too few runs to judge it yet: ";
   } else {

@@ -13,6 +13,7 @@
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/history_page/history_page.h"
@@ -121,8 +122,7 @@ int list(const ArchiveArguments& arguments) {
     print(printable(site.history.site) + ":\n");
     for (const HistoryRun& run : site.history.runs) {
       const auto error = trustedFigure(run, kMapError);
-      char figure[40] = "      -  ";
-      if (error) std::snprintf(figure, sizeof figure, "%7.3f m", *error);
+      const std::string figure = error ? formatted("%7.3f m", *error) : "      -  ";
       print("  " + timeText(run.time) + " " + figure + "  " + printable(run.robot) + "  " +
             printable(run.file) + (run.isPlaced ? "" : "  (another site)") + "\n");
     }

@@ -1,13 +1,13 @@
 #include "extract_map.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw_stages.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -17,17 +17,6 @@ namespace roomgraph {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char buffer[256];
-  std::snprintf(buffer, sizeof buffer, format, values...);
-  return buffer;
-}
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
   return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <memory>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "mrpt_results.h"
 #include "option_arguments.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/grid/binarize.h"
@@ -42,31 +42,25 @@ std::string mapText(const std::string& file, const ExtractOptions& options) {
   for (const State state : binarize(map, options.binarize).cells) ++counts[std::size_t(state)];
   const double cells = frame.cellCount() > 0 ? double(frame.cellCount()) : 1;
   const auto share = [&](State state) { return 100 * double(counts[std::size_t(state)]) / cells; };
-  char lines[512];
-  std::snprintf(lines, sizeof lines,
-                "kind        %s\nsize        %d x %d cells, %g x %g m\nresolution  %g m\n"
-                "origin      (%g, %g) m\ncells       %.1f %% free, %.1f %% occupied, "
-                "%.1f %% unknown\n",
-                map.source.kind.c_str(), frame.width, frame.height, frame.width * frame.resolution,
-                frame.height * frame.resolution, frame.resolution, frame.origin.x, frame.origin.y,
-                share(State::free), share(State::occupied), share(State::unknown));
-  std::string text = lines + ("sha256      " + map.source.sha256) + "\n";
+  std::string text = formatted(
+      "kind        %s\nsize        %d x %d cells, %g x %g m\nresolution  %g m\n"
+      "origin      (%g, %g) m\ncells       %.1f %% free, %.1f %% occupied, "
+      "%.1f %% unknown\n",
+      map.source.kind.c_str(), frame.width, frame.height, frame.width * frame.resolution,
+      frame.height * frame.resolution, frame.resolution, frame.origin.x, frame.origin.y,
+      share(State::free), share(State::occupied), share(State::unknown));
+  text += "sha256      " + map.source.sha256 + "\n";
   if (!map.source.insertion.empty()) text += "insertion   " + map.source.insertion + "\n";
   for (const Note& note : map.notes) text += "note        " + note.text + "\n";
   return text;
 }
 
 std::string runText(const RunInfo& info) {
-  char lines[256];
-  std::snprintf(lines, sizeof lines,
-                "key frames  %zu, %zu of them without scans\npath        %.1f m\n", info.keyframes,
-                info.keyframesWithoutScans, info.pathLength);
-  std::string text = lines;
-  if (info.start) {
-    std::snprintf(lines, sizeof lines, "duration    %.1f s, from %.3f s after 1970 (UTC)\n",
-                  *info.end - *info.start, *info.start);
-    text += lines;
-  }
+  std::string text = formatted("key frames  %zu, %zu of them without scans\npath        %.1f m\n",
+                               info.keyframes, info.keyframesWithoutScans, info.pathLength);
+  if (info.start)
+    text += formatted("duration    %.1f s, from %.3f s after 1970 (UTC)\n", *info.end - *info.start,
+                      *info.start);
   for (const auto& [sensor, count] : info.sensors)
     text += "sensor      " + printable(sensor) + ": " + std::to_string(count) + "\n";
   return text + "version     CSimpleMap " + std::to_string(info.version) + ", compression " +

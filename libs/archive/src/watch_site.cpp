@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/trend/lasting_change.h"
@@ -19,12 +19,6 @@ constexpr double kDay = 86400;        // [s]
 constexpr std::size_t kAgreeing = 5;  // runs that must agree on a change
 constexpr double kDoors = 0.5, kSeen = 0.5;
 constexpr double kAreaShare = 0.15;  // smaller changes of a room's area are drawing
-
-std::string text(const char* format, double value) {
-  char result[80];
-  std::snprintf(result, sizeof result, format, value);
-  return result;
-}
 
 bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
 
@@ -52,18 +46,19 @@ std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
   const ErrorWatch& errors = watch.errors;
   const auto dayOf = [&](std::size_t run) { return dayText(history.runs[run].time); };
   if (errors.isOverLimit)
-    return "its map is above the limit of " + text("%.2f m", options.limit) +
+    return "its map is above the limit of " + formatted("%.2f m", options.limit) +
            (watch.lastGood ? "; the last good one is of " + dayOf(*watch.lastGood)
                            : "; no good one is known");
   if (errors.isDeclining) {
-    const std::string rate = text("%.3f m", 30 * errors.slope->perDay) + " in 30 days";
+    const std::string rate = formatted("%.3f m", 30 * errors.slope->perDay) + " in 30 days";
     return "its map gets worse, by " + rate +
-           (errors.daysToLimit ? text("; the limit is reached in %.0f days", *errors.daysToLimit)
-                               : "");
+           (errors.daysToLimit
+                ? formatted("; the limit is reached in %.0f days", *errors.daysToLimit)
+                : "");
   }
   if (errors.isChanged)
     return "its map has been worse since " + dayOf(watch.runs[errors.change->first]) + ", by " +
-           text("%.2f m", errors.change->after - errors.change->before);
+           formatted("%.2f m", errors.change->after - errors.change->before);
   if (watch.runs.empty()) return "no run of it can be judged yet";
   if (watch.runs.size() < options.nights) return "too few nights to see a trend";
   return "its map is as good as ever";
@@ -140,10 +135,10 @@ std::string changeText(const RoomChange& change, const SiteHistory& history) {
   if (change.what == "seen")
     return name + (change.after > change.before ? ": is there" : ": is gone") + since;
   if (change.what == "area")
-    return name + text(": %.1f m²", change.after) + text(" instead of %.1f m²", change.before) +
-           since;
-  return name + text(change.after == 1 ? ": %.0f door" : ": %.0f doors", change.after) +
-         text(" instead of %.0f", change.before) + since;
+    return name + formatted(": %.1f m²", change.after) +
+           formatted(" instead of %.1f m²", change.before) + since;
+  return name + formatted(change.after == 1 ? ": %.0f door" : ": %.0f doors", change.after) +
+         formatted(" instead of %.0f", change.before) + since;
 }
 
 }  // namespace roomgraph

@@ -1,20 +1,14 @@
 #include "explain_comparison.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
+
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kLittle = 0.6;  // share of the walls below which it is worth a word
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 /** What decided the score of a run. */
 std::string decisive(const ComparedRun& run, const Comparison& comparison) {
@@ -69,13 +63,6 @@ std::string verdictOf(const Comparison& result) {
                       100 * *coverage);
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";
-}
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return text;
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {

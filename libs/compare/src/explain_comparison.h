@@ -13,9 +13,6 @@ std::string reasonOf(const ComparedRun& run, const Comparison& comparison);
 /** One line on all runs, ranked. */
 std::string verdictOf(const Comparison& comparison);
 
-/** "a, b and c". */
-std::string listed(const std::vector<std::string>& names);
-
 /** A sentence, with a space before it, on sites of which only the first was compared: the names of
  *  the runs of each. */
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites);

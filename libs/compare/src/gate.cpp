@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -11,17 +11,9 @@ namespace {
 
 constexpr std::size_t kBest = 3;  // runs that a new one is held against
 
-std::string text(const char* format, double value) {
-  char result[100];
-  std::snprintf(result, sizeof result, format, value);
-  return result;
-}
-
 std::string breakText(const MapBreak& found) {
-  char result[100];
-  std::snprintf(result, sizeof result, "is broken at (%.1f, %.1f) by %.1f degrees and %.2f m",
-                found.place.x, found.place.y, found.rotation * 180 / M_PI, found.shift);
-  return result;
+  return formatted("is broken at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
+                   found.place.y, found.rotation * 180 / M_PI, found.shift);
 }
 
 std::string coverageText() {
@@ -84,16 +76,16 @@ class Judge {
     const auto error = trustedError(run);
     if (!error) return complain(run.name, "its map error cannot be told: too little to compare");
     if (options_.maxError && *error > *options_.maxError)
-      complain(run.name, "its map error of " + text("%.3f m", *error) + " is above " +
-                             text("%.3f m", *options_.maxError));
+      complain(run.name, "its map error of " + formatted("%.3f m", *error) + " is above " +
+                             formatted("%.3f m", *options_.maxError));
     if (!options_.maxWorse) return;
     const auto record = recordError(comparison_, run.name, options_.candidates);
     if (!record) return complain(run.name, "there is no other run to hold it against");
     if (*error - *record > *options_.maxWorse)
-      complain(run.name, "its map error of " + text("%.3f m", *error) + " is " +
-                             text("%.3f m", *error - *record) +
+      complain(run.name, "its map error of " + formatted("%.3f m", *error) + " is " +
+                             formatted("%.3f m", *error - *record) +
                              " more than that of the best others, so more than " +
-                             text("%.3f m", *options_.maxWorse));
+                             formatted("%.3f m", *options_.maxWorse));
   }
 
   void judgeLeftOut(const LeftOutRun& run) {
@@ -106,11 +98,12 @@ class Judge {
 
   std::vector<std::string> asked() const {
     std::vector<std::string> lines;
-    if (options_.minScore) lines.push_back(text("a score of %.4g at least", *options_.minScore));
+    if (options_.minScore)
+      lines.push_back(formatted("a score of %.4g at least", *options_.minScore));
     if (options_.maxError)
-      lines.push_back(text("a map error of %.4g m at most", *options_.maxError));
+      lines.push_back(formatted("a map error of %.4g m at most", *options_.maxError));
     if (options_.maxWorse)
-      lines.push_back(text("at most %.4g m more map error than the best", *options_.maxWorse));
+      lines.push_back(formatted("at most %.4g m more map error than the best", *options_.maxWorse));
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
     if (options_.failsOnBreaks) lines.push_back("no break");
     if (options_.failsOnOtherSites) lines.push_back("the same site");

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "explain_comparison.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/consensus/shared_drives.h"
 #include "run_path.h"
 

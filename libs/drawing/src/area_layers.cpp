@@ -54,11 +54,11 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter) {
 }
 
 LegendItem passageLegend(std::size_t count) {
-  return lineLegend(counted(count, "passage", "passages"), ink::orange, kPassagePx);
+  return lineLegend(groupedCount(count, "passage", "passages"), ink::orange, kPassagePx);
 }
 
 LegendItem corridorAreaLegend(std::size_t count) {
-  return {counted(count, "corridor", "corridors"), [](const Pen& pen, Point at) {
+  return {groupedCount(count, "corridor", "corridors"), [](const Pen& pen, Point at) {
             cairo_rectangle(pen.cairo(), at.x - 9, at.y - 6, 18, 12);
             pen.ink(ink::sky, 0.34);
             cairo_fill_preserve(pen.cairo());
@@ -68,7 +68,8 @@ LegendItem corridorAreaLegend(std::size_t count) {
 }
 
 LegendItem clutterLegend(std::size_t count) {
-  return {counted(count, "piece of clutter", "pieces of clutter"), [](const Pen& pen, Point at) {
+  return {groupedCount(count, "piece of clutter", "pieces of clutter"),
+          [](const Pen& pen, Point at) {
             addRing(pen, at, 5);
             finishRings(pen);
           }};

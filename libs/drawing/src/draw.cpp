@@ -30,9 +30,9 @@ Scene resultScene(const Stages& stages) {
   const TopologyGraph& graph = result.graph;
   Scene scene;
   scene.title = std::filesystem::path(stages.source.file).filename().string();
-  scene.subtitle = counted(result.rooms.size(), "room", "rooms") + "  ·  " +
-                   counted(graph.vertices().size(), "vertex", "vertices") + "  ·  " +
-                   counted(graph.edges().size(), "edge", "edges") + "  ·  " +
+  scene.subtitle = groupedCount(result.rooms.size(), "room", "rooms") + "  ·  " +
+                   groupedCount(graph.vertices().size(), "vertex", "vertices") + "  ·  " +
+                   groupedCount(graph.edges().size(), "edge", "edges") + "  ·  " +
                    resolutionText(stages.grid.frame.resolution);
   scene.layers = [&stages](const Pen& pen) {
     std::vector<const Polygon*> polygons;

@@ -145,27 +145,28 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
     const auto count = std::count_if(graph.vertices().begin(), graph.vertices().end(),
                                      [&](const Vertex& v) { return v.kind == kind; });
     if (count == 0) continue;
-    items.push_back({counted(std::size_t(count), legendName(kind, false), legendName(kind, true)),
-                     [kind](const Pen& pen, Point at) { pen.mark(kind, at); }});
+    items.push_back(
+        {groupedCount(std::size_t(count), legendName(kind, false), legendName(kind, true)),
+         [kind](const Pen& pen, Point at) { pen.mark(kind, at); }});
   }
   const auto inside = std::size_t(std::count_if(graph.edges().begin(), graph.edges().end(),
                                                 [](const Edge& e) { return bool(e.room); }));
   if (inside < graph.edges().size())
     items.push_back(lineLegend(
-        counted(graph.edges().size() - inside, "path outside rooms", "paths outside rooms"),
+        groupedCount(graph.edges().size() - inside, "path outside rooms", "paths outside rooms"),
         ink::blue, kCorridorPx));
   if (inside > 0)
-    items.push_back(
-        {counted(inside, "way inside a room", "ways inside rooms"), [](const Pen& pen, Point at) {
-           cairo_set_dash(pen.cairo(), kDash, 2, 0);
-           strokeSample(pen, at, ink::inside, kInsidePx);
-           cairo_set_dash(pen.cairo(), nullptr, 0, 0);
-         }});
+    items.push_back({groupedCount(inside, "way inside a room", "ways inside rooms"),
+                     [](const Pen& pen, Point at) {
+                       cairo_set_dash(pen.cairo(), kDash, 2, 0);
+                       strokeSample(pen, at, ink::inside, kInsidePx);
+                       cairo_set_dash(pen.cairo(), nullptr, 0, 0);
+                     }});
   return items;
 }
 
 LegendItem roomLegend(std::size_t count) {
-  return {counted(count, "room", "rooms"), [](const Pen& pen, Point at) {
+  return {groupedCount(count, "room", "rooms"), [](const Pen& pen, Point at) {
             cairo_rectangle(pen.cairo(), at.x - 9, at.y - 6, 18, 12);
             pen.ink(ink::sky, 0.34);
             cairo_fill_preserve(pen.cairo());
@@ -201,7 +202,7 @@ LegendItem squareLegend(const std::string& label, Colour colour) {
           }};
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+std::string groupedCount(std::size_t count, const std::string& one, const std::string& many) {
   std::string digits = std::to_string(count);
   for (std::size_t i = digits.size(); i > 3; i -= 3) digits.insert(i - 3, "\u2009");
   return digits + " " + (count == 1 ? one : many);

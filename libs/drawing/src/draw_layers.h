@@ -29,6 +29,6 @@ LegendItem lineLegend(const std::string& label, Colour colour, double widthPx);
 LegendItem squareLegend(const std::string& label, Colour colour);
 
 /** "1 room", "2 rooms", "3 vertices"; thousands are set apart. */
-std::string counted(std::size_t count, const std::string& one, const std::string& many);
+std::string groupedCount(std::size_t count, const std::string& one, const std::string& many);
 
 }  // namespace roomgraph

@@ -45,7 +45,7 @@ Picture sitesPicture(const Stages& stages) {
   const std::size_t count = stages.sites.cells.size();
   Picture picture{Json::object({{"sites", count}}), {}};
   picture.scene.layers = [&stages](const Pen& pen) { drawSites(pen, stages.sites); };
-  picture.scene.legend = {squareLegend(counted(count, "site", "sites"), ink::vermilion)};
+  picture.scene.legend = {squareLegend(groupedCount(count, "site", "sites"), ink::vermilion)};
   return picture;
 }
 
@@ -54,7 +54,7 @@ Picture voronoiPicture(const Stages& stages, std::vector<bool> isShown) {
   const auto count = std::size_t(std::count(isShown.begin(), isShown.end(), true));
   Picture picture{Json::object({{"edges", count}}), {}};
   picture.scene.legend = {
-      lineLegend(counted(count, "Voronoi edge", "Voronoi edges"), ink::blue, 1.2)};
+      lineLegend(groupedCount(count, "Voronoi edge", "Voronoi edges"), ink::blue, 1.2)};
   picture.scene.layers = [&stages, shown = std::move(isShown)](const Pen& pen) {
     drawVoronoi(
         pen, stages.voronoi, [&](std::size_t e) { return shown[e]; }, ink::blue);
@@ -104,9 +104,9 @@ Picture borderPicture(const Stages& stages) {
   };
   picture.scene.legend = {
       roomLegend(stages.rooms.size()),
-      {counted(places.size(), "crossing", "crossings"),
+      {groupedCount(places.size(), "crossing", "crossings"),
        [](const Pen& pen, Point at) { pen.mark(VertexKind::border, at); }},
-      lineLegend(counted(stages.largest.edges().size(), "path", "paths"), ink::blue, 2)};
+      lineLegend(groupedCount(stages.largest.edges().size(), "path", "paths"), ink::blue, 2)};
   return picture;
 }
 

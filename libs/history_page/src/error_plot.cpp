@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/xml_text.h"
@@ -16,13 +16,6 @@ constexpr double kPlotWidth = 1000, kPlotHeight = 260;  // of the picture [px], 
 constexpr double kLeft = 56, kRight = 16, kTop = 14, kBottom = 30;
 constexpr double kSparkWidth = 120, kSparkHeight = 24;
 constexpr int kDates = 6, kSteps = 4;
-
-template <class... Values>
-std::string text(const char* format, Values... values) {
-  char result[400];
-  std::snprintf(result, sizeof result, format, values...);
-  return result;
-}
 
 /** A run that can be judged. */
 struct Dot {
@@ -41,8 +34,8 @@ std::vector<Dot> dotsOf(const WatchedSite& site, const RobotWatch& robot) {
     dot.low = error->low.value_or(dot.error), dot.high = error->high.value_or(dot.error);
     dot.isTorn = trustedFigure(run, kBreaks).value_or(0) > 0;
     dot.isLastGood = robot.lastGood == i;
-    dot.title = timeText(run.time) + text(": %.3f m", dot.error) + (dot.isTorn ? ", torn" : "") +
-                "; " + run.file;
+    dot.title = timeText(run.time) + formatted(": %.3f m", dot.error) +
+                (dot.isTorn ? ", torn" : "") + "; " + run.file;
     dots.push_back(dot);
   }
   return dots;
@@ -84,8 +77,8 @@ Scales scalesOf(const std::vector<Dot>& dots, const WatchOptions& options) {
 }
 
 std::string line(double x1, double y1, double x2, double y2, const char* style) {
-  return text("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" style=\"%s\"/>", x1, y1, x2,
-              y2, style);
+  return formatted("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" style=\"%s\"/>", x1, y1,
+                   x2, y2, style);
 }
 
 std::string axes(const Scales& scales) {
@@ -94,17 +87,17 @@ std::string axes(const Scales& scales) {
   for (int k = 0; k * step <= scales.most * (1 + 1e-9); ++k) {
     const double error = k * step, y = scales.y(error);
     svg += line(kLeft, y, kPlotWidth - kRight, y, "stroke:var(--grid)");
-    svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g m</text>",
-                kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
+    svg += formatted("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g m</text>",
+                     kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
   }
   const double days = (scales.last - scales.first) / kDay;
   const double apart = std::max(1.0, std::ceil(days / kDates));
   const double firstDay = std::ceil(scales.first / kDay);
   for (int k = 0; (firstDay + k * apart) * kDay <= scales.last; ++k) {
     const double time = (firstDay + k * apart) * kDay;
-    svg += text("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
-                std::clamp(scales.x(time), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
-                dayText(time).c_str());
+    svg += formatted("<text class=\"tick\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>",
+                     std::clamp(scales.x(time), kLeft + 20, kPlotWidth - 50), kPlotHeight - 8,
+                     dayText(time).c_str());
   }
   return svg;
 }
@@ -115,17 +108,17 @@ std::string dotMark(const Dot& dot, const Scales& scales) {
   svg += line(x, scales.y(dot.low), x, scales.y(dot.high), "stroke:var(--accent);opacity:.35");
   const char* colour = dot.isTorn ? "var(--alarm)" : "var(--accent)";
   if (dot.isLastGood)
-    svg += text(
+    svg += formatted(
         "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"8\" style=\"fill:none;stroke:var(--ink);"
         "stroke-width:1.5\"/>",
         x, y);
   if (dot.error > scales.most)
-    svg += text("<path d=\"M%.1f %.1fl5 9h-10z\" style=\"fill:%s\"/>", x, y, colour);
+    svg += formatted("<path d=\"M%.1f %.1fl5 9h-10z\" style=\"fill:%s\"/>", x, y, colour);
   else if (dot.isTorn)
-    svg += text("<path d=\"M%.1f %.1fl8 8m0 -8l-8 8\" style=\"stroke:%s;stroke-width:2.5\"/>",
-                x - 4, y - 4, colour);
+    svg += formatted("<path d=\"M%.1f %.1fl8 8m0 -8l-8 8\" style=\"stroke:%s;stroke-width:2.5\"/>",
+                     x - 4, y - 4, colour);
   else
-    svg += text("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" style=\"fill:%s\"/>", x, y, colour);
+    svg += formatted("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" style=\"fill:%s\"/>", x, y, colour);
   return svg + "</g>";
 }
 
@@ -135,7 +128,7 @@ std::string judgements(const std::vector<Dot>& dots, const Scales& scales, const
   const double limit = scales.y(options.limit);
   std::string svg =
       line(kLeft, limit, kPlotWidth - kRight, limit, "stroke:var(--alarm);stroke-dasharray:6 4") +
-      text("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">limit</text>", kLeft + 2, limit - 5);
+      formatted("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">limit</text>", kLeft + 2, limit - 5);
   if (watch.slope && watch.isDeclining) {
     const Dot& first = dots[dots.size() - std::min(options.window, dots.size())];
     svg += line(scales.x(first.time), scales.y(watch.slope->at(first.time / kDay)),
@@ -145,7 +138,8 @@ std::string judgements(const std::vector<Dot>& dots, const Scales& scales, const
   if (watch.change && watch.isChanged) {
     const double x = scales.x(dots[watch.change->first].time);
     svg += line(x, kTop, x, kPlotHeight - kBottom, "stroke:var(--ink);stroke-dasharray:2 3");
-    svg += text("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">worse since</text>", x + 5, kTop + 10);
+    svg += formatted("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">worse since</text>", x + 5,
+                     kTop + 10);
   }
   return svg;
 }
@@ -157,7 +151,7 @@ std::string errorPlot(const WatchedSite& site, const RobotWatch& robot,
   const std::vector<Dot> dots = dotsOf(site, robot);
   if (dots.empty()) return "";
   const Scales scales = scalesOf(dots, options);
-  std::string svg = text(
+  std::string svg = formatted(
       "<svg viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" role=\"img\" "
       "aria-label=\"Map errors over time\">",
       kPlotWidth, kPlotHeight, kPlotWidth, kPlotHeight);
@@ -174,7 +168,7 @@ std::string errorSparkline(const WatchedSite& site, const RobotWatch& robot,
   const double wide = kSparkWidth / (kPlotWidth - kLeft - kRight);
   const double high = kSparkHeight / (kPlotHeight - kTop - kBottom);
   const auto y = [&](double error) { return high * (scales.y(error) - kTop); };
-  std::string svg = text(
+  std::string svg = formatted(
       "<svg viewBox=\"0 -2 %g %g\" width=\"%g\" height=\"%g\" "
       "aria-hidden=\"true\">",
       kSparkWidth, kSparkHeight + 4, kSparkWidth, kSparkHeight + 4);
@@ -182,7 +176,7 @@ std::string errorSparkline(const WatchedSite& site, const RobotWatch& robot,
               "stroke:var(--alarm);stroke-dasharray:3 3");
   svg += "<polyline style=\"fill:none;stroke:var(--accent);stroke-width:1.5\" points=\"";
   for (const Dot& dot : dots)
-    svg += text("%.1f,%.1f ", wide * (scales.x(dot.time) - kLeft), y(dot.error));
+    svg += formatted("%.1f,%.1f ", wide * (scales.x(dot.time) - kLeft), y(dot.error));
   return svg + "\"/></svg>";
 }
 

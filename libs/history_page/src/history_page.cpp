@@ -1,9 +1,9 @@
 #include "roomgraph/history_page/history_page.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "error_plot.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/version.h"
@@ -28,9 +28,7 @@ struct Row {
 
 std::string metres(std::optional<double> value) {
   if (!value) return "–";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3f", *value);
-  return text;
+  return formatted("%.3f", *value);
 }
 
 /** The larger, the more it needs a look. */
@@ -61,10 +59,6 @@ std::vector<Row> rowsByNeed(const std::vector<WatchedSite>& sites) {
     return left != right ? left > right : latestError(l).value_or(0) > latestError(r).value_or(0);
   });
   return rows;
-}
-
-std::string counted(std::size_t count, const char* thing, const char* things) {
-  return std::to_string(count) + " " + (count == 1 ? thing : things);
 }
 
 std::string headline(const std::vector<Row>& rows) {

@@ -10,6 +10,7 @@
 #include "consensus_rooms.h"
 #include "room_doors.h"
 #include "room_outlines.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -274,11 +275,8 @@ std::string roomsText(const std::vector<SiteRoom>& rooms) {
   if (rooms.empty()) return "";
   const auto corridors = std::count_if(rooms.begin(), rooms.end(),
                                        [](const SiteRoom& room) { return room.isCorridor; });
-  const auto counted = [](std::size_t count, const char* what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-  };
-  std::string text = counted(rooms.size() - std::size_t(corridors), "room") + " and " +
-                     counted(std::size_t(corridors), "corridor");
+  std::string text = counted(rooms.size() - std::size_t(corridors), "room", "rooms") + " and " +
+                     counted(std::size_t(corridors), "corridor", "corridors");
   text +=
       perRun(rooms, "gone", [](const RoomInRun& in) { return in.sighting == RoomSighting::gone; });
   text += perRun(rooms, "not visited",

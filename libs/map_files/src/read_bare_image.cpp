@@ -1,7 +1,6 @@
 #include "read_bare_image.h"
 
-#include <cstdio>
-
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
 
 namespace roomgraph {
@@ -15,14 +14,12 @@ GreyMap readBareImage(CheckedFile& file, const LoadGridOptions& options) {
   // Common pictures of maps draw the unknown at 205 to 230, and free space near white.
   map.occupiedAbove = 0.65;
   map.freeBelow = 0.095;
-  if (!options.isResolutionGiven) {
-    char text[128];
-    std::snprintf(text, sizeof text,
-                  "a picture does not say how large it is: read at %g m per cell, the default of "
-                  "--resolution",
-                  options.resolution);
-    map.notes.push_back({"assumed_resolution", text, std::nullopt});
-  }
+  if (!options.isResolutionGiven)
+    map.notes.push_back({"assumed_resolution",
+                         formatted("a picture does not say how large it is: read at %g m per cell, "
+                                   "the default of --resolution",
+                                   options.resolution),
+                         std::nullopt});
   return map;
 }
 

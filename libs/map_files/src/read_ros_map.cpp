@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
 #include "turn_map.h"
 
@@ -162,12 +163,12 @@ void applyTransparency(const std::vector<std::uint8_t>& isClear, GreyMap& map) {
 GreyMap inMapFrame(const RosMap& ros, GreyMap map, const std::string& file) {
   if (std::abs(ros.yaw) <= 1e-6) return map;
   const double darkest = 255 * (1 - map.occupiedAbove);
-  char text[96];
-  std::snprintf(text, sizeof text,
-                "its origin has a yaw of %.6g degrees: the cells are turned into the map frame",
-                ros.yaw * 180 / M_PI);
   map = turned(map, ros.yaw, unknownGrey(map), std::uint8_t(std::clamp(darkest, 0.0, 255.0)), file);
-  map.notes.push_back({"turned", text, std::nullopt});
+  map.notes.push_back(
+      {"turned",
+       formatted("its origin has a yaw of %.6g degrees: the cells are turned into the map frame",
+                 ros.yaw * 180 / M_PI),
+       std::nullopt});
   return map;
 }
 

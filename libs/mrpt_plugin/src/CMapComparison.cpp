@@ -1,10 +1,10 @@
 #include "roomgraph/mrpt_plugin/CMapComparison.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "comparison_bytes.h"
 #include "object_body.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/report/comparison_json.h"
@@ -17,10 +17,9 @@ namespace {
 const char* const kStreamName = "comparison of maps";
 
 std::string breakLine(const MapBreak& tear) {
-  char text[200];
-  std::snprintf(text, sizeof text, " at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
-                tear.place.y, tear.rotation * 180 / M_PI, tear.shift);
-  std::string line = "  " + tear.run + text;
+  std::string line = "  " + tear.run +
+                     formatted(" at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
+                               tear.place.y, tear.rotation * 180 / M_PI, tear.shift);
   if (tear.keyFrame) line += ", from key frame " + std::to_string(*tear.keyFrame) + " on";
   if (tear.time) line += ", " + timeText(*tear.time);
   return line + "\n";

@@ -7,27 +7,12 @@
 
 #include "navigation_word.h"
 #include "page_data.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMostNames = 4;
-
-std::string counted(std::size_t count, const std::string& thing, const std::string& things) {
-  return std::to_string(count) + " " + (count == 1 ? thing : things);
-}
-
-/** "a, b, c and 3 more". */
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  const std::size_t shown = names.size() > kMostNames + 1 ? kMostNames : names.size();
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool isLast = i + 1 == shown && shown == names.size();
-    text += (i == 0 ? "" : isLast ? " and " : ", ") + names[i];
-  }
-  if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
-  return text;
-}
 
 /** Which break moves most, where there are several. */
 std::string largestBreak(const Comparison& comparison) {
@@ -50,8 +35,8 @@ std::string breaksSentence(const Comparison& comparison) {
       names.push_back(run.name + (breaks[run.name] > 1
                                       ? " (" + std::to_string(breaks[run.name]) + " places)"
                                       : ""));
-  return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names) + "." +
-         largestBreak(comparison);
+  return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names, kMostNames) +
+         "." + largestBreak(comparison);
 }
 
 std::string goneSentence(const Comparison& comparison) {
@@ -60,18 +45,20 @@ std::string goneSentence(const Comparison& comparison) {
     std::vector<std::string> runs;
     for (const RoomInRun& one : room.runs)
       if (one.sighting == RoomSighting::gone) runs.push_back(one.run);
-    if (!runs.empty()) names.push_back(room.name + " in " + listed(runs));
+    if (!runs.empty()) names.push_back(room.name + " in " + listed(runs, kMostNames));
   }
   if (names.empty()) return "";
   return counted(names.size(), "room is", "rooms are") +
-         " missing where a run has looked: " + listed(names) + ".";
+         " missing where a run has looked: " + listed(names, kMostNames) + ".";
 }
 
 std::string gateSentence(const GateVerdict& gate) {
-  const std::string judged = gate.candidates.empty() ? "" : " of " + listed(gate.candidates);
-  const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked) + ")";
+  const std::string judged =
+      gate.candidates.empty() ? "" : " of " + listed(gate.candidates, kMostNames);
+  const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked, kMostNames) + ")";
   if (gate.isPassed()) return "The gate" + judged + " passes" + asked + ".";
-  return "The gate" + judged + " strikes" + asked + ": " + listed(gate.complaints) + ".";
+  return "The gate" + judged + " strikes" + asked + ": " + listed(gate.complaints, kMostNames) +
+         ".";
 }
 
 std::string doubtSentence(const Comparison& comparison) {
@@ -82,7 +69,7 @@ std::string doubtSentence(const Comparison& comparison) {
   if (names.empty()) return "";
   return counted(names.size(), "pair is", "pairs are") +
          " laid on each other with a confidence under " + fixedText(kSureConfidence, 1) +
-         ": look at " + listed(names) + ".";
+         ": look at " + listed(names, kMostNames) + ".";
 }
 
 /** Not those with a run that is left out. */
@@ -126,7 +113,7 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
     std::vector<std::string> names;
     for (const LeftOutRun& run : comparison.leftOut) names.push_back(run.name);
     sentences.push_back(counted(names.size(), "file is", "files are") +
-                        " left out: " + listed(names) + ".");
+                        " left out: " + listed(names, kMostNames) + ".");
   }
   return sentences;
 }

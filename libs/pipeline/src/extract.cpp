@@ -1,12 +1,12 @@
 #include "roomgraph/pipeline/extract.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "StepTimer.h"
 #include "roomgraph/areas/area_graph.h"
 #include "roomgraph/areas/drop_half_seen.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_sites.h"
 #include "roomgraph/rooms/cut_paths.h"
@@ -72,12 +72,11 @@ Note clutterNote(const std::vector<Clutter>& clutter) {
   const auto largest =
       std::max_element(clutter.begin(), clutter.end(),
                        [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "%zu free-standing obstacles up to %.2f m large are taken for clutter and do not "
-                "split rooms",
-                clutter.size(), largest->size);
-  return {"clutter", text, std::array<double, 2>{largest->center.x, largest->center.y}};
+  return {"clutter",
+          formatted("%zu free-standing obstacles up to %.2f m large are taken for clutter and do "
+                    "not split rooms",
+                    clutter.size(), largest->size),
+          std::array<double, 2>{largest->center.x, largest->center.y}};
 }
 
 /** Free width of the largest disc in an area [m]. */
@@ -96,12 +95,12 @@ void noteNarrowRegions(Stages& s) {
   };
   const auto count = std::count_if(s.areas.areas.begin(), s.areas.areas.end(), isNarrow);
   if (std::size_t(count) <= s.result.rooms.size()) return;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "%td regions narrower than %.2f m are not closed by doors and count as corridor: "
-                "--set split_at_doors.open_room_width=%.2g makes rooms of them",
-                count, options.openRoomWidth, options.minRoomWidth);
-  s.notes.push_back({"narrow_regions", text, std::nullopt});
+  s.notes.push_back(
+      {"narrow_regions",
+       formatted("%td regions narrower than %.2f m are not closed by doors and count as corridor: "
+                 "--set split_at_doors.open_room_width=%.2g makes rooms of them",
+                 count, options.openRoomWidth, options.minRoomWidth),
+       std::nullopt});
 }
 
 void noteHalfSeen(Stages& s) {
@@ -110,12 +109,12 @@ void noteHalfSeen(Stages& s) {
   const auto largest = std::max_element(
       halfSeen.begin(), halfSeen.end(),
       [](const Room& a, const Room& b) { return area(a.polygon) < area(b.polygon); });
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "%zu regions that beams saw in part, up to %.1f m2, are neither room nor corridor",
-                halfSeen.size(), area(largest->polygon));
   const Point at = largest->widestPlace;
-  s.notes.push_back({"half_seen", text, std::array<double, 2>{at.x, at.y}});
+  s.notes.push_back(
+      {"half_seen",
+       formatted("%zu regions that beams saw in part, up to %.1f m2, are neither room nor corridor",
+                 halfSeen.size(), area(largest->polygon)),
+       std::array<double, 2>{at.x, at.y}});
 }
 
 /** What was left out of the map, and why the result is empty or lacks rooms. */

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "comparison_words.h"
 #include "json_places.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/ledger/site_rooms.h"
 
@@ -205,24 +205,19 @@ std::string comparisonText(const Comparison& comparison) {
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
-    char line[120];
-    if (run.score)
-      std::snprintf(line, sizeof line, "  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n",
-                    run.score->score, run.score->low, run.score->high, run.score->mapError,
-                    run.score->errorLow, run.score->errorHigh, share.c_str(),
-                    run.score->isMeaningful ? "" : "  too little to judge by");
-    else
-      std::snprintf(line, sizeof line, "  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "",
-                    share.c_str());
+    const std::string line =
+        run.score ? formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", run.score->score,
+                              run.score->low, run.score->high, run.score->mapError,
+                              run.score->errorLow, run.score->errorHigh, share.c_str(),
+                              run.score->isMeaningful ? "" : "  too little to judge by")
+                  : formatted("  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "", share.c_str());
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=
         std::string(4 - std::min<std::size_t>(4, place.size()), ' ') + place + "  " + name + line;
   }
   for (const ComparedRun& run : comparison.runs) {
-    if (!run.isScaleEstimated) continue;
-    char scale[60];
-    std::snprintf(scale, sizeof scale, ": %.5f m per cell, estimated.\n", run.resolution);
-    text += printable(run.name) + scale;
+    if (run.isScaleEstimated)
+      text += printable(run.name) + formatted(": %.5f m per cell, estimated.\n", run.resolution);
   }
   const std::string rooms = roomsText(comparison.rooms);
   if (!rooms.empty()) text += printable(rooms) + ".\n";

@@ -1,10 +1,10 @@
 #include "roomgraph/report/gate_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/xml_text.h"
 
@@ -58,11 +58,11 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) {
-  char figures[100] = " - | - | - ";
-  if (run.score)
-    std::snprintf(figures, sizeof figures, "%.3f | %.3f to %.3f | %.0f%s", run.score->mapError,
-                  run.score->errorLow, run.score->errorHigh, run.score->score,
-                  run.score->isMeaningful ? "" : " (too little to judge by)");
+  const std::string figures =
+      run.score ? formatted("%.3f | %.3f to %.3f | %.0f%s", run.score->mapError,
+                            run.score->errorLow, run.score->errorHigh, run.score->score,
+                            run.score->isMeaningful ? "" : " (too little to judge by)")
+                : " - | - | - ";
   std::string verdict = "not judged";
   for (const JudgedRun& one : judged)
     if (one.name == run.name)

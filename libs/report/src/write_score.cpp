@@ -1,9 +1,9 @@
 #include "roomgraph/report/write_score.h"
 
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "stability_json.h"
 
@@ -32,23 +32,18 @@ constexpr Measure kShares[] = {
 
 std::string line(const char* format, const char* name, const std::string& value,
                  const std::string& rest) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, name, value.c_str(), rest.c_str());
-  return text;
+  return formatted(format, name, value.c_str(), rest.c_str());
 }
 
 std::string number(const char* format, std::optional<double> value, double factor) {
-  if (!value) return "-";
-  char text[64];
-  std::snprintf(text, sizeof text, format, *value * factor);
-  return text;
+  return value ? formatted(format, *value * factor) : "-";
 }
 
 std::string countLine(const char* name, std::size_t seg, std::size_t truth) {
   return line("%-22s %11s %11s\n", name, std::to_string(seg), std::to_string(truth));
 }
 
-Json rounded(std::optional<double> value, double digits) {
+Json roundedTo(std::optional<double> value, double digits) {
   if (!value) return nullptr;
   const double unit = std::pow(10, digits);
   return std::round(*value * unit) / unit;
@@ -91,9 +86,9 @@ std::string roomScoreJson(const RoomScore& score) {
            {"pairs", score.pairs}};
   for (const Measure& measure : kShares) {
     const std::optional<double> share = score.*measure.value;
-    all[measure.key] = rounded(share ? std::optional<double>(100 * *share) : std::nullopt, 4);
+    all[measure.key] = roundedTo(share ? std::optional<double>(100 * *share) : std::nullopt, 4);
   }
-  all["mcc"] = rounded(score.mcc, 6);
+  all["mcc"] = roundedTo(score.mcc, 6);
   std::string text;
   for (const auto& [key, value] : all.items())
     text += (text.empty() ? "{\n\"" : ",\n\"") + key + "\": " + lineOf(value);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/json/rounded.h"
 #include "stability_json.h"
@@ -107,15 +107,12 @@ std::string member(const char* name, const Json& value) {
   return std::string("\"") + name + "\": " + lineOf(value) + ",\n";
 }
 
-std::string formatted(const char* format, Value value, const char* missing) {
-  if (!value) return missing;
-  char text[64];
-  std::snprintf(text, sizeof text, format, *value);
-  return text;
+std::string valueText(const char* format, Value value, const char* missing) {
+  return value ? formatted(format, *value) : missing;
 }
 
 std::string number(Value value, int width) {
-  const std::string text = formatted("%.2f", value, "-");
+  const std::string text = valueText("%.2f", value, "-");
   return std::string(std::size_t(std::max(0, width - int(text.size()))), ' ') + text;
 }
 
@@ -126,10 +123,8 @@ std::string tableLine(const std::string& first, const StabilityRow& row, double 
 }
 
 std::string soundLine(const char* name, Value room, Value noRoom) {
-  char first[64];
-  std::snprintf(first, sizeof first, "%-38s", name);
   const double ratio = room && noRoom && *noRoom > 0 ? 100 * *room / *noRoom : NAN;
-  return first + number(room, 10) + number(noRoom, 10) +
+  return formatted("%-38s", name) + number(room, 10) + number(noRoom, 10) +
          (std::isnan(ratio) ? number(std::nullopt, 10) : number(ratio, 10)) + "\n";
 }
 
@@ -137,7 +132,7 @@ std::string soundText(const Stability& result) {
   const VertexAgreement &room = result.mean.room.agreement, &noRoom = result.mean.noRoom.agreement;
   const double toPx = 1 / result.frame.resolution;
   std::string text =
-      "One to one, at most " + formatted("%g", result.options.matchWithin, "") + " m apart:\n";
+      "One to one, at most " + valueText("%g", result.options.matchWithin, "") + " m apart:\n";
   text += soundLine("median distance [px]", times(room.median, toPx), times(noRoom.median, toPx));
   text += soundLine("90th percentile [px]", times(room.percentile90, toPx),
                     times(noRoom.percentile90, toPx));
@@ -145,8 +140,8 @@ std::string soundText(const Stability& result) {
                     times(noRoom.unmatchedBase, 100));
   text += soundLine("unmatched of the noisy map [%]", times(room.unmatchedOther, 100),
                     times(noRoom.unmatchedOther, 100));
-  text += "Rooms found again " + formatted("%.1f %%", times(result.mean.roomsFound, 100), "-") +
-          ", change in their number " + formatted("%.2f", result.mean.roomsChange, "") + " of " +
+  text += "Rooms found again " + valueText("%.1f %%", times(result.mean.roomsFound, 100), "-") +
+          ", change in their number " + valueText("%.2f", result.mean.roomsChange, "") + " of " +
           std::to_string(result.baseRooms) + "\n";
   return text;
 }
@@ -161,7 +156,7 @@ std::string stabilityCsv(const Stability& result) {
     for (const Column& column : columnsOf(row, result.frame.resolution)) {
       const bool isWhole = column.value && *column.value == std::floor(*column.value);
       header += "," + column.name;
-      line += "," + formatted(isWhole ? "%.0f" : "%.4f", column.value, "");
+      line += "," + valueText(isWhole ? "%.0f" : "%.4f", column.value, "");
     }
     lines += line.substr(1) + "\n";
   }
@@ -189,15 +184,13 @@ std::string stabilityJson(const Stability& result) {
 
 std::string stabilityText(const Stability& result) {
   std::string text = "distance [px]  percent  room [px]   no room ratio [%]\n";
-  for (const StabilityRow& row : result.rows) {
-    char first[64];
-    std::snprintf(first, sizeof first, "%13d%9g ", row.distance, row.percent);
-    text += tableLine(first, row, result.frame.resolution);
-  }
-  char first[64];
-  std::snprintf(first, sizeof first, "mean of %-15s",
-                (std::to_string(result.rows.size()) + " rows").c_str());
-  return text + tableLine(first, result.mean, result.frame.resolution) + soundText(result);
+  for (const StabilityRow& row : result.rows)
+    text +=
+        tableLine(formatted("%13d%9g ", row.distance, row.percent), row, result.frame.resolution);
+  const std::string rows = std::to_string(result.rows.size()) + " rows";
+  return text +
+         tableLine(formatted("mean of %-15s", rows.c_str()), result.mean, result.frame.resolution) +
+         soundText(result);
 }
 
 }  // namespace roomgraph

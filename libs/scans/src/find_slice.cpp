@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "roomgraph/base/sentence_text.h"
 #include "straight_cells.h"
 
 namespace roomgraph {
@@ -98,13 +98,9 @@ Slice findSlice(const Voxels& voxels, const LoadGridOptions& options) {
 }
 
 std::string sliceText(const Slice& slice) {
-  char text[96];
-  if (slice.isFlat)
-    std::snprintf(text, sizeof text, "all points, which lie in one plane");
-  else
-    std::snprintf(text, sizeof text, "heights %.2f to %.2f m above the floor at %.2f m", slice.low,
-                  slice.high, slice.floor);
-  return text;
+  if (slice.isFlat) return "all points, which lie in one plane";
+  return formatted("heights %.2f to %.2f m above the floor at %.2f m", slice.low, slice.high,
+                   slice.floor);
 }
 
 }  // namespace roomgraph

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
@@ -37,12 +37,11 @@ std::vector<Component> measure(const TopologyGraph& graph, UnionFind& groups) {
 }
 
 Note droppedNote(int count, double length, const Vertex& where) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%d part%s of the graph with %.1f m of paths not connected to the largest one "
-                "%s dropped; --all-components keeps them",
-                count, count == 1 ? "" : "s", length, count == 1 ? "was" : "were");
-  return {"component_dropped", text, std::array<double, 2>{where.at.x, where.at.y}};
+  return {"component_dropped",
+          formatted("%d part%s of the graph with %.1f m of paths not connected to the largest one "
+                    "%s dropped; --all-components keeps them",
+                    count, count == 1 ? "" : "s", length, count == 1 ? "was" : "were"),
+          std::array<double, 2>{where.at.x, where.at.y}};
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+#pragma once
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace roomgraph {
+
+/** What printf would print, of any length. */
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+  std::string text(std::size_t(std::snprintf(nullptr, 0, format, values...)), '\0');
+  std::snprintf(text.data(), text.size() + 1, format, values...);
+  return text;
+}
+
+/** "1 room", "2 rooms". */
+std::string counted(std::size_t count, const std::string& thing, const std::string& things);
+
+/** "a, b and c"; of more than `most` names, and one, "a, b and 3 more". Empty for none. */
+std::string listed(const std::vector<std::string>& names, std::size_t most = 1'000'000);
+
+}  // namespace roomgraph
