@@ -11,7 +11,7 @@
 #include "read_place.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
@@ -30,12 +30,12 @@ constexpr const char* kGraphParts[] = {"map",       "rooms",    "room outlines",
 /** Points are never transparent, so faint ones have the colour that they would have. */
 mrpt::img::TColor wallColour(std::size_t run, bool isFaint) {
   const Colour full = runColour(run);
-  if (!isFaint) return {full.red, full.green, full.blue};
+  if (!isFaint) return mrptColour(full);
   const auto mixed = [](std::uint8_t colour, std::uint8_t paper) {
     return std::uint8_t(kFaint * colour + (1 - kFaint) * paper);
   };
-  return {mixed(full.red, kBackgroundColor.r), mixed(full.green, kBackgroundColor.g),
-          mixed(full.blue, kBackgroundColor.b)};
+  return {mixed(full.red, kBackgroundColour.red), mixed(full.green, kBackgroundColour.green),
+          mixed(full.blue, kBackgroundColour.blue)};
 }
 
 viz::CSetOfObjects::Ptr setNamed(const char* name) {
@@ -77,8 +77,8 @@ void clipFor(double away, MrptScene& scene) {
 
 double lookDown(MrptScene& scene, const Box& box, double aspect) {
   const auto view = scene.getViewport();
-  view->setCustomBackgroundColor(
-      {kBackgroundColor.r / 255.F, kBackgroundColor.g / 255.F, kBackgroundColor.b / 255.F});
+  view->setCustomBackgroundColor({kBackgroundColour.red / 255.F, kBackgroundColour.green / 255.F,
+                                  kBackgroundColour.blue / 255.F});
   makeEven(view->lightParameters());
   const Point middle = midpoint(box.low, box.high), size = box.high - box.low;
   const double half = std::max(size.y, size.x / aspect) / 2;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "heights.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/page/site_pictures.h"
 
 namespace roomgraph {
@@ -28,7 +29,7 @@ void addSquare(const GridFrame& frame, Cell cell, Colour colour, viz::CSetOfTria
   };
   for (viz::TTriangle triangle : {viz::TTriangle(at(-1, -1), at(1, -1), at(1, 1)),
                                   viz::TTriangle(at(-1, -1), at(1, 1), at(-1, 1))}) {
-    triangle.setColor(mrpt::img::TColor(colour.red, colour.green, colour.blue));
+    triangle.setColor(mrptColour(colour));
     squares.insertTriangle(triangle);
   }
 }

@@ -4,12 +4,14 @@
 
 #include "heights.h"
 #include "roomgraph/drawing/stage_names.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr mrpt::img::TColor kSites{213, 94, 0}, kVoronoi{0, 114, 178}, kPassages{213, 94, 0};
+constexpr mrpt::img::TColor kSites = mrptColour(ink::vermilion), kVoronoi = mrptColour(ink::blue),
+                            kPassages = mrptColour(ink::vermilion);
 
 viz::CSetOfObjects::Ptr setOf(const viz::CRenderizable::Ptr& object) {
   auto set = viz::CSetOfObjects::Create();

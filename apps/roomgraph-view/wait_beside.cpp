@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <future>
 
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 
 namespace roomgraph {
 namespace {
@@ -21,7 +21,8 @@ class WaitingWindow : public nanogui::Screen {
  public:
   WaitingWindow(const std::string& words, int width, int height)
       : Screen({width, height}, "roomgraph-view", false), words_(words) {
-    setBackground(nanogui::Color(kBackgroundColor.r, kBackgroundColor.g, kBackgroundColor.b, 255));
+    setBackground(nanogui::Color(kBackgroundColour.red, kBackgroundColour.green,
+                                 kBackgroundColour.blue, 255));
   }
 
   void draw(NVGcontext* context) override {

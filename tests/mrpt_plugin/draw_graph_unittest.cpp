@@ -7,22 +7,22 @@
 #include <tuple>
 
 #include "draw_map.h"
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "sample_graph.h"
 
 namespace roomgraph {
 namespace {
 
-using ColorKey = std::tuple<int, int, int>;
+using ColourKey = std::tuple<int, int, int>;
 
-ColorKey key(Color c) { return {c.r, c.g, c.b}; }
+ColourKey key(Colour c) { return {c.red, c.green, c.blue}; }
 
 viz::CSetOfTriangles::Ptr part(const viz::CSetOfObjects::Ptr& drawing, const std::string& name) {
   return std::dynamic_pointer_cast<viz::CSetOfTriangles>(drawing->getByName(name));
 }
 
-std::set<ColorKey> colorsOf(const viz::CSetOfTriangles& triangles) {
-  std::set<ColorKey> colors;
+std::set<ColourKey> coloursOf(const viz::CSetOfTriangles& triangles) {
+  std::set<ColourKey> colors;
   for (std::size_t i = 0; i < triangles.getTrianglesCount(); ++i) {
     viz::TTriangle t;
     triangles.getTriangle(i, t);
@@ -58,24 +58,24 @@ TEST(DrawGraph, floorsCoverTheRoomsInTheirColours) {
   const auto floors = part(drawGraph(sample), "rooms");
   ASSERT_TRUE(floors);
   double total = 0;
-  std::set<ColorKey> expected;
+  std::set<ColourKey> expected;
   for (std::size_t i = 0; i < sample.file.graph.rooms.size(); ++i) {
     total += area(sample.file.graph.rooms[i].shape.polygon);
-    expected.insert(key(roomColor(i)));
+    expected.insert(key(roomColour(i)));
   }
   EXPECT_NEAR(areaOf(*floors), total, 1e-3);
-  EXPECT_EQ(colorsOf(*floors), expected);
+  EXPECT_EQ(coloursOf(*floors), expected);
 }
 
 TEST(DrawGraph, eachKindOfVertexHasItsColour) {
   const CRoomGraph sample = sampleGraph();
   const auto discs = part(drawGraph(sample), "vertices");
   ASSERT_TRUE(discs);
-  std::set<ColorKey> expected{key(kRimColor)};
+  std::set<ColourKey> expected{key(kRimColour)};
   for (const Vertex& vertex : sample.file.graph.graph.vertices())
-    expected.insert(key(vertexColor(vertex.kind)));
+    expected.insert(key(vertexColour(vertex.kind)));
   EXPECT_EQ(expected.size(), 6U);
-  EXPECT_EQ(colorsOf(*discs), expected);
+  EXPECT_EQ(coloursOf(*discs), expected);
 }
 
 TEST(DrawGraph, waysLieWhereTheirPathsAre) {
@@ -93,7 +93,7 @@ TEST(DrawGraph, waysLieWhereTheirPathsAre) {
   const auto corridor = part(drawing, "corridors");
   ASSERT_TRUE(corridor);
   EXPECT_EQ(corridor->getTrianglesCount(), 2U);
-  EXPECT_EQ(colorsOf(*corridor), std::set<ColorKey>{key(kCorridorColor)});
+  EXPECT_EQ(coloursOf(*corridor), std::set<ColourKey>{key(kCorridorColour)});
 }
 
 TEST(DrawGraph, theMapLiesUnderTheGraphAndKeepsItsWalls) {

@@ -6,7 +6,7 @@
 
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/files/write_file.h"
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
@@ -17,8 +17,9 @@
 
 namespace {
 
-void print(const std::string& name, roomgraph::Color color) {
-  std::cout << name << " " << int(color.r) << " " << int(color.g) << " " << int(color.b) << "\n";
+void print(const std::string& name, roomgraph::Colour colour) {
+  std::cout << name << " " << int(colour.red) << " " << int(colour.green) << " " << int(colour.blue)
+            << "\n";
 }
 
 void writeGraph(const std::string& object, const std::string& scene) {
@@ -26,10 +27,10 @@ void writeGraph(const std::string& object, const std::string& scene) {
   roomgraph::saveRoomGraph(object, sample);
   roomgraph::writeFileAtomically(scene, roomgraph::sceneBytes(sample));
   for (std::size_t room = 0; room < 4; ++room)
-    print("floor_" + std::to_string(room), roomgraph::roomColor(room));
-  print("corridor", roomgraph::kCorridorColor);
+    print("floor_" + std::to_string(room), roomgraph::roomColour(room));
+  print("corridor", roomgraph::kCorridorColour);
   for (const roomgraph::Vertex& vertex : sample.file.graph.graph.vertices())
-    print(roomgraph::kindName(vertex.kind), roomgraph::vertexColor(vertex.kind));
+    print(roomgraph::kindName(vertex.kind), roomgraph::vertexColour(vertex.kind));
 }
 
 void writeComparison(const std::string& object, const std::string& scene) {

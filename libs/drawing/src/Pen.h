@@ -4,19 +4,13 @@
 #include <string>
 
 #include "View.h"
+#include "roomgraph/drawing/ink.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/topology/TopologyGraph.h"
 
 namespace roomgraph {
-
-/** The colours of lines and marks: Okabe and Ito's, which the colour-blind can tell apart. */
-namespace ink {
-constexpr Colour text{32, 36, 42}, quiet{105, 112, 122}, paper{255, 255, 255}, rule{205, 210, 216};
-constexpr Colour blue{0, 114, 178}, vermilion{213, 94, 0}, green{0, 158, 115}, sky{86, 180, 233},
-    orange{230, 159, 0}, yellow{240, 228, 66}, purple{204, 121, 167}, inside{92, 74, 110};
-}  // namespace ink
 
 /** Draws things of the map on a cairo context whose origin is the view's upper left corner. What is
  *  measured in px here stays the same however large the map is. */

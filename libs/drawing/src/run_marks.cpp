@@ -2,11 +2,13 @@
 
 #include <iterator>
 
+#include "roomgraph/drawing/ink.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr Colour kColours[] = {{0, 114, 178}, {213, 94, 0},    {0, 158, 115},  {204, 121, 167},
-                               {230, 159, 0}, {86, 180, 233},  {0, 0, 0},      {110, 60, 150},
+constexpr Colour kColours[] = {ink::blue,     ink::vermilion,  ink::green,     ink::purple,
+                               ink::orange,   ink::sky,        {0, 0, 0},      {110, 60, 150},
                                {140, 81, 10}, {128, 128, 128}, {120, 150, 30}, {150, 20, 80},
                                {40, 60, 130}, {240, 128, 114}};
 

@@ -4,14 +4,15 @@
 
 #include "look_from_above.h"
 #include "object_bytes.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155}, kDrawn{213, 94, 0},
-    kUntorn{0, 130, 90};
+constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155},
+    kTorn = mrptColour(ink::vermilion), kUntorn{0, 130, 90};
 constexpr double kLayerStep = 0.05;    // between layers, so that none hides in another [m]
 constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterHeight = 0.5;  // [m]
@@ -118,7 +119,7 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
     const Transform2D pose = poseOf(comparison, tear.run);
     constexpr double above = kRobotMark, below = -kRobotMark - kLetterHeight;
     Piece before("before", kBefore, kLayerStep, above),
-        drawn("drawn", kDrawn, 2 * kLayerStep, above),
+        drawn("drawn", kTorn, 2 * kLayerStep, above),
         untorn("untorn", kUntorn, 3 * kLayerStep, below);
     const FramesAtBreak frames = framesAtBreak(tear, run->scans);
     for (std::size_t k = frames.first; k < frames.end; ++k) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "roomgraph/drawing/run_marks.h"
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 
 namespace roomgraph {
 namespace {
@@ -18,15 +18,10 @@ constexpr double kSmallest = 0.4, kLargest = 1.5;     // letters [m]
 constexpr double kLetterShare = 0.018;                // of the larger side of the site
 constexpr mrpt::img::TColor kNameColour{15, 15, 20};  // shows on light and on RawLogViewer's grey
 
-mrpt::img::TColor colourOf(std::size_t run) {
-  const Colour c = runColour(run);
-  return {c.red, c.green, c.blue};
-}
-
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   auto cloud = viz::CPointCloud::Create();
   cloud->setName("walls");
-  cloud->setColor_u8(colourOf(run));
+  cloud->setColor_u8(mrptColour(runColour(run)));
   cloud->setPointSize(3);
   if (walls.empty()) return cloud;
   const Box box = boundingBox(walls);
@@ -42,7 +37,7 @@ viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) 
 viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double height) {
   auto lines = viz::CSetOfLines::Create();
   lines->setName("rooms");
-  lines->setColor_u8({kRoomOutlineColor.r, kRoomOutlineColor.g, kRoomOutlineColor.b});
+  lines->setColor_u8(mrptColour(kRoomOutlineColour));
   lines->setLineWidth(2);
   const auto add = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -155,7 +150,7 @@ viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, const Wri
   legend->setName("legend");
   for (std::size_t i = 0; i < std::min(runs.size(), kMostNamed); ++i) {
     corner.y -= kLegendLine * writer.letter();
-    legend->insert(writer.written(runs[i].name, colourOf(i), corner, height));
+    legend->insert(writer.written(runs[i].name, mrptColour(runColour(i)), corner, height));
   }
   return legend;
 }
@@ -166,17 +161,17 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& wri
   for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
   auto rings = viz::CSetOfObjects::Create();
   rings->setName("breaks");
-  for (const MapBreak& bend : comparison.breaks) {
+  for (const MapBreak& tear : comparison.breaks) {
     auto ring = viz::CDisk::Create();
     ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
-    const auto found = places.find(bend.run);
-    ring->setColor_u8(colourOf(found == places.end() ? 0 : found->second));
-    ring->setLocation(bend.place.x, bend.place.y, height);
+    const auto found = places.find(tear.run);
+    ring->setColor_u8(mrptColour(runColour(found == places.end() ? 0 : found->second)));
+    ring->setLocation(tear.place.x, tear.place.y, height);
     rings->insert(ring);
-    std::string words = bend.run;
-    if (bend.keyFrame) words += ", key frame " + std::to_string(*bend.keyFrame);
+    std::string words = tear.run;
+    if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
     rings->insert(writer.written(words, ring->getColor_u8(),
-                                 bend.place + Point{-kBreakRadius, 1.2 * kBreakRadius}, height));
+                                 tear.place + Point{-kBreakRadius, 1.2 * kBreakRadius}, height));
   }
   return rings;
 }

@@ -5,7 +5,7 @@
 
 #include "draw_map.h"
 #include "roomgraph/geometry/thinned_line.h"
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "triangulate.h"
 
 namespace roomgraph {
@@ -34,24 +34,22 @@ struct Sheet {
   }
 };
 
-mrpt::img::TColor mrptColor(Color c) { return {c.r, c.g, c.b}; }
-
 void addTriangle(viz::CSetOfTriangles& triangles, const std::array<mrpt::math::TPoint3Df, 3>& at,
-                 Color color) {
+                 Colour colour) {
   viz::TTriangle triangle(at[0], at[1], at[2]);
-  triangle.setColor(mrptColor(color));
+  triangle.setColor(mrptColour(colour));
   triangles.insertTriangle(triangle);
 }
 
 void addDisc(viz::CSetOfTriangles& triangles, const Sheet& sheet, Point center, double radius,
-             Layer layer, Color color) {
+             Layer layer, Colour colour) {
   constexpr int corners = 24;
   const auto corner = [&](int i) {
     const double angle = 2 * M_PI * (i % corners) / corners;
     return sheet.at(center + radius * Point{std::cos(angle), std::sin(angle)}, layer);
   };
   for (int i = 0; i < corners; ++i)
-    addTriangle(triangles, {sheet.at(center, layer), corner(i), corner(i + 1)}, color);
+    addTriangle(triangles, {sheet.at(center, layer), corner(i), corner(i + 1)}, colour);
 }
 
 viz::CSetOfTriangles::Ptr makeTriangles(const std::string& name) {
@@ -89,7 +87,7 @@ Polyline drawnPoints(Polyline line, bool isClosed, double width) {
 
 /** A line as a flat ribbon: OpenGL's own lines are one pixel wide on most machines. */
 void addRibbon(viz::CSetOfTriangles& triangles, const Sheet& sheet, const Polyline& all,
-               bool isClosed, double width, Layer layer, Color color) {
+               bool isClosed, double width, Layer layer, Colour colour) {
   if (all.empty()) return;
   const Polyline line = drawnPoints(all, isClosed, width);
   const std::size_t n = line.size();
@@ -100,8 +98,8 @@ void addRibbon(viz::CSetOfTriangles& triangles, const Sheet& sheet, const Polyli
     const auto left = sheet.at(line[i] + a, layer), right = sheet.at(line[i] - a, layer);
     const auto nextLeft = sheet.at(line[next] + b, layer);
     const auto nextRight = sheet.at(line[next] - b, layer);
-    addTriangle(triangles, {right, nextRight, left}, color);
-    addTriangle(triangles, {left, nextRight, nextLeft}, color);
+    addTriangle(triangles, {right, nextRight, left}, colour);
+    addTriangle(triangles, {left, nextRight, nextLeft}, colour);
   }
 }
 
@@ -112,7 +110,7 @@ viz::CSetOfTriangles::Ptr drawFloors(const RoomGraph& graph, const Sheet& sheet)
       addTriangle(
           *floors,
           {sheet.at(t[0], kFloorLayer), sheet.at(t[1], kFloorLayer), sheet.at(t[2], kFloorLayer)},
-          roomColor(i));
+          roomColour(i));
   return floors;
 }
 
@@ -120,7 +118,7 @@ viz::CSetOfTriangles::Ptr drawOutlines(const RoomGraph& graph, const Sheet& shee
   auto outlines = makeTriangles("room outlines");
   const auto add = [&](const Ring& ring) {
     addRibbon(*outlines, sheet, ring, true, 0.25 * sheet.discRadius, kOutlineLayer,
-              kRoomOutlineColor);
+              kRoomOutlineColour);
   };
   for (const GraphRoom& room : graph.rooms) {
     add(room.shape.polygon.outer);
@@ -135,7 +133,8 @@ viz::CSetOfTriangles::Ptr drawWays(const RoomGraph& graph, const Sheet& sheet, b
   for (const Edge& edge : graph.graph.edges())
     if (bool(edge.room) == inRooms)
       addRibbon(*ways, sheet, edge.path.points, false, width,
-                inRooms ? kRoomWayLayer : kCorridorLayer, inRooms ? kRoomWayColor : kCorridorColor);
+                inRooms ? kRoomWayLayer : kCorridorLayer,
+                inRooms ? kRoomWayColour : kCorridorColour);
   return ways;
 }
 
@@ -150,15 +149,15 @@ viz::CSetOfTriangles::Ptr drawVertices(const RoomGraph& graph, const Sheet& shee
   auto discs = makeTriangles("vertices");
   for (const Vertex& vertex : graph.graph.vertices()) {
     const double radius = discRadius(graph, vertex, sheet);
-    addDisc(*discs, sheet, vertex.at, radius + 0.22 * sheet.discRadius, kRimLayer, kRimColor);
-    addDisc(*discs, sheet, vertex.at, radius, kDiscLayer, vertexColor(vertex.kind));
+    addDisc(*discs, sheet, vertex.at, radius + 0.22 * sheet.discRadius, kRimLayer, kRimColour);
+    addDisc(*discs, sheet, vertex.at, radius, kDiscLayer, vertexColour(vertex.kind));
   }
   return discs;
 }
 
 viz::CText3D::Ptr drawNumber(std::size_t number, Point at, double discRadius, const Sheet& sheet) {
   auto text = viz::CText3D::Create(std::to_string(number), "sans", 1.0F, viz::FILL);
-  text->setColor_u8(mrptColor(kNumberColor));
+  text->setColor_u8(mrptColour(kNumberColour));
   // The text's box tells how large it is at scale 1, and where its middle lies.
   const auto box = text->getBoundingBox();
   const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;

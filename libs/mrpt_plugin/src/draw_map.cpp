@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 
 namespace roomgraph {
 namespace {

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/mrpt_plugin/colors.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 
 namespace roomgraph {
 
 void lookFromAbove(MrptScene& scene, const Box& box) {
   const auto view = scene.getViewport();
-  view->setCustomBackgroundColor(
-      {kBackgroundColor.r / 255.F, kBackgroundColor.g / 255.F, kBackgroundColor.b / 255.F});
+  view->setCustomBackgroundColor({kBackgroundColour.red / 255.F, kBackgroundColour.green / 255.F,
+                                  kBackgroundColour.blue / 255.F});
   scene.enableFollowCamera(true);  // else SceneViewer3D looks from where it likes
   // Even light, so that the colours are those of the legend: the files know no unlit triangles.
   makeEven(view->lightParameters());

@@ -105,15 +105,15 @@ class Tables {
   data breaks() const {
     data rows = list();
     for (std::size_t i = 0; i < comparison_.breaks.size(); ++i) {
-      const MapBreak& bend = comparison_.breaks[i];
-      data row = runCell(bend.run);
+      const MapBreak& tear = comparison_.breaks[i];
+      data row = runCell(tear.run);
       row.set("index", std::to_string(i));
-      row.set("x", fixedText(bend.place.x, 1));
-      row.set("y", fixedText(bend.place.y, 1));
-      row.set("turn", fixedText(bend.rotation * 180 / M_PI, 1));
-      row.set("shift", fixedText(bend.shift, 2));
-      row.set("frame", bend.keyFrame ? std::to_string(*bend.keyFrame) : "–");
-      row.set("time", bend.time ? timeText(*bend.time) : "–");
+      row.set("x", fixedText(tear.place.x, 1));
+      row.set("y", fixedText(tear.place.y, 1));
+      row.set("turn", fixedText(tear.rotation * 180 / M_PI, 1));
+      row.set("shift", fixedText(tear.shift, 2));
+      row.set("frame", tear.keyFrame ? std::to_string(*tear.keyFrame) : "–");
+      row.set("time", tear.time ? timeText(*tear.time) : "–");
       rows << row;
     }
     return rows;
@@ -198,7 +198,7 @@ class Tables {
 
   std::size_t breaksOf(const std::string& run) const {
     return std::size_t(std::count_if(comparison_.breaks.begin(), comparison_.breaks.end(),
-                                     [&](const MapBreak& bend) { return bend.run == run; }));
+                                     [&](const MapBreak& tear) { return tear.run == run; }));
   }
 
   /** Those of the first run that has any: all runs have the same. */

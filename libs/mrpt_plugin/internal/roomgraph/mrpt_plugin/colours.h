@@ -1,0 +1,47 @@
+#pragma once
+#include <mrpt/img/TColor.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "roomgraph/drawing/ink.h"
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+constexpr mrpt::img::TColor mrptColour(Colour c) { return {c.red, c.green, c.blue}; }
+
+// What the parts of a graph look like in 3D; told apart also by the colour-blind.
+constexpr Colour kCorridorColour{0, 82, 155};      ///< ways outside of rooms
+constexpr Colour kRoomWayColour{84, 105, 120};     ///< ways from a room's vertex to its borders
+constexpr Colour kRoomOutlineColour{92, 99, 112};  ///< rings of the rooms' polygons
+constexpr Colour kRimColour{255, 255, 255};        ///< round each vertex
+constexpr Colour kNumberColour{255, 255, 255};     ///< of the rooms
+constexpr Colour kBackgroundColour{236, 239, 243};
+constexpr std::uint8_t kFreeGrey = 255, kUnknownGrey = 205, kOccupiedGrey = 45;
+
+/** A vertex by its kind. */
+constexpr Colour vertexColour(VertexKind kind) {
+  switch (kind) {
+    case VertexKind::junction:
+      return ink::blue;
+    case VertexKind::deadEnd:
+      return ink::orange;
+    case VertexKind::border:
+      return ink::vermilion;
+    case VertexKind::room:
+      return {0, 110, 82};
+    case VertexKind::ring:
+      return {160, 80, 150};
+  }
+  return {};
+}
+
+/** The floor of a room by its id; neighbouring ids differ. */
+constexpr Colour roomColour(std::size_t room) {
+  constexpr Colour floors[] = {{190, 224, 205}, {250, 222, 178}, {196, 214, 240}, {244, 205, 212},
+                               {222, 232, 176}, {221, 206, 236}, {184, 226, 228}, {240, 218, 200}};
+  return floors[room % (sizeof floors / sizeof floors[0])];
+}
+
+}  // namespace roomgraph
