@@ -15,7 +15,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDay = 86400;        // [s]
 constexpr std::size_t kAgreeing = 5;  // runs that must agree on a change
 constexpr double kDoors = 0.5, kSeen = 0.5;
 constexpr double kAreaShare = 0.15;  // smaller changes of a room's area are drawing

@@ -1,12 +1,13 @@
 #include "Pen.h"
 
+#include <cmath>
+
 #include "roomgraph/base/printable.h"
 #include "roomgraph/geometry/thinned_line.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kTolerancePx = 0.3;
 
 void traceSquare(cairo_t* cairo, Point px, double half) {
@@ -23,7 +24,7 @@ void traceDiamond(cairo_t* cairo, Point px, double half) {
 
 void traceDisc(cairo_t* cairo, Point px, double radius) {
   cairo_new_sub_path(cairo);
-  cairo_arc(cairo, px.x, px.y, radius, 0, 2 * kPi);
+  cairo_arc(cairo, px.x, px.y, radius, 0, 2 * M_PI);
 }
 
 }  // namespace

@@ -14,14 +14,13 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /** Radii of curvature of the WGS84 ellipsoid on the equator [m], eastward and northward. */
 constexpr double kEastRadius = 6378137.0, kNorthRadius = kEastRadius * (1 - 0.00669437999014);
 
 /** Degrees with nine digits, 0.1 mm; the same on every machine and in every locale. */
 std::string degreesText(double metres, double radius) {
   constexpr std::int64_t kUnit = 1000000000;
-  const std::int64_t all = std::llround(metres / radius * 180 / kPi * double(kUnit));
+  const std::int64_t all = std::llround(metres / radius * 180 / M_PI * double(kUnit));
   const std::string fraction = std::to_string(std::abs(all) % kUnit);
   return (all < 0 ? "-" : "") + std::to_string(std::abs(all) / kUnit) + "." +
          std::string(9 - fraction.size(), '0') + fraction;

@@ -11,11 +11,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDay = 86400;                          // [s]
 constexpr double kPlotWidth = 1000, kPlotHeight = 260;  // of the picture [px], as all that follows
 constexpr double kLeft = 56, kRight = 16, kTop = 14, kBottom = 30;
 constexpr double kSparkWidth = 120, kSparkHeight = 24;
-constexpr int kDates = 6, kSteps = 4;
+constexpr int kDates = 6, kErrors = 4;
 
 /** A run that can be judged. */
 struct Dot {
@@ -71,7 +70,7 @@ Scales scalesOf(const std::vector<Dot>& dots, const WatchOptions& options) {
   std::vector<double> errors;
   for (const Dot& dot : dots) errors.push_back(dot.error);
   const double most = std::max(1.3 * options.limit, 1.4 * quantile(errors, 0.9));
-  const double step = niceStep(most / kSteps);
+  const double step = niceStep(most / kErrors);
   scales.most = step * std::ceil(most / step);
   return scales;
 }
@@ -83,7 +82,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 
 std::string axes(const Scales& scales) {
   std::string svg;
-  const double step = niceStep(scales.most / kSteps);
+  const double step = niceStep(scales.most / kErrors);
   for (int k = 0; k * step <= scales.most * (1 + 1e-9); ++k) {
     const double error = k * step, y = scales.y(error);
     svg += line(kLeft, y, kPlotWidth - kRight, y, "stroke:var(--grid)");

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "roomgraph/files/remedies.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr const char* kSaveAgain = "copy or save the picture again";
 constexpr std::uint32_t kFileHeaderSize = 14;
 constexpr std::uint32_t kOldInfoSize = 12;  // OS/2's, with sizes of 16 bits
 constexpr std::uint32_t kOs2InfoSize = 64;  // numbers its compressions in another way
@@ -33,7 +34,7 @@ void readMasks(ByteReader& in, std::uint32_t infoSize, std::uint32_t compression
 /** Returns how many colours the palette has. */
 std::uint64_t readInfo(ByteReader& in, std::uint32_t infoSize, BmpHeader& header) {
   const auto width = in.get<std::int32_t>(), height = in.get<std::int32_t>();
-  if (width < 0) refuse(in.file(), "it is damaged: its width is negative", kSaveAgain);
+  if (width < 0) refuse(in.file(), "it is damaged: its width is negative", kSavePictureAgain);
   header.width = std::uint64_t(width);
   header.isTopDown = height < 0;
   header.height = std::uint64_t(std::abs(std::int64_t(height)));
@@ -53,7 +54,8 @@ std::uint64_t readInfo(ByteReader& in, std::uint32_t infoSize, BmpHeader& header
 void readPalette(ByteReader& in, std::uint64_t colours, bool isOld, BmpHeader& header) {
   const std::uint64_t most = std::uint64_t(1) << header.bitsPerPixel;
   if (colours == 0) colours = most;
-  if (colours > most) refuse(in.file(), "it is damaged: its palette is too long", kSaveAgain);
+  if (colours > most)
+    refuse(in.file(), "it is damaged: its palette is too long", kSavePictureAgain);
   for (; colours > 0; --colours) {
     const std::uint8_t* blueFirst = in.take(isOld ? 3 : 4);
     header.palette.push_back({blueFirst[2], blueFirst[1], blueFirst[0]});
@@ -79,7 +81,7 @@ BmpPixel fromPalette(const std::uint8_t* row, std::size_t x, const BmpHeader& he
   const auto index =
       std::size_t(row[bit / 8] >> (8 - bits - bit % 8)) & ((std::size_t(1) << bits) - 1);
   if (index >= header.palette.size())
-    refuse(file, "it is damaged: a pixel is not in its palette", kSaveAgain);
+    refuse(file, "it is damaged: a pixel is not in its palette", kSavePictureAgain);
   const auto& colour = header.palette[index];
   return {colour[0], colour[1], colour[2], 255};
 }
@@ -121,18 +123,18 @@ BmpHeader readBmpHeader(ByteReader in) {
     colours = readInfo(in, infoSize, header);
   constexpr int depths[] = {1, 4, 8, 16, 24, 32};
   if (std::count(std::begin(depths), std::end(depths), header.bitsPerPixel) == 0)
-    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSaveAgain);
+    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
   if (kFileHeaderSize + infoSize > in.position())
     in.skip(kFileHeaderSize + infoSize - in.position());
   if (header.bitsPerPixel <= 8) readPalette(in, colours, isOld, header);
   if (header.pixelsAt < in.position())
-    refuse(in.file(), "it is damaged: its pixels begin within its header", kSaveAgain);
+    refuse(in.file(), "it is damaged: its pixels begin within its header", kSavePictureAgain);
   return header;
 }
 
 void checkBmp(const CheckedFile& file, const BmpHeader& header) {
   if (file.claimedSize() < header.pixelsAt + header.height * rowBytes(header))
-    refuse(file.name(), "it is cut short: pixels are missing", kSaveAgain);
+    refuse(file.name(), "it is cut short: pixels are missing", kSavePictureAgain);
 }
 
 void decodeBmp(CheckedFile& file, const BmpHeader& header,

@@ -6,11 +6,11 @@
 #include <jpeglib.h>
 
 #include "pixel_grey.h"
+#include "roomgraph/files/remedies.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr const char* kSaveAgain = "copy or save the picture again";
 // A block of 64 pixels takes a bit at least, and may stand for four with coarser colours.
 constexpr std::uint64_t kMostPixelsPerByte = 2048;
 
@@ -65,7 +65,7 @@ bool readRows(Decoder& d) {
 }
 
 void openJpeg(Decoder& d, ByteView bytes, const std::string& file) {
-  if (!readHeader(d, bytes)) refuse(file, "it is damaged: it is no whole jpeg", kSaveAgain);
+  if (!readHeader(d, bytes)) refuse(file, "it is damaged: it is no whole jpeg", kSavePictureAgain);
   const J_COLOR_SPACE space = d.jpeg.jpeg_color_space;
   if (space != JCS_GRAYSCALE && space != JCS_YCbCr && space != JCS_RGB)
     refuse(file, "is a jpeg for printing, with other colours than red, green and blue",
@@ -89,10 +89,10 @@ std::vector<std::uint8_t> decodeJpeg(ByteView jpeg, const std::string& file) {
   openJpeg(d, jpeg, file);
   const std::uint64_t pixels = std::uint64_t(d.jpeg.image_width) * d.jpeg.image_height;
   if (pixels / kMostPixelsPerByte > jpeg.size)
-    refuse(file, "it is damaged: it holds fewer pixels than it says", kSaveAgain);
+    refuse(file, "it is damaged: it holds fewer pixels than it says", kSavePictureAgain);
   d.row.resize(std::size_t(d.jpeg.image_width) * (d.jpeg.num_components == 1 ? 1 : 3));
   d.grey.reserve(pixels);  // no page of it is written before its row is read
-  if (!readRows(d)) refuse(file, "it is damaged: its pixels cannot be read", kSaveAgain);
+  if (!readRows(d)) refuse(file, "it is damaged: its pixels cannot be read", kSavePictureAgain);
   if (d.jpeg.src->bytes_in_buffer > 0)
     refuse(file, "something follows the picture in it", "remove what was appended");
   return std::move(d.grey);

@@ -4,10 +4,10 @@
 #include <cctype>
 #include <limits>
 
+#include "roomgraph/files/remedies.h"
+
 namespace roomgraph {
 namespace {
-
-constexpr const char* kSaveAgain = "copy or save the picture again";
 
 /** The next whole number of a pgm, with blanks and comments before it. */
 std::uint64_t readPgmNumber(ByteReader& in) {
@@ -19,7 +19,7 @@ std::uint64_t readPgmNumber(ByteReader& in) {
       in.skip(1);
   }
   if (next() >= 0 && !std::isdigit(next()))
-    refuse(in.file(), "it is damaged: a number is missing in it", kSaveAgain);
+    refuse(in.file(), "it is damaged: a number is missing in it", kSavePictureAgain);
   std::uint64_t number = 0;
   int digits = 0;
   for (; std::isdigit(next()) && digits < 10; ++digits)
@@ -57,7 +57,7 @@ PgmHeader readPgmHeader(ByteReader in) {
   header.height = readPgmNumber(in);
   header.brightest = readPgmNumber(in);
   if (header.brightest == 0 || header.brightest > 65535)
-    refuse(in.file(), "it is damaged: its brightest value is not in 1 to 65535", kSaveAgain);
+    refuse(in.file(), "it is damaged: its brightest value is not in 1 to 65535", kSavePictureAgain);
   in.skip(1);
   header.size = in.position();
   return header;
@@ -67,7 +67,7 @@ void checkPgm(CheckedFile& file, const PgmHeader& header) {
   const std::uint64_t pixelBytes = header.width * header.height * bytesPerPixel(header);
   // The last number of a text may end with the file.
   if (file.claimedSize() + 1 < header.size + pixelBytes)
-    refuse(file.name(), "it is cut short: pixels are missing", kSaveAgain);
+    refuse(file.name(), "it is cut short: pixels are missing", kSavePictureAgain);
   ByteReader in(file.content(), file.name());
   if (header.isText) return;  // its pixels tell where they end
   in.skip(header.size + pixelBytes);

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "pixel_grey.h"
+#include "roomgraph/files/remedies.h"
 #include "roomgraph/files/whole_stream.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr const char* kSaveAgain = "copy or save the picture again";
 constexpr std::size_t kSignatureSize = 8;
 
 std::uint32_t bigEndian(const std::uint8_t* p) {
@@ -153,7 +153,7 @@ std::vector<Pixel> decodeAll(ByteView png, const Conversion<Pixel>& conversion,
   if (!decoder.info) throw std::bad_alloc();
   png_set_read_fn(decoder.png, &decoder.left, readBytes);
   if (!decode(decoder, conversion, pixels))
-    refuse(file, "it is damaged: its pixels cannot be read", kSaveAgain);
+    refuse(file, "it is damaged: its pixels cannot be read", kSavePictureAgain);
   return pixels;
 }
 
@@ -163,7 +163,7 @@ PngHeader readPngHeader(ByteReader in) {
   in.skip(kSignatureSize);
   const std::uint8_t* chunk = in.take(8 + 13);
   if (bigEndian(chunk) != 13 || std::memcmp(chunk + 4, "IHDR", 4) != 0)
-    refuse(in.file(), "it is damaged: it does not begin with its size", kSaveAgain);
+    refuse(in.file(), "it is damaged: it does not begin with its size", kSavePictureAgain);
   PngHeader header;
   header.width = bigEndian(chunk + 8);
   header.height = bigEndian(chunk + 12);
@@ -174,7 +174,7 @@ PngHeader readPngHeader(ByteReader in) {
   header.isColour = type == 2 || type == 6;
   header.isInterlaced = chunk[20] != 0;
   if (header.bitsPerPixel == 0)
-    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSaveAgain);
+    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
   return header;
 }
 
@@ -207,7 +207,7 @@ void checkPng(ByteReader in, const PngHeader& header) {
     const std::uint8_t* chunk = in.take(std::uint64_t(length) + 4);
     const std::uint32_t stored = bigEndian(in.take(4));
     if (crc32_z(0, chunk, std::size_t(length) + 4) != stored)
-      refuse(in.file(), "it is damaged: a checksum in it is wrong", kSaveAgain);
+      refuse(in.file(), "it is damaged: a checksum in it is wrong", kSavePictureAgain);
     if (std::memcmp(chunk, "IDAT", 4) == 0) {
       dataBytes += length;
       data.push_back({chunk + 4, length});
@@ -220,9 +220,9 @@ void checkPng(ByteReader in, const PngHeader& header) {
   const std::uint64_t pixelBytes =
       std::uint64_t(header.width) * header.height * std::uint64_t(header.bitsPerPixel) / 8;
   if (pixelBytes / mostInflation > dataBytes)
-    refuse(in.file(), "it is damaged: it holds fewer pixels than it says", kSaveAgain);
+    refuse(in.file(), "it is damaged: it holds fewer pixels than it says", kSavePictureAgain);
   if (pixelBytes >= kProveFrom && !isWholeStream(data, Deflated::asZlib, scanlineBytes(header)))
-    refuse(in.file(), "it is damaged: its pixels cannot be read", kSaveAgain);
+    refuse(in.file(), "it is damaged: its pixels cannot be read", kSavePictureAgain);
 }
 
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {

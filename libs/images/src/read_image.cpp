@@ -9,11 +9,10 @@
 #include "decode_png.h"
 #include "flip_rows.h"
 #include "pixel_grey.h"
+#include "roomgraph/files/remedies.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr const char* kSaveAgain = "copy or save the picture again";
 
 void setSize(GreyMap& map, std::uint64_t width, std::uint64_t height, const std::string& file) {
   checkPictureSize(width, height, file);
@@ -102,7 +101,7 @@ std::vector<std::uint8_t> clearPixelsOfBmp(CheckedFile& file) {
 }  // namespace
 
 void checkPictureSize(std::uint64_t width, std::uint64_t height, const std::string& file) {
-  if (width == 0 || height == 0) refuse(file, "has no pixels", kSaveAgain);
+  if (width == 0 || height == 0) refuse(file, "has no pixels", kSavePictureAgain);
   if (width > kMostCells || height > kMostCells || width * height > kMostCells)
     refuse(file,
            "claims " + std::to_string(width) + " x " + std::to_string(height) +

@@ -6,14 +6,13 @@
 // It does not include what it uses, and stands behind what does.
 #include <mrpt/maps/CLogOddsGridMapLUT.h>
 
+#include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr int kNewestVersion = 7;  // the layout of 6, in 8 bits only
-constexpr const char* kSaveAgain = "copy or save the map again";
-
 struct GridHeader {
   ObjectHeader object;
   std::uint8_t bitsPerCell = 8;
@@ -50,7 +49,7 @@ void check(const GridHeader& header, const std::string& file) {
     refuse(file, "its resolution is no length between 0.1 mm and 1 km", "save the map again");
   if (header.width == 0 || header.height == 0) refuse(file, "has no cells", "save the map again");
   if (header.bitsPerCell != 8 && header.bitsPerCell != 16)
-    refuse(file, "it is damaged: its cells have neither 8 nor 16 bits", kSaveAgain);
+    refuse(file, "it is damaged: its cells have neither 8 nor 16 bits", kSaveMapAgain);
   if (std::uint64_t(header.width) * header.height > kMostCells)
     refuse(file,
            "claims " + std::to_string(header.width) + " x " + std::to_string(header.height) +
@@ -58,7 +57,7 @@ void check(const GridHeader& header, const std::string& file) {
            "crop it or save it with a coarser resolution");
   if (!agrees(header.width, header.xMin, header.xMax, header.resolution) ||
       !agrees(header.height, header.yMin, header.yMax, header.resolution))
-    refuse(file, "it is damaged: its size contradicts its bounds", kSaveAgain);
+    refuse(file, "it is damaged: its size contradicts its bounds", kSaveMapAgain);
 }
 
 GridHeader readHeader(ByteReader& in) {
@@ -150,9 +149,9 @@ GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
   const std::uint64_t atLeast = head.position() + header.cellBytes();
   if (file.claimedSize() < atLeast)
     refuse(file.name(), "it is cut short or damaged: it holds fewer cells than it says",
-           kSaveAgain);
+           kSaveMapAgain);
   if (file.claimedSize() > atLeast + roomForOptions)
-    refuse(file.name(), "it is damaged, or something follows the map in it", kSaveAgain);
+    refuse(file.name(), "it is damaged, or something follows the map in it", kSaveMapAgain);
 
   ByteReader in(file.content(), file.name());
   GreyMap map = readGridmapObject(in);

@@ -5,6 +5,7 @@
 
 #include "grid_of_points.h"
 #include "read_gridmap.h"
+#include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/find_slice.h"
 #include "roomgraph/scans/object_header.h"
 #include "roomgraph/scans/read_points.h"
@@ -12,7 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr const char* kSaveAgain = "copy or save the map again";
 constexpr std::uint32_t kMostMapLayers = 1000;
 
 /** A layer of the map, of which only one is read. */
@@ -46,14 +46,14 @@ void skipLayer(ByteReader& in, bool isLast, int mapVersion) {
     in.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - in.peek()) + 1);
     if (followsLayer({in.peek(), in.left()}, isLast, mapVersion)) return;
   }
-  refuse(in.file(), "it is cut short or damaged", kSaveAgain);
+  refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
 }
 
 /** Lines and planes, which are no part of a grid. */
 void skipFeatures(ByteReader& in) {
   const std::string container = readText(in), element = readText(in);
   if (container != "std::vector" || element.find("TLine3D") == std::string::npos)
-    refuse(in.file(), "it is damaged: its lines are missing", kSaveAgain);
+    refuse(in.file(), "it is damaged: its lines are missing", kSaveMapAgain);
   constexpr std::uint64_t line = 6 * sizeof(double), plane = 7 * sizeof(double);
   for (const std::uint64_t size : {line, plane, line})
     in.skip(std::uint64_t(in.get<std::uint32_t>()) * size);
@@ -65,7 +65,8 @@ std::vector<Layer> readLayers(ByteReader& in) {
   skipFeatures(in);
   const auto count = in.get<std::uint32_t>();
   if (count > kMostMapLayers)
-    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers", kSaveAgain);
+    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers",
+           kSaveMapAgain);
   std::vector<Layer> layers;
   for (std::uint32_t i = 0; i < count; ++i) {
     Layer layer;
@@ -110,7 +111,8 @@ GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& o
   const auto points = readPoints(in);
   Voxels voxels;
   for (const auto& p : points) voxels.add(double(p.x), double(p.y), double(p.z));
-  if (voxels.empty()) refuse(in.file(), "its layer '" + layer.name + "' has no points", kSaveAgain);
+  if (voxels.empty())
+    refuse(in.file(), "its layer '" + layer.name + "' has no points", kSaveMapAgain);
   const Slice slice = findSlice(voxels, options);
   if (slice.isFlat)
     refuse(in.file(),

@@ -13,7 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 // What speaks against a pair, in metres of distance.
 constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerClearance = 0.5, kPerLength = 0.5;
 constexpr double kUnlike = 1.0, kGrown = -0.3;
@@ -36,7 +35,7 @@ std::vector<Point> placesOf(const Vertex& vertex, const FollowedGraph& side, dou
 }
 
 double nearestOf(const std::vector<Point>& places, Point to) {
-  double best = kUnreachable;
+  double best = std::numeric_limits<double>::infinity();
   for (const Point p : places) best = std::min(best, distance(p, to));
   return best;
 }

@@ -14,7 +14,7 @@ IMPLEMENTS_SERIALIZABLE(CMapComparison, CSerializable, roomgraph)
 namespace roomgraph {
 namespace {
 
-const char* const kStreamName = "comparison of maps";
+const char* const kComparisonStream = "comparison of maps";
 
 std::string breakLine(const MapBreak& tear) {
   std::string line = "  " + tear.run +
@@ -48,9 +48,9 @@ void CMapComparison::serializeTo(mrpt::serialization::CArchive& out) const {
 }
 
 void CMapComparison::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-  const std::string bytes = takeBody(in, {kStreamName, version, kComparisonBytesVersion});
+  const std::string bytes = takeBody(in, {kComparisonStream, version, kComparisonBytesVersion});
   readComparisonBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
-                      kStreamName, *this);
+                      kComparisonStream, *this);
 }
 
 }  // namespace roomgraph

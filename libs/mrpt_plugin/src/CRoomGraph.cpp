@@ -10,7 +10,7 @@ IMPLEMENTS_SERIALIZABLE(CRoomGraph, CSerializable, roomgraph)
 namespace roomgraph {
 namespace {
 
-const char* const kStreamName = "room graph";
+const char* const kGraphStream = "room graph";
 
 }  // namespace
 
@@ -29,8 +29,8 @@ void CRoomGraph::serializeTo(mrpt::serialization::CArchive& out) const {
 }
 
 void CRoomGraph::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-  const std::string bytes = takeBody(in, {kStreamName, version, kGraphBytesVersion});
-  readGraphBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, kStreamName,
+  const std::string bytes = takeBody(in, {kGraphStream, version, kGraphBytesVersion});
+  readGraphBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, kGraphStream,
                  *this);
 }
 

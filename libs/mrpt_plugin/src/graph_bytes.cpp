@@ -5,8 +5,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNoId = 0xffffffff;
-
 template <class Thing>
 void putId(ByteWriter& out, Id<Thing> id) {
   out.put(id ? static_cast<std::uint32_t>(id.index()) : kNoId);

@@ -9,6 +9,9 @@ namespace roomgraph {
 /** The newest layout of the object's bytes. */
 constexpr std::uint8_t kGraphBytesVersion = 0;
 
+/** What stands there for an id that is none. */
+constexpr std::uint32_t kNoId = 0xffffffff;
+
 /** Throws UsageError where the map has more or fewer cells than its frame calls for. */
 void checkMapSize(const CRoomGraph& graph);
 

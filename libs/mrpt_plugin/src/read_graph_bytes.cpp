@@ -5,8 +5,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNoId = 0xffffffff;
-
 /** Reads the parts of a graph and refuses what cannot be. */
 class GraphReader {
  public:

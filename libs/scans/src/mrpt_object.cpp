@@ -7,13 +7,13 @@
 
 #include <cmath>
 
+#include "roomgraph/files/remedies.h"
+
 namespace roomgraph {
 namespace {
 
 using mrpt::poses::CPose2D;
 using mrpt::poses::CPose3D;
-
-constexpr const char* kSaveAgain = "copy or save the map again";
 
 struct Matrix {
   std::uint32_t rows = 0, columns = 0;
@@ -36,14 +36,14 @@ struct Matrix {
 Matrix readMatrix(ByteReader& in) {
   const ObjectHeader header = readObjectHeader(in);
   if (header.className.compare(0, 7, "CMatrix") != 0)
-    refuse(in.file(), "it is damaged: a matrix is missing in it", kSaveAgain);
+    refuse(in.file(), "it is damaged: a matrix is missing in it", kSaveMapAgain);
   checkVersion(in, header, 0);
   Matrix matrix;
   matrix.isDouble = header.className.back() == 'D';
   matrix.rows = in.get<std::uint32_t>();
   matrix.columns = in.get<std::uint32_t>();
   if (matrix.rows > 100 || matrix.columns > 100)
-    refuse(in.file(), "it is damaged: a matrix in it has an absurd size", kSaveAgain);
+    refuse(in.file(), "it is damaged: a matrix in it has an absurd size", kSaveMapAgain);
   const std::size_t size = matrix.isDouble ? sizeof(double) : sizeof(float);
   matrix.data = in.take(std::uint64_t(matrix.rows) * matrix.columns * size);
   readObjectEnd(in, header);
@@ -58,7 +58,7 @@ CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& in) {
     // Written so that NaN is refused, too.
     isRotation = isRotation && std::abs(norm - 1) < 0.01 && std::isfinite(m(r, 3));
   }
-  if (!isRotation) refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveAgain);
+  if (!isRotation) refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
   return CPose3D(m);
 }
 
@@ -67,7 +67,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
   if (version <= 1) {
     const Matrix stored = readMatrix(in);
     if (stored.rows != 4 || stored.columns != 4)
-      refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveAgain);
+      refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) m(r, c) = stored.at(std::size_t(r), std::size_t(c));
     return m;
@@ -89,7 +89,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
 
 CPose3D checked(const CPose2D& pose, const ByteReader& in) {
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !(std::abs(pose.phi()) < 1e3))
-    refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveAgain);
+    refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
   return CPose3D(CPose2D(pose.x(), pose.y(), pose.phi()));
 }
 
@@ -106,7 +106,8 @@ std::uint32_t readParticleCount(ByteReader& in) {
   const auto count = in.get<std::uint32_t>();
   constexpr std::uint64_t smallestParticle = 8 + 3 * 4;
   if (count == 0 || count > in.left() / smallestParticle)
-    refuse(in.file(), "it is damaged: a pose in it has an absurd number of particles", kSaveAgain);
+    refuse(in.file(), "it is damaged: a pose in it has an absurd number of particles",
+           kSaveMapAgain);
   return count;
 }
 
@@ -172,7 +173,7 @@ mrpt::Clock::time_point readTime(ByteReader& in) {
 CPose3D readPose3D(ByteReader& in) {
   const ObjectHeader header = readObjectHeader(in);
   if (header.className != "CPose3D")
-    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveAgain);
+    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
   checkVersion(in, header, 3);
   const auto matrix = readPoseMatrix(in, header.version);
   readObjectEnd(in, header);
@@ -182,7 +183,7 @@ CPose3D readPose3D(ByteReader& in) {
 CPose2D readPose2D(ByteReader& in) {
   const ObjectHeader header = readObjectHeader(in);
   if (header.className != "CPose2D")
-    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveAgain);
+    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
   checkVersion(in, header, 1);
   CPose2D pose = header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
   readObjectEnd(in, header);

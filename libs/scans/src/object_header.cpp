@@ -1,11 +1,11 @@
 #include "roomgraph/scans/object_header.h"
 
+#include "roomgraph/files/remedies.h"
+
 namespace roomgraph {
 namespace {
 
 constexpr std::size_t kLongestClassName = 120;
-constexpr const char* kSaveAgain = "copy or save the map again";
-
 bool isNameByte(std::uint8_t c) { return std::isalnum(c) || c == '_' || c == ':'; }
 
 }  // namespace
@@ -45,7 +45,7 @@ ObjectHeader readObjectHeader(ByteReader& in) {
   auto header = peekObjectHeader({in.peek(), in.left()});
   if (!header) {
     in.skip(1);  // tells a file that ends here from one that goes on with something else
-    refuse(in.file(), "it is cut short or damaged", kSaveAgain);
+    refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
   }
   in.skip((header->isOldFormat ? 4 : 1) + (in.peek()[0] & 0x7f));
   if (header->className == "nullptr") return *header;
@@ -57,7 +57,7 @@ void readObjectEnd(ByteReader& in, const ObjectHeader& header) {
   if (!header.isOldFormat && in.get<std::uint8_t>() != kObjectEnd)
     refuse(in.file(),
            "it is damaged: a " + header.className + " in it does not end where it should",
-           kSaveAgain);
+           kSaveMapAgain);
 }
 
 void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest) {

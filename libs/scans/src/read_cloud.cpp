@@ -14,8 +14,6 @@ namespace {
 
 using mrpt::math::TPoint3Df;
 
-constexpr const char* kSaveAgain = "copy or save the map again";
-
 /** The object that a CObservationPointCloud holds, or keeps in a file of its own. */
 std::vector<TPoint3Df> readPointsMap(ByteReader& in) {
   const ObjectHeader header = readObjectHeader(in);

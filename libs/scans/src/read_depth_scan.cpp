@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "point_bytes.h"
+#include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
 namespace {
 
 using mrpt::math::TPoint3Df;
-
-constexpr const char* kSaveAgain = "copy or save the map again";
 
 /** A pinhole camera that sees depths. */
 struct DepthCamera {
@@ -41,7 +40,7 @@ void readDepthImage(ByteReader& in, DepthImage& image) {
   image.rows = in.get<std::uint32_t>();
   image.columns = in.get<std::uint32_t>();
   if (image.rows > 20'000 || image.columns > 20'000)
-    refuse(in.file(), "it is damaged: a depth image in it has an absurd size", kSaveAgain);
+    refuse(in.file(), "it is damaged: a depth image in it has an absurd size", kSaveMapAgain);
   image.depths = in.take(std::uint64_t(image.rows) * image.columns * 2);
 }
 

@@ -1,12 +1,12 @@
 #include "roomgraph/scans/read_entries.h"
 
+#include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr const char* kSaveAgain = "copy or save the map again";
 // A header with its class name, twice: less cannot be an entry.
 constexpr std::uint64_t kSmallestEntry = 32;
 constexpr std::uint64_t kSmallestObservation = 16;
@@ -22,7 +22,7 @@ bool isObservationClass(const std::string& name) {
 /** From version 2 on, an entry ends with how fast the robot was, where that is known. */
 void skipTwist(ByteReader& in) {
   if (!startsWithOptional({in.peek(), in.left()}))
-    refuse(in.file(), "it is damaged: an entry in it does not end where it should", kSaveAgain);
+    refuse(in.file(), "it is damaged: an entry in it does not end where it should", kSaveMapAgain);
   readText(in);
   in.skip(in.get<std::uint32_t>());  // the name of its type
   if (in.getFlag()) in.skip(6 * sizeof(double));
@@ -55,7 +55,7 @@ void skipObservation(ByteReader& in, const ObjectHeader& header, bool isLast, in
     in.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - in.peek()) + 1);
     if (followsObservation({in.peek(), in.left()}, isLast, mapVersion)) return;
   }
-  refuse(in.file(), "it is cut short or damaged", kSaveAgain);
+  refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
 }
 
 /** One observation of those that are known, or the step over it. */
@@ -79,14 +79,14 @@ void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int map
 void readFrame(ByteReader& in, SimplemapEntry& entry, int mapVersion) {
   const ObjectHeader frame = readObjectHeader(in);
   if (frame.className != "CSensoryFrame" && frame.className != "CSensorialFrame")
-    refuse(in.file(), "it is damaged: an entry in it has no observations", kSaveAgain);
+    refuse(in.file(), "it is damaged: an entry in it has no observations", kSaveMapAgain);
   checkVersion(in, frame, 2);
   if (frame.version < 2) in.skip(4);   // id
   if (frame.version == 0) in.skip(8);  // time
   const auto count = in.get<std::uint32_t>();
   if (count > in.left() / kSmallestObservation)
     refuse(in.file(), "it is damaged: an entry claims " + std::to_string(count) + " observations",
-           kSaveAgain);
+           kSaveMapAgain);
   for (std::uint32_t i = 0; i < count; ++i) readObservation(in, entry, i + 1 == count, mapVersion);
   readObjectEnd(in, frame);
 }
@@ -94,7 +94,8 @@ void readFrame(ByteReader& in, SimplemapEntry& entry, int mapVersion) {
 std::uint32_t readCount(ByteReader& in, std::uint64_t bytesLeft) {
   const auto count = in.get<std::uint32_t>();
   if (count > bytesLeft / kSmallestEntry)
-    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " entries", kSaveAgain);
+    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " entries",
+           kSaveMapAgain);
   return count;
 }
 

@@ -2,12 +2,13 @@
 
 #include <cmath>
 
+#include "roomgraph/files/remedies.h"
+
 namespace roomgraph {
 namespace {
 
 using mrpt::obs::CObservation2DRangeScan;
 
-constexpr const char* kSaveAgain = "copy or save the map again";
 // MRPT keeps the beams of a scan on the stack while it inserts them.
 constexpr std::uint32_t kMostBeams = 100'000;
 
@@ -16,7 +17,7 @@ void readBeams(ByteReader& in, int version, CObservation2DRangeScan& scan) {
   const auto count = in.get<std::uint32_t>();
   if (count > kMostBeams)
     refuse(in.file(), "it is damaged: a scan in it claims " + std::to_string(count) + " beams",
-           kSaveAgain);
+           kSaveMapAgain);
   const std::uint8_t* ranges = in.take(std::uint64_t(count) * sizeof(float));
   const std::uint8_t* validity = version >= 1 ? in.take(count) : nullptr;
   scan.resizeScan(count);
@@ -51,7 +52,7 @@ void readScan(ByteReader& in, const ObjectHeader& header, CObservation2DRangeSca
   scan.rightToLeft = in.getFlag();
   scan.maxRange = in.get<float>();
   if (!(scan.aperture >= 0 && scan.aperture < 7))
-    refuse(in.file(), "it is damaged: a scan in it has an absurd field of view", kSaveAgain);
+    refuse(in.file(), "it is damaged: a scan in it has an absurd field of view", kSaveMapAgain);
   scan.sensorPose = readPose3D(in);
   if (header.version < 6) skipMatrix(in);
   readBeams(in, header.version, scan);
@@ -63,7 +64,7 @@ mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
   checkVersion(in, header, 2);
   mrpt::poses::CPose2D pose = readPose2D(in);
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
-    refuse(in.file(), "it is damaged: an odometry in it is no pose", kSaveAgain);
+    refuse(in.file(), "it is damaged: an odometry in it is no pose", kSaveMapAgain);
   return pose;
 }
 

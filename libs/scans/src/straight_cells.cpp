@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kDirections = 36;
+constexpr int kTurns = 36;     // directions of half a turn
 constexpr int kShortest = 10;  // of a piece [cells]
 constexpr int kWidestGap = 2;  // in a piece [cells]
 constexpr int kThickest = 3;   // across a piece [cells]
@@ -46,18 +46,18 @@ std::size_t countStraightCells(std::vector<Cell> cells) {
   cells.erase(
       std::unique(cells.begin(), cells.end(), [&](Cell l, Cell r) { return key(l) == key(r); }),
       cells.end());
-  // By half turns: across direction k is direction k + kDirections / 2.
-  std::vector<std::vector<std::int32_t>> runs(kDirections);
-  for (int k = 0; k < kDirections; ++k) {
+  // By half turns: across direction k is direction k + kTurns / 2.
+  std::vector<std::vector<std::int32_t>> runs(kTurns);
+  for (int k = 0; k < kTurns; ++k) {
     runs[std::size_t(k)].resize(cells.size());
-    measureRuns(cells, M_PI * k / kDirections, runs[std::size_t(k)]);
+    measureRuns(cells, M_PI * k / kTurns, runs[std::size_t(k)]);
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     std::size_t longest = 0;
-    for (std::size_t k = 1; k < kDirections; ++k)
+    for (std::size_t k = 1; k < kTurns; ++k)
       if (runs[k][i] > runs[longest][i]) longest = k;
-    const std::int32_t across = runs[(longest + kDirections / 2) % kDirections][i];
+    const std::int32_t across = runs[(longest + kTurns / 2) % kTurns][i];
     count += runs[longest][i] >= kShortest && across <= kThickest;
   }
   return count;

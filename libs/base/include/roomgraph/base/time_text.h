@@ -4,6 +4,8 @@
 
 namespace roomgraph {
 
+constexpr double kDay = 86400;  ///< [s]
+
 /** "2026-11-22T03:00:00Z", in UTC, of seconds since 1970; empty outside of the years 1 to 9999. */
 std::string timeText(double seconds);
 
