@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -66,9 +65,8 @@ ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Tr
                     const FitScaleOptions& options) {
   ScaledPose at{1, pose};
   if (a.walls.empty() || b.walls.empty()) return at;
-  const NarrowingBand band{options.firstWidth, options.lastWidth, options.iterations};
-  for (int i = 0; i < band.steps; ++i) {
-    const ScaleStep step = stepAt(a, b, at, band.widthAt(i), options.maxPoints);
+  for (int i = 0; i < options.band.steps; ++i) {
+    const ScaleStep step = stepAt(a, b, at, options.band.widthAt(i), options.maxPoints);
     if (step.weight < 4) break;
     const Eigen::Vector4d by = step.solution();
     at.scale *= std::exp(by[3]);

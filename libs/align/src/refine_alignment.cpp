@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 
-#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -64,9 +63,8 @@ Transform2D refineAlignment(const MapForAlignment& a, const MapForAlignment& b,
                             const Transform2D& pose, const RefineAlignmentOptions& options) {
   Transform2D at = pose;
   if (a.walls.empty() || b.walls.empty()) return at;
-  const NarrowingBand band{options.firstWidth, options.lastWidth, options.iterations};
-  for (int i = 0; i < band.steps; ++i) {
-    const Step step = stepAt(a, b, at, band.widthAt(i), options);
+  for (int i = 0; i < options.band.steps; ++i) {
+    const Step step = stepAt(a, b, at, options.band.widthAt(i), options);
     if (step.weight < 3) break;
     Eigen::Matrix3d h = step.h;
     h.diagonal() += Eigen::Vector3d(0.02, 0.02, 0.02) * step.weight;  // holds what nothing holds

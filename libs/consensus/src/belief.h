@@ -6,8 +6,9 @@
 
 namespace roomgraph {
 
-// A match is borne out where the poses agree with it within this: before solving, and after.
-constexpr PoseTolerance kRoughly{0.35, 3.0}, kBorneOut{0.15, 1.0};
+/** A match is borne out where the poses agree with it within this once the graph is solved; before,
+ *  kRoughly will do. */
+constexpr PoseTolerance kBorneOut = kSameAnswer;
 
 /** Whether the poses of two submaps bear a match of them out. What both runs have scanned as one is
  *  the same place, whatever the poses say. */

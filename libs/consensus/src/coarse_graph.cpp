@@ -7,8 +7,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kMostInNode = 4;     // key frames
-constexpr PoseTolerance kSteady{0.03, 0.2};  // of what is found from one submap to the next
+constexpr std::uint32_t kMostInNode = 4;  // key frames
 
 /** Where a piece has its run (in <- of), by one of its matches. */
 Transform2D placeBy(const RunMatches& piece, const SubmapMatch& match,
@@ -30,7 +29,7 @@ std::vector<std::vector<bool>> seams(const std::vector<RunSubmaps>& runs,
     for (std::size_t m = 1; m < piece.matches.size(); ++m) {
       const SubmapMatch &before = piece.matches[m - 1], &now = piece.matches[m];
       const Point at = runs[piece.of].submaps[now.submap].pose.shift();
-      if (areNear(placeBy(piece, before, runs), placeBy(piece, now, runs), at, kSteady)) continue;
+      if (areNear(placeBy(piece, before, runs), placeBy(piece, now, runs), at, kSameNode)) continue;
       isSeam[piece.of][before.submap + 1] = isSeam[piece.of][now.submap] = true;
       // Other pieces are found both ways, each by itself.
       if (now.isSameScan) isSeam[piece.in][before.in + 1] = isSeam[piece.in][now.in] = true;

@@ -5,24 +5,23 @@
 
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLookedAt = 80;  // patches
-constexpr NarrowingBand kBand{0.8, 0.25, 4};
-constexpr double kPatchNear = 0.12;  // how far apart the same wall lies [m]
-constexpr double kPatchFound = 0.6;  // share of its walls from which on a patch looks alike
-constexpr double kLeastLookedAt =
-    0.2;  // share of the patches that must come to lie on what is known
+constexpr std::size_t kLookedAt = 80;   // patches
+constexpr double kPatchFound = 0.6;     // share of its walls from which on a patch looks alike
+constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on what is known
 
 /** The share of the walls around a patch that lie on walls once it was fitted there, if the map
  *  knows most of that place. */
 std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
                                  const MapForAlignment& map) {
-  const Motion2D forth(fittedPose(motion, patch.middle, kBand, [&](WallFit& fit, int) {
-    for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
-  }));
+  const Motion2D forth(
+      fittedPose(motion, patch.middle, FollowWallsOptions{}.band, [&](WallFit& fit, int) {
+        for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
+      }));
   double known = 0, found = 0;
   for (const std::uint32_t w : patch.around) {
     const Point at = forth(map.walls[w].place);
@@ -30,7 +29,7 @@ std::optional<double> shareFound(const WallPatch& patch, const Transform2D& moti
     if (cell >= map.states.size() || map.states[cell] == State::unknown) continue;
     ++known;
     if (const WallPoint* wall = nearestWall(map, cell, forth.turned(map.walls[w].normal)))
-      found += 1 / (1 + squaredNorm(wall->place - at) / (kPatchNear * kPatchNear));
+      found += 1 / (1 + squaredNorm(wall->place - at) / (kWallNoise * kWallNoise));
   }
   if (known < 0.6 * double(patch.around.size()) || known < 15) return std::nullopt;
   return found / known;

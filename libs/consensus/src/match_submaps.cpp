@@ -14,10 +14,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFound = 0.15;     // a wall that lies this near to another has been found [m]
 constexpr double kMinShare = 0.45;  // of the walls of a submap
-// What lies nearer to itself than this is always alike.
-constexpr PoseTolerance kBesideItself{0.3, 3.0};
 
 /** Counts which submaps of the other run drew the walls that a submap meets there. */
 class Meeting {
@@ -30,7 +27,7 @@ class Meeting {
     const Point at = forth_(point.place);
     const WallPoint* wall =
         nearestWall(in_, cellIndexAt(in_.frame, at), forth_.turned(point.normal));
-    if (!wall || distance(wall->place, at) > kFound) return;
+    if (!wall || distance(wall->place, at) > kSameWall) return;
     ++found_;
     for (const std::uint32_t by : inSubmaps_.drawnBy[std::size_t(wall - in_.walls.data())])
       ++met_[by];
@@ -80,13 +77,6 @@ std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmap
   return pieces;
 }
 
-/** Whether the run lies otherwise at the place `at` than it did at the scan before, by more than a
- *  map bends from scan to scan. */
-bool isJump(const Transform2D& before, const Transform2D& now, Point at) {
-  const TrackScansOptions tracked;
-  return !areNear(before, now, at, {tracked.stepTurn, tracked.step});
-}
-
 using Track = std::vector<std::optional<Transform2D>>;  // in <- run, of each scan
 
 /** Compares the map where each piece was found with where the others would have it. */
@@ -120,7 +110,8 @@ std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmap
   std::optional<std::size_t> last;
   for (std::uint32_t k = 0; k < track.size(); ++k) {
     if (!track[k]) continue;
-    if (!last || isJump(*track[*last], *track[k], of.scans[k].at())) pieces.emplace_back();
+    if (!last || !areNear(*track[*last], *track[k], of.scans[k].at(), kSteadyTrack))
+      pieces.emplace_back();  // the track jumps
     last = k;
     Meeting meeting(in.map, inSubmaps, *track[k]);
     for (const WallPoint& point : of.scans[k].walls) meeting.add(point);

@@ -7,15 +7,13 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDrawn = 0.15;  // from the end of a beam to the wall that it drew [m]
-
 void addScan(RunSubmaps& run, const ScanWalls& scan, const MapForAlignment& map) {
   const auto index = std::uint32_t(run.submaps.size());
   run.submaps.push_back({scan.pose, scan.ends, scan.axes});
   if (index > 0) run.links.push_back({index - 1, index});
   for (const WallPoint& point : scan.walls) {
     const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
-    if (!wall || distance(wall->place, point.place) >= kDrawn) continue;
+    if (!wall || distance(wall->place, point.place) >= kSameWall) continue;
     auto& drawnBy = run.drawnBy[std::size_t(wall - map.walls.data())];
     if (drawnBy.empty() || drawnBy.back() != index) drawnBy.push_back(index);
   }

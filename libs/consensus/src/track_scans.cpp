@@ -11,9 +11,7 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMinWalls = 20;
-constexpr double kDoubt = 5;                        // walls that speak against each pose beforehand
-constexpr PoseTolerance kSameScanStart{0.05, 0.4};  // starts that one fit brings together
-constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};
+constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
@@ -167,10 +165,9 @@ class Tracker {
   }
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose) const {
-    const NarrowingBand band{options_.firstWidth, options_.lastWidth, options_.iterations};
-    return fittedPose(pose, scan.at(), band, [&](WallFit& fit, int step) {
+    return fittedPose(pose, scan.at(), options_.band, [&](WallFit& fit, int step) {
       // The first steps only have to come near: a part of the walls will do.
-      const std::size_t stride = step < options_.iterations / 2 ? kRoughStride : 1;
+      const std::size_t stride = step < options_.band.steps / 2 ? kRoughStride : 1;
       for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
     });
   }
@@ -193,7 +190,7 @@ class Tracker {
     const Point at = scans_[to.scan].at();
     const double moved = distance(from.pose(at), to.pose(at));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
-    const double bend = moved / options_.step + turned / options_.stepTurn;
+    const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
     if (bend < 1) return options_.jumpCost * bend * bend / 4;
     const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
     const bool isOnTheWay = way <= options_.stride * double(to.scan - from.scan);

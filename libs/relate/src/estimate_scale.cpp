@@ -105,7 +105,7 @@ ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const MapForAlign
     const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
     const ScaledPose fit = fitScale(run, map, pose, fitOptions);
     resolution *= fit.scale, pose = fit.pose;
-    fitOptions.firstWidth = 0.5;
+    fitOptions.band.first = 0.5;
   }
   const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
   return {resolution, alignMapsNear(run, map, {pose}, options)};

@@ -58,8 +58,7 @@ class Follower {
 
   /** Moves the pose so that what is left around the patch comes to lie on walls. */
   Transform2D refined(std::uint32_t patch, const Transform2D& pose) const {
-    const NarrowingBand band{options_.firstWidth, options_.lastWidth, options_.iterations};
-    return fittedPose(pose, patches_[patch].middle, band, [&](WallFit& fit, int) {
+    return fittedPose(pose, patches_[patch].middle, options_.band, [&](WallFit& fit, int) {
       for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
     });
   }
@@ -124,7 +123,7 @@ class Follower {
       if (isFound_[k]) continue;
       const Point at = forth(of_.walls[k].place);
       const WallPoint* wall = wallAt(at, forth.turned(of_.walls[k].normal));
-      if (!wall || distance(wall->place, at) > options_.found) continue;
+      if (!wall || distance(wall->place, at) > kSameWall) continue;
       isFound_[k] = true;
       ++count;
     }

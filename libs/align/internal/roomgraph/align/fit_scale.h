@@ -1,5 +1,6 @@
 #pragma once
 #include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -11,14 +12,12 @@ struct ScaledPose {
 };
 
 struct FitScaleOptions {
-  double firstWidth = 1.0;  ///< of the band around a wall that counts at first [m]
-  double lastWidth = 0.2;   ///< and at last [m]
-  int iterations = 12;
-  int maxPoints = 1000;  ///< wall points of a map that are looked up
+  NarrowingBand band{1.0, 0.2, 12};  ///< around a wall, of what counts
+  int maxPoints = 1000;              ///< wall points of a map that are looked up
 };
 
 /** What refineAlignment does, with the scale of `b` free as well. Right as long as the scale is
- *  within a few percent, so that walls have their own in reach. O(iterations * points). */
+ *  within a few percent, so that walls have their own in reach. O(steps * points). */
 ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
                     const FitScaleOptions& options);
 

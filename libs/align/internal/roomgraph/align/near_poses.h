@@ -12,11 +12,17 @@ struct PoseTolerance {
 };
 
 // All that the comparison takes for one pose, from the narrowest on.
-constexpr PoseTolerance kSameFit{0.01, 0.1};     ///< starts that one fit brings together
-constexpr PoseTolerance kSameStart{0.03, 0.3};   ///< candidates worth one closer look
-constexpr PoseTolerance kSamePiece{0.05, 0.5};   ///< patches of one piece of a broken map
-constexpr PoseTolerance kSameAnswer{0.15, 1.0};  ///< answers to how two maps lie in each other
-constexpr PoseTolerance kAsMapsBend{0.45, 6.0};  ///< a pair beside its poses in the site
+constexpr PoseTolerance kSameFit{0.01, 0.1};          ///< starts that one fit brings together
+constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};  ///< answers to where a scan lies
+constexpr PoseTolerance kSameNode{0.03, 0.2};         ///< of submaps that one node can stand for
+constexpr PoseTolerance kSameStart{0.03, 0.3};        ///< candidates worth one closer look
+constexpr PoseTolerance kSameScanStart{0.05, 0.4};    ///< starts that one fit of a scan joins
+constexpr PoseTolerance kSamePiece{0.05, 0.5};        ///< patches of one piece of a broken map
+constexpr PoseTolerance kSteadyTrack{0.12, 0.6};      ///< what a map bends from scan to scan
+constexpr PoseTolerance kSameAnswer{0.15, 1.0};       ///< answers to how two maps lie in each other
+constexpr PoseTolerance kBesideItself{0.3, 3.0};      ///< what tracking finds, one from the other
+constexpr PoseTolerance kRoughly{0.35, 3.0};          ///< what is right before it is solved for
+constexpr PoseTolerance kAsMapsBend{0.45, 6.0};       ///< a pair beside its poses in the site
 
 /** Whether two poses turn alike, and carry `at` to about the same place. */
 inline bool areNear(const Transform2D& l, const Transform2D& r, Point at,

@@ -3,6 +3,12 @@
 
 namespace roomgraph {
 
+/** A wall that lies this near to another has been found [m]. */
+constexpr double kSameWall = 0.15;
+
+/** How far apart the same wall lies in two maps, as a rule [m]. */
+constexpr double kWallNoise = 0.12;
+
 /** Index of the cell that holds `place`, or frame.cellCount() outside of it: GridFrame::cellAt and
  *  index in one, for the innermost loops. */
 inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {

@@ -1,5 +1,6 @@
 #pragma once
 #include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -10,16 +11,14 @@ namespace roomgraph {
 // Next: verifyAlignment
 
 struct RefineAlignmentOptions {
-  double firstWidth = 0.6;  ///< of the band around a wall that counts at first [m]
-  double lastWidth = 0.25;  ///< and at last [m]
-  int iterations = 12;
-  int maxPoints = 400;  ///< wall points of a map that are looked up
+  NarrowingBand band{0.6, 0.25, 12};  ///< around a wall, of what counts
+  int maxPoints = 400;                ///< wall points of a map that are looked up
 };
 
 /** Moves `b` so that walls that face the same way come to lie on each other, both maps' wall points
  *  being looked up in the other map. Distances count across the wall, far ones little, so parts
  *  that fit well win over parts that do not. Where nothing is in reach, or nothing holds the pose
- *  in a direction, it stays as it is. O(iterations * points). */
+ *  in a direction, it stays as it is. O(steps * points). */
 Transform2D refineAlignment(const MapForAlignment& a, const MapForAlignment& b,
                             const Transform2D& pose, const RefineAlignmentOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -10,9 +10,9 @@ namespace roomgraph {
 // Next: alignMaps
 
 struct VerifyAlignmentOptions {
-  double near = 0.12;    ///< how far apart the same wall lies [m], in a good map
-  double far = 0.4;      ///< and in a bent one
-  int maxPoints = 1000;  ///< wall points of a map that are looked up
+  double near = kWallNoise;  ///< how far apart the same wall lies [m], in a good map
+  double far = 0.4;          ///< and in a bent one
+  int maxPoints = 1000;      ///< wall points of a map that are looked up
 };
 
 /** Lengths of wall [m], of both maps together; each side of a wall counts for itself. */

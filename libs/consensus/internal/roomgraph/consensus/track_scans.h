@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/NarrowingBand.h"
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/relate/follow_walls.h"
 
@@ -14,22 +15,18 @@ namespace roomgraph {
 // Next: matchSubmaps
 
 struct TrackScansOptions {
-  double firstWidth = 0.6;     ///< of the band around a wall that counts at first [m]
-  double lastWidth = 0.2;      ///< and at last [m]
-  int iterations = 6;          ///< of the fit of a scan
-  double near = 0.1;           ///< how far apart the same wall lies [m]
-  double sureQuality = 0.75;   ///< from which on no other pose is tried
-  double minQuality = 0.45;    ///< share of a scan's walls that must be found
-  double lostQuality = 0.45;   ///< worth of a scan that is not found
-  double jumpCost = 2;         ///< of a jump where the robot goes on from where it was
-  double farCost = 20;         ///< of a jump to another place
-  double step = 0.6;           ///< how far a map bends from scan to scan [m]
-  double stepTurn = 0.12;      ///< the same [rad]
-  double stride = 2.5;         ///< longest way from scan to scan [m]
-  std::size_t memory = 8;      ///< scans that may be lost between two that are found
-  std::size_t candidates = 4;  ///< of a scan
-  double spinQuality = 0.6;    ///< a scan found less well is looked for at any turn
-  double reach = 6;            ///< patches within this give poses to try [m]
+  NarrowingBand band{0.6, 0.2, 6};  ///< around a wall, of what counts in the fit of a scan
+  double near = 0.1;                ///< a wall this far from another counts half [m]
+  double sureQuality = 0.75;        ///< from which on no other pose is tried
+  double minQuality = 0.45;         ///< share of a scan's walls that must be found
+  double lostQuality = 0.45;        ///< worth of a scan that is not found
+  double jumpCost = 2;              ///< of a jump where the robot goes on from where it was
+  double farCost = 20;              ///< of a jump to another place
+  double stride = 2.5;              ///< longest way from scan to scan [m]
+  std::size_t memory = 8;           ///< scans that may be lost between two that are found
+  std::size_t candidates = 4;       ///< of a scan
+  double spinQuality = 0.6;         ///< a scan found less well is looked for at any turn
+  double reach = 6;                 ///< patches within this give poses to try [m]
 };
 
 /** For each scan its pose (in <- run) in the map `in`, none where it is not found there: the

@@ -2,7 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/NarrowingBand.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -29,11 +30,8 @@ struct FollowedWalls {
 };
 
 struct FollowWallsOptions {
-  double firstWidth = 0.8;    ///< of the band around a wall that counts at first [m]
-  double lastWidth = 0.25;    ///< and at last [m]
-  int iterations = 4;         ///< of the fit of a patch
-  double near = 0.12;         ///< how far apart the same wall lies [m]
-  double found = 0.15;        ///< a wall that lies this near to another has been found [m]
+  NarrowingBand band{0.8, 0.25, 4};  ///< around a wall, of what counts in the fit of a patch
+  double near = kWallNoise;          ///< a wall this far from another counts half [m]
   double goodQuality = 0.5;   ///< share of a patch's walls from which on it is found by itself
   double fairQuality = 0.3;   ///< and where all around it has been found
   double maxStep = 0.4;       ///< between the poses of neighbours, at the patch [m]
