@@ -9,7 +9,7 @@
 #include "coarse_graph.h"
 #include "move_pieces.h"
 #include "roomgraph/consensus/pose_graph.h"
-#include "roomgraph/consensus/shared_drives.h"
+#include "roomgraph/relate/shares_drive.h"
 #include "start_poses.h"
 #include "whole_poses.h"
 
@@ -21,16 +21,17 @@ constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;
 constexpr std::size_t kFewRuns = 5;
 constexpr double kAboutAsGood = 1.25;  // cost beside that of the best
 
-std::vector<bool> shareTheirDrive(const std::vector<RunSubmaps>& runs,
-                                  const std::vector<RunMatches>& matches) {
-  std::vector<bool> shared(runs.size());
-  for (const RunMatches& pair : matches) {
-    const auto same = double(std::count_if(pair.matches.begin(), pair.matches.end(),
-                                           [](const SubmapMatch& m) { return m.isSameScan; }));
-    for (const std::size_t run : {pair.of, pair.in})
-      if (same > kSharedDrive * double(runs[run].submaps.size())) shared[run] = true;
+/** Of each run, whether it shares its drive with another one. */
+std::vector<bool> haveSharedDrives(const std::vector<RunSubmaps>& runs,
+                                   const std::vector<RunMatches>& matches) {
+  std::vector<bool> isShared(runs.size());
+  for (const RunMatches& piece : matches) {
+    const auto same = std::count_if(piece.matches.begin(), piece.matches.end(),
+                                    [](const SubmapMatch& match) { return match.isSameScan; });
+    for (const std::size_t run : {piece.of, piece.in})
+      if (sharesDrive(std::size_t(same), runs[run].submaps.size())) isShared[run] = true;
   }
-  return shared;
+  return isShared;
 }
 
 /** Of the runs without scans, how far the links give way where they do most. */
@@ -45,13 +46,13 @@ double mostOfPatches(const std::vector<RunSubmaps>& runs, const SubmapPoses& pos
  *  each other many times over, so of them it counts only how runs compare. */
 std::vector<double> slackOf(const std::vector<RunSubmaps>& runs,
                             const std::vector<RunMatches>& matches, const SubmapPoses& poses) {
-  const std::vector<bool> shared = shareTheirDrive(runs, matches);
+  const std::vector<bool> isShared = haveSharedDrives(runs, matches);
   const double most = mostOfPatches(runs, poses);
   std::vector<double> slack;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const double unit = !runs[r].areScans && most > 0 ? most : 1;
     slack.push_back(std::clamp(std::sqrt(meanStrain(runs[r], poses[r]) / unit),
-                               shared[r] ? kLeastSharedSlack : kLeastSlack, 1.0));
+                               isShared[r] ? kLeastSharedSlack : kLeastSlack, 1.0));
   }
   return slack;
 }

@@ -4,13 +4,13 @@
 #include <unordered_set>
 
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/relate/shares_drive.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSharedDrive = 0.2;  // share of the scans of a run that a chosen one has, too
-constexpr double kMuch = 0.02;        // of the places worth seeing, that one more run must add
-constexpr std::size_t kTwice = 2;     // runs that should have seen a place
+constexpr double kMuch = 0.02;     // of the places worth seeing, that one more run must add
+constexpr std::size_t kTwice = 2;  // runs that should have seen a place
 
 class Choosing {
  public:
@@ -41,7 +41,7 @@ class Choosing {
 
   void chooseInOrder(std::size_t count, Drives drives) {
     for (std::size_t i = 0; i < runs_.size() && chosen_.size() < count; ++i)
-      if (isCandidate(i) && (drives == Drives::any || !sharesDrive(i))) choose(i);
+      if (isCandidate(i) && (drives == Drives::any || !isOfChosenDrive(i))) choose(i);
   }
 
   void choose(std::size_t run) {
@@ -61,12 +61,12 @@ class Choosing {
     return true;
   }
 
-  bool sharesDrive(std::size_t run) const {
+  bool isOfChosenDrive(std::size_t run) const {
     const std::vector<ScanWalls>& scans = runs_[run]->scans;
     const auto same = std::count_if(scans.begin(), scans.end(), [&](const ScanWalls& scan) {
       return scans_.count(scan.scanId) > 0;
     });
-    return double(same) > kSharedDrive * double(scans.size());
+    return sharesDrive(std::size_t(same), scans.size());
   }
 
   std::size_t addedBy(std::size_t run) const {
@@ -83,7 +83,7 @@ class Choosing {
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       if (isChosen_[i]) continue;
       const std::size_t added = addedBy(i);
-      if (added > most && isCandidate(i) && !sharesDrive(i)) best = i, most = added;
+      if (added > most && isCandidate(i) && !isOfChosenDrive(i)) best = i, most = added;
     }
     return best;
   }
