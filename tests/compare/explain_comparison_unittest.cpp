@@ -79,13 +79,6 @@ TEST(VerdictOf, saysWhereNothingCanBeSaid) {
             "Two runs cannot tell for sure which is better: they bend 0.30 m apart.");
 }
 
-TEST(Listed, isASentenceOfNames) {
-  EXPECT_EQ(listed({}), "");
-  EXPECT_EQ(listed({"a"}), "a");
-  EXPECT_EQ(listed({"a", "b"}), "a and b");
-  EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
-}
-
 TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
   EXPECT_EQ(otherSitesNote({{"a", "b"}, {"c", "d"}}),
             " There are 2 sites, of which only the first is compared: {a and b}, {c and d}.");

@@ -8,6 +8,7 @@
 #include "drawn_drive.h"
 #include "drawn_submaps.h"
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -67,7 +68,9 @@ struct DrivenSite {
   }
   DrivenSite(const DrivenSite&) = delete;
 
-  Consensus consensus() const { return siteConsensus(site, pairs, oneByOne); }
+  Consensus consensus(const ForEach& forEach = oneByOne) const {
+    return siteConsensus(site, pairs, DistinctMaps(bendsOf(pairs)), forEach);
+  }
 };
 
 TEST(SiteConsensus, aTornRunIsPutTogetherAgain) {
@@ -166,7 +169,7 @@ TEST(SiteConsensus, theOrderOfTheJobsChangesNothing) {
   const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
     while (count > 0) job(--count);
   };
-  const Consensus l = site.consensus(), r = siteConsensus(site.site, site.pairs, backwards);
+  const Consensus l = site.consensus(), r = site.consensus(backwards);
   for (std::size_t run = 0; run < 2; ++run) {
     EXPECT_EQ(l.errors[run].error, r.errors[run].error);
     for (std::size_t k = 0; k < l.poses[run].size(); ++k)
@@ -182,7 +185,7 @@ TEST(SiteConsensus, ofRunsWithoutScansNothingIsFound) {
     site.runs.push_back(&run);
   }
   site.poses.assign(2, {});
-  const Consensus result = siteConsensus(site, MapPairs(2), oneByOne);
+  const Consensus result = siteConsensus(site, MapPairs(2), DistinctMaps(PairBends(2)), oneByOne);
   ASSERT_EQ(result.errors.size(), 2u);
   EXPECT_EQ(result.errors[0].seen, 0);
   ASSERT_EQ(result.submaps.size(), 2u);

@@ -205,7 +205,8 @@ TEST(ErrorsByBends, copiesOfAMapShareOneErrorAndHaveOneSay) {
   const PairBends bends = bendsOf({0.1, 0.4, 0.8});
   PairBends withCopy = bendsOf({0.1, 0.4, 0.8, 0.4});
   withCopy(1, 3) = {0, 1, 1000, true};
-  const auto before = errorsByBends(three.site, bends), after = errorsByBends(four.site, withCopy);
+  const auto before = errorsByBends(three.site, bends, DistinctMaps(bends));
+  const auto after = errorsByBends(four.site, withCopy, DistinctMaps(withCopy));
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after[i].error, before[i].error) << i;
   EXPECT_EQ(after[3].error, after[1].error);
   EXPECT_EQ(after[3].high, after[1].high);
@@ -215,7 +216,7 @@ TEST(ErrorsByBends, ofCopiesAloneThereIsNoErrorButTheyAreSeen) {
   const SiteOfRuns two({0.01, 0.01});
   PairBends bends(2);
   bends(0, 1) = {0, 1, 1000, true};
-  for (const MapError& error : errorsByBends(two.site, bends)) {
+  for (const MapError& error : errorsByBends(two.site, bends, DistinctMaps(bends))) {
     EXPECT_EQ(error.error, 0);
     EXPECT_EQ(error.seen, 1);
   }
@@ -225,7 +226,7 @@ TEST(ErrorsByBends, whatNoOtherHasIsNotSeen) {
   const SiteOfRuns three({0.01, 0.02, 0.03});
   PairBends bends = bendsOf({0.1, 0.4, 0.8});
   bends(0, 2) = bends(1, 2) = {};
-  const auto errors = errorsByBends(three.site, bends);
+  const auto errors = errorsByBends(three.site, bends, DistinctMaps(bends));
   EXPECT_GT(errors[0].seen, 0.9);
   EXPECT_EQ(errors[2].seen, 0);
   EXPECT_EQ(errors[2].error, 0);
@@ -235,7 +236,7 @@ TEST(ErrorsByBends, aReferenceHasNone) {
   SiteOfRuns three({0.01, 0.02, 0.03});
   three.site.reference = 1;
   PairBends bends = bendsOf({0.3, 0, 0.8});
-  const auto errors = errorsByBends(three.site, bends);
+  const auto errors = errorsByBends(three.site, bends, DistinctMaps(bends));
   EXPECT_EQ(errors[1].error, 0);
   EXPECT_GT(errors[1].seen, 0);
   EXPECT_NEAR(errors[0].error, 0.3, 0.1);
@@ -245,14 +246,15 @@ TEST(ErrorsByBends, aReferenceHasNone) {
 TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
   SiteOfRuns three({0.01, 0.02, 0.03});
   const PairBends bends = bendsOf({0.1, 0.4, 0.8});
+  const DistinctMaps maps(bends);
   Consensus consensus;
   consensus.errors.resize(3);
   consensus.errors[0].error = 42;
-  EXPECT_NE(siteErrors(three.site, bends, consensus)[0].error, 42);
+  EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
   for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);
-  EXPECT_NE(siteErrors(three.site, bends, consensus)[0].error, 42) << "the third has none";
+  EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42) << "the third has none";
   three.runs[2].scans.resize(5);
-  EXPECT_EQ(siteErrors(three.site, bends, consensus)[0].error, 42);
+  EXPECT_EQ(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ struct PlacedGraphs {
 
   SiteMeasures measures() const {
     const std::vector<std::vector<MapBreak>> breaks(runs.size());
-    return measureSite(site, pairs, PairBends(runs.size()), trust, breaks, oneByOne);
+    const PairBends bends(runs.size());
+    return measureSite(site, pairs, bends, DistinctMaps(bends), trust, breaks, oneByOne);
   }
   Measure measure(std::size_t run, const std::string& name) const {
     return *find(measures().runs[run], name);

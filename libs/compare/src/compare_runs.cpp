@@ -65,13 +65,14 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   const Site site = placeRuns(runs, related, {}, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
-  const Consensus consensus = siteConsensus(site, pairs, forEach);
+  const DistinctMaps maps(bends);
+  const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
-  const std::vector<MapError> errors = siteErrors(site, bends, consensus);
-  const RunScores scores = scoreRuns(bends, errors, site.reference, scoring(options));
+  const std::vector<MapError> errors = siteErrors(site, bends, maps, consensus);
+  const RunScores scores = scoreRuns(bends, maps, errors, site.reference, scoring(options));
   const Trust trust = trustOf(scores, site.reference);
   const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
-  const SiteMeasures measures = measureSite(site, pairs, bends, trust, breaks, forEach);
+  const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();
   return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});

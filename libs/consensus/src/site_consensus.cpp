@@ -8,7 +8,6 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/find_consensus.h"
-#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -51,7 +50,6 @@ struct CountedRuns {
 };
 
 constexpr std::size_t kMostWholes = 12;
-constexpr PoseTolerance kSameWhole{0.3, 3.0};  // what lies nearer is found by tracking
 
 /** Where a run may lie in the site as a whole, site <- run, the likeliest first: as it does, and
  *  where the search for its pairs found that it fits as well. A piece of it may lie there. */
@@ -71,7 +69,7 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
     for (const std::vector<Transform2D>& poses : byPair) {
       if (rank >= poses.size() || wholes.size() >= kMostWholes) continue;
       if (std::none_of(wholes.begin(), wholes.end(), [&](const Transform2D& known) {
-            return areNear(known, poses[rank], middle, kSameWhole);
+            return areNear(known, poses[rank], middle, kBesideItself);
           }))
         wholes.push_back(poses[rank]);
     }
@@ -159,12 +157,13 @@ void addOthers(Agreement& agreement, const std::vector<RunSubmaps>& submaps,
 
 }  // namespace
 
-Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
+Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
+                        const ForEach& forEach) {
   const std::size_t runs = site.runs.size();
   if (std::all_of(site.runs.begin(), site.runs.end(),
                   [](const Run* r) { return r->scans.empty(); }))
     return {std::vector<RunSubmaps>(runs), SubmapPoses(runs), std::vector<MapError>(runs)};
-  const std::vector<std::size_t> counted = standIns(site, DistinctMaps(bendsOf(pairs)));
+  const std::vector<std::size_t> counted = standIns(site, maps);
   const CountedRuns runsThatCount(site, pairs, counted);
   const std::vector<std::size_t>& order = runsThatCount.order;
   std::vector<RunSubmaps> submaps(order.size());

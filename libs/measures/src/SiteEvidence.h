@@ -17,10 +17,10 @@ struct SiteEvidence {
   const Site& site;
   const MapPairs& pairs;
   const PairBends& bends;
+  const DistinctMaps& maps;
   const Trust& trust;
   const std::vector<std::vector<MapBreak>>& breaks;  ///< of each run
 
-  DistinctMaps maps;
   std::vector<MeasuredValue> coverage;  ///< of each run: what one covers hangs on all
   DistanceTable distances;
   RoomCounts rooms;

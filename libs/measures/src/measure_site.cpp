@@ -16,17 +16,16 @@ Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
 }  // namespace
 
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
-                         const Trust& trust, const std::vector<std::vector<MapBreak>>& breaks,
-                         const ForEach& forEach) {
+                         const DistinctMaps& maps, const Trust& trust,
+                         const std::vector<std::vector<MapBreak>>& breaks, const ForEach& forEach) {
   const std::size_t n = site.runs.size();
   if (n == 0) return {};
-  const DistinctMaps maps(bends);
   const SiteEvidence evidence{site,
                               pairs,
                               bends,
+                              maps,
                               trust,
                               breaks,
-                              maps,
                               coverageOf(site, maps),
                               distancesOf(site, pairs.pairs(), forEach),
                               roomCounts(site, pairs.pairs(), forEach),

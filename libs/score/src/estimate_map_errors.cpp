@@ -6,7 +6,6 @@
 
 #include "most_share.h"
 #include "roomgraph/base/statistics.h"
-#include "roomgraph/relate/DistinctMaps.h"
 
 namespace roomgraph {
 namespace {
@@ -223,8 +222,8 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   return errors;
 }
 
-std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends) {
-  const DistinctMaps maps(bends);
+std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
+                                    const DistinctMaps& maps) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < bends.things(); ++i)
     if (maps.isFirst(i)) kept.push_back(i);
@@ -252,11 +251,11 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends) {
   return errors;
 }
 
-std::vector<MapError> siteErrors(const Site& site, const PairBends& bends,
+std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
                                  const Consensus& consensus) {
   const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
                                      [](const Run* run) { return !run->scans.empty(); });
-  return haveScans ? consensus.errors : errorsByBends(site, bends);
+  return haveScans ? consensus.errors : errorsByBends(site, bends, maps);
 }
 
 }  // namespace roomgraph

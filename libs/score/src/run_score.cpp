@@ -6,7 +6,6 @@
 
 #include "most_share.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/relate/DistinctMaps.h"
 
 namespace roomgraph {
 namespace {
@@ -54,8 +53,9 @@ void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const Dis
 
 }  // namespace
 
-RunScores scoreRuns(const PairBends& bends, const std::vector<MapError>& errors,
-                    std::optional<std::size_t> reference, const RunScoreOptions& options) {
+RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
+                    const std::vector<MapError>& errors, std::optional<std::size_t> reference,
+                    const RunScoreOptions& options) {
   if (reference && *reference >= bends.things())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
   if (errors.size() != bends.things())
@@ -68,7 +68,6 @@ RunScores scoreRuns(const PairBends& bends, const std::vector<MapError>& errors,
     grade(*scores[i], errors[i], options);
   }
   setTrust(scores, bends, options);
-  const DistinctMaps maps(bends);
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (scores[i]) weigh(scores, i, bends, maps, reference);
   const std::size_t minOthers = reference ? 1 : options.minOthers;

@@ -3,13 +3,14 @@
 
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   the runs of a site, and how each two of them lie in each other
+// In:   the runs of a site, how each two of them lie in each other, and which are copies
 // Out:  Consensus
 // Next: scoreRuns, siteBreaks
 
@@ -26,6 +27,7 @@ struct Consensus {
  *  lies in each other as a whole. Nothing is found of runs of which none has scans. The same for
  *  any order of the jobs. Cost: that of matchSubmaps for each pair, both ways, and that of
  *  findConsensus. */
-Consensus siteConsensus(const Site& site, const MapPairs& pairs, const ForEach& forEach);
+Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
+                        const ForEach& forEach);
 
 }  // namespace roomgraph

@@ -5,6 +5,7 @@
 #include "roomgraph/base/PairTable.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/measures/Measure.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -20,10 +21,11 @@ struct SiteMeasures {
   PairTable<std::vector<Measure>> pairs;   ///< of each pair that was related, alike
 };
 
-/** Measures all runs and pairs. `bends` are those of `pairs`; `breaks` are those of each run.
+/** Measures all runs and pairs. `bends` are those of `pairs`, `maps` says which runs are copies, and
+ *  `breaks` are those of each run.
  *  O(pairs * (walls + cells of the site + compareGraphs)). */
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
-                         const Trust& trust, const std::vector<std::vector<MapBreak>>& breaks,
-                         const ForEach& forEach);
+                         const DistinctMaps& maps, const Trust& trust,
+                         const std::vector<std::vector<MapBreak>>& breaks, const ForEach& forEach);
 
 }  // namespace roomgraph

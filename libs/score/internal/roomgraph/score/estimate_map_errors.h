@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "roomgraph/consensus/site_consensus.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
 
@@ -48,11 +49,12 @@ std::vector<std::optional<MapError>> estimateMapErrors(
 /** The map errors of all runs of a site from the bends of their maps alone, for runs without
  *  scans: one estimate for all copies of a map. `seen` is the largest share of walls in common with
  *  another map, 0 for a run that has none. Cost: that of estimateMapErrors. */
-std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends);
+std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
+                                    const DistinctMaps& maps);
 
 /** The map error of each run of a site: that of the consensus where all runs have scans, else that
  *  of errorsByBends, as patches of walls alone make a poor pose graph. */
-std::vector<MapError> siteErrors(const Site& site, const PairBends& bends,
+std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
                                  const Consensus& consensus);
 
 }  // namespace roomgraph

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
 #include "roomgraph/score/RunScore.h"
@@ -31,10 +32,11 @@ using RunScores = std::vector<std::optional<RunScore>>;
  *  falls with the fourth power of trustFloor plus the map error; that of the most trusted run, or
  *  of the reference, is 1, that of a run without minShare 0, unless all are so. Runs of which no
  *  other has anything have no score. Meaningful with minOthers other runs (one reference), minWalls
- *  wall points and minShare. `errors` are by run, as `bends`. O(runs^2).
+ *  wall points and minShare. `errors` and `maps` are by run, as `bends`. O(runs^2).
  *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
-RunScores scoreRuns(const PairBends& bends, const std::vector<MapError>& errors,
-                    std::optional<std::size_t> reference, const RunScoreOptions& options);
+RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
+                    const std::vector<MapError>& errors, std::optional<std::size_t> reference,
+                    const RunScoreOptions& options);
 
 /** Whom to trust: the runs as they are scored, or a reference alone. */
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);
