@@ -1,39 +1,17 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <sstream>
-#include <string>
+#include "scoring_document.h"
 
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/relate/estimate_scale.h"
+#include "roomgraph/relate/place_runs.h"
+#include "roomgraph/score/estimate_map_errors.h"
 #include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 namespace {
 
-/** docs/scoring.md on one line. */
-std::string document() {
-  std::ostringstream text;
-  text << std::ifstream(ROOMGRAPH_SCORING).rdbuf();
-  std::string line = text.str();
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  line.erase(
-      std::unique(line.begin(), line.end(), [](char l, char r) { return l == ' ' && r == ' '; }),
-      line.end());
-  return line;
-}
-
-void expectSaid(const char* format, double figure) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, figure);
-  EXPECT_NE(document().find(text), std::string::npos) << text;
-}
-
-double degrees(double angle) { return std::round(angle * 1800 / M_PI) / 10; }
+using test::degrees;
+using test::expectSaid;
 
 TEST(ScoringDocument, saysWhereABreakBegins) {
   const SiteBreaksOptions breaks;
@@ -46,6 +24,31 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
   expectSaid("and by %g times what they bend themselves", breaks.findPieces.minContrast);
   expectSaid("turned by %g degrees (root mean square)", degrees(breaks.findPieces.maxTurnBend));
   expectSaid("runs with %g %% of the votes", 100 * breaks.minVotes);
+  expectSaid("have %g %% of this one's walls are asked", 100 * kWitnessShare);
+  expectSaid("the pieces hold %g %% of the walls found, and the smaller one %g %%",
+             100 * breaks.findPieces.minExplained, 100 * breaks.findPieces.minPiece);
+  expectSaid("(within %g degrees and %g m)", std::round(degrees(breaks.sameTurn)),
+             breaks.samePlace);
+}
+
+TEST(ScoringDocument, saysHowRunsArePlaced) {
+  const SitePosesOptions poses;
+  expectSaid("with a confidence of at least %g,", poses.minConfidence);
+  expectSaid("disagrees with the rest by more than %g m counts little", poses.width);
+  EXPECT_EQ(CompareRunsOptions().core, 12u);
+  expectSaid("Of more than twelve runs");
+}
+
+TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
+  const MapErrorOptions error;
+  expectSaid("log((*b(ij)* + %g m) / (√(*e(i)*² + *e(j)*²) + %g m))", error.bendNoise,
+             error.bendNoise);
+  expectSaid("+ %g · Σ over runs of *c(i)* · ρ(log(*e(i)* + %g m) − %g · log(*d(i)* + %g) − *a*)",
+             error.deviationWeight, error.errorNoise, error.deviationPower, error.deviationNoise);
+  expectSaid("of width %g where a bend is larger", error.above);
+  expectSaid("and %g for the deviations", error.deviationWidth);
+  expectSaid("(pseudo-Huber, width %g)", error.below);
+  expectSaid("Errors end at %g m", error.mostError);
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {

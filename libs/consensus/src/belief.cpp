@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_consensus.h"
+
 namespace roomgraph {
 
 bool isBorneOut(const SubmapMatch& match, const Transform2D& in, const Transform2D& of,
@@ -21,11 +23,9 @@ double beliefOf(double share) {
 }
 
 double costOfGivingUp(const RunMatches& piece) {
-  constexpr double kCost = 45;  // half the robust squared residual of a link that is 20 m off
-  constexpr double kMatches = 25, kLeast = 0.2;
-  constexpr double kUnlike = 0.4, kAlike = 0.8;  // likeness from which on it says less, and least
-  return kCost * std::sqrt(double(piece.matches.size()) / kMatches) *
-         std::clamp((kAlike - piece.likeness) / (kAlike - kUnlike), kLeast, 1.0);
+  return fitted::kGivingUp * std::sqrt(double(piece.matches.size()) / fitted::kGivingUpMatches) *
+         std::clamp((fitted::kAlikeTo - piece.likeness) / (fitted::kAlikeTo - fitted::kAlikeFrom),
+                    fitted::kLeastCost, 1.0);
 }
 
 std::vector<double> beliefIn(const std::vector<RunMatches>& matches, const SubmapPoses& poses,

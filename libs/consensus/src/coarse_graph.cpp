@@ -16,36 +16,36 @@ Transform2D placeBy(const RunMatches& piece, const SubmapMatch& match,
          runs[piece.of].submaps[match.submap].pose.inverse();
 }
 
-/** For each submap of each run whether a piece begins there, or has ended just before, or finds it
- *  otherwise than the submap before. */
-std::vector<std::vector<bool>> seams(const std::vector<RunSubmaps>& runs,
-                                     const std::vector<RunMatches>& matches) {
-  std::vector<std::vector<bool>> isSeam;
-  for (const RunSubmaps& run : runs) isSeam.emplace_back(run.submaps.size() + 1);
+/** For each submap of each run whether a node has to start with it: a piece begins there, or has
+ *  ended just before, or finds it otherwise than the submap before. */
+std::vector<std::vector<bool>> nodeStarts(const std::vector<RunSubmaps>& runs,
+                                          const std::vector<RunMatches>& matches) {
+  std::vector<std::vector<bool>> startsNode;
+  for (const RunSubmaps& run : runs) startsNode.emplace_back(run.submaps.size() + 1);
   for (const RunMatches& piece : matches) {
     if (piece.matches.empty()) continue;
-    isSeam[piece.of][piece.matches.front().submap] = true;
-    isSeam[piece.of][piece.matches.back().submap + 1] = true;
+    startsNode[piece.of][piece.matches.front().submap] = true;
+    startsNode[piece.of][piece.matches.back().submap + 1] = true;
     for (std::size_t m = 1; m < piece.matches.size(); ++m) {
       const SubmapMatch &before = piece.matches[m - 1], &now = piece.matches[m];
       const Point at = runs[piece.of].submaps[now.submap].pose.shift();
       if (areNear(placeBy(piece, before, runs), placeBy(piece, now, runs), at, kSameNode)) continue;
-      isSeam[piece.of][before.submap + 1] = isSeam[piece.of][now.submap] = true;
+      startsNode[piece.of][before.submap + 1] = startsNode[piece.of][now.submap] = true;
       // Other pieces are found both ways, each by itself.
-      if (now.isSameScan) isSeam[piece.in][before.in + 1] = isSeam[piece.in][now.in] = true;
+      if (now.isSameScan) startsNode[piece.in][before.in + 1] = startsNode[piece.in][now.in] = true;
     }
   }
-  return isSeam;
+  return startsNode;
 }
 
 /** What `run` is as a coarse run; tells of each of its submaps which one that is. */
-RunSubmaps coarseRun(const RunSubmaps& run, const std::vector<bool>& isSeam,
+RunSubmaps coarseRun(const RunSubmaps& run, const std::vector<bool>& startsNode,
                      std::vector<std::uint32_t>& nodeOf) {
   RunSubmaps coarse;
   coarse.areScans = run.areScans;
   std::uint32_t count = 0;
   for (std::uint32_t k = 0; k < run.submaps.size(); ++k, ++count) {
-    if (k == 0 || !run.areScans || isSeam[k] || count == kMostInNode)
+    if (k == 0 || !run.areScans || startsNode[k] || count == kMostInNode)
       coarse.submaps.push_back(run.submaps[k]), count = 0;
     nodeOf.push_back(std::uint32_t(coarse.submaps.size() - 1));
   }
@@ -60,9 +60,9 @@ RunSubmaps coarseRun(const RunSubmaps& run, const std::vector<bool>& isSeam,
 CoarseGraph coarseGraph(const std::vector<RunSubmaps>& runs,
                         const std::vector<RunMatches>& matches) {
   CoarseGraph coarse{{}, matches, std::vector<std::vector<std::uint32_t>>(runs.size())};
-  const auto isSeam = seams(runs, matches);
+  const auto startsNode = nodeStarts(runs, matches);
   for (std::size_t r = 0; r < runs.size(); ++r)
-    coarse.runs.push_back(coarseRun(runs[r], isSeam[r], coarse.nodeOf[r]));
+    coarse.runs.push_back(coarseRun(runs[r], startsNode[r], coarse.nodeOf[r]));
   // node <- submap, by the run's own poses
   const auto inNode = [&](std::size_t r, std::uint32_t k) {
     return coarse.runs[r].submaps[coarse.nodeOf[r][k]].pose.inverse() * runs[r].submaps[k].pose;

@@ -7,6 +7,7 @@
 
 #include "belief.h"
 #include "coarse_graph.h"
+#include "fitted_consensus.h"
 #include "move_pieces.h"
 #include "roomgraph/consensus/pose_graph.h"
 #include "roomgraph/relate/shares_drive.h"
@@ -16,10 +17,7 @@
 namespace roomgraph {
 namespace {
 
-// The least slack of a run's links: of one that has its drive to itself, and of one that shares it.
-constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;
 constexpr std::size_t kFewRuns = 5;
-constexpr double kAboutAsGood = 1.25;  // cost beside that of the best
 
 /** Of each run, whether it shares its drive with another one. */
 std::vector<bool> haveSharedDrives(const std::vector<RunSubmaps>& runs,
@@ -52,7 +50,7 @@ std::vector<double> slackOf(const std::vector<RunSubmaps>& runs,
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const double unit = !runs[r].areScans && most > 0 ? most : 1;
     slack.push_back(std::clamp(std::sqrt(meanStrain(runs[r], poses[r]) / unit),
-                               isShared[r] ? kLeastSharedSlack : kLeastSlack, 1.0));
+                               isShared[r] ? fitted::kLeastSharedSlack : fitted::kLeastSlack, 1.0));
   }
   return slack;
 }
@@ -132,7 +130,7 @@ ConsensusPoses findConsensus(const std::vector<RunSubmaps>& runs,
   if (coarse) start = solvedCoarsely(graph, *coarse, start, start, StartIs::good);
   ConsensusPoses result{solvePoseGraph(graph, std::move(start), StartIs::good).poses, {}};
   for (auto other = solutions.begin(); other != solutions.end(); ++other)
-    if (other != best && other->cost <= kAboutAsGood * best->cost)
+    if (other != best && other->cost <= fitted::kAboutAsGood * best->cost)
       result.others.push_back(std::move(other->poses));
   return result;
 }

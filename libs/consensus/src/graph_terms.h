@@ -31,17 +31,17 @@ struct GraphTerm {
 
 /** A link holds its submaps together, as far as its run's `slack` allows. */
 inline GraphTerm linkTerm(const RunSubmaps& run, const SubmapLink& link, double slack) {
-  constexpr double kWidth = 3;
   const Transform2D step = stepOf(run, link);
-  return {step, linkNoise(step).times(slack), kWidth, 1};
+  return {step, linkNoise(step).times(slack), fitted::kLinkWidth, 1};
 }
 
 /** A match lays two submaps of different runs on each other, as far as its piece is believed. */
 inline GraphTerm matchTerm(const SubmapMatch& match, double belief) {
-  constexpr LinkNoise kNoise{0.06, 0.01}, kSameScanNoise{0.03, 0.005};
-  constexpr double kWeight = 0.25, kSameScanWeight = 0.5, kWidth = 2;
-  return {match.pose, match.isSameScan ? kSameScanNoise : kNoise, kWidth,
-          belief * match.weight * (match.isSameScan ? kSameScanWeight : kWeight)};
+  constexpr LinkNoise kNoise{fitted::kMatchPlace, fitted::kMatchTurn};
+  constexpr LinkNoise kSameScanNoise{fitted::kSameScanPlace, fitted::kSameScanTurn};
+  return {
+      match.pose, match.isSameScan ? kSameScanNoise : kNoise, fitted::kMatchWidth,
+      belief * match.weight * (match.isSameScan ? fitted::kSameScanWeight : fitted::kMatchWeight)};
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 
+#include "fitted_consensus.h"
 #include "roomgraph/consensus/run_submaps.h"
 
 namespace roomgraph {
@@ -19,13 +20,12 @@ inline Transform2D stepOf(const RunSubmaps& run, const SubmapLink& link) {
 
 /** How far a step of an ordinary run is off: some for each key frame, and more for way and turn. */
 inline LinkNoise linkNoise(const Transform2D& step) {
-  constexpr double kPlace = 0.02, kPlacePerRootMetre = 0.03;
-  constexpr double kTurn = 0.003, kTurnPerRootMetre = 0.004, kTurnPerRootRadian = 0.01;
   const double way = norm(step.shift());
   const double turned = std::abs(step.phi);
-  return {std::sqrt(kPlace * kPlace + kPlacePerRootMetre * kPlacePerRootMetre * way),
-          std::sqrt(kTurn * kTurn + kTurnPerRootMetre * kTurnPerRootMetre * way +
-                    kTurnPerRootRadian * kTurnPerRootRadian * turned)};
+  const auto squared = [](double x) { return x * x; };
+  return {std::sqrt(squared(fitted::kLinkPlace) + squared(fitted::kLinkPlacePerRootMetre) * way),
+          std::sqrt(squared(fitted::kLinkTurn) + squared(fitted::kLinkTurnPerRootMetre) * way +
+                    squared(fitted::kLinkTurnPerRootRadian) * turned)};
 }
 
 }  // namespace roomgraph

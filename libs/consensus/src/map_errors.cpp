@@ -4,16 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_consensus.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
-
-// The interval: a factor and some metres. Round numbers, so that 75 to 90 % of the true errors lie
-// in it on the sites of benchmarks/README.md, with ten, five and three runs.
-constexpr double kFactor = 0.05, kFactorPerRun = 0.5;  // standard deviation of the log error
-constexpr double kUnseen = 0.3;                        // the same for what nobody else has seen
-constexpr double kPlace = 0.01, kPlacePerRun = 0.06;   // [m]
 
 /** Sums over places in two frames, so that the best motion from one to the other and what it
  *  leaves over follow (Umeyama 1991). */
@@ -99,9 +94,12 @@ double seenShare(const RunSubmaps& run, const std::vector<bool>& isSeen) {
 
 void addInterval(MapError& error, std::size_t runs) {
   const double others = double(std::max<std::size_t>(2, runs) - 1);
+  // Round numbers, so that 75 to 90 % of the true errors lie in it on the sites of
+  // benchmarks/README.md, with ten, five and three runs.
   const double factor =
-      kEightyPercent * (kFactor + kFactorPerRun / others / others + kUnseen * (1 - error.seen));
-  const double place = kPlace + kPlacePerRun / others;
+      kEightyPercent * (fitted::kFactor + fitted::kFactorPerRun / others / others +
+                        fitted::kFactorUnseen * (1 - error.seen));
+  const double place = fitted::kMetres + fitted::kMetresPerRun / others;
   error.low = std::max(0.0, error.error / std::exp(factor) - place);
   error.high = error.error * std::exp(factor) + place;
 }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "fitted_consensus.h"
 #include "likeness.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
@@ -13,8 +14,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMinShare = 0.45;  // of the walls of a submap
 
 /** Counts which submaps of the other run drew the walls that a submap meets there. */
 class Meeting {
@@ -56,7 +55,7 @@ std::optional<SubmapMatch> matchAt(std::uint32_t submap, const Transform2D& subm
                                    const Transform2D& pose, const Meeting& meeting,
                                    const RunSubmaps& inSubmaps) {
   const auto in = meeting.mostMet();
-  if (!in || meeting.share() < kMinShare) return std::nullopt;
+  if (!in || meeting.share() < fitted::kLeastFound) return std::nullopt;
   const Transform2D relative = inSubmaps.submaps[*in].pose.inverse() * pose * submapPose;
   return SubmapMatch{submap, *in, relative, meeting.share(), false};
 }

@@ -11,9 +11,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kAxesTurn = 0.03, kAxesWidth = 6;  // standard deviation [rad], and of the kernel
-// Kernels start this many times as wide and are halved from stage to stage.
-constexpr double kFirstWidening = 8;
+// From stage to stage the kernels are halved.
 constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
 
 /** The pose of one submap in another is as it was measured. */
@@ -54,10 +52,10 @@ class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
   explicit AlongAxes(double turn) : turn_(turn) {}
 
   bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    residuals[0] = wrappedAngle(4 * (values[0][2] + turn_ - values[1][0])) / 4 / kAxesTurn;
+    residuals[0] = wrappedAngle(4 * (values[0][2] + turn_ - values[1][0])) / 4 / fitted::kAxesTurn;
     if (!jacobians) return true;
-    if (double* j = jacobians[0]) j[0] = 0, j[1] = 0, j[2] = 1 / kAxesTurn;
-    if (double* j = jacobians[1]) j[0] = -1 / kAxesTurn;
+    if (double* j = jacobians[0]) j[0] = 0, j[1] = 0, j[2] = 1 / fitted::kAxesTurn;
+    if (double* j = jacobians[1]) j[0] = -1 / fitted::kAxesTurn;
     return true;
   }
 
@@ -96,7 +94,7 @@ class Solver {
     options.logging_type = ceres::SILENT;
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
-    double widening = startIs == StartIs::good ? 1 : kFirstWidening;
+    double widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
     for (int stage = startIs == StartIs::good ? kStages - 1 : 0; stage < kStages; ++stage) {
       const bool isLast = stage + 1 == kStages;
       options.max_num_iterations = isLast ? kLastSteps : kStageSteps;
@@ -135,7 +133,7 @@ class Solver {
     for (std::uint32_t k = 0; k < run.submaps.size(); ++k)
       if (const auto& axes = run.submaps[k].axes)
         problem_.AddResidualBlock(new AlongAxes(axes->turn),
-                                  new ceres::ScaledLoss(new ceres::TukeyLoss(kAxesWidth),
+                                  new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth),
                                                         axes->weight, ceres::TAKE_OWNERSHIP),
                                   value(r, k), &axes_);
   }
@@ -184,7 +182,6 @@ PoseGraphSolution solvePoseGraph(const PoseGraph& graph, SubmapPoses start, Star
 }
 
 double meanStrain(const RunSubmaps& run, const std::vector<Transform2D>& poses) {
-  constexpr double kCounted = 0.9;
   std::vector<double> strains;
   for (const SubmapLink& link : run.links) {
     const Transform2D step = stepOf(run, link);
@@ -195,7 +192,7 @@ double meanStrain(const RunSubmaps& run, const std::vector<Transform2D>& poses) 
     strains.push_back((place * place + turn * turn) / 3);
   }
   std::sort(strains.begin(), strains.end());
-  strains.resize(std::size_t(kCounted * double(strains.size())));
+  strains.resize(std::size_t(fitted::kCountedLinks * double(strains.size())));
   double sum = 0;
   for (const double strain : strains) sum += strain;
   return strains.empty() ? 0 : sum / double(strains.size());

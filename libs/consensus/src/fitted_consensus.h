@@ -1,0 +1,41 @@
+#pragma once
+
+/** The figures of the consensus. docs/scoring.md tells all of them, under the same headings, and a
+ *  test holds it to these. They are round numbers, set so that the map errors and their intervals
+ *  come out right where the truth is known: `benchmarks/score_accuracy --data DIR` shows what a
+ *  change does. */
+namespace roomgraph::fitted {
+
+// A submap is matched where so much of its walls was found.
+constexpr double kLeastFound = 0.45;
+
+// Links: standard deviations [m, rad], the second for the root of a metre, the third of a radian.
+constexpr double kLinkPlace = 0.02, kLinkPlacePerRootMetre = 0.03;
+constexpr double kLinkTurn = 0.003, kLinkTurnPerRootMetre = 0.004, kLinkTurnPerRootRadian = 0.01;
+// Matches, and what both runs have scanned as one.
+constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01;
+constexpr double kSameScanPlace = 0.03, kSameScanTurn = 0.005;
+constexpr double kMatchWeight = 0.25, kSameScanWeight = 0.5;
+// Walls of a submap along the axes of the building [rad].
+constexpr double kAxesTurn = 0.03;
+// Of the kernels, in standard deviations.
+constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
+constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
+
+// Belief: what it costs to give up a piece of so many matches; half the robust squared residual of
+// a link that is 20 m off.
+constexpr double kGivingUp = 45, kGivingUpMatches = 25;
+constexpr double kAlikeFrom = 0.4,
+                 kAlikeTo = 0.8;    // likeness from which on it costs less, and least
+constexpr double kLeastCost = 0.2;  // the share of its cost that it has then
+
+// Slack: the least of a run that has its drive to itself, and of one that shares it.
+constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;
+constexpr double kCountedLinks = 0.9;  // share of the links that count, those that give way least
+
+// Map error: the interval is a factor, as a standard deviation of its log, and some metres.
+constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
+constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
+constexpr double kAboutAsGood = 1.25;  // cost of a solution that may be right, beside the best
+
+}  // namespace roomgraph::fitted

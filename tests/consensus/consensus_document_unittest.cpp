@@ -1,0 +1,65 @@
+#include "fitted_consensus.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/consensus/track_scans.h"
+#include "scoring_document.h"
+
+namespace roomgraph {
+namespace {
+
+using namespace fitted;
+using test::expectSaid;
+
+TEST(ConsensusDocument, saysHowScansAreTracked) {
+  const TrackScansOptions track;
+  expectSaid("that lie on walls, less %g.", track.lostQuality);
+  expectSaid("is under %g m and %g rad, %g where it is larger", kSteadyTrack.place,
+             kSteadyTrack.turn, track.jumpCost);
+  expectSaid("(a tear), and %g where it does not", track.farCost);
+  expectSaid("begins more than %g rad or %g m from the pose of the pair costs %g", kAsMapsBend.turn,
+             kAsMapsBend.place, 2 * track.jumpCost);
+  expectSaid("Up to %zu scans may be lost on the way", track.memory);
+  expectSaid("if at least %g %% of its walls lie within %g m of walls", 100 * kLeastFound,
+             kSameWall);
+}
+
+TEST(ConsensusDocument, saysWhatThePosesCost) {
+  expectSaid("√(%g² + %g² · *l*) m", kLinkPlace, kLinkPlacePerRootMetre);
+  expectSaid("√(%g² + %g² · *l* + %g² · *a*) rad", kLinkTurn, kLinkTurnPerRootMetre,
+             kLinkTurnPerRootRadian);
+  expectSaid("times the slack | Cauchy, %g | 1 |", kLinkWidth);
+  expectSaid("| match | %g m | %g rad | Cauchy, %g | %g · share", kMatchPlace, kMatchTurn,
+             kMatchWidth, kMatchWeight);
+  expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kSameScanPlace,
+             kSameScanTurn, kMatchWidth, kSameScanWeight);
+  expectSaid("| | %g rad | Tukey, %g | up to 1 |", kAxesTurn, kAxesWidth);
+  expectSaid("They start %g times as wide", kFirstWidening);
+}
+
+TEST(ConsensusDocument, saysHowFarPiecesAreBelieved) {
+  expectSaid("within %g m and %g rad of where the start has them", kRoughly.place, kRoughly.turn);
+  expectSaid("once the graph is solved, within %g m and %g rad", kSameAnswer.place,
+             kSameAnswer.turn);
+  expectSaid("To give up a piece of %g matches costs %g,", kGivingUpMatches, kGivingUp);
+  EXPECT_EQ(kLeastCost, 1.0 / 5);
+  expectSaid("down to a fifth,");
+  expectSaid("lays more than %g %% of the patches", 100 * kAlikeFrom);
+  expectSaid("until it is least at %g %%", 100 * kAlikeTo);
+}
+
+TEST(ConsensusDocument, saysHowFarLinksGiveWay) {
+  EXPECT_DOUBLE_EQ(1 - kCountedLinks, 0.1);
+  expectSaid("without the worst tenth");
+  expectSaid("This is its slack, at least %g and at most 1", kLeastSlack);
+  expectSaid("its slack is at least %g.", kLeastSharedSlack);
+}
+
+TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
+  expectSaid("ln *f* = 1.28 · (%g + %g / (*n* − 1)² + %g · (1 − *v*))", kFactor, kFactorPerRun,
+             kFactorUnseen);
+  expectSaid("*p* = %g m + %g m / (*n* − 1)", kMetres, kMetresPerRun);
+  expectSaid("costs at most %g times the best", kAboutAsGood);
+}
+
+}  // namespace
+}  // namespace roomgraph
