@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "roomgraph/breaks/find_breaks.h"
+
 namespace roomgraph {
 namespace {
 

@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/breaks/find_breaks.h"
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/breaks/ScanBreak.h"
 
 namespace roomgraph {
 

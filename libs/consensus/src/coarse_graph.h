@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/consensus/find_consensus.h"
+#include "roomgraph/consensus/RunMatches.h"
 
 namespace roomgraph {
 

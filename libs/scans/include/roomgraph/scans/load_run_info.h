@@ -1,28 +1,14 @@
 #pragma once
-#include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/scans/RunInfo.h"
 
 namespace roomgraph {
 
 // In:   a simplemap
 // Out:  RunInfo
 // Next: -
-
-/** What a simplemap tells of the run that made it. */
-struct RunInfo {
-  int version = 0;  ///< of CSimpleMap
-  Compression compression = Compression::none;
-  std::size_t keyframes = 0, keyframesWithoutScans = 0;
-  double pathLength = 0;             ///< from pose to pose [m]
-  std::optional<double> start, end;  ///< of the first and last scan that has a time [s since 1970]
-  /** How often each sensor has been read, by "LABEL (CLASS VERSION)"; without a label where the
-   *  observation has none that is known here. */
-  std::map<std::string, std::size_t> sensors;
-};
 
 /** None for a file that is no simplemap. O(file).
  *  @throws DataError where the file is missing or damaged. */

@@ -1,7 +1,8 @@
 #pragma once
 #include "roomgraph/files/checked_file.h"
-#include "roomgraph/scans/load_keyframes.h"
-#include "roomgraph/scans/load_scans.h"
+#include "roomgraph/grid/LoadGridOptions.h"
+#include "roomgraph/scans/Keyframe.h"
+#include "roomgraph/scans/RobotScan.h"
 
 namespace roomgraph {
 

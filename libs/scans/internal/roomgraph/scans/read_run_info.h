@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/scans/load_run_info.h"
+#include "roomgraph/scans/RunInfo.h"
 
 namespace roomgraph {
 
