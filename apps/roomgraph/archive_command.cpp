@@ -64,11 +64,8 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
                  "Folder that keeps what is found of each pair of maps, as for 'roomgraph "
                  "compare'.")
       ->type_name("DIR");
-  app.add_option("--threads", arguments.threads,
-                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
+  declareThreads(arguments.threads, "maps or pairs", app);
+  declareQuiet(arguments.isQuiet, app);
   declareConfig(arguments.options, app);
   declareReading(arguments.options, app);
 }
@@ -205,7 +202,7 @@ std::function<int()> archiveCommand(CLI::App& app) {
       ->add_option("-o,--output", arguments->page,
                    "Also write it as a page for the browser, with plots.")
       ->type_name("FILE");
-  arguments->report->add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
+  declareQuiet(arguments->isQuiet, *arguments->report);
   arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
                               "Exit with 3 where the maps of a robot get worse.");
   declareSite(*arguments, *arguments->list);

@@ -5,6 +5,7 @@
 #include "Command.h"
 #include "FleetFolder.h"
 #include "comparison_results.h"
+#include "option_arguments.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
@@ -89,7 +90,7 @@ std::function<int()> collectCommand(CLI::App& app) {
   app.add_option("--archive", arguments->archive, "The archive that the plan was made with.")
       ->type_name("FILE")
       ->required();
-  app.add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
+  declareQuiet(arguments->isQuiet, app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -81,11 +81,8 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
                "Where the maps are of several sites, such as two floors, compare each site by "
                "itself: the one with most runs as ever, the next in the folder site2 of --output, "
                "and so on. Not together with a gate, --names or --reference.");
-  app.add_option("--threads", arguments.threads,
-                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors.");
+  declareThreads(arguments.threads, "maps or pairs", app);
+  declareQuiet(arguments.isQuiet, app);
 }
 
 /** The record and the candidates, each file once. */

@@ -40,10 +40,7 @@ void declareOutput(ExtractArguments& arguments, CLI::App& app) {
 void declareRunning(ExtractArguments& arguments, CLI::App& app) {
   app.add_flag("--timings", arguments.showTimings,
                "Print a table of the steps and their times to stderr.");
-  app.add_option("--threads", arguments.threads,
-                 "How many maps are worked on at the same time; 0 for one per core.")
-      ->type_name("N")
-      ->capture_default_str();
+  declareThreads(arguments.threads, "maps", app);
   CLI::Option* quiet =
       app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors and --timings.");
   app.add_flag("-v,--verbose", arguments.isVerbose, "Print also how each map was read.")

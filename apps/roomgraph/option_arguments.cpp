@@ -121,6 +121,17 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
   app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
 }
 
+void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
+  app.add_option("--threads", threads,
+                 "How many " + what + " are worked on at the same time; 0 for one per core.")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void declareQuiet(bool& isQuiet, CLI::App& app) {
+  app.add_flag("-q,--quiet", isQuiet, "Print nothing but errors.");
+}
+
 ExtractOptions toOptions(const OptionArguments& arguments) {
   CompareMapsOptions options;
   options.extract = preset(arguments.preset);

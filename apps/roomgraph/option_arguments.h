@@ -26,6 +26,11 @@ void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2 and --all-components. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
+/** Declares --threads; `what` are worked on at the same time. */
+void declareThreads(unsigned& threads, const std::string& what, CLI::App& app);
+/** Declares --quiet. */
+void declareQuiet(bool& isQuiet, CLI::App& app);
+
 /** First the preset, then the file, then --set, then the shorthands; later ones win. The file may
  *  also have options of a comparison, --set may not.
  *  Throws UsageError for an unknown name or a value out of range, and DataError for an earlier

@@ -70,7 +70,7 @@ std::function<int()> planCommand(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  app.add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
+  declareQuiet(arguments->isQuiet, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };

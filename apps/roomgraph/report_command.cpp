@@ -5,6 +5,7 @@
 
 #include "Command.h"
 #include "comparison_results.h"
+#include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
@@ -80,7 +81,7 @@ std::function<int()> reportCommand(CLI::App& app) {
                  "Judge only the run of this name; may be given several times.")
       ->type_name("NAME")
       ->allow_extra_args(false);
-  app.add_flag("-q,--quiet", arguments->isQuiet, "Print nothing but errors.");
+  declareQuiet(arguments->isQuiet, app);
   return [arguments] { return run(*arguments); };
 }
 

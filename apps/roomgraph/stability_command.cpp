@@ -49,11 +49,8 @@ void declareRunning(StabilityTask& task, CLI::App& app) {
                  "there.")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--threads", task.threads,
-                 "How many noisy maps are worked on at the same time; 0 for one per core.")
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("-q,--quiet", task.isQuiet, "Print nothing but errors.");
+  declareThreads(task.threads, "noisy maps", app);
+  declareQuiet(task.isQuiet, app);
 }
 
 int run(const StabilityArguments& arguments) {

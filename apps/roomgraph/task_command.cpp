@@ -5,6 +5,7 @@
 #include "Command.h"
 #include "FleetFolder.h"
 #include "comparison_results.h"
+#include "option_arguments.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/fleet/do_task.h"
@@ -80,10 +81,7 @@ std::function<int()> taskCommand(CLI::App& app) {
       ->type_name("")
       ->required();
   app.add_option("LAST", arguments->last, "The last of several tasks.")->type_name("");
-  app.add_option("--threads", arguments->threads,
-                 "How many maps or pairs are worked on at the same time; 0 for one per core.")
-      ->type_name("N")
-      ->capture_default_str();
+  declareThreads(arguments->threads, "maps or pairs", app);
   return [arguments] { return run(*arguments); };
 }
 
