@@ -11,7 +11,7 @@
 namespace roomgraph {
 namespace {
 
-Point middleOf(const MapForAlignment& map) {
+Point middleOfWalls(const MapForAlignment& map) {
   Point sum;
   for (const WallPoint& wall : map.walls) sum = sum + wall.place;
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
@@ -98,7 +98,7 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
     const MapPair& pair = related(site.members[i], site.members[j]);
     if (isJoined(pair, options))
       used.push_back(
-          {i, j, pair.alignment.pose, pair.alignment.confidence, middleOf(site.runs[j]->map)});
+          {i, j, pair.alignment.pose, pair.alignment.confidence, middleOfWalls(site.runs[j]->map)});
   }
   const std::size_t centre = site.reference ? *site.reference : centreOf(n, used);
   for (const SitePose& placed : sitePoses(n, used, centre, options).runs)
@@ -118,7 +118,7 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
     const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
     MapPair& pair = pairs(i, j);
     pair = related(site.members[i], site.members[j]);
-    if (!contradicts(pair, inSite, middleOf(b))) return;
+    if (!contradicts(pair, inSite, middleOfWalls(b))) return;
     MapPair again = pair;
     follow(again, a, b, {inSite});
     if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);

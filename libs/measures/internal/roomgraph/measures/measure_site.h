@@ -21,8 +21,8 @@ struct SiteMeasures {
   PairTable<std::vector<Measure>> pairs;   ///< of each pair that was related, alike
 };
 
-/** Measures all runs and pairs. `bends` are those of `pairs`, `maps` says which runs are copies, and
- *  `breaks` are those of each run.
+/** Measures all runs and pairs. `bends` are those of `pairs`, `maps` says which runs are copies,
+ *  and `breaks` are those of each run.
  *  O(pairs * (walls + cells of the site + compareGraphs)). */
 SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBends& bends,
                          const DistinctMaps& maps, const Trust& trust,

@@ -19,7 +19,7 @@ struct Site {
   std::vector<std::vector<std::size_t>> others{};
 };
 
-/** How much each run of a site counts as a judge of the others: 0 to 1. */
+/** How much the word of each run of a site counts in what is said of the others: 0 to 1. */
 using Trust = std::vector<double>;
 
 }  // namespace roomgraph
