@@ -33,7 +33,7 @@ struct Outcome {
 
 struct PreparedMap {
   Grid grid;
-  MapForAlignment prepared;
+  WallMap prepared;
 };
 
 double cpuSeconds() {
@@ -54,7 +54,7 @@ class Maps {
       maps_[i] = std::make_unique<PreparedMap>();
       maps_[i]->grid = binarize(loadGrid(sources_[i].file, load), {});
       const double start = cpuSeconds();
-      maps_[i]->prepared = mapForAlignment(maps_[i]->grid, {});
+      maps_[i]->prepared = wallMap(maps_[i]->grid, {});
       seconds_ += cpuSeconds() - start;
       ++count_;
     }
@@ -87,14 +87,14 @@ PoseError errorOf(const Transform2D& pose, const AlignmentCase& what,
 Outcome run(const AlignmentCase& what, Maps& maps) {
   const PreparedMap &a = maps.at(what.a), &b = maps.at(what.b);
   std::vector<Point> places = what.places;
-  MapForAlignment cutA, cutB;
+  WallMap cutA, cutB;
   Outcome outcome;
   outcome.what = &what;
   if (what.cut) {
     const CutPair pair = cutStrip(a.grid, b.grid, *what.truth, *what.cut);
     if (pair.places.empty()) return {};
     places = pair.places;
-    cutA = mapForAlignment(pair.a, {}), cutB = mapForAlignment(pair.b, {});
+    cutA = wallMap(pair.a, {}), cutB = wallMap(pair.b, {});
   } else if (places.empty()) {
     for (const WallPoint& wall : b.prepared.walls) places.push_back(wall.place);
   }

@@ -10,7 +10,7 @@ namespace {
 
 /** The maps of the other run and of the one that is moved. */
 struct TwoMaps {
-  const MapForAlignment *other, *moved;
+  const WallMap *other, *moved;
   Transform2D otherPose, pose;  ///< other <- moved
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 /** Lays the walls of a hall that lies off by `pose` onto those of the hall itself. */
 Transform2D laidFrom(const Transform2D& pose, int steps) {
-  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
   Transform2D at = pose;
   for (int i = 0; i < steps; ++i) {
     WallFit fit(at, {4, 3}, 0.6);
@@ -39,7 +39,7 @@ TEST(WallFit, wallsThatLieRightStay) {
 
 TEST(WallFit, whatNoWallHoldsStaysAsItIs) {
   // South walls alone hold neither x nor, much, the turn.
-  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
   WallFit fit({0.3, 0.2, 0}, {4, 3}, 0.6);
   for (const WallPoint& wall : map.walls)
     if (wall.normal.y > 0.99) fit.add(wall, map);
@@ -50,7 +50,7 @@ TEST(WallFit, whatNoWallHoldsStaysAsItIs) {
 }
 
 TEST(WallFit, withoutWallsThereIsNotEnough) {
-  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
   WallFit fit({100, 0, 0}, {}, 0.6);
   for (const WallPoint& wall : map.walls) fit.add(wall, map);
   EXPECT_FALSE(fit.isEnough());
@@ -66,7 +66,7 @@ TEST(NarrowingBand, goesFromItsFirstWidthToItsLastByOneFactor) {
 }
 
 TEST(FittedPose, isWhatItsStepsComeTo) {
-  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
   const NarrowingBand band{0.8, 0.2, 5};
   const Transform2D start{0.3, -0.2, 0.02};
   const auto all = [&](WallFit& fit, int) {
@@ -86,7 +86,7 @@ TEST(FittedPose, isWhatItsStepsComeTo) {
 }
 
 TEST(FittedPose, staysWhereTooFewWallsAreInReach) {
-  const MapForAlignment map = mapForAlignment(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
   int steps = 0;
   const Transform2D found =
       fittedPose({100, 0, 0.5}, {}, {0.8, 0.2, 5}, [&](WallFit& fit, int step) {

@@ -5,14 +5,14 @@
 #include <algorithm>
 
 #include "drawn_building.h"
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 namespace {
 
 const std::vector<WallPoint>& buildingWalls() {
   static const std::vector<WallPoint> walls =
-      mapForAlignment(test::drawnBuilding(3, {1, 2, 0.3}), {}).walls;
+      wallMap(test::drawnBuilding(3, {1, 2, 0.3}), {}).walls;
   return walls;
 }
 

@@ -16,8 +16,8 @@ const Point kMiddle{12, 8};  // of the drawn building
 
 /** The place of the first hypothesis near the truth; the number of all where there is none. */
 std::size_t rankOfTruth(const Transform2D& bFromA, const test::Seen& seen) {
-  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
-  const MapForAlignment b = mapForAlignment(test::drawnBuilding(5, bFromA, seen), {});
+  const WallMap a = wallMap(test::drawnBuilding(5, {}), {});
+  const WallMap b = wallMap(test::drawnBuilding(5, bFromA, seen), {});
   const auto found = alignmentHypotheses(a, b, {});
   const Point at = bFromA(kMiddle);
   const auto first = std::find_if(found.begin(), found.end(), [&](const AlignmentHypothesis& h) {
@@ -37,7 +37,7 @@ TEST(AlignmentHypotheses, halfOfTheBuildingIsEnough) {
 }
 
 TEST(AlignmentHypotheses, areOrderedByTheirScores) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(2, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(2, {}), {});
   const auto found = alignmentHypotheses(map, map, {});
   ASSERT_GT(found.size(), 10u);
   EXPECT_TRUE(std::is_sorted(found.begin(), found.end(),
@@ -45,14 +45,14 @@ TEST(AlignmentHypotheses, areOrderedByTheirScores) {
 }
 
 TEST(AlignmentHypotheses, withoutWallsThereAreNone) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(2, {}), {});
-  const MapForAlignment empty = mapForAlignment(Grid{}, {});
+  const WallMap map = wallMap(test::drawnBuilding(2, {}), {});
+  const WallMap empty = wallMap(Grid{}, {});
   EXPECT_TRUE(alignmentHypotheses(map, empty, {}).empty());
   EXPECT_TRUE(alignmentHypotheses(empty, map, {}).empty());
 }
 
 TEST(AlignmentHypotheses, aSquareHallLiesInItselfByEachQuarterTurn) {
-  const MapForAlignment hall = mapForAlignment(test::squareHall({}), {});
+  const WallMap hall = wallMap(test::squareHall({}), {});
   const auto found = alignmentHypotheses(hall, hall, {});
   for (const double turn : {0.0, M_PI / 2, M_PI, -M_PI / 2}) {
     const auto near = std::find_if(found.begin(), found.end(), [&](const AlignmentHypothesis& h) {
@@ -66,8 +66,8 @@ TEST(AlignmentHypotheses, aSquareHallLiesInItselfByEachQuarterTurn) {
 TEST(AlignmentHypotheses, aScoreIsTheSumOfWhatTheWallsOfBothAreWorth) {
   AlignmentHypothesesOptions options;
   options.maxPoints = 800;
-  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
-  const MapForAlignment b = mapForAlignment(test::squareHall({}), {});
+  const WallMap a = wallMap(test::drawnBuilding(5, {}), {});
+  const WallMap b = wallMap(test::squareHall({}), {});
   const auto found = alignmentHypotheses(a, b, options);
   const CentredMap fixed = centred(a), moved = centred(b);
   const auto valueAt = [](const SearchImages& images, int octant, Cell cell) {
@@ -97,8 +97,8 @@ TEST(AlignmentHypotheses, aScoreIsTheSumOfWhatTheWallsOfBothAreWorth) {
 }
 
 TEST(AlignmentHypotheses, noneIsNearABetterOne) {
-  const MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
-  const MapForAlignment b = mapForAlignment(test::drawnBuilding(5, {2, 1, 0.6}), {});
+  const WallMap a = wallMap(test::drawnBuilding(5, {}), {});
+  const WallMap b = wallMap(test::drawnBuilding(5, {2, 1, 0.6}), {});
   const auto found = alignmentHypotheses(a, b, {});
   for (std::size_t i = 0; i < std::min<std::size_t>(found.size(), 100); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -106,7 +106,7 @@ TEST(AlignmentHypotheses, noneIsNearABetterOne) {
 }
 
 TEST(AlignmentHypotheses, noMoreAreKeptThanAskedFor) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(2, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(2, {}), {});
   AlignmentHypothesesOptions few;
   few.count = 7;
   const auto all = alignmentHypotheses(map, map, {}), some = alignmentHypotheses(map, map, few);

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "drawn_building.h"
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 namespace {
 
 double deviationOf(const Grid& grid) {
-  const auto deviation = axisDeviation(mapForAlignment(grid, {}).walls);
+  const auto deviation = axisDeviation(wallMap(grid, {}).walls);
   EXPECT_TRUE(deviation);
   return deviation.value_or(-1);
 }

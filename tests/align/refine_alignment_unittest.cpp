@@ -10,8 +10,8 @@ namespace {
 const Transform2D kBFromA{2, 1, 0.6};
 
 struct Pair {
-  MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
-  MapForAlignment b = mapForAlignment(test::drawnBuilding(5, kBFromA), {});
+  WallMap a = wallMap(test::drawnBuilding(5, {}), {});
+  WallMap b = wallMap(test::drawnBuilding(5, kBFromA), {});
 };
 
 TEST(RefineAlignment, pullsANearPoseIn) {
@@ -58,7 +58,7 @@ TEST(RefineAlignment, whatIsRefinedStays) {
 
 TEST(RefineAlignment, withoutWallsThePoseStays) {
   const Pair pair;
-  const MapForAlignment empty = mapForAlignment(Grid{}, {});
+  const WallMap empty = wallMap(Grid{}, {});
   EXPECT_EQ(refineAlignment(pair.a, empty, {1, 2, 3}, {}).x, 1);
   EXPECT_EQ(refineAlignment(empty, pair.a, {1, 2, 3}, {}).phi, 3);
 }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kCell = 0.25;
 
-const MapForAlignment& building() {
-  static const MapForAlignment the = mapForAlignment(test::drawnBuilding(5, {}), {});
+const WallMap& building() {
+  static const WallMap the = wallMap(test::drawnBuilding(5, {}), {});
   return the;
 }
 

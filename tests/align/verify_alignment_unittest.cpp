@@ -11,8 +11,8 @@ namespace {
 const Transform2D kBFromA{2, 1, 0.6};
 
 struct Pair {
-  MapForAlignment a = mapForAlignment(test::drawnBuilding(5, {}), {});
-  MapForAlignment b = mapForAlignment(test::drawnBuilding(5, kBFromA), {});
+  WallMap a = wallMap(test::drawnBuilding(5, {}), {});
+  WallMap b = wallMap(test::drawnBuilding(5, kBFromA), {});
 };
 
 TEST(VerifyAlignment, theTruePoseIsNotContradicted) {
@@ -67,7 +67,7 @@ TEST(VerifyAlignment, swappingTheMapsChangesNothing) {
 
 TEST(VerifyAlignment, theFramesOfTheMapsChangeLittle) {
   const Pair pair;
-  const MapForAlignment there = mapForAlignment(test::drawnBuilding(5, {7, -3, 1.1}), {});
+  const WallMap there = wallMap(test::drawnBuilding(5, {7, -3, 1.1}), {});
   const Transform2D off{0.4, -0.2, 0.02};
   expectSame(verifyAlignment(pair.a, pair.b, off * kBFromA.inverse(), {}),
              verifyAlignment(pair.a, there, off * Transform2D{7, -3, 1.1}.inverse(), {}), 0.05);
@@ -92,7 +92,7 @@ TEST(VerifyAlignment, whatIsFoundAndContradictedIsPartOfWhatIsKnown) {
 
 TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
   const Pair pair;
-  MapForAlignment striped = pair.a;
+  WallMap striped = pair.a;
   for (WallPoint& wall : striped.walls) wall.normal = {wall.normal.x > 0 ? 1.0 : -1.0, 0};
   const AlignmentEvidence all = verifyAlignment(pair.a, pair.a, {}, {});
   const AlignmentEvidence some = verifyAlignment(striped, striped, {}, {});
@@ -102,7 +102,7 @@ TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
 
 TEST(VerifyAlignment, mapsWithoutWallsSayNothing) {
   const Pair pair;
-  const AlignmentEvidence e = verifyAlignment(pair.a, mapForAlignment(Grid{}, {}), {}, {});
+  const AlignmentEvidence e = verifyAlignment(pair.a, wallMap(Grid{}, {}), {}, {});
   EXPECT_EQ(e.loose, 0);
   EXPECT_EQ(e.overlap, 0);
 }

@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-double doublingOf(const Grid& grid) { return wallDoubling(mapForAlignment(grid, {})).value(); }
+double doublingOf(const Grid& grid) { return wallDoubling(wallMap(grid, {})).value(); }
 
 TEST(WallDoubling, aSoundMapHasNearlyNone) {
   EXPECT_LT(doublingOf(test::drawnHall(0.1, 0)), 0.01);
@@ -26,9 +26,7 @@ TEST(WallDoubling, aWallFartherAwayIsAnotherOne) {
   EXPECT_LT(doublingOf(test::drawnHall(0.1, 1.5)), 0.02);
 }
 
-TEST(WallDoubling, aMapWithoutWallsHasNone) {
-  EXPECT_FALSE(wallDoubling(mapForAlignment(Grid{}, {})));
-}
+TEST(WallDoubling, aMapWithoutWallsHasNone) { EXPECT_FALSE(wallDoubling(wallMap(Grid{}, {}))); }
 
 }  // namespace
 }  // namespace roomgraph

@@ -46,8 +46,7 @@ View sampleView() {
 /** The same, with walls to draw. */
 View viewWithMaps() {
   View view = sampleView();
-  const auto map =
-      mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
+  const auto map = wallMap(test::gridOf(test::drawn(kTwoRooms, 0.5)), WallMapOptions());
   for (roomgraph::Run& run : view.runs) run.map = map;
   return view;
 }
@@ -168,7 +167,7 @@ TEST(Fulfil, stagesComeOneAfterTheOtherAndThenTheResult) {
 TEST(NudgeBy, turnsAboutTheMiddleOfTheMap) {
   View view = sampleView();
   for (roomgraph::Run& run : view.runs)
-    run.map = mapForAlignment(test::gridOf(test::drawn(kTwoRooms, 0.5)), AlignmentMapOptions());
+    run.map = wallMap(test::gridOf(test::drawn(kTwoRooms, 0.5)), WallMapOptions());
   ViewState state;
   nudgeBy({1, 0}, 0, view, state);
   EXPECT_EQ(shownPose(view, state, 0).x, 0) << "only while nudging";
@@ -398,8 +397,8 @@ TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
   const auto grid = test::gridOf(test::drawn(hall, 0.1));
   auto other = grid;  // with a pillar
   for (int x = 18; x < 21; ++x) other.cells[other.frame.index({x, 10})] = State::occupied;
-  view.runs[0].map = mapForAlignment(grid, AlignmentMapOptions());
-  view.runs[1].map = mapForAlignment(other, AlignmentMapOptions());
+  view.runs[0].map = wallMap(grid, WallMapOptions());
+  view.runs[1].map = wallMap(other, WallMapOptions());
   ViewScene drawn(view);
   ViewState state;
   drawn.update(state);

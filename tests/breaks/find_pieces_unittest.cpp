@@ -18,11 +18,11 @@ using test::drawnBuilding;
 /** A building whose origin is in its left half, as drawn and as some motion tears it. */
 struct Torn {
   Grid drawing = drawnBuilding(4, {});
-  MapForAlignment straight = mapForAlignment(drawing, {});
+  WallMap straight = wallMap(drawing, {});
   Point middle = drawing.frame.center({drawing.frame.width / 2, drawing.frame.height / 2});
 
   std::optional<PieceBreak> breakOf(const Grid& grid, const Transform2D& back) const {
-    const MapForAlignment map = mapForAlignment(grid, {});
+    const WallMap map = wallMap(grid, {});
     return findPieces(map, straight, followWalls(map, straight, {{}, back}, {}), {});
   }
 };
@@ -61,7 +61,7 @@ TEST(FindPieces, aMovedHalfBreaksByItsShift) {
 
 /** Patches over 20 m, and where they are found by their middle. */
 struct Patches {
-  MapForAlignment map, in;  // nothing is known of the free ground of `in`
+  WallMap map, in;  // nothing is known of the free ground of `in`
   FollowedWalls followed;
 
   explicit Patches(const std::function<Transform2D(Point middle)>& poseAt) {

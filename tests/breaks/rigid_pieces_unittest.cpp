@@ -58,8 +58,7 @@ TEST(RigidPieces, aFewWallsElsewhereAreNoPiece) {
 
 TEST(RigidPieces, aBrokenBuildingHasTwo) {
   const Grid grid = test::drawnBuilding(1, {});
-  const MapForAlignment sound = mapForAlignment(grid, {}),
-                        broken = mapForAlignment(test::bent(grid, 0.12), {});
+  const WallMap sound = wallMap(grid, {}), broken = wallMap(test::bent(grid, 0.12), {});
   EXPECT_EQ(rigidPieces(sound.patches, followWalls(sound, sound, {{}}, {}), {}), 1u);
   const Transform2D other = carrying(sound.middle(), sound.middle(), -0.12);
   EXPECT_EQ(rigidPieces(broken.patches, followWalls(broken, sound, {{}, other}, {}), {}), 2u);

@@ -111,7 +111,7 @@ std::vector<std::vector<MapBreak>> breaksOf(
   std::vector<roomgraph::Run> runs;
   for (const Grid& grid : grids) {
     runs.emplace_back();
-    runs.back().map = mapForAlignment(grid, {});
+    runs.back().map = wallMap(grid, {});
   }
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
@@ -148,7 +148,7 @@ TEST(SiteBreaks, aMapWithoutScansBreaksWhereItIsDrawn) {
 
 /** Forgets what was found right of the middle of the first map in another one. */
 void forgetFarSide(Site& site, FollowedWalls& followed) {
-  const MapForAlignment& map = site.runs[0]->map;
+  const WallMap& map = site.runs[0]->map;
   auto& found = followed.patches;
   found.erase(std::remove_if(found.begin(), found.end(),
                              [&](const FollowedPatch& f) {

@@ -26,7 +26,7 @@ using test::drawnBuilding;
 roomgraph::Run run(const std::string& name, const Grid& grid) {
   roomgraph::Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   return run;
 }
 

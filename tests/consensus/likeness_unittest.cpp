@@ -9,21 +9,21 @@
 namespace roomgraph {
 namespace {
 
-MapForAlignment mapOf(const Grid& grid) { return mapForAlignment(grid, {}); }
+WallMap mapOf(const Grid& grid) { return wallMap(grid, {}); }
 
 TEST(Likeness, isFullWhereNothingMoves) {
   EXPECT_GT(likenessUnder({}, mapOf(test::drawnBuilding(4, {}))), 0.95);
 }
 
 TEST(Likeness, isFullUnderTheTurnsOfASquareHall) {
-  const MapForAlignment hall = mapOf(test::squareHall({}));
+  const WallMap hall = mapOf(test::squareHall({}));
   const Point middle = hall.middle();
   for (const double turn : {M_PI / 2, M_PI, -M_PI / 2})
     EXPECT_GT(likenessUnder(carrying(middle, middle, turn), hall), 0.9) << turn;
 }
 
 TEST(Likeness, isLittleInABuildingThatDoesNotRepeatItself) {
-  const MapForAlignment map = mapOf(test::drawnBuilding(4, {}));
+  const WallMap map = mapOf(test::drawnBuilding(4, {}));
   const Point middle = map.middle();
   EXPECT_LT(likenessUnder(carrying(middle, middle, 0.7), map), 0.4);
 }
@@ -34,8 +34,8 @@ TEST(Likeness, isNothingBeyondWhatTheMapKnows) {
 
 TEST(Likeness, theFrameOfTheMapChangesLittle) {
   const Transform2D pose{13, -8, 0.6};
-  const MapForAlignment here = mapOf(test::drawnBuilding(4, {}));
-  const MapForAlignment there = mapOf(test::drawnBuilding(4, pose));
+  const WallMap here = mapOf(test::drawnBuilding(4, {}));
+  const WallMap there = mapOf(test::drawnBuilding(4, pose));
   const Point middle = here.middle();
   for (const Transform2D& motion :
        {Transform2D{}, carrying(middle, middle, M_PI), Transform2D{3, 0, 0}}) {
@@ -45,9 +45,7 @@ TEST(Likeness, theFrameOfTheMapChangesLittle) {
   }
 }
 
-TEST(Likeness, aMapWithoutWallsIsLikeNothing) {
-  EXPECT_EQ(likenessUnder({}, MapForAlignment{}), 0);
-}
+TEST(Likeness, aMapWithoutWallsIsLikeNothing) { EXPECT_EQ(likenessUnder({}, WallMap{}), 0); }
 
 }  // namespace
 }  // namespace roomgraph

@@ -20,7 +20,7 @@ struct Building {
 
   roomgraph::Run run(const Transform2D& pose, bool hasScans) const {
     roomgraph::Run run;
-    run.map = mapForAlignment(test::drawnBuilding(4, pose), {});
+    run.map = wallMap(test::drawnBuilding(4, pose), {});
     if (hasScans) run.scans = scanWalls(test::moved(frames, pose));
     return run;
   }
@@ -89,7 +89,7 @@ TEST(MatchSubmaps, aScanThatIsItsOwnIsMatchedWithItself) {
 TEST(MatchSubmaps, inAnotherBuildingThereAreNone) {
   const roomgraph::Run run = building().run({}, true), flat = building().run({}, false);
   roomgraph::Run other;
-  other.map = mapForAlignment(test::squareHall({300, 0, 0}), {});
+  other.map = wallMap(test::squareHall({300, 0, 0}), {});
   EXPECT_TRUE(matchesOf(run, other, {}).empty());
   EXPECT_TRUE(matchesOf(flat, other, {}).empty());
   EXPECT_TRUE(matchSubmaps(run, runSubmaps(run), run, runSubmaps(run), {}, {}).empty())

@@ -14,14 +14,14 @@ namespace {
 roomgraph::Run drivenRun() {
   const Grid grid = test::drawnBuilding(4, {});
   roomgraph::Run run;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   run.scans = scanWalls(test::drawnDrive(grid));
   return run;
 }
 
 roomgraph::Run scanlessRun() {
   roomgraph::Run run;
-  run.map = mapForAlignment(test::drawnBuilding(4, {3, -2, 0.5}), {});
+  run.map = wallMap(test::drawnBuilding(4, {3, -2, 0.5}), {});
   return run;
 }
 
@@ -67,7 +67,7 @@ TEST(RunSubmaps, aScanHasDrawnTheWallsThatItMet) {
 
 TEST(RunSubmaps, wallsThatTheScansDidNotMeetAreOfNone) {
   roomgraph::Run run = drivenRun();
-  run.map = mapForAlignment(test::drawnBuilding(4, {200, 0, 0}), {});
+  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}), {});
   for (const auto& by : runSubmaps(run).drawnBy) EXPECT_TRUE(by.empty());
 }
 

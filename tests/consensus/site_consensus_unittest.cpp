@@ -54,14 +54,14 @@ struct DrivenSite {
                       const std::vector<Transform2D>& poses) {
     for (const std::vector<Keyframe>& frames : drives) {
       runs.emplace_back();
-      runs.back().map = mapForAlignment(test::mapDrawnBy(frames), {});
+      runs.back().map = wallMap(test::mapDrawnBy(frames), {});
       runs.back().scans = scanWalls(frames);
     }
     for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
     site.poses = poses;
     pairs = MapPairs(runs.size());
     for (const auto& [i, j] : pairs.pairs()) {
-      const MapForAlignment &a = runs[i].map, &b = runs[j].map;
+      const WallMap &a = runs[i].map, &b = runs[j].map;
       pairs(i, j).areIdentical = areIdentical(a, b);
       follow(pairs(i, j), a, b, {poses[i].inverse() * poses[j]});
     }
@@ -181,7 +181,7 @@ TEST(SiteConsensus, ofRunsWithoutScansNothingIsFound) {
   std::vector<roomgraph::Run> runs(2);
   Site site;
   for (roomgraph::Run& run : runs) {
-    run.map = mapForAlignment(test::drawnBuilding(1, {}), {});
+    run.map = wallMap(test::drawnBuilding(1, {}), {});
     site.runs.push_back(&run);
   }
   site.poses.assign(2, {});

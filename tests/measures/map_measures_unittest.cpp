@@ -45,7 +45,7 @@ TEST(Brokenness, oneRunAloneHasNone) {
 TEST(OwnMeasures, areOfTheMapAlone) {
   const Grid grid = test::drawnBuilding(4, {});
   roomgraph::Run run;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   for (const MeasuredValue& measured : {wallDoublingOf(run), wallSharpnessOf(run)}) {
     EXPECT_TRUE(measured.value);
     EXPECT_EQ(measured.support, double(run.map.walls.size()));

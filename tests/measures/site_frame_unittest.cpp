@@ -37,7 +37,7 @@ TEST(SiteFrame, aSiteWithoutWallsHasOneCell) {
 }
 
 TEST(SiteFrame, onlyWhatWasSeenFreeIsFree) {
-  MapForAlignment map;
+  WallMap map;
   map.frame = {3, 1, 1, {}};
   map.states = {State::free, State::occupied, State::unknown};
   EXPECT_TRUE(isFreeIn(map, {0.5, 0.5}));

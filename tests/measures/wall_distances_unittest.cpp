@@ -11,8 +11,8 @@
 namespace roomgraph {
 namespace {
 
-const MapForAlignment& building() {
-  static const MapForAlignment map = mapForAlignment(test::drawnBuilding(3, {}), {});
+const WallMap& building() {
+  static const WallMap map = wallMap(test::drawnBuilding(3, {}), {});
   return map;
 }
 
@@ -35,7 +35,7 @@ TEST(WallDistances, growWithTheShift) {
 
 TEST(WallDistances, whatTheOtherHasNotSeenDoesNotCount) {
   const Grid half = test::drawnBuilding(3, {}, {-1e9, 12});
-  const WallDistances both = wallDistances(building(), mapForAlignment(half, {}), {});
+  const WallDistances both = wallDistances(building(), wallMap(half, {}), {});
   EXPECT_LT(both.count, 0.7 * double(building().walls.size()));
   EXPECT_LT(both.quantile(0.5), 0.02);
   EXPECT_EQ(wallDistances(building(), building(), {500, 0, 0}).count, 0);
@@ -82,7 +82,7 @@ TEST(WallDistances, theFramesOfTheMapsChangeNothing) {
   const Grid grid = test::drawnBuilding(3, {});
   Grid there = grid;
   there.frame.origin = there.frame.origin + Point{32, -16};
-  const MapForAlignment moved = mapForAlignment(there, {});
+  const WallMap moved = wallMap(there, {});
   const WallDistances here = wallDistances(building(), building(), {0.2, 0.1, 0});
   const WallDistances other = wallDistances(building(), moved, {32.2, -15.9, 0});
   EXPECT_EQ(here.count, other.count);
@@ -103,10 +103,9 @@ TEST(WallDistances, quantilesRiseAndTheHistogramHoldsAll) {
 }
 
 TEST(WallDistances, aWallWithNoneInReachIsAsFarAsCanBe) {
-  MapForAlignment blank = building();
+  WallMap blank = building();
   for (auto& nearest : blank.nearest)
-    nearest = SparseIndices(
-        std::vector<std::uint32_t>(blank.frame.cellCount(), MapForAlignment::kNoWall));
+    nearest = SparseIndices(std::vector<std::uint32_t>(blank.frame.cellCount(), WallMap::kNoWall));
   const WallDistances found = wallDistances(building(), blank, {0.01, 0, 0});
   EXPECT_DOUBLE_EQ(found.mean(), WallDistances::kMost);
 }

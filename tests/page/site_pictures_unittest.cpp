@@ -12,8 +12,8 @@ namespace {
 
 /** A map with a frame of `text`'s size and cells of 1 m; '#' wall, '.' free, ' ' unknown; the last
  *  line is the lowest. */
-MapForAlignment drawn(const std::vector<std::string>& text) {
-  MapForAlignment map;
+WallMap drawn(const std::vector<std::string>& text) {
+  WallMap map;
   map.frame.width = int(text[0].size()), map.frame.height = int(text.size());
   map.frame.resolution = 1;
   for (auto row = text.rbegin(); row != text.rend(); ++row)
@@ -26,7 +26,7 @@ const std::vector<std::string> kHall = {"#####", "#...#", "#...#", "#...#", "###
 const std::vector<std::string> kHallWithWall = {"#####", "#.#.#", "#.#.#", "#.#.#", "#####"};
 
 TEST(SitePictures, theBoxHoldsAllThatIsKnownAndNoMore) {
-  const MapForAlignment map = drawn({"    ", " .# ", "    "});
+  const WallMap map = drawn({"    ", " .# ", "    "});
   const Box box = knownBox({{&map, {10, 20, 0}}});
   EXPECT_NEAR(box.low.x, 11, 0.3);
   EXPECT_NEAR(box.low.y, 21, 0.3);
@@ -35,21 +35,21 @@ TEST(SitePictures, theBoxHoldsAllThatIsKnownAndNoMore) {
 }
 
 TEST(SitePictures, nothingKnownGivesNoPicture) {
-  const MapForAlignment map = drawn({"   "});
+  const WallMap map = drawn({"   "});
   EXPECT_TRUE(runPicture({&map, {}}, {}, 0.5).png.empty());
   EXPECT_TRUE(heatPicture(disagreementOf({{&map, {}}, {&map, {}}}, 1)).png.empty());
   EXPECT_TRUE(heatPicture(disagreementOf({}, 1)).png.empty());
 }
 
 TEST(SitePictures, aLargeSiteHasLargePixels) {
-  const MapForAlignment map = drawn(kHall);
+  const WallMap map = drawn(kHall);
   EXPECT_DOUBLE_EQ(pixelFor({{0, 0}, {5, 5}}, {{&map, {}}}, 100), 0.5);
   const double pixel = pixelFor({{0, 0}, {1000, 10}}, {{&map, {}}}, 101);
   EXPECT_DOUBLE_EQ(pixel, 10);
 }
 
 TEST(SitePictures, noPictureIsLargerThanAsked) {
-  MapForAlignment map = drawn(std::vector<std::string>(40, std::string(400, '.')));
+  WallMap map = drawn(std::vector<std::string>(40, std::string(400, '.')));
   const std::vector<PlacedMap> maps = {{&map, {0.123, 7.7, 0.4}}};
   const double pixel = pixelFor(knownBox(maps), maps, 50);
   const SitePicture picture = runPicture(maps[0], {}, pixel);
@@ -58,13 +58,13 @@ TEST(SitePictures, noPictureIsLargerThanAsked) {
 }
 
 TEST(SitePictures, runsThatAgreeHaveNoHeat) {
-  const MapForAlignment map = drawn(kHall);
+  const WallMap map = drawn(kHall);
   const Disagreement result = disagreementOf({{&map, {}}, {&map, {}}}, 1);
   EXPECT_EQ(*std::max_element(result.shares.begin(), result.shares.end()), 0);
 }
 
 TEST(SitePictures, aWallThatOneOfThreeHasIsSeenOtherwiseByAThird) {
-  const MapForAlignment hall = drawn(kHall), wall = drawn(kHallWithWall);
+  const WallMap hall = drawn(kHall), wall = drawn(kHallWithWall);
   const Disagreement result = disagreementOf({{&hall, {}}, {&wall, {}}, {&hall, {}}}, 1);
   const Cell middle = result.frame.cellAt({2.5, 2.5});
   EXPECT_NEAR(double(result.shares[result.frame.index(middle)]), 1.0 / 3, 1e-6);
@@ -72,20 +72,20 @@ TEST(SitePictures, aWallThatOneOfThreeHasIsSeenOtherwiseByAThird) {
 }
 
 TEST(SitePictures, whatOnlyOneRunHasSeenIsNoDisagreement) {
-  const MapForAlignment hall = drawn(kHall), nothing = drawn({"     "});
+  const WallMap hall = drawn(kHall), nothing = drawn({"     "});
   const Disagreement result = disagreementOf({{&hall, {}}, {&nothing, {}}}, 1);
   EXPECT_EQ(*std::max_element(result.shares.begin(), result.shares.end()), 0);
 }
 
 TEST(SitePictures, aWallOneCellAsideIsNoDisagreement) {
-  const MapForAlignment left = drawn({"..........", "...#......", ".........."});
-  const MapForAlignment right = drawn({"..........", "....#.....", ".........."});
+  const WallMap left = drawn({"..........", "...#......", ".........."});
+  const WallMap right = drawn({"..........", "....#.....", ".........."});
   const Disagreement result = disagreementOf({{&left, {}}, {&right, {}}}, 1);
   EXPECT_EQ(*std::max_element(result.shares.begin(), result.shares.end()), 0);
 }
 
 TEST(SitePictures, patternsLeaveOutHalfOfTheWallsEachInItsWay) {
-  const MapForAlignment map = drawn(kHall);
+  const WallMap map = drawn(kHall);
   std::set<std::string> pictures;
   for (const RunPattern pattern :
        {RunPattern::solid, RunPattern::rising, RunPattern::falling, RunPattern::dotted})
@@ -94,7 +94,7 @@ TEST(SitePictures, patternsLeaveOutHalfOfTheWallsEachInItsWay) {
 }
 
 TEST(SitePictures, theSameMapGivesTheSameBytes) {
-  const MapForAlignment map = drawn(kHall);
+  const WallMap map = drawn(kHall);
   const PlacedMap placed{&map, {1, 2, 0.3}};
   EXPECT_EQ(runPicture(placed, {{1, 2, 3}}, 0.3).png, runPicture(placed, {{1, 2, 3}}, 0.3).png);
 }

@@ -15,7 +15,7 @@ constexpr double kCell = 0.05;  // of drawnBuilding [m]
 
 roomgraph::Run run(const Grid& grid) {
   roomgraph::Run run;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   return run;
 }
 

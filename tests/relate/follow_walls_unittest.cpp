@@ -13,7 +13,7 @@ namespace {
 using test::bent;
 using test::drawnBuilding;
 
-MapForAlignment mapOf(const Grid& grid) { return mapForAlignment(grid, {}); }
+WallMap mapOf(const Grid& grid) { return wallMap(grid, {}); }
 
 double walls(const FollowedWalls& found) {
   double sum = 0;
@@ -23,7 +23,7 @@ double walls(const FollowedWalls& found) {
 
 TEST(FollowWalls, aMapLiesInAnotherOfTheSameBuildingWithoutABend) {
   const Transform2D pose{3, -2, 0.7};
-  const MapForAlignment a = mapOf(drawnBuilding(4, {})), b = mapOf(drawnBuilding(4, pose));
+  const WallMap a = mapOf(drawnBuilding(4, {})), b = mapOf(drawnBuilding(4, pose));
   const FollowedWalls found = followWalls(a, b, {pose}, {});
   EXPECT_GT(found.share, 0.95);
   EXPECT_LT(found.bend, 0.03);
@@ -32,7 +32,7 @@ TEST(FollowWalls, aMapLiesInAnotherOfTheSameBuildingWithoutABend) {
 }
 
 TEST(FollowWalls, noWallIsFoundTwice) {
-  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
   const FollowedWalls found = followWalls(a, b, {{}}, {});
   EXPECT_LE(walls(found), double(a.walls.size()));
   EXPECT_NEAR(found.share, walls(found) / double(a.walls.size()), 1e-12);
@@ -40,7 +40,7 @@ TEST(FollowWalls, noWallIsFoundTwice) {
 
 /** Of a building whose walls right of its middle are moved, how far the walls lie from where they
  *  belong after the best fit, by its drawing. */
-double trueBend(const MapForAlignment& straight, Point middle, const Transform2D& motion) {
+double trueBend(const WallMap& straight, Point middle, const Transform2D& motion) {
   const auto drawn = [&](Point p) { return p.x > middle.x ? motion(p) : p; };
   MotionFit fit;
   for (const WallPoint& wall : straight.walls) fit.add(wall.place, drawn(wall.place));
@@ -57,7 +57,7 @@ Point middleOf(const Grid& grid) {
 
 TEST(FollowWalls, theBendOfAHalfTurnedMapIsThatOfItsDrawing) {
   const Grid drawing = drawnBuilding(4, {});
-  const MapForAlignment straight = mapOf(drawing);
+  const WallMap straight = mapOf(drawing);
   const Point middle = middleOf(drawing);
   for (const double angle : {0.04, 0.08, 0.15}) {
     const double bend = followWalls(mapOf(bent(drawing, angle)), straight, {{}}, {}).bend;
@@ -77,7 +77,7 @@ Grid torn(const Grid& grid, int cells) {
 
 TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
   const Grid drawing = drawnBuilding(4, {});
-  const MapForAlignment straight = mapOf(drawing), broken = mapOf(torn(drawing, 40));
+  const WallMap straight = mapOf(drawing), broken = mapOf(torn(drawing, 40));
   const double truth = trueBend(straight, middleOf(drawing), {0, 2, 0});
   const FollowedWalls found = followWalls(broken, straight, {{}, {0, -2, 0}}, {});
   EXPECT_GT(found.share, 0.8);
@@ -89,16 +89,16 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
 }
 
 TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
-  const MapForAlignment map = mapOf(drawnBuilding(4, {}));
+  const WallMap map = mapOf(drawnBuilding(4, {}));
   EXPECT_TRUE(followWalls(map, map, {}, {}).patches.empty());
   EXPECT_TRUE(followWalls({}, map, {{}}, {}).patches.empty());
-  EXPECT_EQ(followWalls(map, MapForAlignment(), {{}}, {}).share, 0);
+  EXPECT_EQ(followWalls(map, WallMap(), {{}}, {}).share, 0);
 }
 
 TEST(FollowWalls, theFramesOfBothMapsChangeLittle) {
   const Transform2D ofA{5, 1, -0.8}, ofB{-7, 20, 2.2};
   const Grid half = bent(drawnBuilding(4, {}), 0.08);
-  const MapForAlignment a = mapOf(half), b = mapOf(drawnBuilding(4, {}));
+  const WallMap a = mapOf(half), b = mapOf(drawnBuilding(4, {}));
   const FollowedWalls here = followWalls(a, b, {{}}, {});
   const FollowedWalls there = followWalls(a, mapOf(drawnBuilding(4, ofB)), {ofB}, {});
   EXPECT_NEAR(there.bend, here.bend, 0.2 * here.bend);
@@ -110,7 +110,7 @@ TEST(FollowWalls, theFramesOfBothMapsChangeLittle) {
 }
 
 TEST(FollowWalls, aMapInItselfHardlyBends) {
-  const MapForAlignment map = mapOf(drawnBuilding(4, {}));
+  const WallMap map = mapOf(drawnBuilding(4, {}));
   const FollowedWalls found = followWalls(map, map, {{}}, {});
   EXPECT_LT(found.bend, 0.005);
   EXPECT_GT(found.share, 0.99);
@@ -123,7 +123,7 @@ TEST(FollowWalls, aMapInItselfHardlyBends) {
 }
 
 TEST(FollowWalls, theWholePoseLeavesTheLeastOver) {
-  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
   const FollowedWalls found = followWalls(a, b, {{}}, {});
   const auto restAt = [&](const Transform2D& pose) {
     double squares = 0, count = 0;
@@ -141,8 +141,8 @@ TEST(FollowWalls, theWholePoseLeavesTheLeastOver) {
 }
 
 TEST(FollowWalls, whatOneHasNotSeenIsNotFound) {
-  const MapForAlignment all = mapOf(drawnBuilding(4, {}));
-  const MapForAlignment half = mapOf(drawnBuilding(4, {}, {-1e9, 12}));
+  const WallMap all = mapOf(drawnBuilding(4, {}));
+  const WallMap half = mapOf(drawnBuilding(4, {}, {-1e9, 12}));
   const FollowedWalls found = followWalls(all, half, {{}}, {});
   EXPECT_LT(found.share, 0.65);
   EXPECT_GT(found.share, 0.3);
@@ -152,7 +152,7 @@ TEST(FollowWalls, whatOneHasNotSeenIsNotFound) {
 }
 
 TEST(FollowWalls, theSameInputGivesTheSamePatches) {
-  const MapForAlignment a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
+  const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
   const FollowedWalls l = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
   const FollowedWalls r = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
   ASSERT_EQ(l.patches.size(), r.patches.size());

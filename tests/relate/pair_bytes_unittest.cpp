@@ -12,8 +12,8 @@ namespace roomgraph {
 namespace {
 
 /** A map of 100 m about the origin with so many patches. */
-MapForAlignment withPatches(std::size_t count) {
-  MapForAlignment map;
+WallMap withPatches(std::size_t count) {
+  WallMap map;
   map.frame = {1000, 1000, 0.1, {-50, -50}};
   map.patches.resize(count);
   return map;
@@ -96,7 +96,7 @@ void expectSame(const std::optional<AlignmentCandidate>& l,
 }
 
 TEST(PairBytes, holdAllOfAPairExactly) {
-  const MapForAlignment map = withPatches(8);
+  const WallMap map = withPatches(8);
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     const MapPair pair = anyPair(seed);
     const auto read = pairOfBytes(pairBytes(pair), map, map);
@@ -156,7 +156,7 @@ TEST(PairBytes, areNotReadForMapsWithFewerPatches) {
 
 TEST(PairBytes, ofAnotherVersionAreNotRead) {
   std::string bytes = pairBytes(anyPair(13));
-  const MapForAlignment map = withPatches(8);
+  const WallMap map = withPatches(8);
   ASSERT_TRUE(pairOfBytes(bytes, map, map));
   bytes.replace(bytes.find('\n') - 1, 1, "1");
   EXPECT_FALSE(pairOfBytes(bytes, map, map));
@@ -164,22 +164,22 @@ TEST(PairBytes, ofAnotherVersionAreNotRead) {
 }
 
 TEST(Fingerprint, tellsMapsApartByAllThatRelatingThemDependsOn) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(1, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(1, {}), {});
   const std::string same = fingerprint(map);
   EXPECT_EQ(same.size(), 64u);
-  const std::vector<std::function<void(MapForAlignment&)>> changes{
-      [](MapForAlignment& m) { m.frame.resolution *= 1.01; },
-      [](MapForAlignment& m) { m.frame.origin.y -= 0.01; },
-      [](MapForAlignment& m) { ++m.frame.width; },
-      [](MapForAlignment& m) { m.walls.back().place.x += 1e-9; },
-      [](MapForAlignment& m) {
+  const std::vector<std::function<void(WallMap&)>> changes{
+      [](WallMap& m) { m.frame.resolution *= 1.01; },
+      [](WallMap& m) { m.frame.origin.y -= 0.01; },
+      [](WallMap& m) { ++m.frame.width; },
+      [](WallMap& m) { m.walls.back().place.x += 1e-9; },
+      [](WallMap& m) {
         m.walls.front().normal = {0, 1};
       },
-      [](MapForAlignment& m) { m.walls.pop_back(); },
-      [](MapForAlignment& m) { m.states[m.states.size() / 3] = State::occupied; },
+      [](WallMap& m) { m.walls.pop_back(); },
+      [](WallMap& m) { m.states[m.states.size() / 3] = State::occupied; },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    MapForAlignment changed = map;
+    WallMap changed = map;
     changes[i](changed);
     EXPECT_NE(fingerprint(changed), same) << i;
   }

@@ -19,7 +19,7 @@ struct RunsOfABuilding {
   RunsOfABuilding() {
     for (const Transform2D& pose : truth) {
       runs.emplace_back();
-      runs.back().map = mapForAlignment(test::drawnBuilding(1, pose), {});
+      runs.back().map = wallMap(test::drawnBuilding(1, pose), {});
     }
     for (const auto& [a, b] : related.pairs()) join(a, b, 0.9);
   }

@@ -19,7 +19,7 @@ using test::drawnBuilding;
 
 roomgraph::Run run(const Grid& grid) {
   roomgraph::Run run;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   return run;
 }
 
@@ -83,7 +83,7 @@ TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
 }
 
 TEST(RelateRuns, framesThatContradictEachOtherAreNotTakenForOne) {
-  const MapForAlignment map = run(drawnBuilding(1, {})).map;
+  const WallMap map = run(drawnBuilding(1, {})).map;
   EXPECT_TRUE(
       relateAlignedMaps(map, run(drawnBuilding(1, {0.05, 0, 0.005})).map).alignment.isSameSite);
   EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {4, 2, 1})).map).alignment.isSameSite);
@@ -223,7 +223,7 @@ TEST(RelateRuns, aDamagedPairIsWorkedOutAgain) {
 TEST(RelateRuns, aPairThatCannotBeOfItsMapsIsWorkedOutAgain) {
   std::vector<roomgraph::Run> runs = fourRuns();
   runs.resize(2);
-  const MapForAlignment &a = runs[0].map, &b = runs[1].map;
+  const WallMap &a = runs[0].map, &b = runs[1].map;
   const MapPair good = test::related(runs)(0, 1);
   ASSERT_FALSE(good.bInA.patches.empty());
   ASSERT_TRUE(pairOfBytes(pairBytes(good), a, b));
@@ -262,11 +262,11 @@ TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {
 }
 
 TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {
-  const MapForAlignment map = mapForAlignment(drawnBuilding(1, {}), {});
-  MapForAlignment moved = map, opened = map;
+  const WallMap map = wallMap(drawnBuilding(1, {}), {});
+  WallMap moved = map, opened = map;
   moved.frame.origin.x += 0.01;
   opened.states[opened.states.size() / 2] = State::unknown;
-  EXPECT_EQ(fingerprint(map), fingerprint(mapForAlignment(drawnBuilding(1, {}), {})));
+  EXPECT_EQ(fingerprint(map), fingerprint(wallMap(drawnBuilding(1, {}), {})));
   EXPECT_NE(fingerprint(map), fingerprint(moved));
   EXPECT_NE(fingerprint(map), fingerprint(opened));
 }

@@ -11,7 +11,7 @@ namespace roomgraph::test {
 /** A building, and a drive through it. */
 struct DriveInBuilding {
   Grid grid = drawnBuilding(4, {});
-  MapForAlignment map = mapForAlignment(grid, {});
+  WallMap map = wallMap(grid, {});
   std::vector<Keyframe> frames = drawnDrive(grid);
 
   /** Where the scans of a drive, which may be torn, lie in the map of the building. */

@@ -38,7 +38,7 @@ Run makeRun(const std::string& name, const Transform2D& pose, const Seen& seen) 
   Run run;
   run.name = name, run.file = "runs/" + name + ".gridmap";
   run.sha256 = "0123456789abcdef of " + name;
-  run.map = mapForAlignment(grid, {});
+  run.map = wallMap(grid, {});
   return run;
 }
 

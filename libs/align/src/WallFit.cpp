@@ -6,7 +6,7 @@
 
 namespace roomgraph {
 
-void WallFit::add(const WallPoint& point, const MapForAlignment& in) {
+void WallFit::add(const WallPoint& point, const WallMap& in) {
   const Point at = forth_(point.place);
   const WallPoint* wall = nearestWall(in, cellIndexAt(in.frame, at), forth_.turned(point.normal));
   if (!wall) return;

@@ -18,8 +18,8 @@ void sortByScore(std::vector<AlignmentCandidate>& candidates) {
                    [](const auto& l, const auto& r) { return l.score > r.score; });
 }
 
-AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment& b,
-                                 const Transform2D& near, const RefineAlignmentOptions& refine,
+AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Transform2D& near,
+                                 const RefineAlignmentOptions& refine,
                                  const VerifyAlignmentOptions& verify) {
   AlignmentCandidate c;
   c.pose = refineAlignment(a, b, near, refine);
@@ -29,7 +29,7 @@ AlignmentCandidate candidateNear(const MapForAlignment& a, const MapForAlignment
 }
 
 /** The best `count` of those that are not near a better one, improved; the best first. */
-std::vector<AlignmentCandidate> lookedAt(const MapForAlignment& a, const MapForAlignment& b,
+std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
                                          const std::vector<AlignmentCandidate>& candidates,
                                          int count, const RefineAlignmentOptions& refine,
                                          const VerifyAlignmentOptions& verify) {
@@ -50,8 +50,8 @@ std::vector<AlignmentCandidate> lookedAt(const MapForAlignment& a, const MapForA
 }
 
 /** Any order that does not depend on which map was named first. */
-bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
-  const auto key = [](const MapForAlignment& m) {
+bool isBefore(const WallMap& l, const WallMap& r) {
+  const auto key = [](const WallMap& m) {
     return std::make_tuple(m.walls.size(), m.freeArea, m.frame.width, m.frame.height);
   };
   if (key(l) != key(r)) return key(l) > key(r);
@@ -60,7 +60,7 @@ bool isBefore(const MapForAlignment& l, const MapForAlignment& r) {
       [](const WallPoint& p, const WallPoint& q) { return p.place < q.place; });
 }
 
-bool cannotBeToldApart(const MapForAlignment& l, const MapForAlignment& r) {
+bool cannotBeToldApart(const WallMap& l, const WallMap& r) {
   return l.states == r.states && !isBefore(l, r) && !isBefore(r, l);
 }
 
@@ -79,7 +79,7 @@ void judge(Alignment& result, const AlignMapsOptions& options) {
 }
 
 /** What follows from the poses that were looked at closely, best first. */
-Alignment alignmentOf(const MapForAlignment& a, const MapForAlignment& b,
+Alignment alignmentOf(const WallMap& a, const WallMap& b,
                       const std::vector<AlignmentCandidate>& found,
                       const AlignMapsOptions& options) {
   Alignment result;
@@ -110,8 +110,7 @@ Alignment inverse(Alignment alignment) {
   return alignment;
 }
 
-std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
-                                                    const MapForAlignment& b,
+std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
                                                     const AlignMapsOptions& options) {
   std::vector<AlignmentCandidate> found;
   for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
@@ -121,14 +120,13 @@ std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
   return lookedAt(a, b, found, options.count, options.refine, options.verify);
 }
 
-Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
-                    const AlignMapsOptions& options) {
+Alignment alignMaps(const WallMap& a, const WallMap& b, const AlignMapsOptions& options) {
   if (!isBefore(b, a)) return alignmentOf(a, b, alignmentCandidates(a, b, options), options);
   return inverse(alignmentOf(b, a, alignmentCandidates(b, a, options), options));
 }
 
-Alignment alignMapsNear(const MapForAlignment& a, const MapForAlignment& b,
-                        const std::vector<Transform2D>& poses, const AlignMapsOptions& options) {
+Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses,
+                        const AlignMapsOptions& options) {
   std::vector<AlignmentCandidate> found;
   if (!a.walls.empty() && !b.walls.empty())
     for (const Transform2D& pose : poses)

@@ -126,7 +126,7 @@ std::vector<double> smoothed(const std::vector<double>& turns) {
 }
 
 /** The angles [rad] that turn enough walls of b to face as walls of a do. */
-std::vector<double> anglesToTry(const MapForAlignment& a, const MapForAlignment& b,
+std::vector<double> anglesToTry(const WallMap& a, const WallMap& b,
                                 const AlignmentHypothesesOptions& options) {
   const std::vector<double> from = smoothed(b.turns), to = smoothed(a.turns);
   const std::size_t n = from.size();
@@ -144,8 +144,7 @@ std::vector<double> anglesToTry(const MapForAlignment& a, const MapForAlignment&
   return angles;
 }
 
-double searchCell(const MapForAlignment& a, const MapForAlignment& b,
-                  const AlignmentHypothesesOptions& options) {
+double searchCell(const WallMap& a, const WallMap& b, const AlignmentHypothesesOptions& options) {
   const int cells = std::max({a.frame.width, a.frame.height, b.frame.width, b.frame.height});
   const double across = cells * std::max(a.frame.resolution, b.frame.resolution);
   return std::max(options.cell, across / options.maxCells);
@@ -176,8 +175,7 @@ std::vector<AlignmentHypothesis> distinct(std::vector<Peak> peaks,
 
 }  // namespace
 
-std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
-                                                     const MapForAlignment& b,
+std::vector<AlignmentHypothesis> alignmentHypotheses(const WallMap& a, const WallMap& b,
                                                      const AlignmentHypothesesOptions& options) {
   if (a.walls.empty() || b.walls.empty()) return {};
   const double cell = searchCell(a, b, options);

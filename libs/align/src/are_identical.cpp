@@ -4,7 +4,7 @@
 
 namespace roomgraph {
 
-bool areIdentical(const MapForAlignment& l, const MapForAlignment& r) {
+bool areIdentical(const WallMap& l, const WallMap& r) {
   return l.states == r.states && l.walls.size() == r.walls.size() &&
          std::equal(l.walls.begin(), l.walls.end(), r.walls.begin(),
                     [](const WallPoint& p, const WallPoint& q) { return p.place == q.place; });

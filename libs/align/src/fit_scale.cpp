@@ -35,12 +35,12 @@ struct ScaleStep {
   }
 };
 
-std::size_t strideOf(const MapForAlignment& map, int maxPoints) {
+std::size_t strideOf(const WallMap& map, int maxPoints) {
   return (map.walls.size() + std::size_t(maxPoints) - 1) / std::size_t(maxPoints);
 }
 
-ScaleStep stepAt(const MapForAlignment& a, const MapForAlignment& b, const ScaledPose& at,
-                 double width, int maxPoints) {
+ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, double width,
+                 int maxPoints) {
   const Motion2D forth(at.pose), back(at.pose.inverse());
   ScaleStep step{forth(at.scale * b.middle()), width};
   const std::size_t strideB = strideOf(b, maxPoints), strideA = strideOf(a, maxPoints);
@@ -61,7 +61,7 @@ ScaleStep stepAt(const MapForAlignment& a, const MapForAlignment& b, const Scale
 
 }  // namespace
 
-ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
+ScaledPose fitScale(const WallMap& a, const WallMap& b, const Transform2D& pose,
                     const FitScaleOptions& options) {
   ScaledPose at{1, pose};
   if (a.walls.empty() || b.walls.empty()) return at;

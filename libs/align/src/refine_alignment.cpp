@@ -26,7 +26,7 @@ struct Step {
   }
 };
 
-std::size_t strideOf(const MapForAlignment& map, int maxPoints) {
+std::size_t strideOf(const WallMap& map, int maxPoints) {
   return (map.walls.size() + std::size_t(maxPoints) - 1) / std::size_t(maxPoints);
 }
 
@@ -35,8 +35,8 @@ Transform2D moved(const Transform2D& pose, Point pivot, const Eigen::Vector3d& b
   return about * pose;
 }
 
-Step stepAt(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
-            double width, const RefineAlignmentOptions& options) {
+Step stepAt(const WallMap& a, const WallMap& b, const Transform2D& pose, double width,
+            const RefineAlignmentOptions& options) {
   Step step;
   step.pivot = pose(b.middle());
   const Motion2D forth(pose), back(pose.inverse());
@@ -59,8 +59,8 @@ Step stepAt(const MapForAlignment& a, const MapForAlignment& b, const Transform2
 
 }  // namespace
 
-Transform2D refineAlignment(const MapForAlignment& a, const MapForAlignment& b,
-                            const Transform2D& pose, const RefineAlignmentOptions& options) {
+Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
+                            const RefineAlignmentOptions& options) {
   Transform2D at = pose;
   if (a.walls.empty() || b.walls.empty()) return at;
   for (int i = 0; i < options.band.steps; ++i) {

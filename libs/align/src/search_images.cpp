@@ -59,7 +59,7 @@ void addWall(SearchImages& images, const SearchPoint& point) {
 
 }  // namespace
 
-CentredMap centred(const MapForAlignment& map) {
+CentredMap centred(const WallMap& map) {
   const Point middle = map.middle();
   CentredMap out;
   for (WallPoint wall : map.walls) {

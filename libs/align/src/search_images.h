@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 
@@ -17,7 +17,7 @@ struct CentredMap {
   std::vector<FreePlace> freePlaces;
 };
 
-CentredMap centred(const MapForAlignment& map);
+CentredMap centred(const WallMap& map);
 
 /** What a wall point is worth in each cell, by the octant of its normal. */
 struct SearchImages {

@@ -16,7 +16,7 @@ struct Sums {
   double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
   double xx = 0, xy = 0, yy = 0;
 
-  void lookUp(const MapForAlignment& in, Point at, Point normal, double length,
+  void lookUp(const WallMap& in, Point at, Point normal, double length,
               const VerifyAlignmentOptions& options) {
     all += length;
     const std::size_t i = cellIndexAt(in.frame, at);
@@ -41,7 +41,7 @@ struct Sums {
   }
 };
 
-void lookUpAll(const MapForAlignment& of, const MapForAlignment& in, const Transform2D& pose,
+void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose,
                const VerifyAlignmentOptions& options, double turn, Sums& sums) {
   const std::size_t stride =
       (of.walls.size() + std::size_t(options.maxPoints) - 1) / std::size_t(options.maxPoints);
@@ -67,7 +67,7 @@ struct FreeCount {
   std::size_t free = 0, wall = 0, all = 0;
 };
 
-FreeCount countFree(const MapForAlignment& of, const MapForAlignment& in, const Transform2D& pose,
+FreeCount countFree(const WallMap& of, const WallMap& in, const Transform2D& pose,
                     std::size_t maxCount) {
   const std::size_t stride = (of.freePlaces.size() + maxCount - 1) / maxCount;
   const Motion2D motion(pose);
@@ -83,14 +83,14 @@ FreeCount countFree(const MapForAlignment& of, const MapForAlignment& in, const 
   return count;
 }
 
-double commonArea(const MapForAlignment& of, const FreeCount& count) {
+double commonArea(const WallMap& of, const FreeCount& count) {
   return count.all ? of.freeArea * double(count.free + count.wall) / double(count.all) : 0;
 }
 
 }  // namespace
 
-AlignmentEvidence verifyAlignment(const MapForAlignment& a, const MapForAlignment& b,
-                                  const Transform2D& pose, const VerifyAlignmentOptions& options) {
+AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
+                                  const VerifyAlignmentOptions& options) {
   const Transform2D back = pose.inverse();
   Sums sums;
   lookUpAll(b, a, pose, options, 0, sums);

@@ -19,7 +19,7 @@ bool isCopy(const WallPoint& wall, const WallPoint& other) {
          dot(wall.normal, other.normal) >= kCopyFacing;
 }
 
-bool hasCopy(const MapForAlignment& map, const WallPoint& wall) {
+bool hasCopy(const WallMap& map, const WallPoint& wall) {
   const auto isCopyAt = [&](double along) {
     const std::size_t cell = cellIndexAt(map.frame, wall.place + along * wall.normal);
     const WallPoint* other = nearestWall(map, cell, wall.normal);
@@ -35,7 +35,7 @@ bool hasCopy(const MapForAlignment& map, const WallPoint& wall) {
 
 }  // namespace
 
-std::optional<double> wallDoubling(const MapForAlignment& map) {
+std::optional<double> wallDoubling(const WallMap& map) {
   if (map.walls.empty()) return std::nullopt;
   double doubled = 0;
   for (const WallPoint& wall : map.walls) doubled += hasCopy(map, wall);

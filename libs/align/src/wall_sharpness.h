@@ -8,7 +8,7 @@ namespace roomgraph {
 // Ours: what a map tells of itself, without any other
 // In:   Grid
 // Out:  how clearly its free space ends at walls
-// Next: mapForAlignment
+// Next: wallMap
 
 /** Cells that are drawn as wall, for each cell at the edge of free space. The first are occupied
  *  cells within 0.3 m of a free one, counted along rows and columns; the second free cells beside

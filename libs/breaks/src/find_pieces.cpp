@@ -59,7 +59,7 @@ struct Pieces {
 
 class PieceFinder {
  public:
-  PieceFinder(const MapForAlignment& of, const MapForAlignment& in, const FollowedWalls& followed,
+  PieceFinder(const WallMap& of, const WallMap& in, const FollowedWalls& followed,
               const FindPiecesOptions& options)
       : in_(in), options_(options) {
     for (const FollowedPatch& f : followed.patches) {
@@ -278,7 +278,7 @@ class PieceFinder {
     return count > 0 ? (1 / count) * sum : nearest;
   }
 
-  const MapForAlignment& in_;
+  const WallMap& in_;
   const FindPiecesOptions& options_;
   std::vector<Placed> patches_;
   std::vector<std::vector<std::size_t>> seeds_;
@@ -287,7 +287,7 @@ class PieceFinder {
 
 }  // namespace
 
-std::optional<PieceBreak> findPieces(const MapForAlignment& of, const MapForAlignment& in,
+std::optional<PieceBreak> findPieces(const WallMap& of, const WallMap& in,
                                      const FollowedWalls& followed,
                                      const FindPiecesOptions& options) {
   return PieceFinder(of, in, followed, options).find();

@@ -13,7 +13,7 @@ Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Ke
   Stages stages = extract(map, options);
   Run run;
   run.name = name, run.file = utf8Text(map.source.file), run.sha256 = stages.source.sha256;
-  run.map = mapForAlignment(stages.grid, {});
+  run.map = wallMap(stages.grid, {});
   if (run.map.walls.empty())
     throw DataError((map.source.file.empty() ? name : map.source.file) +
                     ": has no wall beside free space: a run must have some");

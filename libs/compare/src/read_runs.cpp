@@ -93,7 +93,7 @@ class Reader {
       file.notes = map.notes;
       return prepare(file, map);
     }
-    if (wallsForAlignment(binarize(map, options_.extract.binarize), {}).walls.empty())
+    if (bareWallMap(binarize(map, options_.extract.binarize), {}).walls.empty())
       throw DataError("has no wall beside free space: a run must have some");
     file.picture = std::move(map);
   }

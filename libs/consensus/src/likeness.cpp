@@ -17,7 +17,7 @@ constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on
 /** The share of the walls around a patch that lie on walls once it was fitted there, if the map
  *  knows most of that place. */
 std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
-                                 const MapForAlignment& map) {
+                                 const WallMap& map) {
   const Motion2D forth(
       fittedPose(motion, patch.middle, FollowWallsOptions{}.band, [&](WallFit& fit, int) {
         for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
@@ -37,7 +37,7 @@ std::optional<double> shareFound(const WallPatch& patch, const Transform2D& moti
 
 }  // namespace
 
-double likenessUnder(const Transform2D& motion, const MapForAlignment& map) {
+double likenessUnder(const Transform2D& motion, const WallMap& map) {
   const std::size_t stride = std::max<std::size_t>(1, map.patches.size() / kLookedAt);
   double all = 0, known = 0, alike = 0;
   for (std::size_t p = 0; p < map.patches.size(); p += stride, ++all)

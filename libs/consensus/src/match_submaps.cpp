@@ -18,7 +18,7 @@ namespace {
 /** Counts which submaps of the other run drew the walls that a submap meets there. */
 class Meeting {
  public:
-  Meeting(const MapForAlignment& in, const RunSubmaps& inSubmaps, const Transform2D& pose)
+  Meeting(const WallMap& in, const RunSubmaps& inSubmaps, const Transform2D& pose)
       : in_(in), inSubmaps_(inSubmaps), forth_(pose) {}
 
   void add(const WallPoint& point) {
@@ -43,7 +43,7 @@ class Meeting {
   }
 
  private:
-  const MapForAlignment& in_;
+  const WallMap& in_;
   const RunSubmaps& inSubmaps_;
   Motion2D forth_;
   double all_ = 0, found_ = 0;
@@ -80,7 +80,7 @@ using Track = std::vector<std::optional<Transform2D>>;  // in <- run, of each sc
 
 /** Compares the map where each piece was found with where the others would have it. */
 void tellLikeness(std::vector<MatchedPiece>& pieces, const Track& track, const Run& of,
-                  const MapForAlignment& in) {
+                  const WallMap& in) {
   const auto middleOf = [](const MatchedPiece& piece) {
     return piece.matches[piece.matches.size() / 2].submap;
   };

@@ -7,7 +7,7 @@
 namespace roomgraph {
 namespace {
 
-void addScan(RunSubmaps& run, const ScanWalls& scan, const MapForAlignment& map) {
+void addScan(RunSubmaps& run, const ScanWalls& scan, const WallMap& map) {
   const auto index = std::uint32_t(run.submaps.size());
   run.submaps.push_back({scan.pose, scan.ends, scan.axes});
   if (index > 0) run.links.push_back({index - 1, index});
@@ -19,7 +19,7 @@ void addScan(RunSubmaps& run, const ScanWalls& scan, const MapForAlignment& map)
   }
 }
 
-void addPatch(RunSubmaps& run, const WallPatch& patch, const MapForAlignment& map) {
+void addPatch(RunSubmaps& run, const WallPatch& patch, const WallMap& map) {
   const auto index = std::uint32_t(run.submaps.size());
   Submap submap;
   submap.pose = {patch.middle.x, patch.middle.y, 0};

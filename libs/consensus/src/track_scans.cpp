@@ -20,7 +20,7 @@ constexpr std::size_t kRoughStride = 3, kRoughWalls = 30;
 constexpr double kRoughNear = 0.3;  // [m]
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
-double qualityAt(const ScanWalls& scan, const MapForAlignment& in, const Transform2D& pose,
+double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose,
                  const TrackScansOptions& options, std::size_t stride = 1,
                  std::optional<double> width = std::nullopt) {
   const Motion2D forth(pose);
@@ -54,8 +54,8 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const std::vector<Transform2D>& wholes,
-          const MapForAlignment& in, const TrackScansOptions& options)
+          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in,
+          const TrackScansOptions& options)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
@@ -227,7 +227,7 @@ class Tracker {
   const WallPatches& patches_;
   const FollowedWalls& followed_;
   const std::vector<Transform2D>& wholes_;
-  const MapForAlignment& in_;
+  const WallMap& in_;
   const TrackScansOptions& options_;
   std::vector<std::vector<Candidate>> candidates_;
   const Candidate* best_ = nullptr;  // of the scans that are out of memory
@@ -235,12 +235,9 @@ class Tracker {
 
 }  // namespace
 
-std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
-                                                   const WallPatches& patches,
-                                                   const FollowedWalls& followed,
-                                                   const std::vector<Transform2D>& wholes,
-                                                   const MapForAlignment& in,
-                                                   const TrackScansOptions& options) {
+std::vector<std::optional<Transform2D>> trackScans(
+    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
+    const std::vector<Transform2D>& wholes, const WallMap& in, const TrackScansOptions& options) {
   return Tracker(scans, patches, followed, wholes, in, options).track();
 }
 

@@ -53,8 +53,7 @@ void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
   }
 }
 
-void markKnown(const MapForAlignment& map, const Transform2D& pose, const GridFrame& frame,
-               RunAreas& run) {
+void markKnown(const WallMap& map, const Transform2D& pose, const GridFrame& frame, RunAreas& run) {
   const Motion2D back(pose.inverse());
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {

@@ -84,7 +84,7 @@ void drawDoor(const SiteDoor& door, Grid& grid) {
 
 /** A map of the rooms: free inside, walls along the outlines, but in the doors. */
 template <class Room>
-MapForAlignment mapOf(const std::vector<Room>& rooms) {
+WallMap mapOf(const std::vector<Room>& rooms) {
   GridFrame frame = frameRound(polygonsOf(rooms));
   const double width = frame.width * frame.resolution, height = frame.height * frame.resolution;
   frame.resolution = std::max(kDrawnCell, std::sqrt(width * height / kMostDrawnCells));
@@ -99,7 +99,7 @@ MapForAlignment mapOf(const std::vector<Room>& rooms) {
   }
   for (const Room& room : rooms)
     for (const SiteDoor& door : room.doors) drawDoor(door, grid);
-  return mapForAlignment(grid, {});
+  return wallMap(grid, {});
 }
 
 /** Which known room each room is, and how well it fits. */

@@ -20,7 +20,7 @@ std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
 }
 
 RoomCount countRooms(const std::vector<GraphRoom>& others, const std::vector<bool>& isMatched,
-                     const MapForAlignment& map, const Transform2D& back) {
+                     const WallMap& map, const Transform2D& back) {
   RoomCount count;
   for (std::size_t r = 0; r < others.size(); ++r) {
     if (isMatched[r]) ++count.matched;

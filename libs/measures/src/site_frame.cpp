@@ -21,7 +21,7 @@ GridFrame siteFrame(const Site& site) {
   return {int((high.x - low.x) / cell) + 1, int((high.y - low.y) / cell) + 1, cell, low};
 }
 
-bool isFreeIn(const MapForAlignment& map, Point p) {
+bool isFreeIn(const WallMap& map, Point p) {
   const std::size_t cell = cellIndexAt(map.frame, p);
   return cell < map.states.size() && map.states[cell] == State::free;
 }

@@ -15,6 +15,6 @@ namespace roomgraph {
 GridFrame siteFrame(const Site& site);
 
 /** Whether a run has seen free space at `p` [m, frame of the map]. */
-bool isFreeIn(const MapForAlignment& map, Point p);
+bool isFreeIn(const WallMap& map, Point p);
 
 }  // namespace roomgraph

@@ -32,8 +32,7 @@ double WallDistances::quantile(double share) const {
   return weightedQuantile(std::move(distances), share).value_or(0);
 }
 
-WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,
-                            const Transform2D& pose) {
+WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transform2D& pose) {
   WallDistances result;
   // The table holds the wall that is nearest to the middle of a cell, which may be another one.
   const bool isItself = isNothing(pose) && areIdentical(of, in);

@@ -1,13 +1,13 @@
 #pragma once
 #include <array>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   two MapForAlignment and how one lies in the other
+// In:   two WallMap and how one lies in the other
 // Out:  WallDistances
 // Next: scoreRuns
 
@@ -30,7 +30,6 @@ struct WallDistances {
 /** For each wall point of `of` that lies where `in` has seen free space or wall: the distance to
  *  the nearest wall of `in` that faces about the same way (within 45 degrees, see nearestWall).
  *  `pose` is in <- of. A map against itself gives zeros. O(points). */
-WallDistances wallDistances(const MapForAlignment& of, const MapForAlignment& in,
-                            const Transform2D& pose);
+WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transform2D& pose);
 
 }  // namespace roomgraph

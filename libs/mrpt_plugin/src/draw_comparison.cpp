@@ -176,7 +176,7 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& wri
   return rings;
 }
 
-std::vector<Point> wallCells(const MapForAlignment& map) {
+std::vector<Point> wallCells(const WallMap& map) {
   std::vector<Point> walls;
   for (int y = 0; y < map.frame.height; ++y)
     for (int x = 0; x < map.frame.width; ++x)

@@ -47,7 +47,7 @@ Json scansJson(const Comparison& comparison, const MapBreak& tear, const std::ve
 
 /** The maps of the compared runs; without a map where there is none. */
 std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vector<Run>& runs) {
-  std::map<std::string, const MapForAlignment*> maps;
+  std::map<std::string, const WallMap*> maps;
   for (const Run& run : runs) maps.emplace(run.name, &run.map);
   std::vector<PlacedMap> placed;
   for (const ComparedRun& run : comparison.runs) {

@@ -14,7 +14,7 @@ constexpr std::uint8_t kWeakestWall = 1;  // as Sampler has it, that of free spa
 /** Calls `use(place in the site, state)` for each known cell. */
 template <class Use>
 void forKnownCells(const PlacedMap& placed, const Use& use) {
-  const MapForAlignment& map = *placed.map;
+  const WallMap& map = *placed.map;
   const Motion2D move(placed.pose);
   for (int y = 0; y < map.frame.height; ++y)
     for (int x = 0; x < map.frame.width; ++x) {
@@ -87,7 +87,7 @@ class Sampler {
   }
 
  private:
-  const MapForAlignment& map_;
+  const WallMap& map_;
   int side_;
   Point origin_, along_, up_;   // of the site, in cells of the map
   std::vector<Point> samples_;  // from the corner of a pixel, in cells

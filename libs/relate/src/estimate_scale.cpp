@@ -33,7 +33,7 @@ struct Sizes {
   double width = 0;  ///< median distance of free places to what is not free
   double walls = 0;  ///< root mean square distance of the walls from their middle
 
-  explicit Sizes(const MapForAlignment& map) : free(std::sqrt(map.freeArea)) {
+  explicit Sizes(const WallMap& map) : free(std::sqrt(map.freeArea)) {
     std::vector<double> depths;
     for (std::size_t i = 0; i < map.depths.size(); ++i)
       if (map.states[i] == State::free) depths.push_back(map.depths[i]);
@@ -65,14 +65,14 @@ Sizes sizesInCells(const Grid& picture) {
     }
   for (std::size_t i = 0; i < small.cells.size(); ++i)
     if (small.cells[i] == State::unknown && balance[i] > 0) small.cells[i] = State::free;
-  Sizes sizes(mapForAlignment(small, {}));
+  Sizes sizes(wallMap(small, {}));
   sizes.free *= factor, sizes.width *= factor, sizes.walls *= factor;
   return sizes;
 }
 
 /** The scales to try, rising: those that sizes of map and rooms make likely, and so many more that
  *  the first guess is among them. Where it lies does not change the others. */
-std::vector<double> scalesToTry(const Grid& picture, const MapForAlignment& run,
+std::vector<double> scalesToTry(const Grid& picture, const WallMap& run,
                                 const EstimateScaleOptions& options) {
   const Sizes cells = sizesInCells(picture), metres(run);
   if (cells.walls <= 0 || metres.walls <= 0) return {picture.frame.resolution};
@@ -89,25 +89,25 @@ std::vector<double> scalesToTry(const Grid& picture, const MapForAlignment& run,
   return scales;
 }
 
-ScaleTrial trialAt(double resolution, const Grid& picture, const MapForAlignment& run,
+ScaleTrial trialAt(double resolution, const Grid& picture, const WallMap& run,
                    const AlignMapsOptions& options) {
-  const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+  const WallMap map = wallMap(rescaled(picture, resolution), {});
   return {resolution, alignMaps(run, map, options)};
 }
 
 /** From a scale that is nearly right, the one that fits the walls near the pose found there. */
-ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const MapForAlignment& run,
+ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const WallMap& run,
                   const AlignMapsOptions& options) {
   FitScaleOptions fitOptions;
   double resolution = near.resolution;
   Transform2D pose = near.alignment.pose;
   for (int i = 0; i < kFits; ++i) {
-    const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+    const WallMap map = wallMap(rescaled(picture, resolution), {});
     const ScaledPose fit = fitScale(run, map, pose, fitOptions);
     resolution *= fit.scale, pose = fit.pose;
     fitOptions.band.first = 0.5;
   }
-  const MapForAlignment map = mapForAlignment(rescaled(picture, resolution), {});
+  const WallMap map = wallMap(rescaled(picture, resolution), {});
   return {resolution, alignMapsNear(run, map, {pose}, options)};
 }
 
@@ -118,7 +118,7 @@ void sortByScore(std::vector<ScaleTrial>& trials) {
 }
 
 /** All scales of the range, the best first. */
-std::vector<ScaleTrial> tried(const Grid& picture, const MapForAlignment& run,
+std::vector<ScaleTrial> tried(const Grid& picture, const WallMap& run,
                               const EstimateScaleOptions& options, const ForEach& forEach) {
   const std::vector<double> scales = scalesToTry(picture, run, options);
   std::vector<ScaleTrial> trials(scales.size());
@@ -130,7 +130,7 @@ std::vector<ScaleTrial> tried(const Grid& picture, const MapForAlignment& run,
 
 /** The best scale near `trial`: the best of some between it and its neighbours, fitted to the
  *  walls, then once more from the pose that is the best there. */
-ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const MapForAlignment& run,
+ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const WallMap& run,
                     const EstimateScaleOptions& options) {
   ScaleTrial best = trial;
   for (const int quarters : {-2, -1, 1, 2}) {
@@ -146,7 +146,7 @@ ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const MapForAl
 
 /** The best scales that are not near a better one, looked at closely; the best first. */
 std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid& picture,
-                               const MapForAlignment& run, const EstimateScaleOptions& options,
+                               const WallMap& run, const EstimateScaleOptions& options,
                                const ForEach& forEach) {
   std::vector<ScaleTrial> chosen;
   for (const ScaleTrial& trial : trials) {
@@ -162,14 +162,14 @@ std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid
 }
 
 /** Whether the picture shows enough of the run: a single room fits in many places, at any scale. */
-bool isLargeEnough(const ScaleTrial& trial, const MapForAlignment& run,
+bool isLargeEnough(const ScaleTrial& trial, const WallMap& run,
                    const EstimateScaleOptions& options) {
   const double common = trial.alignment.best->evidence.common / 2;  // counted both ways
   return common >= options.minOfRun * run.freeArea;
 }
 
 /** The scale that stands out, if any. */
-std::optional<ScaleTrial> foundIn(const Grid& picture, const MapForAlignment& run,
+std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run,
                                   const EstimateScaleOptions& options, const ForEach& forEach) {
   const std::vector<ScaleTrial> trials = tried(picture, run, options, forEach);
   const std::vector<ScaleTrial> close = bestOf(trials, picture, run, options, forEach);
@@ -189,10 +189,10 @@ std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<Run>& runs,
                               const std::vector<std::size_t>& voters, const ScaleTrial& found,
                               std::size_t best, const EstimateScaleOptions& options,
                               const ForEach& forEach) {
-  const MapForAlignment map = mapForAlignment(rescaled(picture, found.resolution), {});
+  const WallMap map = wallMap(rescaled(picture, found.resolution), {});
   std::vector<ScaleTrial> all(voters.size());
   forEach(voters.size(), [&](std::size_t i) {
-    const MapForAlignment& run = runs[voters[i]].map;
+    const WallMap& run = runs[voters[i]].map;
     if (voters[i] == best || run.walls.empty()) return;
     const ScaleTrial there{found.resolution, alignMaps(run, map, options.quick)};
     all[i] = fitted(there, picture, run, options.align);
@@ -243,7 +243,7 @@ std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vecto
   const std::vector<std::size_t> voters(
       order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), options.voters)));
   for (const std::size_t best : order) {
-    const MapForAlignment& run = runs[best].map;
+    const WallMap& run = runs[best].map;
     if (run.walls.empty()) continue;
     if (searches++ == options.searches) break;
     const auto found = foundIn(picture, run, options, forEach);

@@ -33,7 +33,7 @@ struct Offer {
 
 class Follower {
  public:
-  Follower(const MapForAlignment& of, const MapForAlignment& in, const FollowWallsOptions& options)
+  Follower(const WallMap& of, const WallMap& in, const FollowWallsOptions& options)
       : of_(of), in_(in), options_(options), patches_(of.patches), isFound_(of.walls.size()) {
     for (const WallPatch& patch : patches_) left_.push_back(patch.around);
   }
@@ -223,7 +223,7 @@ class Follower {
     result_.share = fit.weight() / double(of_.walls.size());
   }
 
-  const MapForAlignment &of_, &in_;
+  const WallMap &of_, &in_;
   const FollowWallsOptions& options_;
   const WallPatches& patches_;
   std::vector<std::uint8_t> isFound_;             // wall points
@@ -237,7 +237,7 @@ class Follower {
 
 }  // namespace
 
-FollowedWalls followWalls(const MapForAlignment& of, const MapForAlignment& in,
+FollowedWalls followWalls(const WallMap& of, const WallMap& in,
                           const std::vector<Transform2D>& poses,
                           const FollowWallsOptions& options) {
   return Follower(of, in, options).follow(poses);

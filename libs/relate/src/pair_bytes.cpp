@@ -149,20 +149,20 @@ void visitPair(Archive& archive, Pair& pair) {
   visitWalls(archive, pair.aInB);
 }
 
-bool areOf(const FollowedWalls& walls, const MapForAlignment& map) {
+bool areOf(const FollowedWalls& walls, const WallMap& map) {
   return std::all_of(walls.patches.begin(), walls.patches.end(),
                      [&](const FollowedPatch& followed) {
                        return followed.patch < map.patches.size() && followed.layer >= 0;
                      });
 }
 
-double radiusOf(const MapForAlignment& map) {
+double radiusOf(const WallMap& map) {
   return 0.5 * map.frame.resolution * std::hypot(map.frame.width, map.frame.height);
 }
 
 /** Whether maps and patches lie where two maps that meet can lie: elsewhere, the site would be as
  *  large as the pose is wrong. `walls` are those of b in a. */
-bool canMeet(const FollowedWalls& walls, const MapForAlignment& a, const MapForAlignment& b) {
+bool canMeet(const FollowedWalls& walls, const WallMap& a, const WallMap& b) {
   const double farthest = 2 * (radiusOf(a) + radiusOf(b));
   const auto isNear = [&](const Transform2D& pose) {
     return norm(pose(b.middle()) - a.middle()) <= farthest;
@@ -172,7 +172,7 @@ bool canMeet(const FollowedWalls& walls, const MapForAlignment& a, const MapForA
                      [&](const FollowedPatch& followed) { return isNear(followed.pose); });
 }
 
-bool canMeet(const MapPair& pair, const MapForAlignment& a, const MapForAlignment& b) {
+bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
   if (!pair.alignment.isSameSite) return true;  // then none of them is used
   FollowedWalls wholes;
   wholes.pose = pair.alignment.pose;
@@ -186,7 +186,7 @@ ByteView viewOf(std::string_view bytes) {
 
 }  // namespace
 
-std::string fingerprint(const MapForAlignment& map) {
+std::string fingerprint(const WallMap& map) {
   Writer writer;
   const GridFrame& frame = map.frame;
   writer.number(frame.width), writer.number(frame.height), writer.number(frame.resolution);
@@ -208,8 +208,7 @@ std::string pairBytes(const MapPair& pair) {
   return std::string(kVersion) + sha256Of(viewOf(body)) + body;
 }
 
-std::optional<MapPair> pairOfBytes(std::string_view bytes, const MapForAlignment& a,
-                                   const MapForAlignment& b) {
+std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b) {
   if (bytes.substr(0, kVersion.size()) != kVersion) return {};
   bytes.remove_prefix(kVersion.size());
   if (bytes.size() < kChecksum) return {};

@@ -11,7 +11,7 @@
 namespace roomgraph {
 namespace {
 
-Point middleOfWalls(const MapForAlignment& map) {
+Point middleOfWalls(const WallMap& map) {
   Point sum;
   for (const WallPoint& wall : map.walls) sum = sum + wall.place;
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
@@ -114,7 +114,7 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
   const std::vector<PairOfThings>& all = pairs.pairs();
   forEach(all.size(), [&](std::size_t k) {
     const auto [i, j] = all[k];
-    const MapForAlignment &a = site.runs[i]->map, &b = site.runs[j]->map;
+    const WallMap &a = site.runs[i]->map, &b = site.runs[j]->map;
     const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
     MapPair& pair = pairs(i, j);
     pair = related(site.members[i], site.members[j]);

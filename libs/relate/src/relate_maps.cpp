@@ -12,7 +12,7 @@ namespace roomgraph {
 namespace {
 
 /** All patches at `pose`: where two maps are the same, following could only blur that. */
-FollowedWalls carried(const MapForAlignment& map, const Transform2D& pose) {
+FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   FollowedWalls all;
   for (std::uint32_t i = 0; i < map.patches.size(); ++i)
     all.patches.push_back({i, pose, double(map.patches[i].own.size()), 0});
@@ -33,7 +33,7 @@ bool isSure(const MapPair& pair) {
 }
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */
-std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const WallMap& map) {
   struct Piece {
     Transform2D pose;
     double walls;
@@ -59,7 +59,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const MapForAlign
 
 /** The pose of the whole map, the other answers to where it lies if that is not sure, and the
  *  poses of its pieces. */
-std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const MapForAlignment& map) {
+std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const WallMap& map) {
   std::vector<Transform2D> poses{hubAndMap.alignment.pose};
   if (!isSure(hubAndMap))
     for (const Transform2D& pose : hubAndMap.alignment.poses) {
@@ -81,7 +81,7 @@ double anyConfidence(const MapPair& pair) {
 
 }  // namespace
 
-void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
+void follow(MapPair& pair, const WallMap& a, const WallMap& b,
             const std::vector<Transform2D>& poses) {
   if (pair.areIdentical) {
     pair.bInA = carried(b, poses.front()), pair.aInB = carried(a, poses.front().inverse());
@@ -99,7 +99,7 @@ MapPair swapped(MapPair pair) {
   return pair;
 }
 
-MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
+MapPair relateMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
   pair.alignment = alignMaps(a, b, {});
   pair.areIdentical = areIdentical(a, b);
@@ -107,8 +107,8 @@ MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b) {
   return pair;
 }
 
-MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
-                       const MapForAlignment& b) {
+MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const WallMap& a,
+                       const WallMap& b) {
   if (!hubAndA.alignment.isSameSite || !hubAndB.alignment.isSameSite) return relateMaps(a, b);
   std::vector<Transform2D> poses;
   for (const Transform2D& ofB : posesInHub(hubAndB, b))
@@ -126,7 +126,7 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Map
   return pair;
 }
 
-MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b) {
+MapPair relateAlignedMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
   Alignment& alignment = pair.alignment;
   alignment.best = AlignmentCandidate{};

@@ -74,10 +74,10 @@ class Relating {
   }
 
  private:
-  const MapForAlignment& mapOf(std::size_t run) const { return runs_[run].map; }
+  const WallMap& mapOf(std::size_t run) const { return runs_[run].map; }
 
   MapPair related(const PairOver& pair) const {
-    const MapForAlignment &a = mapOf(pair.a), &b = mapOf(pair.b);
+    const WallMap &a = mapOf(pair.a), &b = mapOf(pair.b);
     if (areAligned_) return keptOr({pair.a, pair.b}, [&] { return relateAlignedMaps(a, b); });
     if (pair.hub == pair.a || pair.hub == pair.b)
       return keptOr({pair.a, pair.b}, [&] { return relateMaps(a, b); });
@@ -230,7 +230,7 @@ class SiteBySite {
   std::vector<PairOver> copies(const std::vector<Member>& members) const {
     std::map<std::tuple<std::size_t, int, int>, std::vector<const Member*>> alike;
     for (const Member& member : members) {
-      const MapForAlignment& map = runs_[member.run].map;
+      const WallMap& map = runs_[member.run].map;
       alike[{map.walls.size(), map.frame.width, map.frame.height}].push_back(&member);
     }
     std::vector<PairOver> pairs;

@@ -14,7 +14,7 @@ std::int64_t squareAt(double metres) {
 
 }  // namespace
 
-SeenPlaces seenPlaces(const MapForAlignment& map, const Transform2D& pose) {
+SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose) {
   SeenPlaces places;
   for (const Point& free : map.freePlaces) {
     const Point at = pose(free);

@@ -3,7 +3,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -16,6 +16,6 @@ using SeenPlaces = std::vector<std::int64_t>;
 using SeenCounts = std::unordered_map<std::int64_t, std::size_t>;
 
 /** `pose` carries the map into the common frame. Coordinates are cut at 10^9 m. O(free area). */
-SeenPlaces seenPlaces(const MapForAlignment& map, const Transform2D& pose);
+SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose);
 
 }  // namespace roomgraph

@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
-#include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/align/NarrowingBand.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -14,7 +14,7 @@ class WallFit {
   WallFit(const Transform2D& pose, Point about, double width)
       : pose_(pose), forth_(pose), pivot_(forth_(about)), width_(width) {}
 
-  void add(const WallPoint& point, const MapForAlignment& in);
+  void add(const WallPoint& point, const WallMap& in);
 
   bool isEnough() const { return weight_ >= 3; }
 

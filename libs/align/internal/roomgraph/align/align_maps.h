@@ -9,7 +9,7 @@
 namespace roomgraph {
 
 // Ours
-// In:   two MapForAlignment
+// In:   two WallMap
 // Out:  Alignment
 // Next: sitePoses
 
@@ -52,20 +52,18 @@ Alignment inverse(Alignment alignment);
 
 /** All poses that were looked at closely, best first; equal ones by the order of the search.
  *  Deterministic. About 0.1 s for two maps of 1000 m2. */
-std::vector<AlignmentCandidate> alignmentCandidates(const MapForAlignment& a,
-                                                    const MapForAlignment& b,
+std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
                                                     const AlignMapsOptions& options);
 
 /** Finds how `b` lies in `a`, whatever its turn and with no first guess. Of a bent map, the part
  *  that fits best is laid down. Swapping the maps gives the inverse pose and the same numbers; a
  *  map fits itself as it is. Maps without walls have no candidates and confidence 0. Cost: that of
  *  alignmentCandidates. */
-Alignment alignMaps(const MapForAlignment& a, const MapForAlignment& b,
-                    const AlignMapsOptions& options);
+Alignment alignMaps(const WallMap& a, const WallMap& b, const AlignMapsOptions& options);
 
 /** The same, but looks only near `poses` (a <- b), so that what lies elsewhere is not known: the
  *  confidence is for the case that it must be one of these. A few ms for each. */
-Alignment alignMapsNear(const MapForAlignment& a, const MapForAlignment& b,
-                        const std::vector<Transform2D>& poses, const AlignMapsOptions& options);
+Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses,
+                        const AlignMapsOptions& options);
 
 }  // namespace roomgraph

@@ -1,13 +1,13 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   two MapForAlignment
+// In:   two WallMap
 // Out:  poses worth a closer look
 // Next: refineAlignment, verifyAlignment
 
@@ -31,8 +31,7 @@ struct AlignmentHypothesis {
  *  off for each wall in the middle of the other's free space. Local maxima of that sum over both
  *  shift and turn, best first; ties by turn, then by shift. Exact in integers. Empty where a map
  *  has no walls. O(turns * points * cells). */
-std::vector<AlignmentHypothesis> alignmentHypotheses(const MapForAlignment& a,
-                                                     const MapForAlignment& b,
+std::vector<AlignmentHypothesis> alignmentHypotheses(const WallMap& a, const WallMap& b,
                                                      const AlignmentHypothesesOptions& options);
 
 }  // namespace roomgraph

@@ -1,9 +1,9 @@
 #pragma once
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 
 /** Whether two maps are the same, cell by cell and wall by wall. */
-bool areIdentical(const MapForAlignment& l, const MapForAlignment& r);
+bool areIdentical(const WallMap& l, const WallMap& r);
 
 }  // namespace roomgraph

@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/align/NarrowingBand.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -18,7 +18,7 @@ struct FitScaleOptions {
 
 /** What refineAlignment does, with the scale of `b` free as well. Right as long as the scale is
  *  within a few percent, so that walls have their own in reach. O(steps * points). */
-ScaledPose fitScale(const MapForAlignment& a, const MapForAlignment& b, const Transform2D& pose,
+ScaledPose fitScale(const WallMap& a, const WallMap& b, const Transform2D& pose,
                     const FitScaleOptions& options);
 
 }  // namespace roomgraph

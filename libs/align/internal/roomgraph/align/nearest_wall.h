@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 
@@ -20,10 +20,10 @@ inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {
 
 /** The wall point near the cell at `index` that faces about as `normal` does, nearest to the middle
  *  of that cell; null where none is in reach, or beyond the last cell. O(1). */
-inline const WallPoint* nearestWall(const MapForAlignment& map, std::size_t index, Point normal) {
+inline const WallPoint* nearestWall(const WallMap& map, std::size_t index, Point normal) {
   if (index >= map.frame.cellCount()) return nullptr;
   const std::uint32_t wall = map.nearest[std::size_t(octantOf(normal))][index];
-  return wall == MapForAlignment::kNoWall ? nullptr : &map.walls[wall];
+  return wall == WallMap::kNoWall ? nullptr : &map.walls[wall];
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/align/NarrowingBand.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -19,7 +19,7 @@ struct RefineAlignmentOptions {
  *  being looked up in the other map. Distances count across the wall, far ones little, so parts
  *  that fit well win over parts that do not. Where nothing is in reach, or nothing holds the pose
  *  in a direction, it stays as it is. O(steps * points). */
-Transform2D refineAlignment(const MapForAlignment& a, const MapForAlignment& b,
-                            const Transform2D& pose, const RefineAlignmentOptions& options);
+Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
+                            const RefineAlignmentOptions& options);
 
 }  // namespace roomgraph

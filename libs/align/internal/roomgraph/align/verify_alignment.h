@@ -31,7 +31,7 @@ struct AlignmentEvidence {
 
 /** Looks up each map's walls in the other, and each map's free space.
  *  O(points). */
-AlignmentEvidence verifyAlignment(const MapForAlignment& a, const MapForAlignment& b,
-                                  const Transform2D& pose, const VerifyAlignmentOptions& options);
+AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
+                                  const VerifyAlignmentOptions& options);
 
 }  // namespace roomgraph

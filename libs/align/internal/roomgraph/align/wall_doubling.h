@@ -1,12 +1,12 @@
 #pragma once
 #include <optional>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 
 // Ours: what a map tells of itself, without any other
-// In:   MapForAlignment
+// In:   WallMap
 // Out:  the share of its walls that are there twice
 // Next: wallDoublingOf
 
@@ -15,6 +15,6 @@ namespace roomgraph {
  *  opposite ways, so they are no such pair: it takes a wall that was mapped in two places, or two
  *  things one of which hides the other, like a row of posts before a wall. None without walls.
  *  O(walls). */
-std::optional<double> wallDoubling(const MapForAlignment& map);
+std::optional<double> wallDoubling(const WallMap& map);
 
 }  // namespace roomgraph

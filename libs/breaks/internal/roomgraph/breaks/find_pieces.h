@@ -57,7 +57,7 @@ struct FindPiecesOptions {
  *  far from both pieces, one of them was found in the wrong place, and `isPlaced` is false. One
  *  that only shifts is put into the middle of the patches that both pieces have, which can be
  *  many metres off. None for a map that is whole, or bends all along. O(patches^2). */
-std::optional<PieceBreak> findPieces(const MapForAlignment& of, const MapForAlignment& in,
+std::optional<PieceBreak> findPieces(const WallMap& of, const WallMap& in,
                                      const FollowedWalls& followed,
                                      const FindPiecesOptions& options);
 

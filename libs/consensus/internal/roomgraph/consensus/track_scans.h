@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
 #include "roomgraph/align/NarrowingBand.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/relate/follow_walls.h"
 
@@ -36,11 +36,8 @@ struct TrackScansOptions {
  *  that fails, at any turn where the robot has just been, as a map that is torn goes on from the
  *  same place. A way that begins far from the first of `wholes` costs as much as two jumps.
  *  Deterministic. O(scans * candidates * walls of a scan). */
-std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
-                                                   const WallPatches& patches,
-                                                   const FollowedWalls& followed,
-                                                   const std::vector<Transform2D>& wholes,
-                                                   const MapForAlignment& in,
-                                                   const TrackScansOptions& options);
+std::vector<std::optional<Transform2D>> trackScans(
+    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
+    const std::vector<Transform2D>& wholes, const WallMap& in, const TrackScansOptions& options);
 
 }  // namespace roomgraph

@@ -8,7 +8,7 @@ namespace roomgraph {
 // Ours
 // In:   Grid
 // Out:  Grid without rims
-// Next: mapForAlignment
+// Next: wallMap
 
 /** Some mappers, cartographer among them, leave a rim of one or two unknown cells between free
  *  space and the cells of a wall. Where that is how the map's walls are drawn, as more free cells

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/geometry/Transform2D.h"
@@ -12,7 +12,7 @@ namespace roomgraph {
 
 /** A map of a run, where it lies in the site. */
 struct PlacedMap {
-  const MapForAlignment* map = nullptr;
+  const WallMap* map = nullptr;
   Transform2D pose;  ///< site <- run
 };
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/areas/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
@@ -12,7 +12,7 @@ namespace roomgraph {
 /** What the comparison needs to know of a run. */
 struct Run {
   std::string name, file, sha256;
-  MapForAlignment map;            ///< must have walls
+  WallMap map;                    ///< must have walls
   std::vector<GraphRoom> rooms;   ///< in the frame of the run
   std::vector<ScanWalls> scans;   ///< of a simplemap; else empty
   AreaGraph areas{};              ///< in the frame of the run; without labels

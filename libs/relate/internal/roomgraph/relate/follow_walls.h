@@ -15,7 +15,7 @@ namespace roomgraph {
 
 /** A patch of walls that was found in the other map. */
 struct FollowedPatch {
-  std::uint32_t patch = 0;  ///< of MapForAlignment::patches
+  std::uint32_t patch = 0;  ///< of WallMap::patches
   Transform2D pose;         ///< in <- of, right near the patch's middle
   double walls = 0;         ///< wall points of its own that lie on walls there
   int layer = 0;            ///< where a patch was mapped twice, each copy has a layer
@@ -49,7 +49,7 @@ struct FollowWallsOptions {
  *  and next to what was found, as walls can be there twice. Nothing is found where there is no
  *  pose. A map followed in itself from where it lies hardly bends. Deterministic. O(patches *
  *  points of a patch). */
-FollowedWalls followWalls(const MapForAlignment& of, const MapForAlignment& in,
+FollowedWalls followWalls(const WallMap& of, const WallMap& in,
                           const std::vector<Transform2D>& poses, const FollowWallsOptions& options);
 
 }  // namespace roomgraph

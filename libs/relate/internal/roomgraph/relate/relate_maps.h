@@ -5,7 +5,7 @@
 namespace roomgraph {
 
 // Ours
-// In:   two MapForAlignment
+// In:   two WallMap
 // Out:  MapPair: all that is to be known of two maps, beside the others
 // Next: compareRuns
 
@@ -18,24 +18,24 @@ struct MapPair {
 
 /** Aligns two maps, and follows the walls of each in the other. Swapping them swaps the answers.
  *  O(alignMaps + followWalls). */
-MapPair relateMaps(const MapForAlignment& a, const MapForAlignment& b);
+MapPair relateMaps(const WallMap& a, const WallMap& b);
 
 /** The same where the pose of both in a third map, the hub, is known already, so that no search is
  *  needed: their poses follow from what was found of the two, as a whole and piece by piece, and of
  *  one that is not sure, as in a symmetric building, from its other answers, too. Where the third
  *  map is not of the same site, or sure poses do not agree, it is relateMaps after all. */
-MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const MapForAlignment& a,
-                       const MapForAlignment& b);
+MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const WallMap& a,
+                       const WallMap& b);
 
 /** The same for two maps whose frames are said to be the same: their pose is nothing, and sure.
  *  Maps that contradict each other there are not of the same site. */
-MapPair relateAlignedMaps(const MapForAlignment& a, const MapForAlignment& b);
+MapPair relateAlignedMaps(const WallMap& a, const WallMap& b);
 
 /** The same pair with b named first. */
 MapPair swapped(MapPair pair);
 
 /** Follows the walls of each in the other again, from the first of `poses` (a <- b) on. */
-void follow(MapPair& pair, const MapForAlignment& a, const MapForAlignment& b,
+void follow(MapPair& pair, const WallMap& a, const WallMap& b,
             const std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph

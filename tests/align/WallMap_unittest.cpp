@@ -1,4 +1,4 @@
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace roomgraph {
 namespace {
 
-TEST(MapForAlignment, octantsAreNearestMultiplesOf45Degrees) {
+TEST(WallMap, octantsAreNearestMultiplesOf45Degrees) {
   for (int degrees = -180; degrees < 540; degrees += 5) {
     const double angle = (degrees + 0.1) * M_PI / 180;
     const int expected = int(std::lround(angle / M_PI_4) + 16) % 8;
@@ -18,8 +18,8 @@ TEST(MapForAlignment, octantsAreNearestMultiplesOf45Degrees) {
   }
 }
 
-TEST(MapForAlignment, wallsFaceTheFreeSpace) {
-  const MapForAlignment map = mapForAlignment(test::squareHall({}), {});
+TEST(WallMap, wallsFaceTheFreeSpace) {
+  const WallMap map = wallMap(test::squareHall({}), {});
   ASSERT_GT(map.walls.size(), 100u);
   for (const WallPoint& wall : map.walls) {
     const double far = std::max(std::abs(wall.place.x), std::abs(wall.place.y));
@@ -29,22 +29,22 @@ TEST(MapForAlignment, wallsFaceTheFreeSpace) {
   }
 }
 
-TEST(MapForAlignment, measuresTheFreeSpace) {
-  const MapForAlignment map = mapForAlignment(test::squareHall({}), {});
+TEST(WallMap, measuresTheFreeSpace) {
+  const WallMap map = wallMap(test::squareHall({}), {});
   EXPECT_NEAR(map.freeArea, 11.8 * 11.8 - 4, 4);
   const Cell beside = map.frame.cellAt({3.5, 0});
   EXPECT_NEAR(map.depths[map.frame.index(beside)], 2.4, 0.3);
 }
 
-TEST(MapForAlignment, anEmptyMapHasNoWalls) {
-  const MapForAlignment map = mapForAlignment(Grid{}, {});
+TEST(WallMap, anEmptyMapHasNoWalls) {
+  const WallMap map = wallMap(Grid{}, {});
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
 }
 
-TEST(MapForAlignment, theNearestWallIsThatOfPlainSearch) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {1, 2, 0.3}), {});
-  const AlignmentMapOptions options;
+TEST(WallMap, theNearestWallIsThatOfPlainSearch) {
+  const WallMap map = wallMap(test::drawnBuilding(4, {1, 2, 0.3}), {});
+  const WallMapOptions options;
   std::size_t found = 0;
   for (std::size_t i = 0; i < map.frame.cellCount(); i += 37)
     for (int octant = 0; octant < kOctants; ++octant) {
@@ -56,7 +56,7 @@ TEST(MapForAlignment, theNearestWallIsThatOfPlainSearch) {
         if (dot(wall.normal, axis) > M_SQRT1_2)
           nearest = std::min(nearest, distance(wall.place, at));
       const std::uint32_t wall = map.nearest[std::size_t(octant)][i];
-      if (wall == MapForAlignment::kNoWall) {
+      if (wall == WallMap::kNoWall) {
         EXPECT_GT(nearest, options.reach - 0.05) << i << ' ' << octant;
         continue;
       }
@@ -68,8 +68,8 @@ TEST(MapForAlignment, theNearestWallIsThatOfPlainSearch) {
   EXPECT_GT(found, 500u);
 }
 
-TEST(MapForAlignment, depthsAreDistancesToWhatIsNotFree) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {}), {});
+TEST(WallMap, depthsAreDistancesToWhatIsNotFree) {
+  const WallMap map = wallMap(test::drawnBuilding(4, {}), {});
   std::size_t deep = 0;
   for (std::size_t i = 0; i < map.frame.cellCount(); i += 53) {
     const Cell cell{int(i) % map.frame.width, int(i) / map.frame.width};
@@ -90,12 +90,12 @@ TEST(MapForAlignment, depthsAreDistancesToWhatIsNotFree) {
   EXPECT_GT(deep, 20u);
 }
 
-TEST(MapForAlignment, aShiftOfTheFrameShiftsTheWalls) {
+TEST(WallMap, aShiftOfTheFrameShiftsTheWalls) {
   Grid grid = test::drawnBuilding(6, {});
-  const MapForAlignment here = mapForAlignment(grid, {});
+  const WallMap here = wallMap(grid, {});
   const Point shift{64, -32};
   grid.frame.origin = grid.frame.origin + shift;
-  const MapForAlignment there = mapForAlignment(grid, {});
+  const WallMap there = wallMap(grid, {});
   // What lies on a boundary of cells falls to this side or the other by rounding.
   EXPECT_NEAR(double(here.walls.size()), double(there.walls.size()), 10);
   EXPECT_NEAR(here.freeArea, there.freeArea, 0.01 * here.freeArea);
@@ -108,7 +108,7 @@ TEST(MapForAlignment, aShiftOfTheFrameShiftsTheWalls) {
   EXPECT_LT(alone, here.walls.size() / 50);
 }
 
-TEST(MapForAlignment, unknownSpaceAroundAMapChangesNothing) {
+TEST(WallMap, unknownSpaceAroundAMapChangesNothing) {
   const Grid grid = test::drawnBuilding(6, {});
   Grid padded;
   const int pad = 24;
@@ -119,23 +119,23 @@ TEST(MapForAlignment, unknownSpaceAroundAMapChangesNothing) {
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x)
       padded.cells[padded.frame.index({x + pad, y + pad})] = grid.at({x, y});
-  const MapForAlignment here = mapForAlignment(grid, {}), there = mapForAlignment(padded, {});
+  const WallMap here = wallMap(grid, {}), there = wallMap(padded, {});
   ASSERT_EQ(here.walls.size(), there.walls.size());
   for (std::size_t i = 0; i < here.walls.size(); ++i)
     EXPECT_LT(distance(here.walls[i].place, there.walls[i].place), 1e-6);
   EXPECT_EQ(here.states, there.states);
 }
 
-TEST(MapForAlignment, freePlacesAreSpreadOverTheFreeSpace) {
-  const MapForAlignment map = mapForAlignment(test::drawnBuilding(4, {}), {});
+TEST(WallMap, freePlacesAreSpreadOverTheFreeSpace) {
+  const WallMap map = wallMap(test::drawnBuilding(4, {}), {});
   for (const Point& place : map.freePlaces)
     EXPECT_EQ(map.states[map.frame.index(map.frame.cellAt(place))], State::free);
   EXPECT_NEAR(double(map.freePlaces.size()) * 0.2 * 0.2, map.freeArea, 0.1 * map.freeArea);
 }
 
-TEST(MapForAlignment, thatWhichIsOnlyLookedForHasTheSameWalls) {
+TEST(WallMap, thatWhichIsOnlyLookedForHasTheSameWalls) {
   const Grid grid = test::drawnBuilding(4, {});
-  const MapForAlignment whole = mapForAlignment(grid, {}), walls = wallsForAlignment(grid, {});
+  const WallMap whole = wallMap(grid, {}), walls = bareWallMap(grid, {});
   ASSERT_EQ(walls.walls.size(), whole.walls.size());
   for (std::size_t i = 0; i < walls.walls.size(); ++i)
     EXPECT_EQ(walls.walls[i].place, whole.walls[i].place);
@@ -144,18 +144,18 @@ TEST(MapForAlignment, thatWhichIsOnlyLookedForHasTheSameWalls) {
   EXPECT_TRUE(whole.axisDeviation);
 }
 
-TEST(MapForAlignment, aMapOfCoarserCellsKeepsThem) {
+TEST(WallMap, aMapOfCoarserCellsKeepsThem) {
   Grid grid = test::drawnBuilding(4, {});
-  EXPECT_EQ(mapForAlignment(grid, {}).frame.resolution, 0.1);
+  EXPECT_EQ(wallMap(grid, {}).frame.resolution, 0.1);
   grid.frame.resolution = 0.25;
-  EXPECT_EQ(mapForAlignment(grid, {}).frame.resolution, 0.25);
+  EXPECT_EQ(wallMap(grid, {}).frame.resolution, 0.25);
 }
 
-TEST(MapForAlignment, aMapWithoutFreeSpaceHasNoWalls) {
+TEST(WallMap, aMapWithoutFreeSpaceHasNoWalls) {
   Grid grid = test::squareHall({});
   for (State& state : grid.cells)
     if (state == State::free) state = State::unknown;
-  const MapForAlignment map = mapForAlignment(grid, {});
+  const WallMap map = wallMap(grid, {});
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
 }

@@ -1,4 +1,4 @@
-#include "roomgraph/align/MapForAlignment.h"
+#include "roomgraph/align/WallMap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,8 +142,8 @@ void sweep(const GridFrame& frame, Better better) {
   }
 }
 
-std::vector<std::uint32_t> nearestWalls(const MapForAlignment& map, int octant, double reach) {
-  constexpr std::uint32_t none = MapForAlignment::kNoWall;
+std::vector<std::uint32_t> nearestWalls(const WallMap& map, int octant, double reach) {
+  constexpr std::uint32_t none = WallMap::kNoWall;
   const GridFrame& frame = map.frame;
   std::vector<std::uint32_t> label(frame.cellCount(), none);
   std::vector<float> best(frame.cellCount(), float(reach * reach));
@@ -203,12 +203,12 @@ int octantOf(Point v) {
   return v.x >= 0 ? 7 : 5;
 }
 
-MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
+WallMap bareWallMap(const Grid& grid, const WallMapOptions& options) {
   const std::optional<Grid> cleared = clearWallRims(grid);
   const Grid& known = cleared ? *cleared : grid;
   const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), options.reach);
   const Grid coarse = coarser(known, std::max(options.cell, grid.frame.resolution), options.reach);
-  MapForAlignment map;
+  WallMap map;
   map.frame = coarse.frame;
   map.states = coarse.cells;
   const std::vector<WallPoint> sides = wallSides(fine);
@@ -221,8 +221,8 @@ MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& o
   return map;
 }
 
-MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options) {
-  MapForAlignment map = wallsForAlignment(grid, options);
+WallMap wallMap(const Grid& grid, const WallMapOptions& options) {
+  WallMap map = bareWallMap(grid, options);
   map.axisDeviation = axisDeviation(map.walls);
   map.wallSharpness = wallSharpness(grid);
   map.depths = {depthsOf(map.frame, map.states), 0};

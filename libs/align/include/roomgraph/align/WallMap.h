@@ -14,11 +14,11 @@
 namespace roomgraph {
 
 // In:   Grid
-// Out:  MapForAlignment
+// Out:  WallMap
 // Next: alignMaps
 
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
-struct MapForAlignment {
+struct WallMap {
   static constexpr std::uint32_t kNoWall = SparseIndices::kNone;
 
   std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
@@ -42,17 +42,17 @@ struct MapForAlignment {
   double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
 };
 
-struct AlignmentMapOptions {
-  double cell = 0.1;   ///< of MapForAlignment::frame [m]; a coarser map keeps its own
+struct WallMapOptions {
+  double cell = 0.1;   ///< of WallMap::frame [m]; a coarser map keeps its own
   double reach = 1.0;  ///< walls farther away are not looked for [m]
 };
 
 /** Finds the walls of a map. A map without any free cell beside an occupied one has no walls, and
  *  aligns with nothing. O(cells + walls * walls within 4 m). */
-MapForAlignment mapForAlignment(const Grid& grid, const AlignmentMapOptions& options);
+WallMap wallMap(const Grid& grid, const WallMapOptions& options);
 
 /** The same without what it takes to look walls up in it (`nearest`, `depths`, `axisDeviation`):
  *  enough to be looked for in another map. */
-MapForAlignment wallsForAlignment(const Grid& grid, const AlignmentMapOptions& options);
+WallMap bareWallMap(const Grid& grid, const WallMapOptions& options);
 
 }  // namespace roomgraph
