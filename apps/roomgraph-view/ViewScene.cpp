@@ -131,8 +131,9 @@ void ViewScene::addComparison() {
 }
 
 void ViewScene::drawGraphAgain() {
-  const auto graph = drawGraph(*view_.graph);
-  if (const auto old = scene_->getByName("room graph")) scene_->removeObject(old);
+  const auto old = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene_->getByName("room graph"));
+  const auto graph = drawGraph(*view_.graph, old);
+  if (old) scene_->removeObject(old);
   scene_->insert(graph);
   shownStage_.reset();
   for (const char* name : kGraphParts)
@@ -148,7 +149,7 @@ void ViewScene::addPaths() {
     path->setName("path " + std::to_string(i));
     paths->insert(path);
   }
-  addLayer("paths", paths);
+  if (!paths->empty()) addLayer("paths", paths);
 }
 
 /** Where the scans at a break are shown in both poses already. */

@@ -337,6 +337,27 @@ TEST(ViewScene, atABreakTheNamesOfOthersAreGone) {
   EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
 }
 
+TEST(ViewScene, aMapWithoutScansHasNoLayerOfPaths) {
+  const View map = viewOfMap(), runs = sampleView();
+  const auto hasPaths = [](const std::vector<std::string>& layers) {
+    return std::count(layers.begin(), layers.end(), "paths") > 0;
+  };
+  EXPECT_FALSE(hasPaths(ViewScene(map).layers()));
+  EXPECT_TRUE(hasPaths(ViewScene(runs).layers()));
+}
+
+TEST(ViewScene, theMapIsDrawnOnlyOnce) {
+  View view = viewOfMap();
+  ViewScene drawn(view);
+  const auto map = drawn.scene()->getByName("map"), rooms = drawn.scene()->getByName("rooms");
+  view.options.findRooms.minWidth = 1.5;
+  extractAgain(view);
+  drawn.drawGraphAgain();
+  EXPECT_TRUE(map);
+  EXPECT_EQ(drawn.scene()->getByName("map"), map);
+  EXPECT_NE(drawn.scene()->getByName("rooms"), rooms);
+}
+
 TEST(ViewScene, hiddenLayersAreHidden) {
   const View view = sampleView();
   ViewScene drawn(view);

@@ -209,13 +209,17 @@ Box drawnBox(const CRoomGraph& graph) {
   return boundingBox(points);
 }
 
-viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph) {
+viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph, const viz::CSetOfObjects::Ptr& before) {
   const Sheet sheet = makeSheet(graph);
   const RoomGraph& rooms = graph.file.graph;
   auto all = viz::CSetOfObjects::Create();
   all->setName("room graph");
   all->setLocation(sheet.anchor.x, sheet.anchor.y, 0);
-  if (graph.map && !graph.map->cells.empty()) all->insert(drawMap(*graph.map, sheet.anchor));
+  if (graph.map && !graph.map->cells.empty()) {
+    const bool isSame = before && before->getPose() == all->getPose();
+    const auto map = isSame ? before->getByName("map") : nullptr;
+    all->insert(map ? map : drawMap(*graph.map, sheet.anchor));
+  }
   for (const auto& part :
        {drawFloors(rooms, sheet), drawOutlines(rooms, sheet), drawWays(rooms, sheet, true),
         drawWays(rooms, sheet, false), drawVertices(rooms, sheet)})

@@ -7,8 +7,10 @@ namespace roomgraph {
  *  above "map" (where there is one, see drawMap), "rooms" (floors), "room outlines", "ways in
  *  rooms", "corridors", "vertices" and "room numbers" (of rooms that have a vertex, as the final
  *  graph's do). Parts without content are left out. Metres, map frame, z = 0 is the map. O(size of
- *  the graph and its map). */
-viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph);
+ *  the graph and its map). `before`, what was drawn of another graph of the same map, lends its
+ *  map, which takes most of the time of a large one. */
+viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph,
+                                  const viz::CSetOfObjects::Ptr& before = nullptr);
 
 /** The smallest upright box round all that is drawn; a square metre round the origin for nothing.
  */
