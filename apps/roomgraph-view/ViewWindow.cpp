@@ -281,10 +281,12 @@ void showWindow(const WindowTask& task) {
     throw DataError("there is no display for a window: use --screenshot");
   const Toolkit toolkit;
   std::optional<View> view;
-  waitBeside([&] { view = task.load(); }, task.words, task.width, task.height);
+  std::shared_ptr<void> waiting =
+      waitBeside([&] { view = task.load(); }, task.words, task.width, task.height);
   Window window(*view, task.firstState(*view), task.width, task.height);
   window.drawAll();
   window.setVisible(true);
+  waiting.reset();
   nanogui::mainloop(20);
 }
 

@@ -91,6 +91,7 @@ void declare(Arguments& arguments, CLI::App& app) {
   app.add_option("--size", arguments.size, "Of the window or picture.")
       ->type_name("WIDTH HEIGHT")
       ->expected(2)
+      ->allow_extra_args(false)  // the files may follow
       ->check(CLI::Range(100, 10000))
       ->capture_default_str();
   app.add_option("--run", arguments.run, "The run whose way is shown, by rank from 1.")

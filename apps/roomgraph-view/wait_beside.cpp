@@ -38,21 +38,29 @@ class WaitingWindow : public nanogui::Screen {
   std::string words_;
 };
 
+/** What it has in OpenGL lies in its own context, whatever was drawn last. */
+void close(WaitingWindow* window) {
+  glfwMakeContextCurrent(window->glfwWindow());
+  delete window;
+}
+
 }  // namespace
 
-void waitBeside(const std::function<void()>& work, const std::string& words, int width,
-                int height) {
+std::shared_ptr<void> waitBeside(const std::function<void()>& work, const std::string& words,
+                                 int width, int height) {
+  std::shared_ptr<WaitingWindow> window;
   std::future<void> done = std::async(std::launch::async, work);
   if (done.wait_for(kMoment) != std::future_status::ready) {
-    WaitingWindow window(words, width, height);
-    window.setVisible(true);
+    window = {new WaitingWindow(words, width, height), close};
+    window->setVisible(true);
     while (done.wait_for(kBetweenPictures) != std::future_status::ready) {
       glfwPollEvents();
-      if (glfwWindowShouldClose(window.glfwWindow())) std::_Exit(0);
-      window.drawAll();
+      if (glfwWindowShouldClose(window->glfwWindow())) std::_Exit(0);
+      window->drawAll();
     }
   }
   done.get();
+  return window;
 }
 
 }  // namespace roomgraph

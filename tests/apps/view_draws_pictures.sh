@@ -13,7 +13,7 @@ expect 0 "$view" "$maps/office_run4.simplemap.gz" --key-frame 60 --screenshot on
 [ "$(pixels one.png 'rgb(200,30,30)')" -gt 100 ] || fail "no scan"
 [ "$(pixels one.png 'rgb(0,110,82)')" -gt 100 ] || fail "no rooms"
 
-expect 0 "$view" "$maps"/office_run[124].simplemap.gz --break 1 --screenshot break.png --size 640 480
+expect 0 "$view" --break 1 --screenshot break.png --size 640 480 "$maps"/office_run[124].simplemap.gz
 [ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
 [ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
 
