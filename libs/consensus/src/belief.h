@@ -23,8 +23,9 @@ bool isBorneOut(const SubmapMatch& match, const Transform2D& found, const PoseTo
  *  scans it has. */
 double beliefOf(double share);
 
-/** What it costs to give up a piece. Its matches are no independent witnesses, so it grows with the
- *  root of their number; and it says the less, the more the map looks alike elsewhere. */
+/** What it costs to give up a piece, see docs/scoring.md, "Belief". Its matches are no independent
+ *  witnesses, so it grows with the root of their number; and it says the less, the more the map
+ *  looks alike elsewhere. */
 double costOfGivingUp(const RunMatches& piece);
 
 /** How far the poses let each piece be believed. */

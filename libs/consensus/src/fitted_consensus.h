@@ -25,9 +25,9 @@ constexpr double kFirstWidening = 8;  // times as wide are those of links and ma
 // Belief: what it costs to give up a piece of so many matches; half the robust squared residual of
 // a link that is 20 m off.
 constexpr double kGivingUp = 45, kGivingUpMatches = 25;
-constexpr double kAlikeFrom = 0.4,
-                 kAlikeTo = 0.8;    // likeness from which on it costs less, and least
-constexpr double kLeastCost = 0.2;  // the share of its cost that it has then
+// Likeness from which on it costs less, and least: this share.
+constexpr double kAlikeFrom = 0.4, kAlikeTo = 0.8;
+constexpr double kLeastCost = 0.2;
 
 // Slack: the least of a run that has its drive to itself, and of one that shares it.
 constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;

@@ -29,6 +29,8 @@ struct GraphTerm {
   }
 };
 
+// The terms of docs/scoring.md, "The cost".
+
 /** A link holds its submaps together, as far as its run's `slack` allows. */
 inline GraphTerm linkTerm(const RunSubmaps& run, const SubmapLink& link, double slack) {
   const Transform2D step = stepOf(run, link);

@@ -92,6 +92,7 @@ double seenShare(const RunSubmaps& run, const std::vector<bool>& isSeen) {
   return all > 0 ? seen / all : 0;
 }
 
+/** e / f - p to e * f + p, see docs/scoring.md, "Map error". */
 void addInterval(MapError& error, std::size_t runs) {
   const double others = double(std::max<std::size_t>(2, runs) - 1);
   // Round numbers, so that 75 to 90 % of the true errors lie in it on the sites of
