@@ -21,7 +21,7 @@ namespace {
 
 using kainjow::mustache::data;
 using page_values::flag;
-using page_values::list;
+using page_values::rowsOf;
 using page_values::text;
 
 constexpr std::size_t kMostOpenRuns = 30;   // more scroll in a box of their own
@@ -86,26 +86,21 @@ class Tables {
   }
 
   data runs() const {
-    data rows = list();
-    for (std::size_t i = 0; i < comparison_.runs.size(); ++i) rows << runRow(i);
-    return rows;
+    return rowsOf(comparison_.runs,
+                  [&](const ComparedRun& run, std::size_t i) { return runRow(run, i); });
   }
 
   data measureNames() const {
-    data names = list();
-    for (const Measure& measure : allMeasures()) {
-      data one;
-      one.set("name", text(labelOf(measure)));
-      one.set("unit", unitText(measure.unit));
-      names << one;
-    }
-    return names;
+    return rowsOf(allMeasures(), [](const Measure& measure, std::size_t) {
+      data name;
+      name.set("name", text(labelOf(measure)));
+      name.set("unit", unitText(measure.unit));
+      return name;
+    });
   }
 
   data breaks() const {
-    data rows = list();
-    for (std::size_t i = 0; i < comparison_.breaks.size(); ++i) {
-      const MapBreak& tear = comparison_.breaks[i];
+    return rowsOf(comparison_.breaks, [&](const MapBreak& tear, std::size_t i) {
       data row = runCell(tear.run);
       row.set("index", std::to_string(i));
       row.set("x", fixedText(tear.place.x, 1));
@@ -114,14 +109,12 @@ class Tables {
       row.set("shift", fixedText(tear.shift, 2));
       row.set("frame", tear.keyFrame ? std::to_string(*tear.keyFrame) : "–");
       row.set("time", tear.time ? timeText(*tear.time) : "–");
-      rows << row;
-    }
-    return rows;
+      return row;
+    });
   }
 
   data pairs() const {
-    data rows = list();
-    for (const ComparedPair& pair : comparison_.pairs) {
+    return rowsOf(comparison_.pairs, [](const ComparedPair& pair, std::size_t) {
       data row;
       row.set("a", text(pair.a));
       row.set("b", text(pair.b));
@@ -132,21 +125,18 @@ class Tables {
       const Measure* distance = find(pair.measures, "wall_distance");
       row.set("distance", distance ? valueText(distance->value, "m") : "–");
       row.set("runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–");
-      rows << row;
-    }
-    return rows;
+      return row;
+    });
   }
 
   data leftOut() const {
-    data rows = list();
-    for (const LeftOutRun& run : comparison_.leftOut) {
+    return rowsOf(comparison_.leftOut, [](const LeftOutRun& run, std::size_t) {
       data row;
       row.set("name", text(run.name));
       row.set("file", text(fileName(run.file)));
       row.set("reason", text(run.reason));
-      rows << row;
-    }
-    return rows;
+      return row;
+    });
   }
 
  private:
@@ -162,8 +152,7 @@ class Tables {
     return cell;
   }
 
-  data runRow(std::size_t i) const {
-    const ComparedRun& run = comparison_.runs[i];
+  data runRow(const ComparedRun& run, std::size_t i) const {
     data row = runCell(run.name);
     row.set("index", std::to_string(i));
     row.set("rank", run.rank ? std::to_string(run.rank) : "–");
@@ -182,10 +171,9 @@ class Tables {
     row.set("breaks", std::to_string(breaksOf(run.name)));
     const Measure* coverage = find(run.measures, "coverage");
     row.set("coverage", coverage ? valueText(coverage->value, coverage->unit) : "–");
-    data measures = list();
-    for (const Measure& measure : allMeasures())
-      measures << measureCell(find(run.measures, measure.name));
-    row.set("measures", measures);
+    row.set("measures", rowsOf(allMeasures(), [&](const Measure& measure, std::size_t) {
+              return measureCell(find(run.measures, measure.name));
+            }));
     row.set("isShown", flag(isShownAtFirst(i)));
     return row;
   }
@@ -216,29 +204,24 @@ class Tables {
 };
 
 data optionRows(const std::vector<UsedOption>& options) {
-  data rows = list();
-  for (const UsedOption& option : options) {
+  return rowsOf(options, [](const UsedOption& option, std::size_t) {
     data row;
     row.set("key", text(option.section + (option.section.empty() ? "" : ".") + option.name));
     row.set("value", text(option.value));
     row.set("unit", text(option.unit));
     row.set("sentence", text(option.sentence));
-    rows << row;
-  }
-  return rows;
+    return row;
+  });
 }
 
 data heatRows() {
-  data rows = list();
-  for (std::size_t i = 0; i < heatColours().size(); ++i) {
-    const Colour c = heatColours()[i];
+  return rowsOf(heatColours(), [](const Colour& c, std::size_t i) {
     data row;
     row.set("colour", "rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," +
                           std::to_string(c.blue) + ")");
     row.set("upTo", std::to_string(10 * (i + 1)));
-    rows << row;
-  }
-  return rows;
+    return row;
+  });
 }
 
 }  // namespace
@@ -249,9 +232,9 @@ data pageTables(const Comparison& comparison) {
   page.set("version", version());
   page.set("verdict", text(comparison.verdict));
   page.set("counts", pageCounts(comparison));
-  data summary = list();
-  for (const std::string& sentence : pageSummary(comparison)) summary << text(sentence);
-  page.set("summary", summary);
+  page.set("summary", rowsOf(pageSummary(comparison), [](const std::string& sentence, std::size_t) {
+             return text(sentence);
+           }));
   page.set("runs", tables.runs());
   page.set("runsAreMany", flag(comparison.runs.size() > kMostOpenRuns));
   page.set("measureNames", tables.measureNames());

@@ -75,10 +75,6 @@ data roomRow(const SiteRoom& room, std::size_t i) {
 
 }  // namespace
 
-data roomRows(const std::vector<SiteRoom>& rooms) {
-  data rows = list();
-  for (std::size_t i = 0; i < rooms.size(); ++i) rows << roomRow(rooms[i], i);
-  return rows;
-}
+data roomRows(const std::vector<SiteRoom>& rooms) { return page_values::rowsOf(rooms, roomRow); }
 
 }  // namespace roomgraph
