@@ -59,6 +59,10 @@ TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
              kFactorUnseen);
   expectSaid("*p* = %g m + %g m / (*n* − 1)", kMetres, kMetresPerRun);
   expectSaid("costs at most %g times the best", kAboutAsGood);
+  EXPECT_EQ(kLeastKnowing, 3);
+  expectSaid("Where at least three other runs know most of the place");
+  expectSaid("At least %ld such scans on end are taken to be %g m off", kLeastLostOnEnd, kLostBy);
+  expectSaid("√(*e*² + *l* · %g m²)", kLostBy * kLostBy);
 }
 
 }  // namespace

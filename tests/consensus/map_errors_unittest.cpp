@@ -106,6 +106,25 @@ TEST(MapErrors, theIntervalIsNarrowerForMoreRuns) {
   }
 }
 
+TEST(MapErrors, whatIsLostCountsAsAMetreOff) {
+  const Way truth = roundTheBlock(), drawn = test::drifting(truth, 0.01);
+  const std::vector<RunSubmaps> runs{drawnSubmaps(drawn)};
+  const MapError before = mapErrors(runs, {}, {truth})[0];
+  std::vector<bool> isLost(truth.size());
+  MapError error = before;
+  addLost(error, runs[0], isLost);
+  EXPECT_EQ(error.error, before.error);
+  EXPECT_EQ(error.high, before.high);
+  for (const std::size_t k : {3u, 4u, 5u}) isLost[k] = true;
+  addLost(error, runs[0], isLost);
+  const double more = std::sqrt(3.0 / double(truth.size()));
+  EXPECT_NEAR(error.error, std::hypot(before.error, more), 1e-9);
+  EXPECT_EQ(error.low, before.low);
+  EXPECT_GT(error.high - error.error, before.high - before.error);
+  for (std::size_t k = 0; k < truth.size(); ++k)
+    EXPECT_EQ(error.errors[k], isLost[k] ? std::hypot(before.errors[k], 1) : before.errors[k]);
+}
+
 TEST(MapErrors, aRunThatHasDrawnNothingHasNone) {
   RunSubmaps blind = drawnSubmaps({{}, {1, 0, 0}});
   for (Submap& submap : blind.submaps) submap.points = {};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawn_building.h"
@@ -84,6 +85,29 @@ TEST(SiteConsensus, aTornRunIsPutTogetherAgain) {
   for (const double error : {result.errors[0].error, result.errors[2].error}) EXPECT_LT(error, 0.1);
   const double really = mapErrors({result.submaps[1]}, {}, {truth})[0].error;
   EXPECT_NEAR(result.errors[1].error, really, 0.05 * really);
+}
+
+/** The drive with scans that fit nowhere: as if in a round cell. */
+std::vector<Keyframe> lostAt(std::vector<Keyframe> frames, std::size_t first, std::size_t count) {
+  for (std::size_t k = first; k < first + count; ++k)
+    for (Point& end : frames[k].ends) end = (0.4 / norm(end)) * end;
+  return frames;
+}
+
+TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
+  std::vector<std::vector<Keyframe>> drives{drive()};
+  for (const int other : {1, 2, 3})
+    drives.push_back(
+        otherLog(drifting(drive(), 0.0002 * other), std::uint64_t(1000 + other * 1000)));
+  DrivenSite site(drives, {{}, {}, {}, {}});
+  site.runs[0].scans = scanWalls(lostAt(drive(), 4, 9));
+  const Consensus result = site.consensus();
+  EXPECT_GT(result.errors[0].error, 0.2);
+  EXPECT_GT(result.errors[0].high, 0.4);
+  const std::vector<double>& each = result.errors[0].errors;
+  EXPECT_GE(*std::max_element(each.begin() + 4, each.begin() + 13), 1);
+  EXPECT_LT(each[20], 0.1);
+  EXPECT_LT(result.errors[1].error, 0.1) << "it is not theirs";
 }
 
 TEST(SiteConsensus, copiesOfAMapShareOneResult) {

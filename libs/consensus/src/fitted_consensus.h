@@ -36,6 +36,9 @@ constexpr double kCountedLinks = 0.9;  // share of the links that count, those t
 // Map error: the interval is a factor, as a standard deviation of its log, and some metres.
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
 constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
+constexpr double kLostBy = 1;  // what a lost scan counts as; about as far as it is looked for [m]
+constexpr long kLeastKnowing = 3;      // runs that know its place; in fewer, furniture may hide it
+constexpr long kLeastLostOnEnd = 3;    // one or two may be lost to people or glass
 constexpr double kAboutAsGood = 1.25;  // cost of a solution that may be right, beside the best
 
 }  // namespace roomgraph::fitted

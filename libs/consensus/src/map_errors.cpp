@@ -126,4 +126,18 @@ std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
   return errors;
 }
 
+void addLost(MapError& error, const RunSubmaps& run, const std::vector<bool>& isLost) {
+  double lost = 0, all = 0;
+  for (std::size_t k = 0; k < isLost.size(); ++k) {
+    all += run.submaps[k].points.count;
+    if (!isLost[k]) continue;
+    lost += run.submaps[k].points.count;
+    error.errors[k] = std::hypot(error.errors[k], fitted::kLostBy);
+  }
+  if (lost <= 0) return;
+  const double more = fitted::kLostBy * std::sqrt(lost / all);
+  error.error = std::hypot(error.error, more);
+  error.high = std::hypot(error.high, 2 * more);  // it may lie anywhere
+}
+
 }  // namespace roomgraph

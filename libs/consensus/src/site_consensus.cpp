@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "lost_scans.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/find_consensus.h"
@@ -186,6 +187,9 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
     result.poses.push_back(agreements.front().poses[placeOf(i)]);
     result.errors.push_back(errors[placeOf(i)]);
   }
+  const std::vector<std::vector<bool>> lost = lostScans(site, pairs, counted, result);
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    addLost(result.errors[i], result.submaps[i], lost[counted[i]]);
   return result;
 }
 

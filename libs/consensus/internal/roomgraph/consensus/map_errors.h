@@ -27,4 +27,9 @@ struct MapError {
 std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
                                 const std::vector<RunMatches>& matches, const SubmapPoses& poses);
 
+/** Makes up for what fits nowhere: a lost submap (lostScans) is looked for within about a metre of
+ *  where the rest of its run has it, so it is taken to be that far off. Its error, that of the run
+ *  and the upper end of the interval rise; nothing else changes. O(submaps). */
+void addLost(MapError& error, const RunSubmaps& run, const std::vector<bool>& isLost);
+
 }  // namespace roomgraph

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/consensus/site_consensus.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Site, Consensus
+// Out:  of each run which of its scans are lost
+// Next: addLost
+
+/** Of each scan of each run whether it was found in no other run, though at least three to which
+ *  its run was related know most of the place: it does not lie where the run and its consensus have
+ *  it. Stray scans do not count, only at least three on end; nor do those of the reference, and of
+ *  runs without scans there are none. `counted` names the run that counts for each: copies of one
+ *  map say nothing of each other. O(scans that nobody has * runs). */
+std::vector<std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs,
+                                         const std::vector<std::size_t>& counted,
+                                         const Consensus& consensus);
+
+}  // namespace roomgraph
