@@ -122,15 +122,5 @@ TEST(TrackScans, moreBlindScansThanItRemembersDoNotLoseTheRest) {
   for (std::size_t k = 20; k < track.size(); ++k) EXPECT_TRUE(track[k]) << k;
 }
 
-TEST(TrackScans, whatBentWhileItWasLostIsFoundAgain) {
-  const auto& drive = driveInBuilding();
-  const std::size_t n = drive.frames.size(), from = n - 3;
-  std::vector<ScanWalls> scans = scanWalls(test::broken(drive.frames, from, 0.15, {}));
-  for (std::size_t k = from - 20; k < from; ++k) scans[k].walls.clear();
-  const auto track = trackScans(scans, {}, {}, {{}}, drive.map, {});
-  EXPECT_TRUE(track[from - 21]);
-  for (std::size_t k = from; k < n; ++k) EXPECT_TRUE(track[k]) << k;
-}
-
 }  // namespace
 }  // namespace roomgraph

@@ -185,19 +185,12 @@ class Tracker {
     return poses;
   }
 
-  /** How many times as far as from scan to scan a map may have bent in between: within memory once,
-   *  beyond it more often, by chance this way and that. */
-  double bends(const Candidate& from, const Candidate& to) const {
-    const std::size_t scans = to.scan - from.scan;
-    return scans > options_.memory ? std::sqrt(double(scans)) : 1;
-  }
-
   /** What it costs to go from one candidate to one of a later scan. */
   double stepCost(const Candidate& from, const Candidate& to) const {
     const Point at = scans_[to.scan].at();
     const double moved = distance(from.pose(at), to.pose(at));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
-    const double bend = (moved / kSteadyTrack.place + turned / kSteadyTrack.turn) / bends(from, to);
+    const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
     if (bend < 1) return options_.jumpCost * bend * bend / 4;
     const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
     const bool isOnTheWay = way <= options_.stride * double(to.scan - from.scan);
