@@ -26,7 +26,7 @@ std::optional<double> shareFound(const WallPatch& patch, const Transform2D& moti
   for (const std::uint32_t w : patch.around) {
     const Point at = forth(map.walls[w].place);
     const std::size_t cell = cellIndexAt(map.frame, at);
-    if (cell >= map.states.size() || map.states[cell] == State::unknown) continue;
+    if (!hasSeen(map, cell)) continue;
     ++known;
     if (const WallPoint* wall = nearestWall(map, cell, forth.turned(map.walls[w].normal)))
       found += 1 / (1 + squaredNorm(wall->place - at) / (kWallNoise * kWallNoise));

@@ -30,7 +30,7 @@ double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& po
     const WallPoint& point = scan.walls[i];
     const Point at = forth(point.place);
     const std::size_t cell = cellIndexAt(in.frame, at);
-    if (cell >= in.states.size() || in.states[cell] == State::unknown) continue;
+    if (!hasSeen(in, cell)) continue;
     ++known;
     if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
       sum += 1 / (1 + squaredNorm(wall->place - at) / (near * near));

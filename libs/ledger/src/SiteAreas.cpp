@@ -58,7 +58,7 @@ void markKnown(const WallMap& map, const Transform2D& pose, const GridFrame& fra
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
       const std::size_t cell = cellIndexAt(map.frame, back(frame.center({x, y})));
-      if (cell >= map.states.size() || map.states[cell] == State::unknown) continue;
+      if (!hasSeen(map, cell)) continue;
       run.labels[frame.index({x, y})] =
           map.states[cell] == State::free ? RunAreas::kFree : RunAreas::kOccupied;
     }

@@ -39,7 +39,7 @@ WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transfor
   for (const WallPoint& wall : of.walls) {
     const Point at = pose(wall.place), normal = turned(wall.normal, pose.phi);
     const std::size_t cell = cellIndexAt(in.frame, at);
-    if (cell == in.states.size() || in.states[cell] == State::unknown) continue;
+    if (!hasSeen(in, cell)) continue;
     const WallPoint* found = isItself ? &wall : nearestWall(in, cell, normal);
     const double far = found ? distance(found->place, at) : WallDistances::kMost;
     const double d = isItself ? 0 : std::min(far, WallDistances::kMost);

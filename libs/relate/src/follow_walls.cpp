@@ -71,7 +71,7 @@ class Follower {
       const WallPoint& point = of_.walls[left_[patch][i]];
       const Point at = forth(point.place);
       const std::size_t cell = cellIndexAt(in_.frame, at);
-      if (cell >= in_.states.size() || in_.states[cell] == State::unknown) continue;
+      if (!hasSeen(in_, cell)) continue;
       ++known;
       const WallPoint* wall = nearestWall(in_, cell, forth.turned(point.normal));
       if (wall) sum += 1 / (1 + squaredNorm(wall->place - at) / (options_.near * options_.near));

@@ -18,6 +18,11 @@ inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {
   return frame.index({int(x), int(y)});
 }
 
+/** Whether a map has seen the cell at `index`: never beyond the last one. */
+inline bool hasSeen(const WallMap& map, std::size_t index) {
+  return index < map.states.size() && map.states[index] != State::unknown;
+}
+
 /** The wall point near the cell at `index` that faces about as `normal` does, nearest to the middle
  *  of that cell; null where none is in reach, or beyond the last cell. O(1). */
 inline const WallPoint* nearestWall(const WallMap& map, std::size_t index, Point normal) {
