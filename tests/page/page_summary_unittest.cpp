@@ -63,15 +63,14 @@ TEST(PageSummary, aRunTornOnceIsNamedWithoutANumber) {
   comparison.breaks.resize(1);
   comparison.breaks[0].run = "evening";
   EXPECT_TRUE(isSaid(comparison, "1 map is torn: evening."));
-  comparison.breaks.push_back(comparison.breaks[0]);
-  comparison.breaks.push_back(comparison.breaks[0]);
-  comparison.breaks[2].run = "west";
-  comparison.breaks[2].shift = 3, comparison.breaks[2].rotation = -0.1;
-  comparison.breaks[2].keyFrame = 47;
+  comparison.breaks.resize(3, comparison.breaks[0]);
+  comparison.breaks[0].run = "west";
+  comparison.breaks[0].shift = 3, comparison.breaks[0].rotation = -0.1;
+  comparison.breaks[0].keyFrame = 47;
   EXPECT_TRUE(isSaid(comparison,
                      "2 maps are torn: evening (2 places) and west. The largest break: west from "
                      "key frame 47 on, by 5.7° and 3.00 m."));
-  comparison.breaks[2].keyFrame.reset();
+  comparison.breaks[0].keyFrame.reset();
   EXPECT_TRUE(isSaid(comparison,
                      "2 maps are torn: evening (2 places) and west. The largest break: west, by "
                      "5.7° and 3.00 m."));

@@ -13,11 +13,10 @@ constexpr double kLeastKnown = 0.5;      // of its walls, where a place counts a
 
 /** Whether a map knows the place of most walls of a scan. */
 bool knows(const WallMap& map, const ScanWalls& scan, const Transform2D& pose) {
-  const auto known = std::count_if(
-      scan.walls.begin(), scan.walls.end(), [&, forth = Motion2D(pose)](const WallPoint& wall) {
-        const std::size_t cell = cellIndexAt(map.frame, forth(wall.place));
-        return cell < map.states.size() && map.states[cell] != State::unknown;
-      });
+  const auto known = std::count_if(scan.walls.begin(), scan.walls.end(),
+                                   [&, forth = Motion2D(pose)](const WallPoint& wall) {
+                                     return hasSeen(map, cellIndexAt(map.frame, forth(wall.place)));
+                                   });
   return double(known) > kLeastKnown * double(scan.walls.size());
 }
 
@@ -40,13 +39,13 @@ std::vector<std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     const std::vector<ScanWalls>& scans = site.runs[i]->scans;
     std::vector<bool>& isLost = lost.emplace_back(scans.size());
-    if (site.reference && counted[i] == counted[*site.reference]) continue;
+    if (counted[i] != i || (site.reference && i == counted[*site.reference])) continue;
     for (std::size_t k = 0; k < scans.size(); ++k) {
       if (consensus.errors[i].isSeen[k] || scans[k].walls.size() < kLeastWalls) continue;
       const Transform2D there = consensus.poses[i][k] * scans[k].pose.inverse();
       const auto& others = pairs.othersOf(i);
       const auto knowing = std::count_if(others.begin(), others.end(), [&](std::size_t j) {
-        return counted[j] == j && j != counted[i] &&
+        return counted[j] == j &&
                knows(site.runs[j]->map, scans[k], consensus.errors[j].pose.inverse() * there);
       });
       isLost[k] = knowing >= fitted::kLeastKnowing;

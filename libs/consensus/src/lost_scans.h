@@ -12,9 +12,9 @@ namespace roomgraph {
 
 /** Of each scan of each run whether it was found in no other run, though at least three to which
  *  its run was related know most of the place: it does not lie where the run and its consensus have
- *  it. Stray scans do not count, only at least three on end; nor do those of the reference, and of
- *  runs without scans there are none. `counted` names the run that counts for each: copies of one
- *  map say nothing of each other. O(scans that nobody has * runs). */
+ *  it. Stray scans do not count, only at least three on end; nor do those of the reference. Runs
+ *  without scans, and those for which another counts, have none. `counted` names the run that
+ *  counts for each: copies of a map say nothing of each other. O(scans that nobody has * runs). */
 std::vector<std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs,
                                          const std::vector<std::size_t>& counted,
                                          const Consensus& consensus);

@@ -14,12 +14,10 @@ namespace {
 
 constexpr std::size_t kMostNames = 4;
 
-/** Which break moves most, where there are several. */
+/** Which break moves most, where there are several: the first one. */
 std::string largestBreak(const Comparison& comparison) {
   if (comparison.breaks.size() < 2) return "";
-  const MapBreak& largest =
-      *std::max_element(comparison.breaks.begin(), comparison.breaks.end(),
-                        [](const MapBreak& l, const MapBreak& r) { return l.size() < r.size(); });
+  const MapBreak& largest = comparison.breaks.front();
   std::string text = " The largest break: " + largest.run;
   if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on";
   return text + ", by " + fixedText(std::abs(largest.rotation) * 180 / M_PI, 1) + "° and " +
