@@ -22,6 +22,7 @@
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/site_json.h"
 #include "run_in_order.h"
+#include "site_maps.h"
 
 namespace roomgraph {
 namespace {
@@ -37,7 +38,7 @@ struct CompareArguments {
   std::string names;     ///< file of the site's rooms; empty for none
   std::string cache;     ///< folder that keeps pairs from call to call; empty for none
   unsigned threads = 0;  ///< 0 for one per core
-  bool writesBreaks = false;
+  bool writesBreaks = false, writesSiteMaps = false;
   bool comparesEachSite = false;
   bool isQuiet = false;
 };
@@ -77,6 +78,10 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
   app.add_flag("--break-files", arguments.writesBreaks,
                "For each break N of a run with scans also comparison.breakN.rawlog, .untorn.rawlog "
                "and .3Dscene: the scans at it, for RawLogViewer and SceneViewer3D.");
+  app.add_flag("--site-maps", arguments.writesSiteMaps,
+               "Each map as a ROS map in the frame of the site (comparison.RUN.yaml and .pgm), its "
+               "pose there (.pose.yaml), and comparison.maps.toml, a session of the viewer 'maps' "
+               "with all of them.");
   app.add_flag("--each-site", arguments.comparesEachSite,
                "Where the maps are of several sites, such as two floors, compare each site by "
                "itself: the one with most runs as ever, the next in the folder site2 of --output, "
@@ -183,13 +188,16 @@ void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
                   const CompareArguments& arguments, const std::string& folder,
                   StagedFiles& staged) {
   const ResultFiles files(folder);
-  std::vector<std::string> breakFiles;
+  const ExtractOptions options = toCompareOptions(arguments.options).extract;
+  std::vector<std::string> more;
   if (arguments.writesBreaks)
-    breakFiles = addBreakFiles(
-        comparison, runs, toCompareOptions(arguments.options).extract.loadGrid, folder, staged);
-  addResults(comparison, runs, files, breakFiles, staged);
+    more = addBreakFiles(comparison, runs, options.loadGrid, folder, staged);
+  if (arguments.writesSiteMaps)
+    for (std::string& name : addSiteMaps(comparison, options, folder, staged))
+      more.push_back(std::move(name));
+  addResults(comparison, runs, files, more, staged);
   staged.commit();
-  if (!arguments.isQuiet) printResults(comparison, files, breakFiles);
+  if (!arguments.isQuiet) printResults(comparison, files, more);
 }
 
 /** Compares the sites beside the first, the one with most runs before the others. */

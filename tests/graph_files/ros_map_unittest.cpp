@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -44,6 +45,17 @@ TEST_F(RosMapFiles, giveTheSameCellsInTheSamePlace) {
     EXPECT_EQ(again.frame.origin.y, grid_.frame.origin.y);
     EXPECT_EQ(again.frame.resolution, grid_.frame.resolution);
   }
+}
+
+TEST_F(RosMapFiles, lieInAnotherFrameWherePosesSaySo) {
+  const Transform2D pose{5, -3, M_PI / 2};
+  std::ofstream(folder_ / "d.pgm", std::ios::binary) << mapPgm(grid_);
+  std::ofstream(folder_ / "d.yaml") << rosMapYaml(grid_.frame, "d.pgm", pose);
+  const Grid turned = binarize(loadGrid((folder_ / "d.yaml").string(), {}), {});
+  ASSERT_EQ(turned.cells.size(), grid_.cells.size());
+  for (int y = 0; y < grid_.frame.height; ++y)
+    for (int x = 0; x < grid_.frame.width; ++x)
+      EXPECT_EQ(turned.at(turned.frame.cellAt(pose(grid_.frame.center({x, y})))), grid_.at({x, y}));
 }
 
 TEST_F(RosMapFiles, barePicturesGiveTheSameCells) {

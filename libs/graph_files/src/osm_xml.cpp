@@ -1,12 +1,12 @@
 #include "roomgraph/graph_files/osm_xml.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 #include <set>
 
+#include "number_text.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/json/rounded.h"
 #include "roomgraph/topology/kind_names.h"
@@ -24,11 +24,6 @@ std::string degreesText(double metres, double radius) {
   const std::string fraction = std::to_string(std::abs(all) % kUnit);
   return (all < 0 ? "-" : "") + std::to_string(std::abs(all) / kUnit) + "." +
          std::string(9 - fraction.size(), '0') + fraction;
-}
-
-std::string metresText(double metres) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded(metres)).ptr};
 }
 
 /** Keys and values are our own words and numbers, so there is nothing to escape. */
@@ -176,7 +171,7 @@ class OsmWriter {
     addWay({passage.from, passage.to},
            tag("level", "0") + tag("name", "passage_" + std::to_string(p)) +
                tag("osmAG:from", reference(passage.a)) + tag("osmAG:to", reference(passage.b)) +
-               tag("osmAG:type", "passage") + tag("width", metresText(passage.width)));
+               tag("osmAG:type", "passage") + tag("width", numberText(rounded(passage.width))));
   }
 
   void addHoles(std::size_t a) {

@@ -1,7 +1,6 @@
 #include "roomgraph/graph_files/ros_map.h"
 
-#include <charconv>
-
+#include "number_text.h"
 #include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
@@ -13,13 +12,6 @@ constexpr std::uint8_t kUnknown = 205, kFree = 254, kOccupied = 0;
 constexpr std::uint8_t kGreys[] = {kUnknown, kFree, kOccupied};
 
 std::uint8_t greyOf(State state) { return kGreys[std::size_t(state)]; }
-
-/** The shortest text that reads back equal. */
-std::string numberText(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
 
 /** In quotes, as a name may hold anything. */
 std::string quoted(const std::string& name) {
@@ -53,11 +45,13 @@ std::string mapPng(const Grid& grid) {
   return pngBytes(image);
 }
 
-std::string rosMapYaml(const GridFrame& frame, const std::string& picture) {
+std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
+                       const Transform2D& pose) {
+  const Point origin = pose(frame.origin);
   return "image: " + quoted(picture) +
          "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
-         numberText(frame.origin.x) + ", " + numberText(frame.origin.y) +
-         ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+         numberText(origin.x) + ", " + numberText(origin.y) + ", " + numberText(pose.phi) +
+         "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 
 }  // namespace roomgraph

@@ -26,7 +26,7 @@ namespace roomgraph {
  *  costs); rooms are Polygons with room, area and inscribed_radius, which nav2 skips. class
  *  (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge ("room",
  *  "corridor"). nav2 refuses a graph without edges: where ours has none, each room gets two nodes
- *  in its largest disc and the way between them. Same graph, same bytes. / */
+ *  in its largest disc and the way between them. Same graph, same bytes. */
 std::string geojson(const RoomGraph& graph);
 
 }  // namespace roomgraph

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/Grid.h"
 
 namespace roomgraph {
@@ -16,7 +17,9 @@ std::string mapPgm(const Grid& grid);
 /** The same as a PNG. */
 std::string mapPng(const Grid& grid);
 
-/** The yaml that places such a picture, by the name of its file, with thresholds for its greys. */
-std::string rosMapYaml(const GridFrame& frame, const std::string& picture);
+/** The yaml that places such a picture, by the name of its file, with thresholds for its greys;
+ *  in another frame where `pose` (that frame <- frame of the map) says so, by its origin's yaw. */
+std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
+                       const Transform2D& pose = {});
 
 }  // namespace roomgraph
