@@ -8,6 +8,7 @@
 #include "read_gridmap.h"
 #include "read_metric_map.h"
 #include "read_ros_map.h"
+#include "read_rtabmap.h"
 #include "read_simplemap.h"
 
 namespace roomgraph {
@@ -38,6 +39,7 @@ const std::vector<MapFormat>& mapFormats() {
       {"gridmap", {".gridmap"}, "MRPT grid map", isGridmap, readGridmap},
       {"simplemap", {".simplemap"}, "MRPT simplemap", isSimplemap, readSimplemap},
       {"metric_map", {".mm"}, "MOLA metric map", isMetricMap, readMetricMap},
+      {"rtabmap", {".db"}, "rtabmap database", isRtabmap, readRtabmap},
       {"ros_map", {".yaml", ".yml"}, "ROS map", isRosMap, readRosMap},
       {"image", {".png", ".pgm", ".bmp", ".jpg", ".jpeg"}, "picture", isBareImage, readBareImage},
   };

@@ -1,11 +1,11 @@
 #include "read_gridmap.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 // It does not include what it uses, and stands behind what does.
 #include <mrpt/maps/CLogOddsGridMapLUT.h>
 
+#include "decimal.h"
 #include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/object_header.h"
 
@@ -26,15 +26,6 @@ struct GridHeader {
 mrpt::maps::CLogOddsGridMapLUT<std::int8_t>& logOddsTable() {
   static mrpt::maps::CLogOddsGridMapLUT<std::int8_t> table;
   return table;
-}
-
-/** MRPT keeps single precision: 0.05 is stored as 0.0500000007. Takes what the writer meant. */
-double decimal(float value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  double result = value;
-  std::from_chars(text, end, result);
-  return result;
 }
 
 /** MRPT trusts the bounds and ignores the sizes; they must agree but for rounding. */

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "grey_of_percent.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
 #include "turn_map.h"
@@ -95,9 +96,6 @@ RosMap parse(ByteView bytes, const std::string& file) {
            "correct the yaml");
   }
 }
-
-/** Raw pixels are percents of being occupied. */
-std::uint8_t greyOfPercent(int percent) { return std::uint8_t((255 * (100 - percent) + 50) / 100); }
 
 double occupancyOf(std::uint8_t grey) { return 1 - grey / 255.0; }
 

@@ -23,6 +23,7 @@ namespace roomgraph {
  *    observations are stepped over and noted ("other_observations").
  *  - mp2p_icp::metric_map_t (`.mm`), versions 0 to 5: options.layer; else its first
  *    COccupancyGridMap2D; else a slice of its points, in which cells with floor are free ("layer").
+ *  - rtabmap's database (`.db`): the 2D grid that it keeps when it is closed.
  *  - ROS map yaml with its picture, whose name counts from the yaml's directory. Modes trinary and
  *    scale use the yaml's thresholds; raw takes pixels of 0 to 100 as percent occupied, the rest as
  *    unknown, and uses the thresholds, too. Pixels that are not opaque are unknown. The cells of a
