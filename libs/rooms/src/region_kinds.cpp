@@ -1,8 +1,6 @@
 #include "region_kinds.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 
 namespace roomgraph {
@@ -52,27 +50,6 @@ class KindFinder {
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
     while (followCorridors()) {
     }
-    if (getenv("RG_DBG"))
-      for (std::uint32_t v = 0; v < kinds_.size(); ++v)
-        if (regions_.isInside()[v] && regions_.find(v) == v && regions_.area(v) > 1) {
-          Point c{};
-          double best = 0;
-          for (std::uint32_t w = 0; w < kinds_.size(); ++w)
-            if (regions_.isInside()[w] && regions_.find(w) == v &&
-                regions_.voronoi().vertices[w].clearance > best)
-              best = regions_.voronoi().vertices[w].clearance,
-              c = regions_.voronoi().vertices[w].at;
-          fprintf(stderr, "REG %c %.1f %.1f w %.2f a %.1f e %.2f ws %.2f :",
-                  "RCH"[int(kinds_[v]) == int(RegionKind::room)       ? 0
-                        : int(kinds_[v]) == int(RegionKind::corridor) ? 1
-                                                                      : 2],
-                  c.x, c.y, 2 * regions_.radius(v), regions_.area(v), regions_.elongation(v),
-                  regions_.wallShare(v));
-          for (auto& [o, p] : around(v))
-            if (p.clearance > 0.2)
-              fprintf(stderr, " %.2f/%.2f", 2 * p.clearance, 2 * regions_.radius(o));
-          fprintf(stderr, "\n");
-        }
     keepLinks();
     return std::move(kinds_);
   }
