@@ -8,12 +8,14 @@
 #include <utility>
 
 #include "Command.h"
+#include "Laps.h"
 #include "comparison_results.h"
 #include "error_line.h"
 #include "mrpt_results.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/files/InputFile.h"
 #include "roomgraph/files/StagedFiles.h"
@@ -34,13 +36,12 @@ struct CompareArguments {
   std::vector<std::string> candidates;  ///< files that the gate judges; empty for all
   OptionArguments options;
   std::vector<std::string> files;
-  std::string folder = ".";
-  std::string names;     ///< file of the site's rooms; empty for none
-  std::string cache;     ///< folder that keeps pairs from call to call; empty for none
-  unsigned threads = 0;  ///< 0 for one per core
+  std::string folder;
+  std::string names;  ///< file of the site's rooms; empty for none
+  std::string cache;  ///< folder that keeps pairs from call to call; empty for none
   bool writesBreaks = false, writesSiteMaps = false;
   bool comparesEachSite = false;
-  bool isQuiet = false;
+  RunningArguments running;
 };
 
 void declareFrames(CompareArguments& arguments, CLI::App& app) {
@@ -56,13 +57,11 @@ void declareFrames(CompareArguments& arguments, CLI::App& app) {
       ->type_name("MAP");
 }
 
-void declareRunning(CompareArguments& arguments, CLI::App& app) {
-  app.add_option("-o,--output", arguments.folder,
-                 "Folder for the results: report.html, comparison.json, comparison.runs.csv, "
-                 "comparison.rooms.csv, comparison.rooms.geojson, comparison.3Dscene and "
-                 "comparison.roomgraph; made if it is not there.")
-      ->type_name("DIR")
-      ->capture_default_str();
+void declareResults(CompareArguments& arguments, CLI::App& app) {
+  declareOutput(arguments.folder,
+                "report.html, comparison.json, comparison.runs.csv, comparison.rooms.csv, "
+                "comparison.rooms.geojson, comparison.3Dscene and comparison.roomgraph",
+                app);
   declareFrames(arguments, app);
   app.add_option(
          "--names", arguments.names,
@@ -86,8 +85,7 @@ void declareRunning(CompareArguments& arguments, CLI::App& app) {
                "Where the maps are of several sites, such as two floors, compare each site by "
                "itself: the one with most runs as ever, the next in the folder site2 of --output, "
                "and so on. Not together with a gate, --names or --reference.");
-  declareThreads(arguments.threads, "maps or pairs", app);
-  declareQuiet(arguments.isQuiet, app);
+  declareRunning(arguments.running, "maps or pairs", "what each map holds", app);
 }
 
 /** The record and the candidates, each file once. */
@@ -144,9 +142,9 @@ CompareMapsOptions optionsOf(const CompareArguments& arguments) {
   options.reference = arguments.reference;
   options.compare.areAligned |= arguments.areAligned;
   options.estimatesScale |= arguments.estimatesScale;
-  options.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
+  options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
-  if (!arguments.isQuiet) options.onNote = printNote;
+  if (!arguments.running.isQuiet) options.onNote = printNote;
   return options;
 }
 
@@ -197,7 +195,7 @@ void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
       more.push_back(std::move(name));
   addResults(comparison, runs, files, more, staged);
   staged.commit();
-  if (!arguments.isQuiet) printResults(comparison, files, more);
+  if (!arguments.running.isQuiet) printResults(comparison, files, more);
 }
 
 /** Compares the sites beside the first, the one with most runs before the others. */
@@ -226,6 +224,15 @@ bool printLeftOut(const Comparison& comparison) {
   return isUnread;
 }
 
+/** What each map holds, on stderr. */
+void printMaps(const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    printError(run.file + ": " + formatted("cells of %g m, ", run.resolution) +
+               counted(run.map.walls.size(), "point of wall", "points of wall") + ", " +
+               counted(run.rooms.size(), "room", "rooms") + ", " +
+               counted(run.scans.size(), "scan", "scans"));
+}
+
 int run(const CompareArguments& arguments) {
   check(arguments);
   GateOptions gate = gateOf(arguments.gate);
@@ -234,8 +241,12 @@ int run(const CompareArguments& arguments) {
   makeWritableFolder(arguments.folder);
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);
+  Laps laps;
   ReadRuns read = readRuns(allFiles(arguments), optionsOf(arguments));
+  laps.end("read_maps");
+  if (arguments.running.isVerbose) printMaps(read.runs);
   Comparison comparison = compared(read, arguments);
+  laps.end("compare");
   if (site) {
     NamedRooms named = nameRooms(std::move(comparison.rooms), *std::move(site), arguments.names);
     comparison.rooms = std::move(named.rooms), site = std::move(named.file);
@@ -249,6 +260,8 @@ int run(const CompareArguments& arguments) {
   const bool isUnread = printLeftOut(comparison);
   writeResults(comparison, read.runs, arguments, arguments.folder, staged);
   if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
+  laps.end("write_files");
+  if (arguments.running.showsTimings) std::fputs(laps.table("compare").c_str(), stderr);
   const int exitCode = exitCodeOf(comparison, isStruck);
   if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
   return exitCode == kDone && isUnread ? kBadData : exitCode;
@@ -262,7 +275,7 @@ std::function<int()> compareCommand(CLI::App& app) {
                  "Maps of one site, as for 'roomgraph extract'; their frames may differ.")
       ->type_name("")
       ->required();
-  declareRunning(*arguments, app);
+  declareResults(*arguments, app);
   declareGate(arguments->gate, app);
   app.add_option("--candidate", arguments->candidates,
                  "One more map, and only it is judged by the gate: the others are the record, "

@@ -15,18 +15,14 @@ namespace {
 struct ExtractArguments {
   std::vector<std::string> maps;
   OptionArguments options;
-  std::string folder = ".";
+  std::string folder;
   std::string formats = defaultFormats();
   std::string stagesFolder;
-  bool showTimings = false, isQuiet = false, isVerbose = false;
-  unsigned threads = 0;
+  RunningArguments running;
 };
 
-void declareOutput(ExtractArguments& arguments, CLI::App& app) {
-  app.add_option("-o,--output", arguments.folder,
-                 "Folder for the results, X.json and so on; made if it is not there.")
-      ->type_name("DIR")
-      ->capture_default_str();
+void declareResults(ExtractArguments& arguments, CLI::App& app) {
+  declareOutput(arguments.folder, "X.json and so on", app);
   app.add_option("--format", arguments.formats,
                  "What to write, separated by commas: " + formatNames() +
                      ". Labels and osm, the areas of the map, only where asked for.")
@@ -37,17 +33,7 @@ void declareOutput(ExtractArguments& arguments, CLI::App& app) {
       ->type_name("DIR");
 }
 
-void declareRunning(ExtractArguments& arguments, CLI::App& app) {
-  app.add_flag("--timings", arguments.showTimings,
-               "Print a table of the steps and their times to stderr.");
-  declareThreads(arguments.threads, "maps", app);
-  CLI::Option* quiet =
-      app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors and --timings.");
-  app.add_flag("-v,--verbose", arguments.isVerbose, "Print also how each map was read.")
-      ->excludes(quiet);
-}
-
-Verbosity verbosityOf(const ExtractArguments& arguments) {
+Verbosity verbosityOf(const RunningArguments& arguments) {
   if (arguments.isQuiet) return Verbosity::quiet;
   return arguments.isVerbose ? Verbosity::verbose : Verbosity::normal;
 }
@@ -58,8 +44,8 @@ int run(const ExtractArguments& arguments) {
   task.formats = parseFormats(arguments.formats);
   task.folder = arguments.folder;
   task.stagesFolder = arguments.stagesFolder;
-  task.showTimings = arguments.showTimings;
-  task.verbosity = verbosityOf(arguments);
+  task.showTimings = arguments.running.showsTimings;
+  task.verbosity = verbosityOf(arguments.running);
 
   std::vector<std::string> extensions;
   for (const OutputFormat& format : task.formats) extensions.push_back(format.extension);
@@ -73,7 +59,7 @@ int run(const ExtractArguments& arguments) {
   jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
     return extractMap(arguments.maps[index], task, stepDone);
   };
-  return runInOrder(jobs, arguments.threads, task.verbosity != Verbosity::quiet);
+  return runInOrder(jobs, arguments.running.threads, task.verbosity != Verbosity::quiet);
 }
 
 }  // namespace
@@ -85,11 +71,11 @@ std::function<int()> extractCommand(CLI::App& app) {
                      "; recognised by content, compressed or not. Several maps run in parallel.")
       ->type_name("")
       ->required();
-  declareOutput(*arguments, app);
+  declareResults(*arguments, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   declareRooms(arguments->options, app);
-  declareRunning(*arguments, app);
+  declareRunning(arguments->running, "maps", "how each map was read", app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -1,9 +1,9 @@
 #include "extract_map.h"
 
-#include <chrono>
 #include <filesystem>
 #include <map>
 
+#include "Laps.h"
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
@@ -15,8 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
   return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
@@ -54,16 +52,6 @@ std::string verboseLine(const std::string& mapFile, const Stages& stages) {
                              frame.origin.y, stages.clearance, stages.cleared.clutter.size()));
 }
 
-std::string timingTable(const std::string& mapFile, const std::vector<StageTiming>& timings) {
-  std::string table = printable(mapFile) + ":\n";
-  double total = 0;
-  for (const StageTiming& timing : timings) {
-    table += formatted("  %-20s %10.2f ms\n", timing.stage.c_str(), 1e3 * timing.seconds);
-    total += timing.seconds;
-  }
-  return table + formatted("  %-20s %10.2f ms\n", "total", 1e3 * total);
-}
-
 /** One map on its way from file to files. */
 class Extraction {
  public:
@@ -75,8 +63,7 @@ class Extraction {
     const GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
     lap("load_grid");
     Stages stages = extract(map, task_.options);
-    timings_.insert(timings_.end(), stages.timings.begin(), stages.timings.end());
-    last_ = Clock::now();
+    laps_.end(stages.timings);
     stepDone_();
     writeResults(stages);
     describe(stages);
@@ -85,9 +72,7 @@ class Extraction {
 
  private:
   void lap(const std::string& stage) {
-    const Clock::time_point now = Clock::now();
-    timings_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
-    last_ = now;
+    laps_.end(stage);
     stepDone_();
   }
 
@@ -114,7 +99,7 @@ class Extraction {
   }
 
   void describe(const Stages& stages) {
-    if (task_.showTimings) report_.err += timingTable(mapFile_, timings_);
+    if (task_.showTimings) report_.err += laps_.table(mapFile_);
     if (task_.verbosity == Verbosity::quiet) return;
     if (task_.verbosity == Verbosity::verbose) report_.err += verboseLine(mapFile_, stages);
     report_.err += noteLines(mapFile_, stages.notes, task_.verbosity);
@@ -127,8 +112,7 @@ class Extraction {
   const std::function<void()>& stepDone_;
   JobReport report_;
   std::vector<std::string> files_;
-  std::vector<StageTiming> timings_;
-  Clock::time_point last_ = Clock::now();
+  Laps laps_;
 };
 
 }  // namespace

@@ -121,6 +121,14 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
   app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
 }
 
+void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {
+  folder = "roomgraph-" + app.get_name();
+  app.add_option("-o,--output", folder,
+                 "Folder for the results, " + results + "; made if it is not there.")
+      ->type_name("DIR")
+      ->capture_default_str();
+}
+
 void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
   app.add_option("--threads", threads,
                  "How many " + what + " are worked on at the same time; 0 for one per core.")
@@ -130,6 +138,16 @@ void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
 
 void declareQuiet(bool& isQuiet, CLI::App& app) {
   app.add_flag("-q,--quiet", isQuiet, "Print nothing but errors.");
+}
+
+void declareRunning(RunningArguments& arguments, const std::string& things, const std::string& more,
+                    CLI::App& app) {
+  app.add_flag("--timings", arguments.showsTimings,
+               "Print a table of the steps and their times to stderr.");
+  declareThreads(arguments.threads, things, app);
+  CLI::Option* quiet =
+      app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors and --timings.");
+  app.add_flag("-v,--verbose", arguments.isVerbose, "Print also " + more + ".")->excludes(quiet);
 }
 
 ExtractOptions toOptions(const OptionArguments& arguments) {

@@ -26,6 +26,21 @@ void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2 and --all-components. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
+/** Declares --output, the folder for `results`. A command writes several files for each map, which
+ *  would be hard to tell from others: where no folder is named, they go into roomgraph-COMMAND. */
+void declareOutput(std::string& folder, const std::string& results, CLI::App& app);
+
+/** How a command that works on maps runs. */
+struct RunningArguments {
+  unsigned threads = 0;  ///< 0 for one per core
+  bool showsTimings = false, isQuiet = false, isVerbose = false;
+};
+
+/** Declares --timings, --threads, --quiet and --verbose; `things` are worked on at the same time,
+ *  and --verbose prints `more`, too. */
+void declareRunning(RunningArguments& arguments, const std::string& things, const std::string& more,
+                    CLI::App& app);
+
 /** Declares --threads; `what` are worked on at the same time. */
 void declareThreads(unsigned& threads, const std::string& what, CLI::App& app);
 /** Declares --quiet. */

@@ -44,11 +44,7 @@ void declareExperiment(StabilityOptions& options, CLI::App& app) {
 }
 
 void declareRunning(StabilityTask& task, CLI::App& app) {
-  app.add_option("-o,--output", task.folder,
-                 "Folder for the results, X.stability.csv and X.stability.json; made if it is not "
-                 "there.")
-      ->type_name("DIR")
-      ->capture_default_str();
+  declareOutput(task.folder, "X.stability.csv and X.stability.json", app);
   declareThreads(task.threads, "noisy maps", app);
   declareQuiet(task.isQuiet, app);
 }
@@ -74,7 +70,6 @@ int run(const StabilityArguments& arguments) {
 
 std::function<int()> stabilityCommand(CLI::App& app) {
   const auto arguments = std::make_shared<StabilityArguments>();
-  arguments->task.folder = ".";
   app.add_option("MAP", arguments->maps,
                  "Maps, as for 'roomgraph extract'. One after the other; the noisy maps of each "
                  "run in parallel.")

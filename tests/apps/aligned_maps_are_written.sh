@@ -24,5 +24,5 @@ expect 0 "$roomgraph" compare --aligned o/comparison.{office_run1,office_run3,ru
 # A map of that name is not replaced.
 cp o/comparison.run__2_.* .
 expect 2 "$roomgraph" compare --site-maps comparison.run__2_.yaml o/comparison.office_run1.yaml \
-  'odd/run "2".simplemap.gz' -q
+  'odd/run "2".simplemap.gz' -o . -q
 grep -q 'would replace a map' err || fail "a map was replaced"

@@ -13,5 +13,15 @@ grep -q '162 x 82 cells' err || fail "--verbose does not tell the size"
 grep -q voronoi_graph err || fail "--timings tells no steps"
 if grep -q 'voronoi_graph\|cells' out; then fail "logs on stdout"; fi
 
+cp a.pgm b.pgm
+expect 0 "$roomgraph" compare a.pgm b.pgm --resolution 0.05 -o c --verbose --timings
+grep -q '^roomgraph: b.pgm: cells of 0.05 m, .* 2 rooms, 0 scans$' err ||
+  fail "--verbose of compare does not tell what the maps hold"
+for step in read_maps compare write_files total; do
+  grep -q "^  $step  *[0-9.]* ms$" err || fail "--timings of compare does not tell $step"
+done
+expect 0 "$roomgraph" compare a.pgm b.pgm --resolution 0.05 -o c --quiet
+[ ! -s out ] && [ ! -s err ] || fail "--quiet of compare is not quiet"
+
 expect 0 "$roomgraph" extract a.pgm -o o --stages s
 ls s/a/01_grid.png s/a/stages.json > /dev/null
