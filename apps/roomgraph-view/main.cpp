@@ -5,11 +5,13 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "HelpFormatter.h"
 #include "ViewWindow.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/stage_names.h"
+#include "usage_fault.h"
 
 namespace roomgraph {
 namespace {
@@ -106,13 +108,14 @@ void declare(Arguments& arguments, CLI::App& app) {
 int run(int count, char** words) {
   CLI::App app("Look at maps, runs and comparisons.", "roomgraph-view");
   app.set_version_flag("--version", version());
+  app.formatter(std::make_shared<HelpFormatter>());
   Arguments arguments;
   declare(arguments, app);
   try {
     app.parse(count, words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    say(std::string(error.what()) + " (see 'roomgraph-view --help')");
+    say(usageFault(app, {words + 1, words + count}, error) + " (see 'roomgraph-view --help')");
     return kBadUsage;
   }
   const auto load = [&] { return loadView(arguments.files, ExtractOptions(), say); };

@@ -1,6 +1,7 @@
 #include <cstdio>
 
 #include "Command.h"
+#include "HelpFormatter.h"
 #include "archive_command.h"
 #include "collect_command.h"
 #include "compare_command.h"
@@ -50,6 +51,7 @@ constexpr Command kCommands[] = {
 int run(int count, char** arguments) {
   CLI::App app("Room-aware topology graphs of 2D grid maps.", "roomgraph");
   app.set_version_flag("--version", version());
+  app.formatter(std::make_shared<HelpFormatter>());
   app.require_subcommand(1);
   int exitCode = kDone;
   for (const Command& command : kCommands) {

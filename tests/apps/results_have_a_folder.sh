@@ -14,6 +14,7 @@ cp ../a.pgm ../b.pgm
 [ "$(ls | tr '\n' ' ')" = 'roomgraph-compare roomgraph-extract roomgraph-stability ' ] ||
   fail "stability leaves $(ls)"
 for command in extract compare stability; do
-  "$roomgraph" "$command" --help | grep -q -- "-o,--output DIR=roomgraph-$command" ||
+  "$roomgraph" "$command" --help > ../help
+  grep -q "roomgraph-$command)$" ../help ||
     fail "$command does not tell its folder"
 done
