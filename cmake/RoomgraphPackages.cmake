@@ -1,6 +1,5 @@
 # Debian packages, by cpack: roomgraph (the program), roomgraph-view (the window, where there is
-# mrpt-gui), roomgraph-mrpt (the library that MRPT's programs
-# load) and libroomgraph-dev.
+# mrpt-gui), roomgraph-mrpt (the library that MRPT's programs load) and libroomgraph-dev.
 set(CPACK_GENERATOR DEB)
 # Who builds them answers for them: as Debian's tools have it, DEBFULLNAME and DEBEMAIL.
 set(packager "$ENV{DEBFULLNAME}")
@@ -70,12 +69,16 @@ foreach(package libcli11-dev nlohmann-json3-dev libkainjow-mustache-dev libceres
   endif()
 endforeach()
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, where it is set
+set(packager_address "${packager}")  # a changelog wants one, an empty one if need be
+if(NOT packager MATCHES "<")
+  string(APPEND packager_address " <>")
+endif()
 file(WRITE "${PROJECT_BINARY_DIR}/debian/changelog" "\
 roomgraph (${PROJECT_VERSION}) bookworm; urgency=medium
 
   * /usr/share/doc/roomgraph/CHANGELOG.md tells what is new.
 
- -- ${CPACK_PACKAGE_CONTACT}  ${now}
+ -- ${packager_address}  ${now}
 ")
 execute_process(COMMAND "${ROOMGRAPH_GZIP}" -9 -n -f "${PROJECT_BINARY_DIR}/debian/changelog")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)

@@ -233,6 +233,14 @@ TEST_F(BadGridmap, hugeOptionListIsRefused) {
   FAIL() << "no list of 100 weights in " << weights << " bytes";
 }
 
+TEST_F(BadInput, pgmWithAnEndlessCommentSaysSo) {
+  const std::string head = "P5\n#", rest = "\n2 2\n255\n" + std::string(4, '\xff');
+  expectRefused(head + std::string(70'000, 'c') + rest, "a comment in it");
+  expectRefused(head + "no end", "a comment in it");
+  const GreyMap map = loadGrid(dir_.write("long", head + std::string(60'000, 'c') + rest), {});
+  EXPECT_EQ(map.grey, std::vector<std::uint8_t>(4, 255));
+}
+
 class BadSimplemap : public BadInput {
  protected:
   const std::string pose_ = test::streamed(mrpt::poses::CPose3DPDFGaussian());

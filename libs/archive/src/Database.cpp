@@ -36,8 +36,11 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
   // Names such as ":memory:" and "file:x" are files like any other here.
   const std::string path = std::filesystem::absolute(file).string();
   const int flags = SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0);
-  if (!mayMake && !std::filesystem::exists(path))
+  const bool exists = std::filesystem::exists(path);
+  if (!mayMake && !exists)
     refuse(file, "there is no such archive", "make it with 'roomgraph archive " + file + " add'");
+  if (exists && !std::filesystem::is_regular_file(path))
+    refuse(file, "is no regular file", remedyOf(SQLITE_NOTADB));
   if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ ? sqlite3_extended_errcode(handle_) : SQLITE_NOMEM;
     sqlite3_close(handle_);

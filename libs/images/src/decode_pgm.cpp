@@ -13,10 +13,14 @@ namespace {
 std::uint64_t readPgmNumber(ByteReader& in) {
   const auto next = [&in] { return in.left() > 0 ? int(*in.peek()) : -1; };
   while (std::isspace(next()) || next() == '#') {
-    if (next() == '#')
+    if (next() == '#') {
       while (next() >= 0 && next() != '\n') in.skip(1);
-    else
+      // Of a header, only the first bytes of the file are here.
+      if (next() < 0)
+        refuse(in.file(), "a comment in it is cut short, or longer than 64 KB", kSavePictureAgain);
+    } else {
       in.skip(1);
+    }
   }
   if (next() >= 0 && !std::isdigit(next()))
     refuse(in.file(), "it is damaged: a number is missing in it", kSavePictureAgain);
