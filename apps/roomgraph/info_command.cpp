@@ -16,6 +16,7 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
+#include "roomgraph/mrpt_plugin/read_room_graph.h"
 #include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
 
@@ -71,7 +72,7 @@ std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && start[first] == '{') return graphText(readGraphJson(file));
-  if (start.find("CRoomGraph") != std::string::npos) return roomGraphText(file);
+  if (start.find("CRoomGraph") != std::string::npos) return graphText(readRoomGraph(file).file);
   if (start.find("CMapComparison") != std::string::npos) return mapComparisonText(file);
   return mapText(file, options);
 }

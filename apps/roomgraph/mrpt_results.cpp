@@ -17,7 +17,6 @@ namespace roomgraph {
 std::string graphSceneFile(const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }
 std::string graphObjectFile(const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }
 
-std::string roomGraphText(const std::string& file) { return loadRoomGraph(file).asString(); }
 std::string mapComparisonText(const std::string& file) {
   return loadMapComparison(file).asString();
 }

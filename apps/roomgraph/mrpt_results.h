@@ -23,9 +23,8 @@ namespace roomgraph {
 std::string graphSceneFile(const Stages& stages);
 std::string graphObjectFile(const Stages& stages);
 
-/** What `info` says of X.roomgraph and of comparison.roomgraph.
+/** What `info` says of comparison.roomgraph.
  *  @throws DataError where the file is missing or damaged. */
-std::string roomGraphText(const std::string& file);
 std::string mapComparisonText(const std::string& file);
 
 /** The bytes of comparison.3Dscene and comparison.roomgraph. */

@@ -65,7 +65,6 @@ std::string gridmapBytes(const GreyMap& map, const Grid& grid) {
 
 std::string graphSceneFile(const Stages& stages) { return withMrpt().graphSceneFile(stages); }
 std::string graphObjectFile(const Stages& stages) { return withMrpt().graphObjectFile(stages); }
-std::string roomGraphText(const std::string& file) { return withMrpt().roomGraphText(file); }
 std::string mapComparisonText(const std::string& file) {
   return withMrpt().mapComparisonText(file);
 }

@@ -3,9 +3,9 @@
 namespace roomgraph {
 
 extern "C" __attribute__((visibility("default"))) const OnDemandLibrary<WithMrpt>
-    roomgraph_on_demand = {ROOMGRAPH_VERSION,
-                           {gridOfScans, readKeyframes, readRunInfo, gridmapBytes, graphSceneFile,
-                            graphObjectFile, roomGraphText, mapComparisonText, comparisonSceneFile,
-                            comparisonObjectFile, addBreakFiles, scanLog}};
+    roomgraph_on_demand = {
+        ROOMGRAPH_VERSION,
+        {gridOfScans, readKeyframes, readRunInfo, gridmapBytes, graphSceneFile, graphObjectFile,
+         mapComparisonText, comparisonSceneFile, comparisonObjectFile, addBreakFiles, scanLog}};
 
 }  // namespace roomgraph

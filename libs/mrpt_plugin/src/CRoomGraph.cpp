@@ -14,7 +14,7 @@ const char* const kGraphStream = "room graph";
 
 }  // namespace
 
-CRoomGraph::CRoomGraph(const Stages& stages) : file(graphFile(stages)), map(stages.grid) {}
+CRoomGraph::CRoomGraph(const Stages& stages) : MappedGraph{graphFile(stages), stages.grid} {}
 
 std::string CRoomGraph::asString() const { return graphText(file); }
 

@@ -99,14 +99,14 @@ void putMap(ByteWriter& out, const std::optional<Grid>& map) {
 
 }  // namespace
 
-void checkMapSize(const CRoomGraph& graph) {
+void checkMapSize(const MappedGraph& graph) {
   const std::size_t needed = graph.file.input.frame.cellCount();
   if (graph.map && graph.map->cells.size() != needed)
     throw UsageError("a room graph's map has " + std::to_string(graph.map->cells.size()) +
                      " cells: its frame calls for " + std::to_string(needed));
 }
 
-std::string graphBytes(const CRoomGraph& graph) {
+std::string graphBytes(const MappedGraph& graph) {
   checkMapSize(graph);
   const GraphFile& file = graph.file;
   const TopologyGraph& topology = file.graph.graph;

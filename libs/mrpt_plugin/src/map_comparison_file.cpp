@@ -1,8 +1,8 @@
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 
 #include "comparison_bytes.h"
-#include "object_body.h"
 #include "object_bytes.h"
+#include "object_file.h"
 
 namespace roomgraph {
 

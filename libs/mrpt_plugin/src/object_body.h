@@ -1,8 +1,6 @@
 #pragma once
-#include <functional>
 #include <string>
 
-#include "roomgraph/files/checked_file.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 
 namespace roomgraph {
@@ -21,17 +19,5 @@ void putBody(mrpt::serialization::CArchive& out, const std::string& bytes);
 /** Reads what the stream claims to hold piece by piece: a false claim costs no memory.
  *  @throws DataError with one line. */
 std::string takeBody(mrpt::serialization::CArchive& in, const BodyKind& kind);
-
-/** What kind of object a file is to hold. */
-struct ObjectKind {
-  const char *className, *name;  ///< without its namespace; for people
-  const char* remedy;
-  int newest = 0;  ///< version of the layout that is known
-};
-
-/** Calls `read` with the bytes of the one object in a file, gzipped or not.
- *  @throws DataError with one line where the file holds another object, or more than that. */
-void readObjectFile(const std::string& path, const ObjectKind& kind,
-                    const std::function<void(ByteView)>& read);
 
 }  // namespace roomgraph

@@ -9,7 +9,7 @@ namespace {
 class GraphReader {
  public:
   GraphReader(ByteView bytes, const std::string& name) : in_(bytes, name) {}
-  void read(CRoomGraph& graph);
+  void read(MappedGraph& graph);
 
  private:
   [[noreturn]] void refuseAs(const std::string& problem) const {
@@ -176,7 +176,7 @@ std::optional<Grid> GraphReader::map(const GridFrame& frame) {
   return grid;
 }
 
-void GraphReader::read(CRoomGraph& graph) {
+void GraphReader::read(MappedGraph& graph) {
   GraphFile file;
   file.program = text();
   file.version = text();
@@ -204,7 +204,7 @@ void GraphReader::read(CRoomGraph& graph) {
 
 }  // namespace
 
-void readGraphBytes(ByteView bytes, const std::string& name, CRoomGraph& graph) {
+void readGraphBytes(ByteView bytes, const std::string& name, MappedGraph& graph) {
   GraphReader(bytes, name).read(graph);
 }
 

@@ -1,9 +1,9 @@
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 
 #include "graph_bytes.h"
-#include "object_body.h"
 #include "object_bytes.h"
 #include "roomgraph/files/write_file.h"
+#include "roomgraph/mrpt_plugin/read_room_graph.h"
 
 namespace roomgraph {
 
@@ -18,8 +18,7 @@ void saveRoomGraph(const std::string& path, const CRoomGraph& graph) {
 
 CRoomGraph loadRoomGraph(const std::string& path) {
   CRoomGraph graph;
-  readObjectFile(path, {"CRoomGraph", "room graph", "give a .roomgraph file", kGraphBytesVersion},
-                 [&](ByteView body) { readGraphBytes(body, path, graph); });
+  static_cast<MappedGraph&>(graph) = readRoomGraph(path);
   return graph;
 }
 

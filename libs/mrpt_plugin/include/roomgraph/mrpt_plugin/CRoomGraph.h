@@ -1,9 +1,7 @@
 #pragma once
-#include <optional>
 #include <string>
 
-#include "roomgraph/graph_files/GraphFile.h"
-#include "roomgraph/grid/Grid.h"
+#include "roomgraph/mrpt_plugin/MappedGraph.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 
 namespace roomgraph {
@@ -13,7 +11,8 @@ namespace roomgraph {
  *  libroomgraph_mrpt.so. */
 class CRoomGraph : public mrpt::serialization::CSerializable,
                    public viz::Visualizable,
-                   public mrpt::Stringifyable {
+                   public mrpt::Stringifyable,
+                   public MappedGraph {
   DEFINE_SERIALIZABLE(CRoomGraph, roomgraph)
 
  public:
@@ -21,9 +20,6 @@ class CRoomGraph : public mrpt::serialization::CSerializable,
   /** The result of an extraction, with its map. */
   explicit CRoomGraph(const Stages& stages);
   ~CRoomGraph() override = default;
-
-  GraphFile file;           ///< the graph and where it comes from
-  std::optional<Grid> map;  ///< drawn under the graph; its frame is that of `file`
 
   /** graphText() of `file`. */
   std::string asString() const override;
