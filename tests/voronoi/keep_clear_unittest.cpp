@@ -27,9 +27,27 @@ TEST(KeepClear, keepsTheFiniteEdgesThatAreWideEnough) {
 TEST(KeepClear, neverGoesBelowThreeQuartersOfACell) {
   KeepClearOptions options;
   options.minClearance = 0.01;
-  EXPECT_DOUBLE_EQ(effectiveClearance(options, 0.1), 0.075);
+  EXPECT_NEAR(effectiveClearance(options, 0.1), 0.075, 1e-8);
   options.minClearance = 0.3;
-  EXPECT_DOUBLE_EQ(effectiveClearance(options, 0.1), 0.3);
+  EXPECT_NEAR(effectiveClearance(options, 0.1), 0.3, 1e-8);
+}
+
+/** A passage of just the least width is one wherever the map's origin is, though its clearance
+ *  comes out a little more or less there. */
+TEST(KeepClear, roundingDoesNotClosePassagesOfTheLeastWidth) {
+  KeepClearOptions options;
+  options.minClearance = 0.2;  // cells of 0.05 m make many passages of it
+  const double clearance = effectiveClearance(options, 0.05);
+  const auto keptAt = [&](Point origin) {
+    MapText map = noisyOffice(4, 200);
+    map.origin = origin;
+    const VoronoiGraph voronoi = voronoiGraph(sitesOf(map));
+    return keepClear(voronoi, InsideFlags(voronoi.vertices.size(), 1), clearance).size();
+  };
+  const std::size_t kept = keptAt({0, 0});
+  EXPECT_GT(kept, 0u);
+  for (const Point origin : {Point{0.7, 0.3}, {-12.34, 5.6}, {1.0 / 3, -100.1}, {33.3, 47.11}})
+    EXPECT_EQ(keptAt(origin), kept) << origin.x;
 }
 
 TEST(KeepClear, neitherEndMayLieOutside) {

@@ -3,6 +3,13 @@
 #include <algorithm>
 
 namespace roomgraph {
+namespace {
+
+/** Cells make passages of just the least width common, and their places round: that must not close
+ *  some of them, and in a turned map others. */
+constexpr double kClearanceRounding = 1e-9;
+
+}  // namespace
 
 void describe(KeepClearOptions& options, FieldTable& table) {
   table.number(
@@ -11,7 +18,7 @@ void describe(KeepClearOptions& options, FieldTable& table) {
 }
 
 double effectiveClearance(const KeepClearOptions& options, double resolution) {
-  return std::max(options.minClearance, 0.75 * resolution);
+  return std::max(options.minClearance, 0.75 * resolution) * (1 - kClearanceRounding);
 }
 
 EdgeIndices keepClear(const VoronoiGraph& graph, const InsideFlags& isInside, double clearance) {

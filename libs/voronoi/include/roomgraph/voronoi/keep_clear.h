@@ -20,8 +20,10 @@ struct KeepClearOptions {
 };
 void describe(KeepClearOptions& options, FieldTable& table);
 
-/** The clearance that is really applied [m]: at least 0.75 cells. An edge that keeps this far from
- *  the centres of all obstacle cells cannot pass between two cells of a wall, nor touch one. */
+/** The clearance that is really applied [m]: at least 0.75 cells, and a little less than asked
+ *  for, so that no rounding decides on passages of just the least width. An edge that keeps this
+ *  far from the centres of all obstacle cells cannot pass between two cells of a wall, nor touch
+ *  one. */
 double effectiveClearance(const KeepClearOptions& options, double resolution);
 
 /** The finite edges inside whose every place keeps at least `clearance` metres from all obstacles.
