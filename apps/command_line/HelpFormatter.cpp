@@ -25,8 +25,8 @@ std::string wrapped(const std::string& text, std::size_t column) {
 /** As it would be typed: "1280 860" where CLI11 has "[1280,860]". */
 std::string defaultOf(const CLI::Option& option) {
   std::string text = option.get_default_str();
-  if (text.size() > 1 && text.front() == '[' && text.back() == ']')
-    text = text.substr(1, text.size() - 2);
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return text;
+  text = text.substr(1, text.size() - 2);
   if (option.get_delimiter() != ',') std::replace(text.begin(), text.end(), ',', ' ');
   return text;
 }

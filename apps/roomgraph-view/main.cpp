@@ -84,29 +84,30 @@ void writeScreenshot(const Arguments& arguments, const View& view) {
 
 void declare(Arguments& arguments, CLI::App& app) {
   app.add_option("FILE", arguments.files,
-                 "A map, several runs of one site, or a comparison.json with or without its maps.")
+                 "A map, several runs of one site, or a comparison.json, with or without its maps.")
       ->type_name("")
       ->required();
   app.add_option("--screenshot", arguments.screenshot,
                  "Write a picture (.png) instead of opening a window; needs no display.")
       ->type_name("FILE");
-  app.add_option("--size", arguments.size, "Of the window or picture.")
+  app.add_option("--size", arguments.size,
+                 "Size of the window or picture, in pixels (100 to 10000).")
       ->type_name("WIDTH HEIGHT")
       ->expected(2)
       ->allow_extra_args(false)  // the files may follow
       ->check(CLI::Range(100, 10000))
       ->capture_default_str();
-  app.add_option("--run", arguments.run, "The run whose way is shown, by rank from 1.")
+  app.add_option("--run", arguments.run, "Show the path of this run, counted from 1 by rank.")
       ->type_name("N");
-  app.add_option("--key-frame", arguments.frame, "The key frame that is shown, from 0.")
+  app.add_option("--key-frame", arguments.frame, "Show this key frame, counted from 0.")
       ->type_name("K");
-  app.add_option("--stage", arguments.stage, "The stage of the extraction that is shown, from 1.")
+  app.add_option("--stage", arguments.stage, "Show this stage of the extraction, counted from 1.")
       ->type_name("N");
-  app.add_option("--break", arguments.tear, "The break that is shown, from 1.")->type_name("N");
+  app.add_option("--break", arguments.tear, "Show this break, counted from 1.")->type_name("N");
 }
 
 int run(int count, char** words) {
-  CLI::App app("Look at maps, runs and comparisons.", "roomgraph-view");
+  CLI::App app("Show maps, runs and comparisons in a window.", "roomgraph-view");
   app.set_version_flag("--version", version());
   app.formatter(std::make_shared<HelpFormatter>());
   Arguments arguments;

@@ -25,14 +25,14 @@ namespace {
 
 void declareSite(ArchiveArguments& arguments, CLI::App& app) {
   app.add_option("--site", arguments.site,
-                 "The site, where the archive has several; a new one is named after the archive.")
+                 "The site, if the archive has several. The first site is named after the archive.")
       ->type_name("NAME");
 }
 
 void declareWatch(ArchiveArguments& arguments, CLI::App& app) {
   app.add_option("--limit", arguments.watch.limit,
-                 "Map error that is still good enough [m]: above it in three of five nights is an "
-                 "alarm.")
+                 "The largest map error that is good enough [m]; three of five nights above it are "
+                 "an alarm.")
       ->type_name("M")
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
@@ -43,26 +43,26 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
       ->type_name("")
       ->required();
   declareSite(arguments, app);
-  app.add_option("--robot", arguments.robot, "The robot that made them.")
+  app.add_option("--robot", arguments.robot, "The robot that made the runs.")
       ->type_name("NAME")
       ->capture_default_str();
   app.add_option("--time", arguments.time,
-                 "When they were made, in UTC: 2026-11-22 or 2026-11-22T03:00. Where it is left "
-                 "out, the time of the first scan, else that of the file.")
+                 "When they were made, in UTC, such as 2026-11-22 or 2026-11-22T03:00. Without it, "
+                 "the time of the first scan, or else that of the file.")
       ->type_name("T");
   app.add_option("--compare-with", arguments.most,
-                 "How many runs of the archive each is compared with: half of them the latest, the "
-                 "others the best.")
+                 "How many runs of the archive each is compared with (2 to 100): half of them the "
+                 "latest, the others the best.")
       ->type_name("N")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
   app.add_option("--keep", arguments.kept,
-                 "Folder for copies of the maps, for where the next night takes the place of the "
-                 "file: later runs are compared with the copies.")
+                 "Folder for copies of the maps, in case the next night overwrites the file: later "
+                 "runs are compared with the copies.")
       ->type_name("DIR");
-  app.add_option("--cache", arguments.cache,
-                 "Folder that keeps what is found of each pair of maps, as for 'roomgraph "
-                 "compare'.")
+  app.add_option(
+         "--cache", arguments.cache,
+         "Folder that keeps what was found for each pair of maps, as for 'roomgraph compare'.")
       ->type_name("DIR");
   declareThreads(arguments.threads, "maps or pairs", app);
   declareQuiet(arguments.isQuiet, app);
@@ -90,7 +90,7 @@ void declareExport(ArchiveArguments& arguments, CLI::App& app) {
       ->type_name("F")
       ->check(CLI::IsMember({"csv", "json", "prometheus"}))
       ->capture_default_str();
-  app.add_option("-o,--output", arguments.output, "File to write; stdout where it is left out.")
+  app.add_option("-o,--output", arguments.output, "File to write. Without it, to stdout.")
       ->type_name("FILE");
 }
 
@@ -181,30 +181,31 @@ int exportAll(const ArchiveArguments& arguments) {
 std::function<int()> archiveCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ArchiveArguments>();
   app.add_option("ARCHIVE", arguments->archive,
-                 "File of the archive (SQLite); 'add' makes it if it is not there.")
+                 "File of the archive (SQLite); 'add' creates it if missing.")
       ->type_name("")
       ->required();
   app.require_subcommand(1);
   arguments->add = app.add_subcommand(
-      "add", "Compare runs with a choice of those of the archive, and keep what comes out.");
+      "add", "Compare runs with some of those in the archive, and keep the results.");
   arguments->report =
-      app.add_subcommand("report", "Say whether maps get worse, and which rooms have changed.");
+      app.add_subcommand("report", "Tell whether maps get worse, and which rooms have changed.");
   arguments->list = app.add_subcommand("list", "List the runs.");
   arguments->rooms = app.add_subcommand("rooms", "List the rooms with their ids and names.");
   arguments->naming = app.add_subcommand("name", "Give a room a name, which it keeps.");
   declareSite(*arguments, *arguments->rooms);
   declareNaming(*arguments, *arguments->naming);
-  arguments->exporting = app.add_subcommand("export", "Write what is known for other programs.");
+  arguments->exporting =
+      app.add_subcommand("export", "Write all that is known, for other programs.");
   declareAdd(*arguments, *arguments->add);
   declareSite(*arguments, *arguments->report);
   declareWatch(*arguments, *arguments->report);
   arguments->report
       ->add_option("-o,--output", arguments->page,
-                   "Also write it as a page for the browser, with plots.")
+                   "Also write the report as a page for the browser, with plots.")
       ->type_name("FILE");
   declareQuiet(arguments->isQuiet, *arguments->report);
   arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
-                              "Exit with 3 where the maps of a robot get worse.");
+                              "Exit with 3 if the maps of a robot get worse.");
   declareSite(*arguments, *arguments->list);
   declareExport(*arguments, *arguments->exporting);
   return [arguments] {

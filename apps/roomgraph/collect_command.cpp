@@ -84,7 +84,7 @@ int run(const CollectArguments& arguments) {
 
 std::function<int()> collectCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CollectArguments>();
-  app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan', its tasks done.")
+  app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan', after its tasks.")
       ->type_name("")
       ->required();
   app.add_option("--archive", arguments->archive, "The archive that the plan was made with.")

@@ -47,13 +47,13 @@ struct CompareArguments {
 void declareFrames(CompareArguments& arguments, CLI::App& app) {
   CLI::Option* aligned =
       app.add_flag("--aligned", arguments.areAligned,
-                   "All maps are in one frame already [m]: do not look for their poses.");
+                   "The maps share one frame already: do not look for their poses.");
   app.add_flag("--estimate-scale", arguments.estimatesScale,
-               "Read bare pictures, such as floor plans, at the scale at which they fit the other "
-               "maps, which must have one; --resolution is only the first guess.")
+               "Find the scale at which bare pictures, such as floor plans, fit the other maps; "
+               "--resolution is then only a first guess.")
       ->excludes(aligned);
   app.add_option("--reference", arguments.reference,
-                 "A map to measure all runs against, instead of against each other.")
+                 "Measure all runs against this map instead of against each other.")
       ->type_name("MAP");
 }
 
@@ -65,26 +65,25 @@ void declareResults(CompareArguments& arguments, CLI::App& app) {
   declareFrames(arguments, app);
   app.add_option(
          "--names", arguments.names,
-         "JSON file that keeps the ids and names of the site's rooms from call to call; made "
-         "if it is not there, else brought up to date, but not where --fail-below or --fail-on "
-         "strikes. Names in it may be edited.")
+         "JSON file that keeps the ids and names of the site's rooms from call to call. It is "
+         "created if missing, and updated unless the gate strikes. Names in it may be edited.")
       ->type_name("FILE");
-  app.add_option("--cache", arguments.cache,
-                 "Folder that keeps what is found of each pair of maps from call to call, made if "
-                 "it is not there: one more run then costs its own pairs only. Changes no result; "
-                 "its files may be deleted.")
+  app.add_option(
+         "--cache", arguments.cache,
+         "Folder that keeps what was found for each pair of maps, so that a further run costs only "
+         "its own pairs; created if missing. It changes no result, and its files may be deleted.")
       ->type_name("DIR");
   app.add_flag("--break-files", arguments.writesBreaks,
-               "For each break N of a run with scans also comparison.breakN.rawlog, .untorn.rawlog "
-               "and .3Dscene: the scans at it, for RawLogViewer and SceneViewer3D.");
+               "Also write the scans around each break N of a run with scans, for RawLogViewer and "
+               "SceneViewer3D: comparison.breakN.rawlog, .untorn.rawlog and .3Dscene.");
   app.add_flag("--site-maps", arguments.writesSiteMaps,
-               "Each map as a ROS map in the frame of the site (comparison.RUN.yaml and .pgm), its "
-               "pose there (.pose.yaml), and comparison.maps.toml, a session of the viewer 'maps' "
-               "with all of them.");
+               "Also write each map as a ROS map in the frame of the site (comparison.RUN.yaml and "
+               ".pgm), its pose there (.pose.yaml), and comparison.maps.toml, a session for the "
+               "viewer 'maps' with all of them.");
   app.add_flag("--each-site", arguments.comparesEachSite,
-               "Where the maps are of several sites, such as two floors, compare each site by "
-               "itself: the one with most runs as ever, the next in the folder site2 of --output, "
-               "and so on. Not together with a gate, --names or --reference.");
+               "If the maps show several sites, such as two floors, compare each site by itself: "
+               "the one with the most runs goes into --output, the next into its folder site2, and "
+               "so on. Not with a gate, --names or --reference.");
   declareRunning(arguments.running, "maps or pairs", "what each map holds", app);
 }
 
@@ -272,14 +271,14 @@ int run(const CompareArguments& arguments) {
 std::function<int()> compareCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
   app.add_option("RUN", arguments->files,
-                 "Maps of one site, as for 'roomgraph extract'; their frames may differ.")
+                 "Maps of one site, as for 'roomgraph extract'; each may have a frame of its own.")
       ->type_name("")
       ->required();
   declareResults(*arguments, app);
   declareGate(arguments->gate, app);
   app.add_option("--candidate", arguments->candidates,
-                 "One more map, and only it is judged by the gate: the others are the record, "
-                 "which may be bad. May be given several times.")
+                 "One more map, and the only one that the gate judges; the others are the record "
+                 "that it is compared with. May be repeated.")
       ->type_name("MAP")
       ->allow_extra_args(false);
   declareConfig(arguments->options, app);

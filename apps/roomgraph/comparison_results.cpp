@@ -30,34 +30,34 @@ ResultFiles::ResultFiles(const std::filesystem::path& folder)
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const int percent = int(std::lround(100 * kPartialCoverage));
   app.add_option("--fail-below", arguments.failBelow,
-                 "Exit with 3 where a run has a score below this (0 to 100), or none.")
+                 "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->type_name("SCORE")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option("--fail-above", arguments.failAbove,
-                 "Exit with 3 where a run has a map error above this, or none that can be trusted "
-                 "[m].")
+  app.add_option(
+         "--fail-above", arguments.failAbove,
+         "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
       ->type_name("M")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--fail-worse-by", arguments.failWorseBy,
-                 "Exit with 3 where the map error of a run is by more than this above that of the "
-                 "best three other runs (their median), or cannot be trusted [m].")
+                 "Exit with 3 if the map error of a run exceeds the median of the three best other "
+                 "runs by more than this [m], or cannot be trusted.")
       ->type_name("M")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--fail-on", arguments.failOn,
                  "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
                  "less than " +
                      std::to_string(percent) +
-                     " % of what two runs have seen), 'broken' (a run has a break), "
+                     " % of what at least two runs have seen), 'broken' (a run has a break), "
                      "'not-same-site' (a run is of another site).")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
   app.add_option("--junit", arguments.junit,
-                 "Also write what the gate says as JUnit XML, for CI systems.")
+                 "Also write the verdict of the gate as JUnit XML, for CI systems.")
       ->type_name("FILE");
   app.add_option("--summary", arguments.summary,
-                 "Also write ranking and gate as a Markdown page, for CI systems.")
+                 "Also write the ranking and the verdict of the gate as Markdown, for CI systems.")
       ->type_name("FILE");
 }
 

@@ -97,7 +97,7 @@ std::function<int()> convertCommand(CLI::App& app) {
   app.add_option("MAP", arguments->maps, "Maps as for 'roomgraph extract'.")
       ->type_name("")
       ->required();
-  app.add_option("-o,--output", arguments->folder, "Folder for the maps; made if it is not there.")
+  app.add_option("-o,--output", arguments->folder, "Folder for the maps; created if missing.")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--format", arguments->format,

@@ -44,7 +44,7 @@ int run(const RawlogArguments& arguments) {
 std::function<int()> exportRawlogCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RawlogArguments>();
   app.add_option("RUN", arguments->runs, "Simplemaps with scans.")->type_name("")->required();
-  app.add_option("-o,--output", arguments->folder, "Folder for the logs; made if it is not there.")
+  app.add_option("-o,--output", arguments->folder, "Folder for the logs; created if missing.")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--from", arguments->stretch.from, "The first key frame, from 0.")
@@ -52,7 +52,7 @@ std::function<int()> exportRawlogCommand(CLI::App& app) {
       ->type_name("K")
       ->capture_default_str();
   app.add_option("--to", arguments->stretch.to,
-                 "The last key frame; that of the run where it is left out.")
+                 "The last key frame. Without it, the last one of the run.")
       ->check(CLI::NonNegativeNumber)
       ->type_name("K");
   declareConfig(arguments->options, app);

@@ -22,10 +22,10 @@ struct ExtractArguments {
 };
 
 void declareResults(ExtractArguments& arguments, CLI::App& app) {
-  declareOutput(arguments.folder, "X.json and so on", app);
+  declareOutput(arguments.folder, "X.json and the other formats", app);
   app.add_option("--format", arguments.formats,
-                 "What to write, separated by commas: " + formatNames() +
-                     ". Labels and osm, the areas of the map, only where asked for.")
+                 "What to write, as a comma-separated list: " + formatNames() +
+                     ". The areas of the map (labels, osm, osm_ids) are written only on request.")
       ->type_name("LIST")
       ->capture_default_str();
   app.add_option("--stages", arguments.stagesFolder,
@@ -67,8 +67,9 @@ int run(const ExtractArguments& arguments) {
 std::function<int()> extractCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   app.add_option("MAP", arguments->maps,
-                 "Maps, each a " + mapFormatsText() +
-                     "; recognised by content, compressed or not. Several maps run in parallel.")
+                 "Maps to read, each an " + mapFormatsText() +
+                     ", compressed or not. The kind is told by the content. Several maps are "
+                     "processed in parallel.")
       ->type_name("")
       ->required();
   declareResults(*arguments, app);

@@ -83,16 +83,15 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
 
 void declareConfig(OptionArguments& arguments, CLI::App& app) {
   app.add_option("--preset", arguments.preset,
-                 "Where the options start from: 'default' (metres, unknown cells kept apart) or "
+                 "The options to start from: 'default' (in metres; unknown cells stay unknown) or "
                  "'paper' (the paper's numbers, in cells).")
       ->type_name("NAME")
       ->capture_default_str();
   app.add_option("-c,--config", arguments.configFile,
-                 "Options from an ini file (see 'roomgraph config'), or from an earlier X.json or "
-                 "comparison.json: those it was made with.")
+                 "Take the options from an ini file (see 'roomgraph config'), or those that an "
+                 "earlier X.json or comparison.json was made with.")
       ->type_name("FILE");
-  app.add_option("--set", arguments.settings,
-                 "Sets one option, after --config; may be given several times.")
+  app.add_option("--set", arguments.settings, "Set one option, after --config; may be repeated.")
       ->type_name("SECTION.KEY=VALUE")
       ->allow_extra_args(false);
 }
@@ -101,13 +100,14 @@ void declareReading(OptionArguments& arguments, CLI::App& app) {
   app.add_option("--resolution", arguments.resolution, help("load_grid", "resolution"))
       ->type_name("M");
   app.add_option("--slice", arguments.slice,
-                 "Heights above the floor that point clouds are cut to, instead of those with the "
-                 "longest straight walls; in simplemaps also where there are 2D scans. (m; sets "
-                 "load_grid.slice_low and slice_high)")
+                 "Cut point clouds to this band of heights above the floor, instead of to the one "
+                 "with the longest straight walls; in a simplemap, even where there are 2D scans. "
+                 "(m; sets load_grid.slice_low and slice_high)")
       ->type_name("LOW HIGH")
       ->expected(2);
   app.add_option("--layer", arguments.layer,
-                 "The layer of a metric map (.mm) to read, instead of its first grid, else points.")
+                 "The layer of a metric map (.mm) to read. Without it, the first grid is read, or "
+                 "the points if there is no grid.")
       ->type_name("NAME");
 }
 
@@ -124,20 +124,20 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {
   folder = "roomgraph-" + app.get_name();
   app.add_option("-o,--output", folder,
-                 "Folder for the results, " + results + "; made if it is not there.")
+                 "Folder for the results: " + results + "; created if missing.")
       ->type_name("DIR")
       ->capture_default_str();
 }
 
 void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
   app.add_option("--threads", threads,
-                 "How many " + what + " are worked on at the same time; 0 for one per core.")
+                 "How many " + what + " to work on at once; 0 for one per core.")
       ->type_name("N")
       ->capture_default_str();
 }
 
 void declareQuiet(bool& isQuiet, CLI::App& app) {
-  app.add_flag("-q,--quiet", isQuiet, "Print nothing but errors.");
+  app.add_flag("-q,--quiet", isQuiet, "Print only errors.");
 }
 
 void declareRunning(RunningArguments& arguments, const std::string& things, const std::string& more,
@@ -145,9 +145,9 @@ void declareRunning(RunningArguments& arguments, const std::string& things, cons
   app.add_flag("--timings", arguments.showsTimings,
                "Print a table of the steps and their times to stderr.");
   declareThreads(arguments.threads, things, app);
-  CLI::Option* quiet =
-      app.add_flag("-q,--quiet", arguments.isQuiet, "Print nothing but errors and --timings.");
-  app.add_flag("-v,--verbose", arguments.isVerbose, "Print also " + more + ".")->excludes(quiet);
+  CLI::Option* quiet = app.add_flag("-q,--quiet", arguments.isQuiet,
+                                    "Print only errors and the table of --timings.");
+  app.add_flag("-v,--verbose", arguments.isVerbose, "Also print " + more + ".")->excludes(quiet);
 }
 
 ExtractOptions toOptions(const OptionArguments& arguments) {

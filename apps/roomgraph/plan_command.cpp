@@ -54,19 +54,20 @@ std::function<int()> planCommand(CLI::App& app) {
   const auto arguments = std::make_shared<PlanArguments>();
   app.add_option("LIST", arguments->list,
                  "CSV file with a line per run: columns 'site' and 'file', and 'robot' and 'time' "
-                 "where they are known. Files are told from its folder on.")
+                 "if known. File names are relative to its folder.")
       ->type_name("")
       ->required();
   app.add_option("--archive", arguments->archive,
-                 "Archive of all sites; made if it is not there. What it knows is not done again.")
+                 "Archive of all sites; created if missing. What it knows is not done again.")
       ->type_name("FILE")
       ->required();
   app.add_option("-o,--output", arguments->folder,
                  "Folder for the tasks (tasks.jsonl, a line each), the options and the results.")
       ->type_name("DIR")
       ->required();
-  app.add_option("--compare-with", arguments->most,
-                 "How many runs of the archive the new ones of a site are compared with.")
+  app.add_option(
+         "--compare-with", arguments->most,
+         "How many runs of the archive the new ones of a site are compared with (2 to 100).")
       ->type_name("N")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();

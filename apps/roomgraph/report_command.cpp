@@ -69,16 +69,16 @@ std::function<int()> reportCommand(CLI::App& app) {
       ->type_name("")
       ->required();
   app.add_option("MAP", arguments->maps,
-                 "The maps that were compared, or some of them: those are drawn. They are told by "
+                 "Maps that were compared, or some of them, to be drawn. They are recognised by "
                  "their content.")
       ->type_name("");
   app.add_option("-o,--output", arguments->folder,
-                 "Folder for the results, which are those of 'roomgraph compare'; that of the "
-                 "comparison where it is left out.")
+                 "Folder for the results, which are those of 'roomgraph compare'. Without it, the "
+                 "folder of the comparison.")
       ->type_name("DIR");
   declareGate(arguments->gate, app);
   app.add_option("--candidate", arguments->candidates,
-                 "Judge only the run of this name; may be given several times.")
+                 "Let the gate judge only the run of this name; may be repeated.")
       ->type_name("NAME")
       ->allow_extra_args(false);
   declareQuiet(arguments->isQuiet, app);

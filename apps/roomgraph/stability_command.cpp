@@ -20,24 +20,26 @@ struct StabilityArguments {
 };
 
 void declareExperiment(StabilityOptions& options, CLI::App& app) {
-  app.add_option("--distances", options.distances,
-                 "How far from a wall new cells may be, in cells per axis, separated by commas.")
+  app.add_option(
+         "--distances", options.distances,
+         "How far from a wall new cells may lie, in cells per axis, as a comma-separated list.")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();
   app.add_option("--percents", options.percents,
-                 "Shares of the occupied cells that move, separated by commas.")
+                 "Percentages of the occupied cells that move, as a comma-separated list.")
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();
-  app.add_option("--repeats", options.repeats, "Noisy maps for each distance and share.")
+  app.add_option("--repeats", options.repeats,
+                 "Number of noisy maps for each distance and percentage.")
       ->type_name("N")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Of the noise. The same seed gives the same files.")
+  app.add_option("--seed", options.seed, "Seed of the noise; the same seed gives the same files.")
       ->type_name("S")
       ->capture_default_str();
   app.add_option("--match-within", options.matchWithin,
-                 "How far apart a vertex and its partner may be in the one-to-one matching [m].")
+                 "How far apart a vertex and its partner may lie in the one-to-one matching [m].")
       ->type_name("M")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -71,8 +73,8 @@ int run(const StabilityArguments& arguments) {
 std::function<int()> stabilityCommand(CLI::App& app) {
   const auto arguments = std::make_shared<StabilityArguments>();
   app.add_option("MAP", arguments->maps,
-                 "Maps, as for 'roomgraph extract'. One after the other; the noisy maps of each "
-                 "run in parallel.")
+                 "Maps, as for 'roomgraph extract'. They are processed one after the other, the "
+                 "noisy copies of each in parallel.")
       ->type_name("")
       ->required();
   declareExperiment(arguments->task.options, app);

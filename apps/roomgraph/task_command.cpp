@@ -77,10 +77,10 @@ std::function<int()> taskCommand(CLI::App& app) {
   app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan'.")
       ->type_name("")
       ->required();
-  app.add_option("FIRST", arguments->first, "Number of the task, from 1 on.")
+  app.add_option("FIRST", arguments->first, "Number of the task, counted from 1.")
       ->type_name("")
       ->required();
-  app.add_option("LAST", arguments->last, "The last of several tasks.")->type_name("");
+  app.add_option("LAST", arguments->last, "The last task, to do several.")->type_name("");
   declareThreads(arguments->threads, "maps or pairs", app);
   return [arguments] { return run(*arguments); };
 }

@@ -43,6 +43,8 @@ TEST_F(App, optionsTellDefaultsAndWhatTheyDoNotGoWith) {
       ->check(CLI::Range(2.0, 9.0))
       ->excludes(flag)
       ->capture_default_str();
+  std::string list = "a,b";
+  app.add_option("--list", list, "A list.")->type_name("LIST")->capture_default_str();
   app.add_option("--size", numbers, "A size.")
       ->type_name("W H")
       ->expected(2)
@@ -52,6 +54,8 @@ TEST_F(App, optionsTellDefaultsAndWhatTheyDoNotGoWith) {
             std::string::npos)
       << help;
   EXPECT_NE(help.find("  --size W H              A size. (default: 3 4)\n"), std::string::npos)
+      << help;
+  EXPECT_NE(help.find("  --list LIST             A list. (default: a,b)\n"), std::string::npos)
       << help;
   EXPECT_NE(help.find("  --flag                  A flag. Not with --number.\n"), std::string::npos)
       << help;

@@ -10,7 +10,7 @@ namespace roomgraph {
 void describe(FindRoomsOptions& options, FieldTable& table) {
   const char* section = "find_rooms";
   table.number(section, "min_width", options.minWidth, "m", 0, 100,
-               "A room is where a disc of this diameter fits in everywhere; 0 to split at doors.");
+               "Rooms are where a disc of this diameter fits; 0 splits rooms at their doors.");
   table.number(section, "alpha_px2", options.alphaPx2, "px2", 0, 1e8,
                "The same as the paper's alpha, the disc's squared radius in cells; 0 for "
                "min_width.");

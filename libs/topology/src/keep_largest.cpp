@@ -49,7 +49,7 @@ Note droppedNote(int count, double length, const Vertex& where) {
 void describe(KeepLargestOptions& options, FieldTable& table) {
   const char* section = "keep_largest";
   table.flag(section, "all_components", options.allComponents,
-             "Keep the parts of the graph that are not connected to the largest one, too.");
+             "Also keep the parts of the graph that are not connected to the largest one.");
   table.number(section, "min_length", options.minLength, "m", 0, 1e6,
                "Total path length from which such a part is kept.");
 }
