@@ -139,6 +139,20 @@ TEST(Extract, leavesFansOfBeamsOut) {
   EXPECT_EQ(std::count_if(stages.notes.begin(), stages.notes.end(), isHalfSeen), 1);
 }
 
+/** What single beams saw behind a wall: many pieces, and none of any size. */
+TEST(Extract, saysNothingOfSingleBeams) {
+  std::vector<std::string> rows(60, std::string(140, '?'));
+  for (int y = 5; y < 55; ++y) {
+    std::string& row = rows[std::size_t(y)];
+    for (int x = 5; x < 55; ++x)
+      row[std::size_t(x)] = y == 5 || y == 54 || x == 5 || x == 54 ? '#' : '.';
+    if (y % 5 < 2) std::fill(row.begin() + 60, row.begin() + 80, '.');
+  }
+  const Stages stages = extract(greyMap(drawn(rows, 0.1)), {});
+  EXPECT_FALSE(stages.outlines.halfSeen().empty());
+  for (const Note& note : stages.notes) EXPECT_NE(note.code, "half_seen") << note.text;
+}
+
 TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   const Stages stages = extract(greyMap(randomMap(3, 60, 40, 0.1)), {});
   std::vector<std::string> names;

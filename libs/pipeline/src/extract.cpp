@@ -103,17 +103,22 @@ void noteNarrowRegions(Stages& s) {
        std::nullopt});
 }
 
+/** Slivers between single beams, hundreds on some maps, are not worth a word. */
 void noteHalfSeen(Stages& s) {
-  const Rooms halfSeen = s.outlines.halfSeen();
-  if (halfSeen.empty()) return;
-  const auto largest = std::max_element(
-      halfSeen.begin(), halfSeen.end(),
-      [](const Room& a, const Room& b) { return area(a.polygon) < area(b.polygon); });
-  const Point at = largest->widestPlace;
+  double largest = s.options.splitAtDoors.maxLeftoverArea;
+  std::size_t count = 0;
+  Point at;
+  for (const Room& region : s.outlines.halfSeen()) {
+    const double size = area(region.polygon);
+    if (size < s.options.splitAtDoors.maxLeftoverArea) continue;
+    ++count;
+    if (size >= largest) largest = size, at = region.widestPlace;
+  }
+  if (count == 0) return;
   s.notes.push_back(
       {"half_seen",
-       formatted("%zu regions that beams saw in part, up to %.1f m2, are neither room nor corridor",
-                 halfSeen.size(), area(largest->polygon)),
+       formatted("%zu region%s that beams saw in part, up to %.1f m2, %s neither room nor corridor",
+                 count, count == 1 ? "" : "s", largest, count == 1 ? "is" : "are"),
        std::array<double, 2>{at.x, at.y}});
 }
 
