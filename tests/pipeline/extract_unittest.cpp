@@ -115,18 +115,29 @@ TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
   EXPECT_EQ(cornersOf(traceRooms(voronoi, regions)), cornersOf(stages.rooms));
 }
 
+/** Walls round the cells from `low` to `high`, and free space within. */
+void drawRoom(std::vector<std::string>& rows, Cell low, Cell high) {
+  for (int y = low.y; y <= high.y; ++y)
+    for (int x = low.x; x <= high.x; ++x)
+      rows[std::size_t(y)][std::size_t(x)] =
+          y == low.y || y == high.y || x == low.x || x == high.x ? '#' : '.';
+}
+
+/** What beams saw to the right through a gap, at first 2 * `half` cells wide. */
+void drawFan(std::vector<std::string>& rows, Cell gap, int half, int end) {
+  for (int x = gap.x; x < end; ++x) {
+    const int reach = half + (x - gap.x) / 5;
+    for (int y = gap.y - reach; y < gap.y + reach; ++y) rows[std::size_t(y)][std::size_t(x)] = '.';
+    rows[std::size_t(gap.y - reach - 2)][std::size_t(x)] = '.';  // one more beam, on its own
+  }
+}
+
 /** A room with a gap of 1 m in its right wall, through which beams went far out. */
 GreyMap roomWithAFan() {
   std::vector<std::string> rows(60, std::string(140, '?'));
-  for (int y = 5; y < 55; ++y)
-    for (int x = 5; x < 55; ++x)
-      rows[std::size_t(y)][std::size_t(x)] =
-          y == 5 || y == 54 || x == 5 || (x == 54 && (y < 25 || y >= 35)) ? '#' : '.';
-  for (int x = 55; x < 135; ++x) {
-    const int half = 5 + (x - 55) / 5;
-    for (int y = 30 - half; y < 30 + half; ++y) rows[std::size_t(y)][std::size_t(x)] = '.';
-    rows[std::size_t(30 - half - 2)][std::size_t(x)] = '.';  // one more beam, on its own
-  }
+  drawRoom(rows, {5, 5}, {54, 54});
+  for (int y = 25; y < 35; ++y) rows[std::size_t(y)][54] = '.';
+  drawFan(rows, {55, 30}, 5, 135);
   return greyMap(drawn(rows, 0.1));
 }
 
@@ -139,13 +150,24 @@ TEST(Extract, leavesFansOfBeamsOut) {
   EXPECT_EQ(std::count_if(stages.notes.begin(), stages.notes.end(), isHalfSeen), 1);
 }
 
+/** A long kitchen with one door is a room; with two ways out it would be a corridor. */
+TEST(Extract, aWindowIsNoWayOut) {
+  std::vector<std::string> rows(60, std::string(180, '?'));
+  drawRoom(rows, {5, 5}, {54, 54});
+  drawRoom(rows, {54, 21}, {118, 38});
+  for (int y = 26; y < 34; ++y) rows[std::size_t(y)][54] = '.';
+  EXPECT_EQ(extract(greyMap(drawn(rows, 0.1)), {}).result.rooms.size(), 2u);
+  for (int y = 27; y < 33; ++y) rows[std::size_t(y)][118] = '.';
+  drawFan(rows, {119, 30}, 3, 175);
+  EXPECT_EQ(extract(greyMap(drawn(rows, 0.1)), {}).result.rooms.size(), 2u);
+}
+
 /** What single beams saw behind a wall: many pieces, and none of any size. */
 TEST(Extract, saysNothingOfSingleBeams) {
   std::vector<std::string> rows(60, std::string(140, '?'));
+  drawRoom(rows, {5, 5}, {54, 54});
   for (int y = 5; y < 55; ++y) {
     std::string& row = rows[std::size_t(y)];
-    for (int x = 5; x < 55; ++x)
-      row[std::size_t(x)] = y == 5 || y == 54 || x == 5 || x == 54 ? '#' : '.';
     if (y % 5 < 2) std::fill(row.begin() + 60, row.begin() + 80, '.');
   }
   const Stages stages = extract(greyMap(drawn(rows, 0.1)), {});

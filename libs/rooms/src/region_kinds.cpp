@@ -1,6 +1,7 @@
 #include "region_kinds.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace roomgraph {
@@ -12,12 +13,25 @@ using AllNeighbours = std::map<std::uint32_t, Neighbours>;
 /** A room behind one door may be this much longer than others before it is a corridor. */
 constexpr double kDeadEndElongation = 1.5;
 
-/** Whether it is short, and all ways out of it are narrow beside it. */
+bool hasLittleWall(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                   std::uint32_t region) {
+  return regions.wallShare(region) < options.minWallShare;
+}
+
+/** Those that a way out leads to: through a window beams go, but nobody else. */
+Neighbours seenOnes(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                    Neighbours around) {
+  for (auto it = around.begin(); it != around.end();)
+    it = hasLittleWall(regions, options, it->first) ? around.erase(it) : std::next(it);
+  return around;
+}
+
+/** Whether it is short, and all openings of it are narrow beside it; `exits` are its ways out. */
 bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   std::uint32_t region, const Neighbours& around) {
+                   std::uint32_t region, const Neighbours& around, const Neighbours& exits) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
-  const double longest = options.maxElongation * (around.size() == 1 ? kDeadEndElongation : 1);
+  const double longest = options.maxElongation * (exits.size() == 1 ? kDeadEndElongation : 1);
   return regions.elongation(region) <= longest &&
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
@@ -26,13 +40,14 @@ bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                 std::uint32_t region, const Neighbours& around, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
+  const Neighbours exits = seenOnes(regions, options, around);
   const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
-                        isBehindDoors(regions, options, region, around);
+                        isBehindDoors(regions, options, region, around, exits);
   if (width < options.openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < options.minElongation) return true;
-  int exits = 0;
-  for (const auto& [other, passage] : around) exits += passage.count;
-  return exits > 1 && regions.elongation(region) > options.maxElongation &&
+  int count = 0;
+  for (const auto& [other, passage] : exits) count += passage.count;
+  return count > 1 && regions.elongation(region) > options.maxElongation &&
          width <= options.maxCorridorWidth;
 }
 
@@ -80,7 +95,7 @@ class KindFinder {
   }
 
   RegionKind kindOf(std::uint32_t region) const {
-    if (regions_.wallShare(region) < options_.minWallShare) return RegionKind::halfSeen;
+    if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
     return isCorridor(regions_, options_, region, around(region), leastWidth_)
                ? RegionKind::corridor
                : RegionKind::room;
