@@ -60,9 +60,11 @@ class Extraction {
       : mapFile_(mapFile), task_(task), stepDone_(stepDone) {}
 
   JobReport run() {
-    const GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
+    GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
     lap("load_grid");
-    Stages stages = extract(map, task_.options);
+    Stages stages = extract(std::move(map), task_.options);
+    // Only the pictures of the steps show the diagram, which takes more than all else.
+    if (task_.stagesFolder.empty()) stages.voronoi = {};
     laps_.end(stages.timings);
     stepDone_();
     writeResults(stages);

@@ -126,12 +126,13 @@ std::string noteText(std::size_t, const Note& note) {
   return text(json);
 }
 
-/** "name": [ with one element on each line. */
+/** Adds "name": [ with one element on each line. The text of a large map is not copied around. */
 template <class List, class ToText>
-std::string listText(const char* name, const List& list, ToText toText) {
-  std::string all = std::string("\"") + name + "\": [";
-  for (std::size_t i = 0; i < list.size(); ++i) all += (i ? ",\n" : "\n") + toText(i, list[i]);
-  return all + (list.empty() ? "]" : "\n]");
+void addList(std::string& all, const char* name, const List& list, ToText toText) {
+  all.append("\"").append(name).append("\": [");
+  for (std::size_t i = 0; i < list.size(); ++i)
+    all.append(i ? ",\n" : "\n").append(toText(i, list[i]));
+  all += list.empty() ? "]" : "\n]";
 }
 
 /** A line for each section. */
@@ -154,14 +155,16 @@ std::string optionsText(const std::vector<SavedOption>& options) {
 std::string graphJson(const GraphFile& file) {
   const TopologyGraph& graph = file.graph.graph;
   const Json program{{"name", file.program}, {"version", file.version}};
-  return "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + text(program) +
-         ",\n\"input\": " + text(inputJson(file.input)) + ",\n" + optionsText(file.options) +
-         ",\n" + listText("vertices", graph.vertices(), vertexText) + ",\n" +
-         listText("edges", graph.edges(), edgeText) + ",\n" +
-         listText("rooms", file.graph.rooms, roomText) + ",\n" +
-         listText("areas", file.areas.areas, areaText) + ",\n" +
-         listText("passages", file.areas.passages, passageText) + ",\n" +
-         listText("notes", file.notes, noteText) + "\n}\n";
+  std::string all =
+      "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + text(program) +
+      ",\n\"input\": " + text(inputJson(file.input)) + ",\n" + optionsText(file.options) + ",\n";
+  addList(all, "vertices", graph.vertices(), vertexText);
+  addList(all += ",\n", "edges", graph.edges(), edgeText);
+  addList(all += ",\n", "rooms", file.graph.rooms, roomText);
+  addList(all += ",\n", "areas", file.areas.areas, areaText);
+  addList(all += ",\n", "passages", file.areas.passages, passageText);
+  addList(all += ",\n", "notes", file.notes, noteText);
+  return all += "\n}\n";
 }
 
 std::string graphJson(const Stages& stages) { return graphJson(graphFile(stages)); }

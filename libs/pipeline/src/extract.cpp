@@ -175,21 +175,39 @@ void readDiagram(Stages& s, const StepTimer& timed) {
   addNotes(s);
 }
 
-}  // namespace
+/** IV-C, thinning. The flags of all cells go before the diagram needs its memory. */
+ObstacleSites sitesOf(const Stages& s, const StepTimer& timed) {
+  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, s.options.thinObstacles);
+  return timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
+}
 
-Stages extract(const GreyMap& map, const ExtractOptions& options) {
+/** IV-C, threshold. */
+Stages binarized(const GreyMap& map, const ExtractOptions& options) {
   Stages s = prepared(map, options);
+  s.grid = StepTimer(s.timings)("binarize", binarize, map, options.binarize);
+  return s;
+}
+
+/** All that comes behind it. */
+Stages extracted(Stages s) {
   const StepTimer timed(s.timings);
-
-  // IV-C: threshold and thinning
-  s.grid = timed("binarize", binarize, map, options.binarize);
-  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, options.thinObstacles);
-  s.sites = timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
-
+  s.sites = sitesOf(s, timed);
   // III-A: the Voronoi diagram
   s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
   readDiagram(s, timed);
   return s;
+}
+
+}  // namespace
+
+Stages extract(const GreyMap& map, const ExtractOptions& options) {
+  return extracted(binarized(map, options));
+}
+
+Stages extract(GreyMap&& map, const ExtractOptions& options) {
+  Stages s = binarized(map, options);
+  map = {};
+  return extracted(std::move(s));
 }
 
 Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options) {

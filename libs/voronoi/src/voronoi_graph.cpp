@@ -1,7 +1,6 @@
 #include "roomgraph/voronoi/voronoi_graph.h"
 
-#include <boost/polygon/voronoi.hpp>
-
+#include "BareDiagram.h"
 #include "edge_clearance.h"
 
 // Cells are sites as they are: Boost only has to find their coordinates.
@@ -20,8 +19,6 @@ struct boost::polygon::point_traits<roomgraph::Cell> {
 namespace roomgraph {
 namespace {
 
-using Diagram = boost::polygon::voronoi_diagram<double>;
-
 /** Smallest distance along the ray from `a` that keeps equally far from p on its left and q on its
  *  right. */
 double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
@@ -31,7 +28,7 @@ double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
 
 class Converter {
  public:
-  Converter(const ObstacleSites& sites, const Diagram& diagram)
+  Converter(const ObstacleSites& sites, const BareDiagram& diagram)
       : frame_(sites.frame), diagram_(diagram) {
     graph_.sites.reserve(sites.cells.size());
     for (const Cell cell : sites.cells) graph_.sites.push_back(frame_.center(cell));
@@ -48,14 +45,14 @@ class Converter {
   }
 
  private:
-  void addVertex(const Diagram::vertex_type& vertex) {
+  void addVertex(const BareVertex& vertex) {
     const Point at{frame_.origin.x + (vertex.x() + 0.5) * frame_.resolution,
                    frame_.origin.y + (vertex.y() + 0.5) * frame_.resolution};
     const auto site = vertex.incident_edge()->cell()->source_index();
     graph_.vertices.push_back({at, distance(at, graph_.sites[site])});
   }
 
-  void addEdge(const Diagram::edge_type& boostEdge) {
+  void addEdge(const BareEdge& boostEdge) {
     const auto* edge = boostEdge.vertex0() ? &boostEdge : boostEdge.twin();
     if (!edge->vertex0()) return;
     VoronoiEdge result;
@@ -74,19 +71,19 @@ class Converter {
     graph_.edges.push_back(result);
   }
 
-  std::uint32_t indexOf(const Diagram::vertex_type* vertex) const {
+  std::uint32_t indexOf(const BareVertex* vertex) const {
     return std::uint32_t(vertex - diagram_.vertices().data());
   }
 
   GridFrame frame_;
-  const Diagram& diagram_;
+  const BareDiagram& diagram_;
   VoronoiGraph graph_;
 };
 
 }  // namespace
 
 VoronoiGraph voronoiGraph(const ObstacleSites& sites) {
-  Diagram diagram;
+  BareDiagram diagram;
   boost::polygon::construct_voronoi(sites.cells.begin(), sites.cells.end(), &diagram);
   return Converter(sites, diagram).run();
 }
