@@ -19,6 +19,7 @@
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/site_json.h"
+#include "rtabmap_database.h"
 #include "sample_comparison.h"
 
 namespace {
@@ -46,6 +47,11 @@ std::string gridmap() {
   return streamed(grid);
 }
 
+std::string rtabmap() {
+  const std::string cells(20, '\x64');
+  return test::rtabmapDatabase(test::sqlBlob(test::packedMatrix(cells, 4, 5)));
+}
+
 /** Two key frames with a scan of 20 beams each. */
 std::string simplemap() {
   mrpt::maps::CSimpleMap map;
@@ -71,6 +77,7 @@ void writeMaps(const fs::path& folder, const Stages& stages) {
   write(folder / "gridmap_gz", packed + gridmap());
   write(folder / "simplemap", raw + simplemap());
   write(folder / "simplemap_gz", packed + simplemap());
+  write(folder / "rtabmap", raw + rtabmap());
   write(folder / "pgm", raw + "P5 # a comment\n5 4\n255\n" + std::string(20, '\xfe'));
   write(folder / "png", png + areaLabelsPng(stages.areas, stages.grid.frame));
   write(folder / "yaml", raw +
