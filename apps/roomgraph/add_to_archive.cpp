@@ -24,7 +24,7 @@ AddRunOptions optionsOf(const ArchiveArguments& arguments) {
   if (!arguments.time.empty()) {
     options.time = parseTime(arguments.time);
     if (!options.time)
-      throw UsageError("--time: " + arguments.time + " is no time: give 2026-11-22T03:00");
+      throw UsageError("--time: " + arguments.time + " is not a time: give 2026-11-22T03:00");
   }
   options.compare = toCompareOptions(arguments.options);
   options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);

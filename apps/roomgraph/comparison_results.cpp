@@ -63,13 +63,13 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
 
 GateOptions gateOf(const GateArguments& arguments) {
   if (arguments.failBelow && std::isnan(*arguments.failBelow))
-    throw UsageError("--fail-below: nan is no score: give one from 0 to 100");
+    throw UsageError("--fail-below: nan is not a score: give one from 0 to 100");
   const auto isAsked = [&](const char* what) {
     return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
   };
   for (const auto& most : {arguments.failAbove, arguments.failWorseBy})
     if (most && std::isnan(*most))
-      throw UsageError("--fail-above, --fail-worse-by: nan is no length: give one in metres");
+      throw UsageError("--fail-above, --fail-worse-by: nan is not a length: give one in metres");
   GateOptions gate;
   gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
   gate.maxWorse = arguments.failWorseBy;

@@ -36,7 +36,7 @@ void readConfig(const std::string& file, FieldTable& table) {
   const bool isJson = first != std::string::npos && text[first] == '{';
   constexpr std::size_t kLargestIni = 1'000'000;
   if (!isJson && text.size() > kLargestIni)
-    throw UsageError("--config " + file + ": is no ini file, which is shorter: see 'roomgraph " +
+    throw UsageError("--config " + file + ": is too long for an ini file: see 'roomgraph " +
                      "config'");
   if (isJson && jsonFault(text, "roomgraph/comparison").empty())
     setUsed(parseComparisonJson(text, file), table);

@@ -36,7 +36,7 @@ void checkCandidates(const ReportArguments& arguments, const Comparison& compari
     const auto isIt = [&](const auto& run) { return run.name == name; };
     if (std::none_of(comparison.runs.begin(), comparison.runs.end(), isIt) &&
         std::none_of(comparison.leftOut.begin(), comparison.leftOut.end(), isIt))
-      throw UsageError("--candidate: " + name + " is no run of " + arguments.comparison);
+      throw UsageError("--candidate: " + name + " is not a run of " + arguments.comparison);
   }
 }
 

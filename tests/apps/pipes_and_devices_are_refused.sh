@@ -19,8 +19,8 @@ for file in pipe pipe.yaml zero.yaml; do
   refused 1 $file compare a.pgm a.pgm --names $file -o o
   refused 2 $file extract a.pgm --config $file -o o
 done
-refused 1 'pipe: is no regular file' archive pipe list
-refused 1 'pipe: is no regular file' archive pipe add a.pgm
+refused 1 'pipe: is not a regular file' archive pipe list
+refused 1 'pipe: is not a regular file' archive pipe add a.pgm
 printf 'image: pipe\nresolution: 0.05\norigin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.2\nnegate: 0\n' > b.yaml
 refused 1 pipe extract b.yaml -o o
 refused 1 "''" extract '' -o o

@@ -246,9 +246,9 @@ std::string schemaComplaint(const std::string& text) {
   schemaFile << std::ifstream(ROOMGRAPH_COMPARISON_SCHEMA).rdbuf();
   rapidjson::Document schemaText, document;
   schemaText.Parse(schemaFile.str().c_str());
-  if (schemaText.HasParseError()) return "the schema is no JSON";
+  if (schemaText.HasParseError()) return "the schema is not JSON";
   document.Parse(text.c_str());
-  if (document.HasParseError()) return "the document is no JSON";
+  if (document.HasParseError()) return "the document is not JSON";
   const rapidjson::SchemaDocument schema(schemaText);
   rapidjson::SchemaValidator validator(schema);
   return document.Accept(validator) ? "" : validator.GetInvalidSchemaKeyword();

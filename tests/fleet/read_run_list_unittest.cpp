@@ -37,7 +37,7 @@ TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
   EXPECT_NE(complaint("site;file\n").find("has no columns"), std::string::npos);
   EXPECT_NE(complaint("site,file\na,b\nc\n").find("list.csv: line 3 has no site or no file"),
             std::string::npos);
-  EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is no time"),
+  EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is not a time"),
             std::string::npos);
   EXPECT_EQ(complaint("site,file\n"), "");
   EXPECT_EQ(complaint("site,file\n\"open,b"),

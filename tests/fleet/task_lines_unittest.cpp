@@ -37,7 +37,7 @@ TEST(TaskLines, whatIsNoTaskIsNamedWithItsLine) {
       parseTaskLines(good + bad, "tasks.jsonl");
       FAIL() << bad;
     } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("tasks.jsonl: line 2 is no task", 0), 0U);
+      EXPECT_EQ(std::string(error.what()).rfind("tasks.jsonl: line 2 is not a task", 0), 0U);
     }
   }
 }

@@ -20,9 +20,9 @@ using Json = nlohmann::json;
 std::string schemaComplaint(const std::string& text) {
   rapidjson::Document schemaText, document;
   schemaText.Parse(readAll(ROOMGRAPH_SCHEMA).c_str());
-  if (schemaText.HasParseError()) return "the schema is no JSON";
+  if (schemaText.HasParseError()) return "the schema is not JSON";
   document.Parse(text.c_str());
-  if (document.HasParseError()) return "the document is no JSON";
+  if (document.HasParseError()) return "the document is not JSON";
   const rapidjson::SchemaDocument schema(schemaText);
   rapidjson::SchemaValidator validator(schema);
   if (document.Accept(validator)) return {};

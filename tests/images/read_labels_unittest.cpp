@@ -144,7 +144,7 @@ TEST_F(ReadLabels, pgmValuesAreNotScaled) {
 TEST_F(ReadLabels, badFilesAreRefusedInOneLine) {
   EXPECT_NE(errorOf(dir_.path("none.png")).find("there is no such file"), std::string::npos);
   expectRefused("", "is empty");
-  expectRefused("Dear map", "is no label picture");
+  expectRefused("Dear map", "is not a label picture");
   expectRefused("P5 60000 60000 255\n", "60000 x 60000 pixels");
   expectRefused("P5 0 5 255\n", "no pixels");
   expectRefused("P5 20 20 255\nabc", "pixels are missing");

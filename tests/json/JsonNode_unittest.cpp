@@ -37,16 +37,16 @@ TEST(JsonNode, saysWhatIsWrongAndWhere) {
   const std::string text = R"({"rooms": [{"area": "large", "id": 1, "at": [1], "count": -2}]})";
   const auto room = [](const JsonNode& top) { return top["rooms"].list()[0]; };
   EXPECT_EQ(broken(text, [&](auto& top) { room(top)["area"].number(); }),
-            "rooms[0].area: is no number");
+            "rooms[0].area: is not a number");
   EXPECT_EQ(broken(text, [&](auto& top) { room(top)["door"]; }), "rooms[0]: has no 'door'");
-  EXPECT_EQ(broken(text, [&](auto& top) { room(top)["id"].text(); }), "rooms[0].id: is no text");
+  EXPECT_EQ(broken(text, [&](auto& top) { room(top)["id"].text(); }), "rooms[0].id: is not text");
   EXPECT_EQ(broken(text, [&](auto& top) { room(top)["at"].point(); }),
-            "rooms[0].at: is no pair [x, y]");
+            "rooms[0].at: is not a pair [x, y]");
   EXPECT_EQ(broken(text, [&](auto& top) { room(top)["count"].countBelow(9); }),
-            "rooms[0].count: is no whole number below 9");
+            "rooms[0].count: is not a whole number below 9");
   EXPECT_EQ(broken(text, [&](auto& top) { room(top).checkId(0); }),
-            "rooms[0].id: is no whole number below 1");
-  EXPECT_EQ(broken(text, [&](auto& top) { room(top).list(); }), "rooms[0]: is no list");
+            "rooms[0].id: is not a whole number below 1");
+  EXPECT_EQ(broken(text, [&](auto& top) { room(top).list(); }), "rooms[0]: is not a list");
 }
 
 TEST(JsonNode, readsIdsWithinTheirLists) {

@@ -15,9 +15,9 @@ TEST(JsonFault, nothingIsWrongWithAWholeObjectOfTheFormat) {
 TEST(JsonFault, partsAndOtherThingsAreNamed) {
   EXPECT_EQ(fault(""), "is empty");
   EXPECT_EQ(fault(" \n"), "is empty");
-  EXPECT_EQ(fault("[1, 2]"), "is no JSON, or only a part of one");
+  EXPECT_EQ(fault("[1, 2]"), "is not JSON, or only a part of it");
   EXPECT_EQ(fault("{\"format\": \"roomgraph/graph\", \"rooms\": ["),
-            "is no JSON, or only a part of one");
+            "is not JSON, or only a part of it");
   EXPECT_EQ(fault("{\"format\": \"roomgraph/site\"}"), "is not of format roomgraph/graph");
 }
 

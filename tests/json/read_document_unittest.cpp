@@ -27,7 +27,7 @@ TEST(ReadDocument, givesWhatIsReadFromTheTop) {
 
 TEST(ReadDocument, namesFilePlaceProblemAndRemedy) {
   EXPECT_EQ(complaintOf(R"({"format": "roomgraph/graph", "thing": {"weight": "much"}})"),
-            "a.json: thing.weight is no number; weigh it again");
+            "a.json: thing.weight is not a number; weigh it again");
   EXPECT_EQ(complaintOf(R"({"format": "roomgraph/graph"})"),
             "a.json: the file has no 'thing'; weigh it again");
 }
@@ -36,7 +36,7 @@ TEST(ReadDocument, refusesWhatIsNoDocumentOfTheFormat) {
   EXPECT_EQ(complaintOf(R"({"format": "roomgraph/site"})"),
             "a.json: is not of format roomgraph/graph; weigh it again");
   EXPECT_EQ(complaintOf(R"({"format": "roomgraph/graph", })"),
-            "a.json: is no JSON, or only a part of one; weigh it again");
+            "a.json: is not JSON, or only a part of it; weigh it again");
 }
 
 }  // namespace

@@ -72,9 +72,9 @@ TEST_F(BadInput, emptyFileIsRefused) {
 }
 
 TEST_F(BadInput, textIsRefused) {
-  expectRefused("Dear map,\nhow are you?\n", "is no map of a known kind");
-  expectRefused(std::string(60000, '['), "is no map of a known kind");
-  expectRefused("key: value\n", "is no map of a known kind");
+  expectRefused("Dear map,\nhow are you?\n", "is not a map of a known kind");
+  expectRefused(std::string(60000, '['), "is not a map of a known kind");
+  expectRefused("key: value\n", "is not a map of a known kind");
 }
 
 TEST_F(BadInput, randomBytesAreRefused) {
@@ -370,7 +370,7 @@ TEST_F(BadYaml, everyValueIsChecked) {
   expectYamlRefused(good + "negate: perhaps", "'negate'");
   expectYamlRefused(good + "mode: quaternary", "'mode'");
   expectYamlRefused("image:\n" + resolution + origin, "'image'");
-  expectYamlRefused(good + "a: [b", "no valid yaml");
+  expectYamlRefused(good + "a: [b", "not valid yaml");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(MapComparisonFile, comesBackAsItWas) {
 TEST(MapComparisonFile, anotherObjectIsRefusedInOneLine) {
   const test::TempDir folder;
   const std::string graph = folder.write("a.roomgraph", roomGraphBytes(sampleGraph()));
-  EXPECT_EQ(messageOf(graph), graph + ": is no comparison of maps: give a comparison.roomgraph");
+  EXPECT_EQ(messageOf(graph), graph + ": is not a comparison of maps: give a comparison.roomgraph");
   const std::string comparison =
       folder.write("b.roomgraph", mapComparisonBytes(test::sampleMapComparison()));
   EXPECT_THROW(loadRoomGraph(comparison), DataError);
@@ -59,7 +59,7 @@ TEST(MapComparisonFile, noDamageIsTakenForAComparison) {
             std::string::npos);
   std::string noNumber(plain.begin(), plain.end());
   for (std::size_t i = 0; i < 4; ++i) noNumber[noNumber.size() - 2 - i] = '\xff';
-  EXPECT_NE(messageOf(folder.write("nan.roomgraph", noNumber)).find("is no number"),
+  EXPECT_NE(messageOf(folder.write("nan.roomgraph", noNumber)).find("is not a number"),
             std::string::npos);
 }
 

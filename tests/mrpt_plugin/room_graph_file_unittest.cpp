@@ -160,7 +160,7 @@ TEST_F(RoomGraphFile, nothingMayFollow) {
 
 TEST_F(RoomGraphFile, otherFilesAreNoRoomGraph) {
   EXPECT_EQ(refusalOf("Hello, this is a letter, and no graph.\n"),
-            path_ + ": is no room graph: give a .roomgraph file");
+            path_ + ": is not a room graph: give a .roomgraph file");
   fs::remove(path_);
   EXPECT_THROW(loadRoomGraph(path_), DataError);
 }

@@ -40,7 +40,7 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
   if (!mayMake && !exists)
     refuse(file, "there is no such archive", "make it with 'roomgraph archive " + file + " add'");
   if (exists && !std::filesystem::is_regular_file(path))
-    refuse(file, "is no regular file", remedyOf(SQLITE_NOTADB));
+    refuse(file, "is not a regular file", remedyOf(SQLITE_NOTADB));
   if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ ? sqlite3_extended_errcode(handle_) : SQLITE_NOMEM;
     sqlite3_close(handle_);

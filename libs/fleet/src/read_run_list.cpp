@@ -90,7 +90,7 @@ std::vector<ListedRun> readRunList(const std::string& text, const std::string& n
                    .lexically_normal()
                    .string();
     if (!cell(time).empty() && !(run.time = parseTime(cell(time))))
-      throw DataError(where + ": '" + cell(time) + "' is no time: give 2026-11-22T03:00");
+      throw DataError(where + ": '" + cell(time) + "' is not a time: give 2026-11-22T03:00");
     runs.push_back(run);
   }
   return runs;

@@ -53,11 +53,11 @@ std::vector<FleetTask> parseTaskLines(const std::string& text, const std::string
     try {
       tasks.push_back(taskOf(Json::parse(line)));
     } catch (const nlohmann::json::exception&) {
-      throw DataError(where + " is no task: write the file anew with 'roomgraph plan'");
+      throw DataError(where + " is not a task: write the file anew with 'roomgraph plan'");
     }
     const FleetTask& task = tasks.back();
     if (!isKey(task.key) || task.runs.empty() || task.newRuns > task.runs.size())
-      throw DataError(where + " is no task: write the file anew with 'roomgraph plan'");
+      throw DataError(where + " is not a task: write the file anew with 'roomgraph plan'");
   }
   return tasks;
 }

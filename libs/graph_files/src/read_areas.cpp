@@ -18,9 +18,9 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
 
 Passage readPassage(const JsonNode& node, std::size_t areaCount) {
   const auto areas = node["areas"].list();
-  if (areas.size() != 2) throw Broken{node.place + ".areas", "is no pair [area, area]"};
+  if (areas.size() != 2) throw Broken{node.place + ".areas", "is not a pair [area, area]"};
   const auto ends = node["ends"].points();
-  if (ends.size() != 2) throw Broken{node.place + ".ends", "is no pair [point, point]"};
+  if (ends.size() != 2) throw Broken{node.place + ".ends", "is not a pair [point, point]"};
   return {readId<AreaId>(areas[0], areaCount), readId<AreaId>(areas[1], areaCount), ends[0],
           ends[1], node["width"].number()};
 }

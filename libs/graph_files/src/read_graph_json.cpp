@@ -21,7 +21,7 @@ GraphFile::Input readInput(const JsonNode& node) {
   if (node.contains("insertion")) input.insertion = node["insertion"].text();
   constexpr std::size_t kMaxCells = std::numeric_limits<int>::max();
   const auto size = node["size"].list();
-  if (size.size() != 2) throw Broken{node.place + ".size", "is no pair [width, height]"};
+  if (size.size() != 2) throw Broken{node.place + ".size", "is not a pair [width, height]"};
   input.frame.width = int(size[0].countBelow(kMaxCells));
   input.frame.height = int(size[1].countBelow(kMaxCells));
   input.frame.resolution = node["resolution"].number();
@@ -40,15 +40,15 @@ SavedOption readOption(const std::string& section, const std::string& key, const
   else if (value.is_string())
     option.value = value.get<std::string>();
   else
-    throw Broken{"options." + section + "." + key, "is no number, switch or text"};
+    throw Broken{"options." + section + "." + key, "is not a number, switch or text"};
   return option;
 }
 
 std::vector<SavedOption> readOptions(const JsonNode& node) {
   std::vector<SavedOption> options;
-  if (!node.json.is_object()) throw Broken{node.place, "is no object"};
+  if (!node.json.is_object()) throw Broken{node.place, "is not an object"};
   for (const auto& [section, values] : node.json.items()) {
-    if (!values.is_object()) throw Broken{node.place + "." + section, "is no object"};
+    if (!values.is_object()) throw Broken{node.place + "." + section, "is not an object"};
     for (const auto& [key, value] : values.items())
       options.push_back(readOption(section, key, value));
   }
@@ -57,7 +57,7 @@ std::vector<SavedOption> readOptions(const JsonNode& node) {
 
 Vertex readVertex(const JsonNode& node, std::size_t roomCount) {
   const auto kind = kindOfName(node["kind"].text());
-  if (!kind) throw Broken{node.place + ".kind", "is no kind of vertex"};
+  if (!kind) throw Broken{node.place + ".kind", "is not a kind of vertex"};
   return {{node["x"].number(), node["y"].number()},
           node["clearance"].numberOrInfinity(),
           *kind,

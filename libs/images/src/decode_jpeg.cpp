@@ -65,7 +65,8 @@ bool readRows(Decoder& d) {
 }
 
 void openJpeg(Decoder& d, ByteView bytes, const std::string& file) {
-  if (!readHeader(d, bytes)) refuse(file, "it is damaged: it is no whole jpeg", kSavePictureAgain);
+  if (!readHeader(d, bytes))
+    refuse(file, "it is damaged: it is not a whole jpeg", kSavePictureAgain);
   const J_COLOR_SPACE space = d.jpeg.jpeg_color_space;
   if (space != JCS_GRAYSCALE && space != JCS_YCbCr && space != JCS_RGB)
     refuse(file, "is a jpeg for printing, with other colours than red, green and blue",

@@ -124,7 +124,7 @@ bool isImage(ByteView head) { return kindOf(head) != nullptr; }
 void readImage(CheckedFile& file, GreyMap& map) {
   const Kind* kind = kindOf(file.head());
   if (!kind)
-    refuse(file.name(), "is no picture of a known kind", "convert it to png, pgm, bmp or jpeg");
+    refuse(file.name(), "is not a picture of a known kind", "convert it to png, pgm, bmp or jpeg");
   kind->read(file, map);
 }
 

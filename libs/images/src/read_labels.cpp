@@ -55,7 +55,7 @@ LabelMap readLabels(const std::string& name) {
     else if (isPgm(file.head()))
       readPgm(file, map);
     else
-      refuse(name, "is no label picture", "give a png or pgm (P2, P5), one value per region");
+      refuse(name, "is not a label picture", "give a png or pgm (P2, P5), one value per region");
     map.source = {name, file.sha256()};
     return map;
   } catch (const std::bad_alloc&) {

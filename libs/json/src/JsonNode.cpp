@@ -5,14 +5,14 @@
 namespace roomgraph {
 
 JsonNode JsonNode::operator[](const char* key) const {
-  if (!json.is_object()) throw Broken{place, "is no object"};
+  if (!json.is_object()) throw Broken{place, "is not an object"};
   const auto found = json.find(key);
   if (found == json.end()) throw Broken{place, std::string("has no '") + key + "'"};
   return {*found, place.empty() ? key : place + "." + key};
 }
 
 std::vector<JsonNode> JsonNode::list() const {
-  if (!json.is_array()) throw Broken{place, "is no list"};
+  if (!json.is_array()) throw Broken{place, "is not a list"};
   std::vector<JsonNode> nodes;
   for (std::size_t i = 0; i < json.size(); ++i)
     nodes.push_back({json[i], place + "[" + std::to_string(i) + "]"});
@@ -20,7 +20,7 @@ std::vector<JsonNode> JsonNode::list() const {
 }
 
 double JsonNode::number() const {
-  if (!json.is_number()) throw Broken{place, "is no number"};
+  if (!json.is_number()) throw Broken{place, "is not a number"};
   return json.get<double>();
 }
 
@@ -29,19 +29,19 @@ double JsonNode::numberOrInfinity() const {
 }
 
 std::string JsonNode::text() const {
-  if (!json.is_string()) throw Broken{place, "is no text"};
+  if (!json.is_string()) throw Broken{place, "is not text"};
   return json.get<std::string>();
 }
 
 std::size_t JsonNode::countBelow(std::size_t end) const {
   if (!json.is_number_unsigned() || json.get<std::uint64_t>() >= end)
-    throw Broken{place, "is no whole number below " + std::to_string(end)};
+    throw Broken{place, "is not a whole number below " + std::to_string(end)};
   return json.get<std::size_t>();
 }
 
 Point JsonNode::point() const {
   const auto numbers = list();
-  if (numbers.size() != 2) throw Broken{place, "is no pair [x, y]"};
+  if (numbers.size() != 2) throw Broken{place, "is not a pair [x, y]"};
   return {numbers[0].number(), numbers[1].number()};
 }
 

@@ -27,7 +27,7 @@ std::string jsonFault(const std::string& text, const std::string& format) {
   constexpr int kDeepest = 20;
   const auto first = text.find_first_not_of(kBlank), last = text.find_last_not_of(kBlank);
   if (first == std::string::npos) return "is empty";
-  if (text[first] != '{' || text[last] != '}') return "is no JSON, or only a part of one";
+  if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";
   if (text.find('"' + format + '"') == std::string::npos) return "is not of format " + format;
   if (nesting(text) > kDeepest) return "is nested too deeply";
   return {};

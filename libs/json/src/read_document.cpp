@@ -10,7 +10,7 @@ nlohmann::ordered_json parseDocument(const std::string& text, const std::string&
   const std::string fault = jsonFault(text, format);
   if (!fault.empty()) throw DataError(name + ": " + fault + "; " + remedy);
   auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-  if (json.is_discarded()) throw DataError(name + ": is no JSON, or only a part of one; " + remedy);
+  if (json.is_discarded()) throw DataError(name + ": is not JSON, or only a part of it; " + remedy);
   return json;
 }
 

@@ -20,7 +20,7 @@ bool isRegisteredName(const std::string& className) {
   const auto object = peekObjectHeader(file.head());
   if (object && isRegisteredName(object->className))
     refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
-  refuse(file.name(), "is no map of a known kind", remedy);
+  refuse(file.name(), "is not a map of a known kind", remedy);
 }
 
 GreyMap readByContent(CheckedFile& file, const LoadGridOptions& options) {

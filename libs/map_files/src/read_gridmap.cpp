@@ -37,7 +37,7 @@ bool agrees(std::uint32_t cells, float low, float high, float resolution) {
 
 void check(const GridHeader& header, const std::string& file) {
   if (!(header.resolution >= 1e-4f && header.resolution <= 1e3f))
-    refuse(file, "its resolution is no length between 0.1 mm and 1 km", "save the map again");
+    refuse(file, "its resolution is not between 0.1 mm and 1 km", "save the map again");
   if (header.width == 0 || header.height == 0) refuse(file, "has no cells", "save the map again");
   if (header.bitsPerCell != 8 && header.bitsPerCell != 16)
     refuse(file, "it is damaged: its cells have neither 8 nor 16 bits", kSaveMapAgain);

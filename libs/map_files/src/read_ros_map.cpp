@@ -41,7 +41,7 @@ double readNumber(const YAML::Node& node, const std::string& key, double low, do
   if (node && node.IsScalar() && YAML::convert<double>::decode(node, value) && value >= low &&
       value <= high)
     return value;
-  refuse(file, node ? "its '" + key + "' is no sensible number" : "it has no '" + key + "'",
+  refuse(file, node ? "its '" + key + "' is not a sensible number" : "it has no '" + key + "'",
          "correct the yaml");
 }
 
@@ -92,7 +92,7 @@ RosMap parse(ByteView bytes, const std::string& file) {
       refuse(file, "it has no 'image', which a ROS map names", "correct the yaml");
     return parse(yaml, file);
   } catch (const YAML::Exception& error) {
-    refuse(file, "it is no valid yaml from line " + std::to_string(error.mark.line + 1) + " on",
+    refuse(file, "it is not valid yaml from line " + std::to_string(error.mark.line + 1) + " on",
            "correct the yaml");
   }
 }

@@ -25,7 +25,7 @@ RunWalls readWalls(ByteReader& in) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const float x = in.get<float>(), y = in.get<float>();
     if (!std::isfinite(x) || !std::isfinite(y))
-      refuse(in.file(), "a place in it is no number", kRemedy);
+      refuse(in.file(), "a place in it is not a number", kRemedy);
     run.walls.push_back({double(x), double(y)});
   }
   return run;

@@ -9,7 +9,7 @@ void readObjectFile(const std::string& path, const ObjectKind& kind,
   CheckedFile file(path);
   const std::optional<ObjectHeader> head = peekObjectHeader(file.head());
   if (!head || head->className != kind.className)
-    refuse(path, std::string("is no ") + kind.name, kind.remedy);
+    refuse(path, std::string("is not a ") + kind.name, kind.remedy);
   ByteReader in(file.content(), path);
   const ObjectHeader header = readObjectHeader(in);
   checkVersion(in, header, kind.newest);

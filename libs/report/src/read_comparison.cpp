@@ -27,7 +27,7 @@ std::size_t count(const JsonNode& node) { return node.countBelow(kMostCounted); 
 
 Transform2D pose(const JsonNode& node) {
   const std::vector<JsonNode> numbers = node.list();
-  if (numbers.size() != 3) throw Broken{node.place, "is no pose [x, y, phi]"};
+  if (numbers.size() != 3) throw Broken{node.place, "is not a pose [x, y, phi]"};
   return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
 }
 
@@ -37,7 +37,7 @@ std::optional<Transform2D> poseIfAny(const JsonNode& node) {
 
 /** "name" of each member, in the order of the file. */
 std::vector<std::pair<std::string, JsonNode>> members(const JsonNode& node) {
-  if (!node.json.is_object()) throw Broken{node.place, "is no object"};
+  if (!node.json.is_object()) throw Broken{node.place, "is not an object"};
   std::vector<std::pair<std::string, JsonNode>> all;
   for (const auto& item : node.json.items())
     all.push_back({item.key(), {item.value(), node.place + "." + item.key()}});

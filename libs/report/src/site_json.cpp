@@ -24,7 +24,7 @@ Ring ring(const JsonNode& node) {
   Ring result;
   for (const JsonNode& pair : node.list()) {
     const std::vector<JsonNode> numbers = pair.list();
-    if (numbers.size() != 2) throw Broken{pair.place, "is no pair [x, y]"};
+    if (numbers.size() != 2) throw Broken{pair.place, "is not a pair [x, y]"};
     result.push_back({metres(numbers[0]), metres(numbers[1])});
   }
   if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
@@ -34,7 +34,7 @@ Ring ring(const JsonNode& node) {
 int nextNumber(const JsonNode& node) {
   constexpr std::size_t kMost = 1'000'000'000;
   const std::size_t number = node.countBelow(kMost);
-  if (number == 0) throw Broken{node.place, "is no number from 1 on"};
+  if (number == 0) throw Broken{node.place, "is not a number from 1 on"};
   return int(number);
 }
 

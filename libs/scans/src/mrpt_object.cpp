@@ -58,7 +58,7 @@ CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& in) {
     // Written so that NaN is refused, too.
     isRotation = isRotation && std::abs(norm - 1) < 0.01 && std::isfinite(m(r, 3));
   }
-  if (!isRotation) refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
+  if (!isRotation) refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
   return CPose3D(m);
 }
 
@@ -67,7 +67,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
   if (version <= 1) {
     const Matrix stored = readMatrix(in);
     if (stored.rows != 4 || stored.columns != 4)
-      refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
+      refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) m(r, c) = stored.at(std::size_t(r), std::size_t(c));
     return m;
@@ -89,7 +89,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
 
 CPose3D checked(const CPose2D& pose, const ByteReader& in) {
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !(std::abs(pose.phi()) < 1e3))
-    refuse(in.file(), "it is damaged: a pose in it is no pose", kSaveMapAgain);
+    refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
   return CPose3D(CPose2D(pose.x(), pose.y(), pose.phi()));
 }
 

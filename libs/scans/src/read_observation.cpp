@@ -64,7 +64,7 @@ mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
   checkVersion(in, header, 2);
   mrpt::poses::CPose2D pose = readPose2D(in);
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
-    refuse(in.file(), "it is damaged: an odometry in it is no pose", kSaveMapAgain);
+    refuse(in.file(), "it is damaged: an odometry in it is not valid", kSaveMapAgain);
   return pose;
 }
 
