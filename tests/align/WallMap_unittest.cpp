@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawn_building.h"
+#include "roomgraph/align/FullMaps.h"
 
 namespace roomgraph {
 namespace {
@@ -126,11 +127,13 @@ TEST(WallMap, unknownSpaceAroundAMapChangesNothing) {
   EXPECT_EQ(here.states, there.states);
 }
 
-TEST(WallMap, freePlacesAreSpreadOverTheFreeSpace) {
+TEST(WallMap, freeCellsAreSpreadOverTheFreeSpace) {
   const WallMap map = wallMap(test::drawnBuilding(4, {}), {});
-  for (const Point& place : map.freePlaces)
-    EXPECT_EQ(map.states[map.frame.index(map.frame.cellAt(place))], State::free);
-  EXPECT_NEAR(double(map.freePlaces.size()) * 0.2 * 0.2, map.freeArea, 0.1 * map.freeArea);
+  for (const std::uint32_t cell : map.freeCells) {
+    EXPECT_EQ(map.states[cell], State::free);
+    EXPECT_EQ(map.frame.index(map.frame.cellAt(map.placeOf(cell))), cell);
+  }
+  EXPECT_NEAR(double(map.freeCells.size()) * 0.2 * 0.2, map.freeArea, 0.1 * map.freeArea);
 }
 
 TEST(WallMap, thatWhichIsOnlyLookedForHasTheSameWalls) {
@@ -158,6 +161,25 @@ TEST(WallMap, aMapWithoutFreeSpaceHasNoWalls) {
   const WallMap map = wallMap(grid, {});
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
+}
+
+TEST(WallMap, aBareOneIsCompletedWithAllItHad) {
+  const WallMap whole = wallMap(test::drawnBuilding(4, {}), {});
+  EXPECT_FALSE(whole.isBare());
+  WallMap bare = whole;
+  dropLookUp(bare);
+  EXPECT_TRUE(bare.isBare());
+  FullMaps maps;
+  const WallMap& full = maps(bare);
+  EXPECT_EQ(&maps(bare), &full) << "once";
+  EXPECT_EQ(&maps(whole), &whole) << "and only where it is needed";
+  ASSERT_FALSE(full.isBare());
+  for (std::size_t cell = 0; cell < whole.states.size(); ++cell) {
+    ASSERT_EQ(full.depths[cell], whole.depths[cell]);
+    for (std::size_t k = 0; k < kOctants; ++k)
+      ASSERT_EQ(full.nearest[k][cell], whole.nearest[k][cell]);
+  }
+  EXPECT_FALSE(WallMap().isBare()) << "nothing is missing";
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST(AxisDeviation, isNotTellableWithoutStraightWalls) {
   for (int i = 0; i < 300; ++i) {
     const double angle = 2 * M_PI * i / 300;
     const Point out{std::cos(angle), std::sin(angle)};
-    circle.push_back({0.6 * out, out, octantOf(out)});
+    circle.push_back({0.6 * out, out});
   }
   EXPECT_FALSE(axisDeviation(circle));
 }

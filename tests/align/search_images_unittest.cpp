@@ -42,7 +42,7 @@ TEST(SearchImages, theMiddleOfTheMapIsTheOrigin) {
     EXPECT_LT(distance(map.walls[i].place + middle, building().walls[i].place), 1e-9);
     EXPECT_EQ(map.walls[i].normal, building().walls[i].normal);
   }
-  ASSERT_EQ(map.freePlaces.size(), building().freePlaces.size());
+  ASSERT_EQ(map.freePlaces.size(), building().freeCells.size());
   const auto deep = std::count_if(map.freePlaces.begin(), map.freePlaces.end(),
                                   [](const CentredMap::FreePlace& p) { return p.isDeep; });
   EXPECT_GT(deep, 0);
@@ -123,9 +123,9 @@ TEST(SearchImages, whatNothingIsKnownOfIsWorthNothingAndFreeSpaceLess) {
 
 TEST(SearchImages, aWallThatIsThereTwiceCountsOnce) {
   CentredMap map;
-  map.walls.push_back({{0.1, 0.1}, {1, 0}, 0});
+  map.walls.push_back({{0.1, 0.1}, {1, 0}});
   const SearchImages once = imagesOf(map, 0, kCell, 1);
-  map.walls.push_back({{0.12, 0.1}, {1, 0}, 0});
+  map.walls.push_back({{0.12, 0.1}, {1, 0}});
   const SearchImages twice = imagesOf(map, 0, kCell, 1);
   for (std::size_t octant = 0; octant < once.values.size(); ++octant)
     EXPECT_EQ(once.values[octant], twice.values[octant]);

@@ -24,7 +24,7 @@ View sampleView() {
       view.runs[r].scans.emplace_back();
       view.runs[r].scans.back().keyFrame = k;
       view.runs[r].scans.back().pose = pose;
-      view.runs[r].scans.back().walls = {{{pose.x, pose.y + 1}, {0, -1}, 6}};
+      view.runs[r].scans.back().walls = {{{pose.x, pose.y + 1}, {0, -1}}};
     }
   }
   view.comparison.breaks = {{"torn", {6, 1}, 0.2, 1, 12, 1e9, TornPose{{6, 1, 0}, {5, 1, -0.2}}},

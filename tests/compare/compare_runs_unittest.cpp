@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "drawn_building.h"
+#include "drawn_drive.h"
 #include "drawn_graph.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_related.h"
@@ -82,6 +83,26 @@ TEST(CompareRuns, ofManyRunsACoreTellsWhichIsBent) {
   EXPECT_EQ(comparisonJson(compared(runs, options)), comparisonJson(some))
       << "the order of the arguments counts";
   EXPECT_TRUE(compared(runs).core.empty());
+}
+
+TEST(CompareRuns, bareMapsChangeNothing) {
+  std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
+  const std::vector<Keyframe> drive = test::drawnDrive(drawnBuilding(1, {}));
+  for (const double turn : {0.3, 1.1, -0.8}) {
+    const auto frames = test::moved(drive, {2 * turn, 1, turn});
+    runs.push_back(run("turned " + std::to_string(turn), test::mapDrawnBy(frames)));
+    runs.back().scans = scanWalls(frames);
+  }
+  runs.push_back(runs.back());
+  runs.back().name = "copy";
+  for (const std::size_t core : {3u, 12u}) {
+    CompareRunsOptions options;
+    options.core = core;
+    const std::string full = comparisonJson(compared(runs, options));
+    std::vector<roomgraph::Run> bare = runs;
+    for (roomgraph::Run& one : bare) dropLookUp(one.map);
+    EXPECT_EQ(comparisonJson(compared(bare, options)), full) << core;
+  }
 }
 
 TEST(CompareRuns, aCopyChangesNoCoverageAndNoMeaning) {

@@ -33,7 +33,7 @@ const Building& building() {
 
 std::vector<MatchedPiece> piecesOf(const roomgraph::Run& of, const roomgraph::Run& in,
                                    const Transform2D& pose) {
-  return matchSubmaps(of, runSubmaps(of), in, runSubmaps(in),
+  return matchSubmaps(of, runSubmaps(of), in.map, runSubmaps(in),
                       followWalls(of.map, in.map, {pose}, {}), {pose});
 }
 
@@ -92,7 +92,7 @@ TEST(MatchSubmaps, inAnotherBuildingThereAreNone) {
   other.map = wallMap(test::squareHall({300, 0, 0}), {});
   EXPECT_TRUE(matchesOf(run, other, {}).empty());
   EXPECT_TRUE(matchesOf(flat, other, {}).empty());
-  EXPECT_TRUE(matchSubmaps(run, runSubmaps(run), run, runSubmaps(run), {}, {}).empty())
+  EXPECT_TRUE(matchSubmaps(run, runSubmaps(run), run.map, runSubmaps(run), {}, {}).empty())
       << "where no wall was followed";
 }
 

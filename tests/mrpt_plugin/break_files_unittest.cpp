@@ -32,9 +32,9 @@ std::vector<Run> runs() {
     both[0].scans.emplace_back();
     both[0].scans.back().keyFrame = k;
     both[0].scans.back().pose = {0.5 * double(k), 0, 0};
-    both[0].scans.back().walls = {{{0.5 * double(k), 1}, {0, -1}, 6}};
+    both[0].scans.back().walls = {{{0.5 * double(k), 1}, {0, -1}}};
   }
-  both[1].map.walls = {{{0, 0}, {0, 1}, 2}, {{1, 0}, {0, 1}, 2}};
+  both[1].map.walls = {{{0, 0}, {0, 1}}, {{1, 0}, {0, 1}}};
   return both;
 }
 

@@ -10,7 +10,7 @@ namespace {
 /** A map of walls that face these ways [rad]. */
 WallMap facing(const std::vector<double>& ways) {
   WallMap map;
-  for (const double way : ways) map.walls.push_back({{0, 0}, {std::cos(way), std::sin(way)}, 0});
+  for (const double way : ways) map.walls.push_back({{0, 0}, {std::cos(way), std::sin(way)}});
   return map;
 }
 

@@ -31,8 +31,12 @@ TEST(SeenPlaces, twoMapsOfOneBuildingHaveTheSameOnesInOneFrame) {
 
 TEST(SeenPlaces, squaresThatAreFarApartAreNotTheSame) {
   WallMap map;
-  map.freePlaces = {{0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.6}, {1e30, 0}, {-1e30, 0}};
-  EXPECT_EQ(seenPlaces(map, {}).size(), 5u);
+  map.frame = {4, 4, 1, {-2, -2}};
+  map.freeCells = {6, 9, 10};  // round the origin
+  EXPECT_EQ(seenPlaces(map, {}).size(), 3u);
+  const SeenPlaces right = seenPlaces(map, {1e30, 0, 0}), left = seenPlaces(map, {-1e30, 0, 0});
+  EXPECT_EQ(right.size(), 2u) << "as far as a number goes, two of them are one";
+  EXPECT_EQ(sharedOf(left, right), 0u);
   EXPECT_TRUE(seenPlaces(WallMap(), {}).empty());
 }
 

@@ -5,6 +5,7 @@
 
 #include "axis_deviation.h"
 #include "roomgraph/grid/clear_wall_rims.h"
+#include "wall_doubling.h"
 #include "wall_sharpness.h"
 
 namespace roomgraph {
@@ -12,7 +13,7 @@ namespace {
 
 constexpr double kFineCell = 0.05;      // walls are looked for on cells no smaller than this [m]
 constexpr double kNormalRadius = 0.25;  // of the window that gives a wall its direction [m]
-constexpr double kFreeSpacing = 0.2;    // of freePlaces [m]
+constexpr double kFreeSpacing = 0.2;    // of freeCells [m]
 constexpr int kTurnBins = 180;
 
 /** The cells that are not unknown, as a box of cells; empty where x1 <= x0. */
@@ -95,8 +96,7 @@ std::vector<WallPoint> wallSides(const Grid& grid) {
       if (grid.at({x, y}) != State::free || !isBesideWall(grid, {x, y})) continue;
       const Point normal = normalAt(grid, {x, y});
       if (normal == Point{}) continue;
-      sides.push_back({grid.frame.center({x, y}) - 0.5 * grid.frame.resolution * normal, normal,
-                       octantOf(normal)});
+      sides.push_back({grid.frame.center({x, y}) - 0.5 * grid.frame.resolution * normal, normal});
     }
   return sides;
 }
@@ -105,9 +105,9 @@ std::vector<WallPoint> wallSides(const Grid& grid) {
 std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFrame& frame) {
   std::vector<std::pair<std::size_t, std::size_t>> order;  // key, side
   for (std::size_t i = 0; i < sides.size(); ++i)
-    order.push_back(
-        {frame.index(frame.cellAt(sides[i].place)) * kOctants + std::size_t(sides[i].direction),
-         i});
+    order.push_back({frame.index(frame.cellAt(sides[i].place)) * kOctants +
+                         std::size_t(octantOf(sides[i].normal)),
+                     i});
   std::sort(order.begin(), order.end());
   std::vector<WallPoint> points;
   for (std::size_t i = 0; i < order.size();) {
@@ -118,7 +118,7 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
       normal = normal + sides[order[k].second].normal;
     }
     normal = (1 / norm(normal)) * normal;  // within one octant, so not (0, 0)
-    points.push_back({(1 / double(n)) * place, normal, octantOf(normal)});
+    points.push_back({(1 / double(n)) * place, normal});
     i = k;
   }
   return points;
@@ -142,11 +142,11 @@ void sweep(const GridFrame& frame, Better better) {
   }
 }
 
-std::vector<std::uint32_t> nearestWalls(const WallMap& map, int octant, double reach) {
+std::vector<std::uint32_t> nearestWalls(const WallMap& map, int octant) {
   constexpr std::uint32_t none = WallMap::kNoWall;
   const GridFrame& frame = map.frame;
   std::vector<std::uint32_t> label(frame.cellCount(), none);
-  std::vector<float> best(frame.cellCount(), float(reach * reach));
+  std::vector<float> best(frame.cellCount(), float(map.reach * map.reach));
   const auto offer = [&](Cell c, std::uint32_t wall) {
     const std::size_t i = frame.index(c);
     const float d = float(squaredNorm(frame.center(c) - map.walls[wall].place));
@@ -183,13 +183,14 @@ std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
   return turns;
 }
 
-std::vector<Point> placesIn(const Grid& grid, const GridFrame& frame) {
+std::vector<std::uint32_t> freeCellsOf(const GridFrame& frame, const std::vector<State>& states) {
   const int step = std::max(1, int(std::lround(kFreeSpacing / frame.resolution)));
-  std::vector<Point> places;
+  std::vector<std::uint32_t> cells;
   for (int y = step / 2; y < frame.height; y += step)
     for (int x = step / 2; x < frame.width; x += step)
-      if (grid.at({x, y}) == State::free) places.push_back(frame.center({x, y}));
-  return places;
+      if (states[frame.index({x, y})] == State::free)
+        cells.push_back(std::uint32_t(frame.index({x, y})));
+  return cells;
 }
 
 }  // namespace
@@ -209,13 +210,14 @@ WallMap bareWallMap(const Grid& grid, const WallMapOptions& options) {
   const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), options.reach);
   const Grid coarse = coarser(known, std::max(options.cell, grid.frame.resolution), options.reach);
   WallMap map;
+  map.reach = options.reach;
   map.frame = coarse.frame;
   map.states = coarse.cells;
   const std::vector<WallPoint> sides = wallSides(fine);
   map.turns = turnsOf(sides);
   map.walls = thinned(sides, map.frame);
   map.patches = wallPatches(map.walls, {});
-  map.freePlaces = placesIn(coarse, map.frame);
+  map.freeCells = freeCellsOf(map.frame, map.states);
   const auto free = std::count(map.states.begin(), map.states.end(), State::free);
   map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;
   return map;
@@ -225,10 +227,17 @@ WallMap wallMap(const Grid& grid, const WallMapOptions& options) {
   WallMap map = bareWallMap(grid, options);
   map.axisDeviation = axisDeviation(map.walls);
   map.wallSharpness = wallSharpness(grid);
-  map.depths = {depthsOf(map.frame, map.states), 0};
-  for (int k = 0; k < kOctants; ++k)
-    map.nearest[std::size_t(k)] = SparseIndices(nearestWalls(map, k, options.reach));
+  addLookUp(map);
+  map.wallDoubling = wallDoubling(map);
   return map;
 }
+
+void addLookUp(WallMap& map) {
+  map.depths = {depthsOf(map.frame, map.states), 0};
+  for (int k = 0; k < kOctants; ++k)
+    map.nearest[std::size_t(k)] = SparseIndices(nearestWalls(map, k));
+}
+
+void dropLookUp(WallMap& map) { map.depths = {}, map.nearest = {}; }
 
 }  // namespace roomgraph

@@ -19,7 +19,7 @@ std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
   Point normal = (1 / norm(along)) * Point{-along.y, along.x};
   if (dot(normal, end) > 0) normal = -1.0 * normal;  // towards the robot
   const Point out = turned(normal, frame.pose.phi);
-  return WallPoint{frame.pose(end), out, octantOf(out)};
+  return WallPoint{frame.pose(end), out};
 }
 
 }  // namespace

@@ -66,9 +66,8 @@ CentredMap centred(const WallMap& map) {
     wall.place = wall.place - middle;
     out.walls.push_back(wall);
   }
-  for (const Point& place : map.freePlaces)
-    out.freePlaces.push_back(
-        {place - middle, map.depths[map.frame.index(map.frame.cellAt(place))] >= kMiddleDepth});
+  for (const std::uint32_t cell : map.freeCells)
+    out.freePlaces.push_back({map.placeOf(cell) - middle, map.depths[cell] >= kMiddleDepth});
   return out;
 }
 

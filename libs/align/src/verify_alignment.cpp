@@ -69,12 +69,12 @@ struct FreeCount {
 
 FreeCount countFree(const WallMap& of, const WallMap& in, const Transform2D& pose,
                     std::size_t maxCount) {
-  const std::size_t stride = (of.freePlaces.size() + maxCount - 1) / maxCount;
+  const std::size_t stride = (of.freeCells.size() + maxCount - 1) / maxCount;
   const Motion2D motion(pose);
   FreeCount count;
-  for (std::size_t i = 0; i < of.freePlaces.size(); i += std::max<std::size_t>(1, stride)) {
+  for (std::size_t i = 0; i < of.freeCells.size(); i += std::max<std::size_t>(1, stride)) {
     ++count.all;
-    const std::size_t at = cellIndexAt(in.frame, motion(of.freePlaces[i]));
+    const std::size_t at = cellIndexAt(in.frame, motion(of.placeOf(of.freeCells[i])));
     if (at == in.states.size()) continue;
     const State state = in.states[at];
     if (state == State::free) ++count.free;

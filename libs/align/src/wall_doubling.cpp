@@ -1,4 +1,4 @@
-#include "roomgraph/align/wall_doubling.h"
+#include "wall_doubling.h"
 
 #include <cmath>
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/breaks/place_break.h"
 
 namespace roomgraph {
@@ -86,8 +87,9 @@ class BreakSearch {
 
   std::vector<std::optional<PieceBreak>> toldByWitnesses() const {
     std::vector<std::optional<PieceBreak>> told;
+    FullMaps maps;
     for (const std::size_t j : witnesses_)
-      told.push_back(findPieces(site_.runs[run_]->map, site_.runs[j]->map,
+      told.push_back(findPieces(site_.runs[run_]->map, maps(site_.mapOf(j)),
                                 followedIn(pairs_, run_, j), options_.findPieces));
     return told;
   }

@@ -18,6 +18,9 @@
 namespace roomgraph {
 namespace {
 
+/** Of more runs than these, the others keep bare maps: many would not fit in memory. */
+constexpr std::size_t kMostFullMaps = 64;
+
 /** A file on its way to a run. */
 struct MapFile {
   std::string file, name;
@@ -101,6 +104,8 @@ class Reader {
   void prepare(MapFile& file, const GreyMap& map) const {
     const ExtractOptions& extract = options_.extract;
     file.run = prepareRun(file.name, map, loadKeyframes(file.file, extract.loadGrid), extract);
+    const bool isOneOfMany = std::size_t(&file - files_.data()) >= kMostFullMaps;
+    if (isOneOfMany && !options_.estimatesScale) dropLookUp(file.run->map);
   }
 
   /** Reads the bare pictures at the scale at which they fit the other maps. */

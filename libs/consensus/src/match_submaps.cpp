@@ -60,11 +60,12 @@ std::optional<SubmapMatch> matchAt(std::uint32_t submap, const Transform2D& subm
   return SubmapMatch{submap, *in, relative, meeting.share(), false};
 }
 
-std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
-                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed) {
+std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmaps,
+                                       const WallMap& in, const RunSubmaps& inSubmaps,
+                                       const FollowedWalls& followed) {
   std::map<int, MatchedPiece> layers;
   for (const FollowedPatch& patch : followed.patches) {
-    Meeting meeting(in.map, inSubmaps, patch.pose);
+    Meeting meeting(in, inSubmaps, patch.pose);
     for (const std::uint32_t wall : of.map.patches[patch.patch].own)
       meeting.add(of.map.walls[wall]);
     const Transform2D& submap = ofSubmaps.submaps[patch.patch].pose;
@@ -99,12 +100,13 @@ void tellLikeness(std::vector<MatchedPiece>& pieces, const Track& track, const R
 
 }  // namespace
 
-std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
-                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed,
+std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps,
+                                       const WallMap& in, const RunSubmaps& inSubmaps,
+                                       const FollowedWalls& followed,
                                        const std::vector<Transform2D>& wholes) {
   if (followed.patches.empty()) return {};
   if (!ofSubmaps.areScans) return matchPatches(of, ofSubmaps, in, inSubmaps, followed);
-  const auto track = trackScans(of.scans, of.map.patches, followed, wholes, in.map, {});
+  const auto track = trackScans(of.scans, of.map.patches, followed, wholes, in, {});
   std::vector<MatchedPiece> pieces;
   std::optional<std::size_t> last;
   for (std::uint32_t k = 0; k < track.size(); ++k) {
@@ -112,12 +114,12 @@ std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmap
     if (!last || !areNear(*track[*last], *track[k], of.scans[k].at(), kSteadyTrack))
       pieces.emplace_back();  // the track jumps
     last = k;
-    Meeting meeting(in.map, inSubmaps, *track[k]);
+    Meeting meeting(in, inSubmaps, *track[k]);
     for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
     const auto match = matchAt(k, ofSubmaps.submaps[k].pose, *track[k], meeting, inSubmaps);
     if (match) pieces.back().matches.push_back(*match);
   }
-  tellLikeness(pieces, track, of, in.map);
+  tellLikeness(pieces, track, of, in);
   return pieces;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -38,7 +39,8 @@ RunSubmaps runSubmaps(const Run& run) {
   RunSubmaps result;
   result.drawnBy.resize(run.map.walls.size());
   result.areScans = !run.scans.empty();
-  for (const ScanWalls& scan : run.scans) addScan(result, scan, run.map);
+  FullMaps maps;
+  for (const ScanWalls& scan : run.scans) addScan(result, scan, maps(run.map));
   if (!result.areScans)
     for (const WallPatch& patch : run.map.patches) addPatch(result, patch, run.map);
   return result;

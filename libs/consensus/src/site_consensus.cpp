@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "lost_scans.h"
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/find_consensus.h"
+#include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -88,15 +90,21 @@ std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
   for (std::size_t a = 0; a < n; ++a)
     for (std::size_t b = 0; b < n; ++b)
       if (a != b && pairs.has(order[a], order[b])) related.emplace_back(a, b);
-  std::vector<std::vector<MatchedPiece>> found(related.size());
-  forEach(related.size(), [&](std::size_t k) {
-    const auto [a, b] = related[k];
+  const auto matched = [&](std::size_t a, std::size_t b, FullMaps& maps) {
     const std::size_t i = order[a], j = order[b];
     std::vector<Transform2D> wholesInJ;
     for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
-    found[k] = matchSubmaps(*site.runs[i], submaps[a], *site.runs[j], submaps[b],
-                            followedIn(pairs, i, j), wholesInJ);
-    if (a < b) found[k].push_back({sameScans(*site.runs[i], *site.runs[j]), 0});
+    auto pieces = matchSubmaps(*site.runs[i], submaps[a], maps(site.mapOf(j)), submaps[b],
+                               followedIn(pairs, i, j), wholesInJ);
+    if (a < b) pieces.push_back({sameScans(*site.runs[i], *site.runs[j]), 0});
+    return pieces;
+  };
+  const auto jobs = pairJobs(related, [&](std::size_t a) { return site.mapOf(order[a]).isBare(); });
+  std::vector<std::vector<MatchedPiece>> found(related.size());
+  forEach(jobs.size(), [&](std::size_t job) {
+    FullMaps maps;
+    for (const std::size_t k : jobs[job])
+      found[k] = matched(related[k].first, related[k].second, maps);
   });
   std::vector<RunMatches> all;
   for (std::size_t k = 0; k < related.size(); ++k)

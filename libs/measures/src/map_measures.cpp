@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "measure_over_others.h"
-#include "roomgraph/align/wall_doubling.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/rigid_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
@@ -63,7 +62,7 @@ MeasuredValue overWalls(std::optional<double> value, const Run& run) {
 
 }  // namespace
 
-MeasuredValue wallDoublingOf(const Run& run) { return overWalls(wallDoubling(run.map), run); }
+MeasuredValue wallDoublingOf(const Run& run) { return overWalls(run.map.wallDoubling, run); }
 
 MeasuredValue wallSharpnessOf(const Run& run) { return overWalls(run.map.wallSharpness, run); }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "measure_over_others.h"
+#include "roomgraph/align/FullMaps.h"
+#include "roomgraph/relate/pair_jobs.h"
 #include "site_frame.h"
 
 namespace roomgraph {
@@ -134,12 +136,17 @@ MeasuredValue axisDeviationOf(const Run& run) {
 DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pairs,
                           const ForEach& forEach) {
   DistanceTable distances(site.runs.size(), pairs);
-  const auto measure = [&](std::size_t i, std::size_t j) {
-    distances(i, j) = wallDistances(site.runs[i]->map, site.runs[j]->map,
-                                    site.poses[j].inverse() * site.poses[i]);
+  const auto measure = [&](std::size_t i, std::size_t j, FullMaps& maps) {
+    distances(i, j) =
+        wallDistances(site.mapOf(i), maps(site.mapOf(j)), site.poses[j].inverse() * site.poses[i]);
   };
-  forEach(pairs.size(), [&](std::size_t k) {
-    measure(pairs[k].first, pairs[k].second), measure(pairs[k].second, pairs[k].first);
+  const auto jobs = pairJobs(pairs, [&](std::size_t i) { return site.mapOf(i).isBare(); });
+  forEach(jobs.size(), [&](std::size_t job) {
+    FullMaps maps;
+    for (const std::size_t k : jobs[job]) {
+      const auto [i, j] = pairs[k];
+      measure(i, j, maps), measure(j, i, maps);
+    }
   });
   return distances;
 }

@@ -5,8 +5,10 @@
 #include <tuple>
 #include <utility>
 
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/relate/pair_jobs.h"
 
 namespace roomgraph {
 namespace {
@@ -72,6 +74,17 @@ std::vector<PairOfThings> pairsWithin(const Site& site, const MapPairs& related)
   return within;
 }
 
+/** Whether a run is one of those among which the consensus is worked out. */
+bool isOfCore(const MapPairs& related, std::size_t run) {
+  return related.core.empty() || std::binary_search(related.core.begin(), related.core.end(), run);
+}
+
+void completeCore(Site& site, const MapPairs& related) {
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (site.runs[i]->map.isBare() && isOfCore(related, site.members[i]))
+      addLookUp(site.fullMaps.emplace(i, site.runs[i]->map).first->second);
+}
+
 }  // namespace
 
 bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
@@ -93,6 +106,7 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
     site.runs.push_back(&runs[site.members[i]]);
     if (reference == site.members[i]) site.reference = i;
   }
+  completeCore(site, related);
   std::vector<PairPose> used;
   for (const auto& [i, j] : pairsWithin(site, related)) {
     const MapPair& pair = related(site.members[i], site.members[j]);
@@ -109,19 +123,21 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
 MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& forEach) {
   MapPairs pairs(site.runs.size(), pairsWithin(site, related));
   for (std::size_t i = 0; i < site.members.size(); ++i)
-    if (std::binary_search(related.core.begin(), related.core.end(), site.members[i]))
-      pairs.core.push_back(i);
+    if (!related.core.empty() && isOfCore(related, site.members[i])) pairs.core.push_back(i);
   const std::vector<PairOfThings>& all = pairs.pairs();
-  forEach(all.size(), [&](std::size_t k) {
-    const auto [i, j] = all[k];
-    const WallMap &a = site.runs[i]->map, &b = site.runs[j]->map;
-    const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
-    MapPair& pair = pairs(i, j);
-    pair = related(site.members[i], site.members[j]);
-    if (!contradicts(pair, inSite, middleOfWalls(b))) return;
-    MapPair again = pair;
-    follow(again, a, b, {inSite});
-    if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
+  const auto jobs = pairJobs(all, [&](std::size_t i) { return site.mapOf(i).isBare(); });
+  forEach(jobs.size(), [&](std::size_t job) {
+    FullMaps maps;
+    for (const std::size_t k : jobs[job]) {
+      const auto [i, j] = all[k];
+      const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
+      MapPair& pair = pairs(i, j);
+      pair = related(site.members[i], site.members[j]);
+      if (!contradicts(pair, inSite, middleOfWalls(site.mapOf(j)))) continue;
+      MapPair again = pair;
+      follow(again, maps(site.mapOf(i)), maps(site.mapOf(j)), {inSite});
+      if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
+    }
   });
   return pairs;
 }

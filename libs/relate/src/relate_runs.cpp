@@ -9,8 +9,10 @@
 #include "choose_core.h"
 #include "choose_judges.h"
 #include "pair_bytes.h"
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/files/checked_file.h"
+#include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -40,6 +42,13 @@ class Relating {
     for (const Run& run : runs) prints_.push_back(fingerprint(run.map));
   }
 
+  /** Completes maps in which others will be looked for again and again. */
+  void complete(const std::vector<std::size_t>& runs) {
+    std::vector<WallMap*> bare;
+    for (const std::size_t run : runs)
+      if (isBare(run)) bare.push_back(&full_.emplace(run, runs_[run].map).first->second);
+    forEach_(bare.size(), [&](std::size_t i) { addLookUp(*bare[i]); });
+  }
   /** Relates each of `others` to the hub. */
   void search(std::size_t hub, const std::vector<std::size_t>& others) {
     std::vector<PairOver> pairs;
@@ -56,8 +65,12 @@ class Relating {
                                  return p.a == p.b || !found_.try_emplace({p.a, p.b}).second;
                                }),
                 pairs.end());
-    forEach_(pairs.size(), [&](std::size_t i) {
-      found_.at({pairs[i].a, pairs[i].b}) = related(pairs[i]);
+    std::vector<PairOfThings> runs;
+    for (const PairOver& pair : pairs) runs.emplace_back(pair.a, pair.b);
+    const auto jobs = pairJobs(runs, [&](std::size_t run) { return isBare(run); });
+    forEach_(jobs.size(), [&](std::size_t job) {
+      FullMaps maps;
+      for (const std::size_t i : jobs[job]) found_.at(runs[i]) = related(pairs[i], maps);
     });
   }
 
@@ -74,15 +87,21 @@ class Relating {
   }
 
  private:
-  const WallMap& mapOf(std::size_t run) const { return runs_[run].map; }
+  const WallMap& mapOf(std::size_t run) const {
+    const auto full = full_.find(run);
+    return full == full_.end() ? runs_[run].map : full->second;
+  }
 
-  MapPair related(const PairOver& pair) const {
-    const WallMap &a = mapOf(pair.a), &b = mapOf(pair.b);
-    if (areAligned_) return keptOr({pair.a, pair.b}, [&] { return relateAlignedMaps(a, b); });
+  bool isBare(std::size_t run) const { return mapOf(run).isBare(); }
+
+  MapPair related(const PairOver& pair, FullMaps& maps) const {
+    const auto a = [&]() -> const WallMap& { return maps(mapOf(pair.a)); };
+    const auto b = [&]() -> const WallMap& { return maps(mapOf(pair.b)); };
+    if (areAligned_) return keptOr({pair.a, pair.b}, [&] { return relateAlignedMaps(a(), b()); });
     if (pair.hub == pair.a || pair.hub == pair.b)
-      return keptOr({pair.a, pair.b}, [&] { return relateMaps(a, b); });
+      return keptOr({pair.a, pair.b}, [&] { return relateMaps(a(), b()); });
     return keptOr({pair.a, pair.b, pair.hub}, [&] {
-      return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a, b);
+      return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a(), b());
     });
   }
 
@@ -105,6 +124,7 @@ class Relating {
   const ForEach& forEach_;
   const KeptPairs& kept_;
   std::vector<std::string> prints_;
+  std::map<std::size_t, WallMap> full_;  // of runs that came bare
   std::map<PairOfThings, MapPair> found_;
 };
 
@@ -133,6 +153,7 @@ class SiteBySite {
   void relateFirst() {
     if (order_.size() <= options_.core) return relateAll();
     const std::size_t hub = order_.front();
+    relating_.complete({hub});
     relating_.search(hub, {order_.begin() + 1, order_.end()});
     std::vector<Member> members{{hub, hub, {}}};
     std::vector<std::size_t> lost;
@@ -149,6 +170,7 @@ class SiteBySite {
 
   void relateAll() {
     const std::size_t hub = order_.front();
+    relating_.complete(order_);
     relating_.search(hub, order_);
     std::vector<PairOver> pairs;
     for (const auto& [a, b] : pairsOf(order_.size())) pairs.push_back({hub, order_[a], order_[b]});
@@ -185,11 +207,13 @@ class SiteBySite {
       seen.push_back(seenPlaces(runs.back()->map, member.pose));
     }
     auto core = chooseCore(runs, seen, options_.core, fixedIn(members));
+    std::vector<std::size_t> chosen;
+    for (const std::size_t place : core) chosen.push_back(members[place].run);
+    relating_.complete(chosen);
     std::vector<PairOver> pairs;
-    for (const auto& [a, b] : pairsOf(core.size()))
-      pairs.push_back({hub, members[core[a]].run, members[core[b]].run});
+    for (const auto& [a, b] : pairsOf(core.size())) pairs.push_back({hub, chosen[a], chosen[b]});
     relating_.relate(pairs);
-    for (const std::size_t place : core) core_.push_back(members[place].run);
+    core_.insert(core_.end(), chosen.begin(), chosen.end());
     return core;
   }
 

@@ -16,8 +16,8 @@ std::int64_t squareAt(double metres) {
 
 SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose) {
   SeenPlaces places;
-  for (const Point& free : map.freePlaces) {
-    const Point at = pose(free);
+  for (const std::uint32_t cell : map.freeCells) {
+    const Point at = pose(map.placeOf(cell));
     places.push_back(squareAt(at.x) * (std::int64_t(1) << 32) + squareAt(at.y));
   }
   std::sort(places.begin(), places.end());

@@ -29,16 +29,24 @@ struct WallMap {
   /** For each octant and cell the wall point that is nearest among those whose normal is within 45
    *  degrees of that octant; kNoWall where none is in reach. */
   std::array<SparseIndices, kOctants> nearest;
-  std::vector<Point> freePlaces;  ///< evenly spread over the free space
-  double freeArea = 0;            ///< [m2]
-  std::vector<double> turns;      ///< how much wall faces which way, over equal steps of the circle
-  WallPatches patches;            ///< of `walls`
+  std::vector<std::uint32_t> freeCells;  ///< evenly spread over the free space: indices of `states`
+  double freeArea = 0;                   ///< [m2]
+  std::vector<double> turns;  ///< how much wall faces which way, over equal steps of the circle
+  WallPatches patches;        ///< of `walls`
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
   std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
+  std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice
+  double reach = 0;                     ///< walls farther away are not in `nearest` [m]
 
   Point middle() const {  ///< of `frame` [m]
     return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
   }
+  Point placeOf(std::size_t cell) const {  ///< the centre of a cell of `frame` [m]
+    const std::size_t width = std::size_t(frame.width);
+    return frame.center({int(cell % width), int(cell / width)});
+  }
+  /** Without `nearest` and `depths`: no walls can be looked up in it. */
+  bool isBare() const { return nearest.front().size() != states.size(); }
   double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
 };
 
@@ -51,8 +59,15 @@ struct WallMapOptions {
  *  aligns with nothing. O(cells + walls * walls within 4 m). */
 WallMap wallMap(const Grid& grid, const WallMapOptions& options);
 
-/** The same without what it takes to look walls up in it (`nearest`, `depths`, `axisDeviation`):
- *  enough to be looked for in another map. */
+/** The same without what it takes to look walls up in it (`nearest`, `depths`), and what it tells
+ *  of itself (`axisDeviation`, `wallSharpness`, `wallDoubling`): enough to be looked for in another
+ *  map. */
 WallMap bareWallMap(const Grid& grid, const WallMapOptions& options);
+
+/** Makes `nearest` and `depths`, which only depend on the rest. O(cells). */
+void addLookUp(WallMap& map);
+
+/** Makes a map bare: it takes half the memory then. */
+void dropLookUp(WallMap& map);
 
 }  // namespace roomgraph

@@ -6,9 +6,8 @@ namespace roomgraph {
 /** A place on a wall, and the direction from the wall into the free space in front of it. Both
  *  sides of a thin wall are walls of their own. */
 struct WallPoint {
-  Point place;        ///< [m, map frame]
-  Point normal;       ///< of length 1
-  int direction = 0;  ///< octant of the normal, see octantOf
+  Point place;   ///< [m, map frame]
+  Point normal;  ///< of length 1
 };
 
 constexpr int kOctants = 8;

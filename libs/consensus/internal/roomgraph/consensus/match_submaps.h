@@ -29,13 +29,14 @@ struct MatchedPiece {
   double likeness = 0;
 };
 
-/** Finds each submap of `of` in the map of `in`: scans by trackScans, patches as they were
+/** Finds each submap of `of` in the map of another run: scans by trackScans, patches as they were
  *  `followed`; `wholes` (in <- of) is where the runs may lie as a whole, the likeliest first.
  *  Submaps of which less than 45 % lies on walls there are not found. The pieces are the stretches
  *  of a track between its jumps, or the layers in which patches were followed. Cost: that of
  *  trackScans. */
-std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps, const Run& in,
-                                       const RunSubmaps& inSubmaps, const FollowedWalls& followed,
+std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps,
+                                       const WallMap& in, const RunSubmaps& inSubmaps,
+                                       const FollowedWalls& followed,
                                        const std::vector<Transform2D>& wholes);
 
 /** The scans that both runs have, as runs over one log do. O((a + b) * log b). */

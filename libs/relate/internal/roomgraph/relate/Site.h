@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,6 +18,14 @@ struct Site {
   /** Runs that lie in each other but not in this site, two or more together: their places among all
    *  runs, ascending. */
   std::vector<std::vector<std::size_t>> others{};
+  /** Of the runs of the core that came with a bare map: the map with all there is. */
+  std::map<std::size_t, WallMap> fullMaps{};
+
+  /** Bare at most for a run that is not of the core. */
+  const WallMap& mapOf(std::size_t run) const {
+    const auto full = fullMaps.find(run);
+    return full == fullMaps.end() ? runs[run]->map : full->second;
+  }
 };
 
 /** How much the word of each run of a site counts in what is said of the others: 0 to 1. */

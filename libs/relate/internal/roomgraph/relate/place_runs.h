@@ -21,7 +21,8 @@ bool isJoined(const MapPair& pair, const SitePosesOptions& options);
 
 /** Places the runs in one frame. The site is the largest set of runs that are joined by pairs of
  *  the same site (that of `reference`, if any; of equal ones the surest). Its frame is that of the
- *  run that the others fit best, or of the reference. Empty for no runs. O(runs * pairs). */
+ *  run that the others fit best, or of the reference. Bare maps of the core are completed. Empty
+ *  for no runs. O(runs * pairs). */
 Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
                const SitePosesOptions& options, std::optional<std::size_t> reference);
 

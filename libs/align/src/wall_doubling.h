@@ -8,7 +8,7 @@ namespace roomgraph {
 // Ours: what a map tells of itself, without any other
 // In:   WallMap
 // Out:  the share of its walls that are there twice
-// Next: wallDoublingOf
+// Next: wallMap
 
 /** The share of the wall points, 0 to 1, that have another wall 0.15 to 0.8 m straight in front of
  *  or behind them that faces the same way (within 20 degrees). The two sides of a wall face
