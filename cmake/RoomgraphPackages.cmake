@@ -69,16 +69,12 @@ foreach(package libcli11-dev nlohmann-json3-dev libkainjow-mustache-dev libceres
   endif()
 endforeach()
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, where it is set
-set(packager_address "${packager}")  # a changelog wants one, an empty one if need be
-if(NOT packager MATCHES "<")
-  string(APPEND packager_address " <>")
-endif()
 file(WRITE "${PROJECT_BINARY_DIR}/debian/changelog" "\
 roomgraph (${PROJECT_VERSION}) bookworm; urgency=medium
 
   * /usr/share/doc/roomgraph/CHANGELOG.md tells what is new.
 
- -- ${packager_address}  ${now}
+ -- ${CPACK_PACKAGE_CONTACT}  ${now}
 ")
 execute_process(COMMAND "${ROOMGRAPH_GZIP}" -9 -n -f "${PROJECT_BINARY_DIR}/debian/changelog")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
