@@ -66,5 +66,32 @@ TEST(ClearClutter, unknownCellsBelongToTheObstacle) {
   EXPECT_EQ(std::count(map.grid.cells.begin(), map.grid.cells.end(), State::unknown), 0);
 }
 
+/** A room of so many cells of 0.1 m, with one obstacle in it. */
+Grid roomWith(int width, int height, Cell low, Cell high) {
+  std::vector<std::string> rows(std::size_t(height) + 2, std::string(std::size_t(width) + 2, '#'));
+  for (int y = 1; y <= height; ++y)
+    for (int x = 1; x <= width; ++x)
+      if (x < low.x || x > high.x || y < low.y || y > high.y)
+        rows[std::size_t(y)][std::size_t(x)] = '.';
+  return gridFrom(rows);
+}
+
+TEST(ClearClutter, aTableWithARoomRoundItGoesThoughItIsLarge) {
+  EXPECT_EQ(cleared(roomWith(40, 36, {13, 14}, {28, 22}), 1.2).clutter.size(), 1u);
+  EXPECT_TRUE(cleared(roomWith(40, 36, {13, 14}, {28, 22}), 0.9).clutter.empty()) << "1.84 m";
+}
+
+TEST(ClearClutter, aLargeOneInAHallStays) {
+  EXPECT_TRUE(cleared(roomWith(120, 120, {53, 54}, {68, 62}), 1.2).clutter.empty());
+}
+
+TEST(ClearClutter, aPieceOfWallIsNoTable) {
+  EXPECT_TRUE(cleared(roomWith(40, 36, {13, 18}, {28, 19}), 1.2).clutter.empty());
+}
+
+TEST(ClearClutter, aCupboardBetweenTwoWaysThroughStays) {
+  EXPECT_TRUE(cleared(roomWith(34, 90, {11, 42}, {24, 48}), 1.2).clutter.empty());
+}
+
 }  // namespace
 }  // namespace roomgraph::test

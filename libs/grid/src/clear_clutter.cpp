@@ -3,15 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/geometry/Transform2D.h"
+
 namespace roomgraph {
 namespace {
+
+/** A table may be this many times as large as other clutter. */
+constexpr double kTableSize = 2;
+/** Of the square of its size, its area is at least this share: half of it is a square, and two
+ *  fifths is a table twice as long as wide. */
+constexpr double kTableShare = 0.3;
+/** In so many directions one looks from a table for walls; in more than half of them there are
+ *  some. */
+constexpr int kLooks = 16;
 
 enum class Mark : std::uint8_t { unseen, inGroup, large };
 
 class ClutterFinder {
  public:
   ClutterFinder(Grid& grid, double maxSize)
-      : grid_(grid), maxSize_(maxSize), marks_(grid.cells.size(), Mark::unseen) {}
+      : grid_(grid),
+        maxSize_(maxSize),
+        maxTable_(kTableSize * maxSize),
+        marks_(grid.cells.size(), Mark::unseen) {}
 
   /** Frees the group of `first` if it is clutter, and tells about it. */
   void clear(Cell first, std::vector<Clutter>& found) {
@@ -33,7 +47,7 @@ class ClutterFinder {
     rim_ = wall_ = 0;
     low_ = high_ = first;
     add(first);
-    if (size() > maxSize_) return false;
+    if (size() > maxTable_) return false;
     for (std::size_t i = 0; i < group_.size(); ++i) {
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
@@ -41,7 +55,37 @@ class ClutterFinder {
       countRim(group_[i]);
       wall_ += grid_.at(group_[i]) == State::occupied ? 1 : 0;
     }
-    return true;
+    return size() <= maxSize_ || isTable();
+  }
+
+  /** Whether it is compact, and has a room round it. What stands in a hall splits nothing, and a
+   *  row of cupboards with doors between them has space on two sides: both stay. */
+  bool isTable() const {
+    const double cell = grid_.frame.resolution;
+    if (double(group_.size()) * cell * cell < kTableShare * size() * size()) return false;
+    int walls = 0;
+    for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
+      walls += hasWallTowards(turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
+    return 2 * walls > kLooks;
+  }
+
+  /** Whether another obstacle is no farther from its rim than the largest table is long. */
+  bool hasWallTowards(Point direction) const {
+    const GridFrame& frame = grid_.frame;
+    const Point middle = 0.5 * Point{double(low_.x + high_.x), double(low_.y + high_.y)};
+    int gap = 0;  // cells behind the rim
+    for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
+      const Point at = middle + double(step) * direction;
+      const Cell c{int(std::lround(at.x)), int(std::lround(at.y))};
+      if (!frame.contains(c)) return false;
+      if (grid_.at(c) == State::free)
+        ++gap;
+      else if (marks_[frame.index(c)] == Mark::inGroup)
+        gap = 0;
+      else
+        return true;
+    }
+    return false;
   }
 
   bool visit(Cell near) {
@@ -51,7 +95,7 @@ class ClutterFinder {
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::large) return false;
     add(near);
-    return size() <= maxSize_;
+    return size() <= maxTable_;
   }
 
   void countRim(Cell cell) {
@@ -74,7 +118,7 @@ class ClutterFinder {
   }
 
   Grid& grid_;
-  double maxSize_;
+  double maxSize_, maxTable_;  // [m]
   std::vector<Mark> marks_;
   std::vector<Cell> group_;
   Cell low_, high_;
@@ -84,9 +128,10 @@ class ClutterFinder {
 }  // namespace
 
 void describe(ClearClutterOptions& options, FieldTable& table) {
-  table.number("clear_clutter", "max_size", options.maxSize, "m", 0, 10,
-               "Free-standing obstacles whose box has at most this diagonal do not split rooms; 0 "
-               "for none.");
+  table.number(
+      "clear_clutter", "max_size", options.maxSize, "m", 0, 10,
+      "Free-standing obstacles whose box has at most this diagonal do not split rooms, nor "
+      "do compact ones up to twice that with a room round them, as tables; 0 for none.");
 }
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,

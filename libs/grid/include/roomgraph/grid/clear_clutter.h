@@ -32,10 +32,12 @@ struct ClearedMap {
   std::vector<Clutter> clutter;  ///< by its first cell in the order of rows; without unseen specks
 };
 
-/** Specks that beams have missed are cleared as well: groups with fewer occupied cells than half of
- *  the length of their rim. They are no obstacles, and so not in `clutter`. Frees every connected
- *  group (8 neighbours) of cells that are not free, is not larger than the limit and does not touch
- *  the border. `sites` must be those of `grid`. O(cells). */
+/** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
+ *  limit and does not touch the border; also up to twice the limit where it is compact and, in more
+ *  than half of all directions, no farther from another obstacle than that, as a table is in its
+ *  room. Specks that beams have missed are cleared as well: groups with fewer occupied cells than
+ *  half of the length of their rim. They are no obstacles, and so not in `clutter`. `sites` must be
+ *  those of `grid`. O(cells). */
 ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
                         const ClearClutterOptions& options);
 
