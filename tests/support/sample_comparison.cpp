@@ -78,7 +78,7 @@ std::vector<ScanWalls> scansAlong(const std::vector<PathPose>& path, const Trans
     scan.keyFrame = at.keyFrame, scan.time = at.time, scan.pose = pose * at.pose;
     for (int i = -5; i <= 5; ++i)
       for (const double y : {5.2, 6.8})
-        scan.walls.push_back({pose(Point{at.pose.x + 0.2 * i, y}), {}, 0});
+        scan.walls.push_back({pose(Point{at.pose.x + 0.2 * i, y}), {}});
     scans.push_back(scan);
   }
   return scans;
