@@ -41,6 +41,10 @@ void parseLine(const std::string& line, MapText& map) {
     map.preset = value;
   } else if (key == "by doors") {
     map.differsByDoors = value;
+  } else if (key == "by disc") {
+    map.differsByDisc = value;
+  } else if (key == "not resampled") {
+    map.notResampled = value;
   } else if (key == "set") {
     map.settings.push_back(parseSetting(value));
   } else if (key == "joined") {

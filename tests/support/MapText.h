@@ -34,8 +34,10 @@ struct MapText {
   std::map<char, Point> names;
   std::vector<std::vector<std::string>> settings;  ///< section, key, value
   std::string preset = "default";
-  /** What a person would say otherwise than the default way to find rooms; empty for nothing. */
-  std::string differsByDoors;
+  /** What a person would say otherwise than the default way to find rooms, or than a disc of one
+   *  size without clutter; empty for nothing. */
+  std::string differsByDoors, differsByDisc;
+  std::string notResampled;  ///< why it means something else in smaller cells; empty if it does not
   Expected expected;
 };
 

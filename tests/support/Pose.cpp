@@ -44,7 +44,7 @@ std::vector<Pose> allPoses(const MapText& text) {
     poses.push_back(plain);
     poses.back().shift = {-17.31, 1234.567};
     for (const int scale : {2, 4}) {
-      if (text.preset == "paper") break;  // its numbers are in cells
+      if (text.preset == "paper" || !text.notResampled.empty()) break;  // it counts in cells
       poses.push_back(plain);
       poses.back().scale = scale;
     }

@@ -20,7 +20,7 @@ std::string nameOf(const Pose& pose);
 std::vector<Pose> symmetries();
 
 /** Each symmetry as it is, shifted, at twice and at four times the resolution (unless the drawing
- *  is for the paper's numbers, which are in cells) and, where the map knows unknown cells,
+ *  counts in cells, as those for the paper's numbers do) and, where the map knows unknown cells,
  *  padded. */
 std::vector<Pose> allPoses(const MapText& text);
 
