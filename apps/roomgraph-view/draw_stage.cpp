@@ -4,6 +4,7 @@
 
 #include "heights.h"
 #include "roomgraph/drawing/stage_names.h"
+#include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 
@@ -47,7 +48,7 @@ viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<boo
 
 /** A graph with the floors of rooms, none of which is a vertex yet. */
 viz::CSetOfObjects::Ptr graphOf(const TopologyGraph& graph, const Rooms& rooms) {
-  CRoomGraph drawn;
+  MappedGraph drawn;
   drawn.file.graph.graph = graph;
   for (const Room& room : rooms) {
     drawn.file.graph.rooms.emplace_back();

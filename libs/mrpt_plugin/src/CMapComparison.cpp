@@ -28,7 +28,7 @@ std::string breakLine(const MapBreak& tear) {
 }  // namespace
 
 CMapComparison::CMapComparison(Comparison compared, const std::vector<Run>& runs)
-    : comparison(std::move(compared)), walls(runWalls(runs)) {}
+    : MappedComparison{std::move(compared), runWalls(runs)} {}
 
 std::string CMapComparison::asString() const {
   std::string text = comparison.verdict + "\n\n" + comparisonText(comparison);

@@ -33,7 +33,7 @@ RunWalls readWalls(ByteReader& in) {
 
 }  // namespace
 
-std::string comparisonBytes(const CMapComparison& comparison) {
+std::string comparisonBytes(const MappedComparison& comparison) {
   ByteWriter out;
   out.putText(comparisonJson(comparison.comparison));
   out.putCount(comparison.walls.size());
@@ -48,7 +48,7 @@ std::string comparisonBytes(const CMapComparison& comparison) {
   return std::move(out).take();
 }
 
-void readComparisonBytes(ByteView bytes, const std::string& name, CMapComparison& comparison) {
+void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparison& comparison) {
   ByteReader in(bytes, name);
   comparison.comparison = parseComparisonJson(readText(in), name);
   comparison.walls.clear();

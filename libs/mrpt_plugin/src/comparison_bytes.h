@@ -2,18 +2,18 @@
 #include <string>
 
 #include "roomgraph/files/checked_file.h"
-#include "roomgraph/mrpt_plugin/CMapComparison.h"
+#include "roomgraph/mrpt_plugin/MappedComparison.h"
 
 namespace roomgraph {
 
 /** The newest layout of the object's bytes. */
 constexpr std::uint8_t kComparisonBytesVersion = 0;
 
-/** Everything that a CMapComparison holds: the comparison as JSON, then the walls of each run. */
-std::string comparisonBytes(const CMapComparison& comparison);
+/** Everything that a MappedComparison holds: the comparison as JSON, then the walls of each run. */
+std::string comparisonBytes(const MappedComparison& comparison);
 
 /** Reads comparisonBytes() back. Throws DataError with one line, beginning with `name`, unless each
  *  count fits the bytes, each coordinate is finite and no byte is left over. */
-void readComparisonBytes(ByteView bytes, const std::string& name, CMapComparison& comparison);
+void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparison& comparison);
 
 }  // namespace roomgraph

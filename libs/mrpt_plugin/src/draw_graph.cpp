@@ -180,7 +180,7 @@ viz::CSetOfObjects::Ptr drawNumbers(const RoomGraph& graph, const Sheet& sheet) 
   return numbers;
 }
 
-Sheet makeSheet(const CRoomGraph& graph) {
+Sheet makeSheet(const MappedGraph& graph) {
   const Box box = drawnBox(graph);
   const double size = distance(box.low, box.high);
   Sheet sheet;
@@ -192,7 +192,7 @@ Sheet makeSheet(const CRoomGraph& graph) {
 
 }  // namespace
 
-Box drawnBox(const CRoomGraph& graph) {
+Box drawnBox(const MappedGraph& graph) {
   std::vector<Point> points;
   for (const Vertex& vertex : graph.file.graph.graph.vertices()) points.push_back(vertex.at);
   for (const GraphRoom& room : graph.file.graph.rooms)
@@ -209,7 +209,7 @@ Box drawnBox(const CRoomGraph& graph) {
   return boundingBox(points);
 }
 
-viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph, const viz::CSetOfObjects::Ptr& before) {
+viz::CSetOfObjects::Ptr drawGraph(const MappedGraph& graph, const viz::CSetOfObjects::Ptr& before) {
   const Sheet sheet = makeSheet(graph);
   const RoomGraph& rooms = graph.file.graph;
   auto all = viz::CSetOfObjects::Create();

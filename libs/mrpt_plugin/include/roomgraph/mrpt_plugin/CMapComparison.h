@@ -2,24 +2,19 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/mrpt_plugin/MappedComparison.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
-
-/** The walls of a run. */
-struct RunWalls {
-  std::string run;           ///< name
-  std::vector<Point> walls;  ///< the middles of its wall cells [m, frame of the run]
-};
 
 /** A comparison of maps as MRPT's programs and streams know it: it can be saved, shown as text and
  *  drawn in 3D. Registered as "roomgraph::CMapComparison" by registerMrptClasses(), or by loading
  *  libroomgraph_mrpt.so. */
 class CMapComparison : public mrpt::serialization::CSerializable,
                        public viz::Visualizable,
-                       public mrpt::Stringifyable {
+                       public mrpt::Stringifyable,
+                       public MappedComparison {
   DEFINE_SERIALIZABLE(CMapComparison, roomgraph)
 
  public:
@@ -27,9 +22,6 @@ class CMapComparison : public mrpt::serialization::CSerializable,
   /** A comparison with the maps of its runs. */
   CMapComparison(Comparison compared, const std::vector<Run>& runs);
   ~CMapComparison() override = default;
-
-  Comparison comparison;
-  std::vector<RunWalls> walls;  ///< of its runs; those without are not drawn
 
   /** The verdict, the ranking, and where runs break. */
   std::string asString() const override;

@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/mrpt_plugin/CMapComparison.h"
+#include "roomgraph/mrpt_plugin/MappedComparison.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {

@@ -1,5 +1,6 @@
 #pragma once
-#include "roomgraph/mrpt_plugin/CRoomGraph.h"
+#include "roomgraph/mrpt_plugin/MappedGraph.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
 
 namespace roomgraph {
 
@@ -9,11 +10,11 @@ namespace roomgraph {
  *  graph's do). Parts without content are left out. Metres, map frame, z = 0 is the map. O(size of
  *  the graph and its map). `before`, what was drawn of another graph of the same map, lends its
  *  map, which takes most of the time of a large one. */
-viz::CSetOfObjects::Ptr drawGraph(const CRoomGraph& graph,
+viz::CSetOfObjects::Ptr drawGraph(const MappedGraph& graph,
                                   const viz::CSetOfObjects::Ptr& before = nullptr);
 
 /** The smallest upright box round all that is drawn; a square metre round the origin for nothing.
  */
-Box drawnBox(const CRoomGraph& graph);
+Box drawnBox(const MappedGraph& graph);
 
 }  // namespace roomgraph
