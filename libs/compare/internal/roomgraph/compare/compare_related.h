@@ -1,7 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/compare/CompareRunsOptions.h"
+#include "roomgraph/compare/Comparison.h"
 #include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {

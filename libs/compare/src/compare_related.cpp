@@ -1,0 +1,73 @@
+#include "roomgraph/compare/compare_related.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/return_memory.h"
+#include "roomgraph/breaks/site_breaks.h"
+#include "roomgraph/consensus/site_consensus.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/measures/measure_site.h"
+#include "roomgraph/relate/place_runs.h"
+#include "roomgraph/score/estimate_map_errors.h"
+#include "roomgraph/score/run_score.h"
+#include "summarize.h"
+
+namespace roomgraph {
+namespace {
+
+void check(const std::vector<Run>& runs, const MapPairs& related,
+           const CompareRunsOptions& options) {
+  if (related.things() != runs.size())
+    throw UsageError("compare_runs: there are " + std::to_string(runs.size()) + " runs, but " +
+                     std::to_string(related.things()) + " were related");
+  std::set<std::string> names;
+  for (const Run& run : runs)
+    if (!names.insert(run.name).second)
+      throw UsageError("compare_runs: two runs are named " + run.name + ": name them differently");
+  if (options.reference && *options.reference >= runs.size())
+    throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
+}
+
+RunScoreOptions scoring(const CompareRunsOptions& options) {
+  RunScoreOptions scoring;
+  scoring.scoreScale = options.scoreScale, scoring.minShare = options.leastShare;
+  return scoring;
+}
+
+SiteBreaksOptions breaking(const CompareRunsOptions& options) {
+  SiteBreaksOptions breaking;
+  breaking.findBreaks.minShift = breaking.findPieces.minShift = options.breakShift;
+  breaking.findBreaks.minRotation = options.breakRotation;
+  // Walls alone show no smaller turns than they do by themselves.
+  double& ofPieces = breaking.findPieces.minRotation;
+  ofPieces = std::max(ofPieces, options.breakRotation);
+  return breaking;
+}
+
+}  // namespace
+
+Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
+                          const CompareRunsOptions& options) {
+  check(runs, related, options);
+  const ForEach& forEach = options.forEach;
+  // Every function here has its section in docs/scoring.md.
+  const Site site = placeRuns(runs, related, {}, options.reference);
+  const MapPairs pairs = pairsInSite(site, related, forEach);
+  const PairBends bends = bendsOf(pairs);
+  const DistinctMaps maps(bends);
+  const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
+  returnMemory();  // of hundreds of runs, what it is worked out from is much
+  const std::vector<MapError> errors = siteErrors(site, bends, maps, consensus);
+  const RunScores scores = scoreRuns(bends, maps, errors, site.reference, scoring(options));
+  const Trust trust = trustOf(scores, site.reference);
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
+  const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
+  const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
+  returnMemory();
+  return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});
+}
+
+}  // namespace roomgraph
