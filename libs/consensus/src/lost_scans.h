@@ -1,7 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/site_consensus.h"
+#include "roomgraph/consensus/Consensus.h"
+#include "roomgraph/relate/MapPairs.h"
+#include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 

@@ -1,8 +1,6 @@
 #pragma once
-#include <vector>
-
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/consensus/Consensus.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
@@ -13,13 +11,6 @@ namespace roomgraph {
 // In:   the runs of a site, how each two of them lie in each other, and which are copies
 // Out:  Consensus
 // Next: scoreRuns, siteBreaks
-
-/** What all runs of a site agree on, by run. Copies of one map have the same. */
-struct Consensus {
-  std::vector<RunSubmaps> submaps;
-  SubmapPoses poses;             ///< where the submaps really lie, in a frame of its own
-  std::vector<MapError> errors;  ///< of each run
-};
 
 /** Matches the submaps of all runs of a site that were related, and finds their consensus: that of
  *  the core, to which the other runs are added one by one. Of copies of one map one counts. A
