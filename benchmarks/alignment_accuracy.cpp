@@ -14,6 +14,7 @@
 #include "alignment_cases.h"
 #include "cut_strip.h"
 #include "roomgraph/align/align_maps.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"

@@ -7,6 +7,7 @@
 
 #include "drawn_building.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/wall_map.h"
 #include "search_images.h"
 
 namespace roomgraph {

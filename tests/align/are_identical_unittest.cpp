@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_hall.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_building.h"
-#include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "drawn_building.h"
 #include "roomgraph/align/alignment_confidence.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "drawn_building.h"
 #include "drawn_hall.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

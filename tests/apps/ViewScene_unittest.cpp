@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "MapText.h"
+#include "roomgraph/align/wall_map.h"
 #include "sample_view.h"
 
 namespace roomgraph {

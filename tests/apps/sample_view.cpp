@@ -1,6 +1,7 @@
 #include "sample_view.h"
 
 #include "MapText.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph::test {
 namespace {

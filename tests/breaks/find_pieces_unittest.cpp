@@ -8,6 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_graph.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

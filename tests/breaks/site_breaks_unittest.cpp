@@ -8,6 +8,7 @@
 
 #include "drawn_building.h"
 #include "drawn_submaps.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/find_consensus.h"
 
 namespace roomgraph {

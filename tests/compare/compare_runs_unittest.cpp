@@ -12,6 +12,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "drawn_graph.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_related.h"
 #include "roomgraph/measures/measure_kinds.h"

@@ -7,6 +7,7 @@
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

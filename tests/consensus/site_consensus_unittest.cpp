@@ -9,6 +9,7 @@
 #include "drawn_drive.h"
 #include "drawn_submaps.h"
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drive_in_building.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

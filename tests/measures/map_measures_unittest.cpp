@@ -5,6 +5,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "placed_graphs.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

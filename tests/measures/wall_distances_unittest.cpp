@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "roomgraph/align/wall_map.h"
+
 namespace roomgraph {
 namespace {
 

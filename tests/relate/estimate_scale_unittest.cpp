@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/align/wall_map.h"
+
 namespace roomgraph::test {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/track_scans.h"
 
 namespace roomgraph::test {

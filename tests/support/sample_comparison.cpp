@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 
 namespace roomgraph::test {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "roomgraph/align/scan_walls.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/compare/compare_related.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"

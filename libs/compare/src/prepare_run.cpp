@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/pipeline/extract.h"

@@ -3,6 +3,7 @@
 #include <functional>
 #include <utility>
 
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/failure_text.h"
 #include "roomgraph/base/printable.h"

@@ -7,6 +7,7 @@
 
 #include "match_areas.h"
 #include "roomgraph/align/align_maps.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/ledger/site_rooms.h"

@@ -7,6 +7,7 @@
 #include "by_straightness.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {

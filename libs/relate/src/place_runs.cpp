@@ -7,6 +7,7 @@
 
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/relate/pair_jobs.h"
 

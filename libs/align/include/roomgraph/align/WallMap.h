@@ -13,10 +13,6 @@
 
 namespace roomgraph {
 
-// In:   Grid
-// Out:  WallMap
-// Next: alignMaps
-
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct WallMap {
   static constexpr std::uint32_t kNoWall = SparseIndices::kNone;
@@ -49,25 +45,5 @@ struct WallMap {
   bool isBare() const { return nearest.front().size() != states.size(); }
   double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
 };
-
-struct WallMapOptions {
-  double cell = 0.1;   ///< of WallMap::frame [m]; a coarser map keeps its own
-  double reach = 1.0;  ///< walls farther away are not looked for [m]
-};
-
-/** Finds the walls of a map. A map without any free cell beside an occupied one has no walls, and
- *  aligns with nothing. O(cells + walls * walls within 4 m). */
-WallMap wallMap(const Grid& grid, const WallMapOptions& options);
-
-/** The same without what it takes to look walls up in it (`nearest`, `depths`), and what it tells
- *  of itself (`axisDeviation`, `wallSharpness`, `wallDoubling`): enough to be looked for in another
- *  map. */
-WallMap bareWallMap(const Grid& grid, const WallMapOptions& options);
-
-/** Makes `nearest` and `depths`, which only depend on the rest. O(cells). */
-void addLookUp(WallMap& map);
-
-/** Makes a map bare: it takes half the memory then. */
-void dropLookUp(WallMap& map);
 
 }  // namespace roomgraph

@@ -1,7 +1,7 @@
 #pragma once
 #include <map>
 
-#include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 

@@ -1,4 +1,4 @@
-#include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/wall_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/wall_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -194,15 +194,6 @@ std::vector<std::uint32_t> freeCellsOf(const GridFrame& frame, const std::vector
 }
 
 }  // namespace
-
-int octantOf(Point v) {
-  constexpr double kTan22 = 0.41421356237309503;  // of half an octant
-  const double ax = std::abs(v.x), ay = std::abs(v.y);
-  if (ay <= kTan22 * ax) return v.x >= 0 ? 0 : 4;
-  if (ax <= kTan22 * ay) return v.y >= 0 ? 2 : 6;
-  if (v.y >= 0) return v.x >= 0 ? 1 : 3;
-  return v.x >= 0 ? 7 : 5;
-}
 
 WallMap bareWallMap(const Grid& grid, const WallMapOptions& options) {
   const std::optional<Grid> cleared = clearWallRims(grid);
