@@ -1,4 +1,4 @@
-// How much the whole extraction costs beside the bare Voronoi diagram of the same sites.
+// How much the whole extraction costs beside the bare Voronoi diagram of the same obstacles.
 #include <errno.h>
 #include <time.h>
 #include <unistd.h>
@@ -38,13 +38,13 @@ struct Case {
 /** What one extraction takes in a process of its own. */
 struct OwnProcess {
   double bytes = 0;  ///< peak, beyond that of a map of 8 x 8 cells
-  double sites = 0, cells = 0;
+  double obstacles = 0, cells = 0;
   double seconds = 0;  ///< of CPU, map in memory to areas
 
-  double perSite() const { return (bytes - kBytesPerCell * cells) / sites; }
+  double perObstacle() const { return (bytes - kBytesPerCell * cells) / obstacles; }
 };
 
-/** CPU time of one extraction from the sites on [s]. */
+/** CPU time of one extraction from the obstacles on [s]. */
 struct Whole {
   double toGraph = 0, withAreas = 0;
 };
@@ -92,42 +92,42 @@ double cpuSeconds() {
 
 /** Shares the CPU time of an extraction out by the steps' own clocks. */
 Whole timesAfterSites(const Stages& stages, double seconds) {
-  const std::set<std::string> beforeSites{"binarize", "thin_obstacles", "obstacle_sites"};
+  const std::set<std::string> beforeDiagram{"binarize", "thin_obstacles", "obstacle_cells"};
   double all = 0, before = 0, areas = 0;
   for (const StageTiming& timing : stages.timings) {
     all += timing.seconds;
-    if (beforeSites.count(timing.stage)) before += timing.seconds;
+    if (beforeDiagram.count(timing.stage)) before += timing.seconds;
     if (timing.stage == "area_graph") areas += timing.seconds;
   }
   return {seconds * (all - before - areas) / all, seconds * (all - before) / all};
 }
 
-Whole timeWhole(const GreyMap& map, std::vector<boost::polygon::point_data<int>>& sites) {
+Whole timeWhole(const GreyMap& map, std::vector<boost::polygon::point_data<int>>& obstacles) {
   const double start = cpuSeconds();
   const Stages stages = extract(map, {});
   const double seconds = cpuSeconds() - start;
-  sites.clear();
-  for (const Cell cell : stages.sites.cells) sites.emplace_back(cell.x, cell.y);
+  obstacles.clear();
+  for (const Cell cell : stages.obstacles.cells) obstacles.emplace_back(cell.x, cell.y);
   return timesAfterSites(stages, seconds);
 }
 
-double timeBare(const std::vector<boost::polygon::point_data<int>>& sites) {
+double timeBare(const std::vector<boost::polygon::point_data<int>>& obstacles) {
   boost::polygon::voronoi_diagram<double> diagram;
   const double start = cpuSeconds();
-  boost::polygon::construct_voronoi(sites.begin(), sites.end(), &diagram);
+  boost::polygon::construct_voronoi(obstacles.begin(), obstacles.end(), &diagram);
   return cpuSeconds() - start;
 }
 
 /** In turns, so that what slows the machine down slows both; at least 5 times, up to 3 s. */
 Times measureTimes(const Case& which) {
   const GreyMap map = load(which);
-  std::vector<boost::polygon::point_data<int>> sites;
+  std::vector<boost::polygon::point_data<int>> obstacles;
   Times times;
-  timeWhole(map, sites);  // warms up, and finds the sites
+  timeWhole(map, obstacles);  // warms up, and finds the obstacles
   double spent = 0;
   while (times.bare.size() < 5 || (spent < 3 && times.bare.size() < 51)) {
-    times.bare.push_back(timeBare(sites));
-    times.whole.push_back(timeWhole(map, sites));
+    times.bare.push_back(timeBare(obstacles));
+    times.whole.push_back(timeWhole(map, obstacles));
     spent += times.bare.back() + times.whole.back().withAreas;
   }
   return times;
@@ -166,7 +166,7 @@ void printOwnProcess(const Case& which) {
   const double start = cpuSeconds();
   const Stages stages = extract(map, {});
   const double seconds = cpuSeconds() - start;
-  std::printf("%.0f %zu %zu %.6f\n", peakBytes() - startBytes, stages.sites.cells.size(),
+  std::printf("%.0f %zu %zu %.6f\n", peakBytes() - startBytes, stages.obstacles.cells.size(),
               map.grey.size(), seconds);
 }
 
@@ -175,7 +175,7 @@ OwnProcess runOwnProcess(const Case& which, int largest) {
                               std::to_string(largest) + " --one '" + which.name + "'";
   const std::unique_ptr<FILE, int (*)(FILE*)> child(popen(command.c_str(), "r"), pclose);
   OwnProcess own;
-  if (!child || std::fscanf(child.get(), "%lf %lf %lf %lf", &own.bytes, &own.sites, &own.cells,
+  if (!child || std::fscanf(child.get(), "%lf %lf %lf %lf", &own.bytes, &own.obstacles, &own.cells,
                             &own.seconds) != 4)
     throw DataError(which.name + ": the run in a process of its own failed");
   return own;
@@ -207,8 +207,8 @@ const char* verdict(bool isWithin) { return isWithin ? "PASS" : "**over**"; }
 
 void printHeader() {
   std::printf(
-      "| map | cells | sites | time to the graph | <= %.1f | with areas | <= %.1f | "
-      "bytes per site beyond %.0f per cell | <= %.0f |\n"
+      "| map | cells | obstacles | time to the graph | <= %.1f | with areas | <= %.1f | "
+      "bytes per obstacle beyond %.0f per cell | <= %.0f |\n"
       "|---|---|---|---|---|---|---|---|---|\n",
       kMostRatio, kMostRatioWithAreas, kBytesPerCell, kBytesPerSite);
 }
@@ -216,17 +216,19 @@ void printHeader() {
 /** How the times grow over the offices. A process that extracts many maps gives small maps warm
  *  memory and large ones new pages each time; one map in a process of its own is what users run. */
 struct Growth {
-  std::vector<double> sites, own, whole, bare;
+  std::vector<double> obstacles, own, whole, bare;
 
-  bool isWithin() const { return sites.size() < 2 || exponent(sites, own) <= kMostExponent; }
+  bool isWithin() const {
+    return obstacles.size() < 2 || exponent(obstacles, own) <= kMostExponent;
+  }
   void print() const {
-    if (sites.size() < 2) return;
+    if (obstacles.size() < 2) return;
     std::printf(
-        "\nOver the offices, time grows with sites^%.2f, each map in a process of its own "
-        "(at most %.1f: %s); in turns within one process with sites^%.2f, and the bare diagram "
-        "there with sites^%.2f.\n",
-        exponent(sites, own), kMostExponent, verdict(isWithin()), exponent(sites, whole),
-        exponent(sites, bare));
+        "\nOver the offices, time grows with obstacles^%.2f, each map in a process of its own "
+        "(at most %.1f: %s); in turns within one process with obstacles^%.2f, and the bare diagram "
+        "there with obstacles^%.2f.\n",
+        exponent(obstacles, own), kMostExponent, verdict(isWithin()), exponent(obstacles, whole),
+        exponent(obstacles, bare));
   }
 };
 
@@ -239,14 +241,14 @@ bool measureAll(int largest) {
     const Times times = measureTimes(which);
     const double toGraph = times.median(&Whole::toGraph), all = times.median(&Whole::withAreas);
     const bool isFast = toGraph <= kMostRatio, isFastWithAreas = all <= kMostRatioWithAreas;
-    const bool isSmall = own.perSite() <= kBytesPerSite;
+    const bool isSmall = own.perObstacle() <= kBytesPerSite;
     std::printf("| %s | %.0f | %.0f | %.2f | %s | %.2f | %s | %.0f | %s |\n", which.name.c_str(),
-                own.cells, own.sites, toGraph, verdict(isFast), all, verdict(isFastWithAreas),
-                own.perSite(), verdict(isSmall));
+                own.cells, own.obstacles, toGraph, verdict(isFast), all, verdict(isFastWithAreas),
+                own.perObstacle(), verdict(isSmall));
     std::fflush(stdout);
     isAllWithin = isAllWithin && isFast && isFastWithAreas && isSmall;
     if (!which.file.empty()) continue;
-    growth.sites.push_back(own.sites);
+    growth.obstacles.push_back(own.obstacles);
     growth.own.push_back(own.seconds);
     growth.bare.push_back(*std::min_element(times.bare.begin(), times.bare.end()));
     growth.whole.push_back(times.fastest(&Whole::withAreas));
@@ -266,7 +268,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option(
       "--one", one,
-      "only extract this one map; print the bytes it took, its sites, cells and seconds");
+      "only extract this one map; print the bytes it took, its obstacles, cells and seconds");
   CLI11_PARSE(app, argc, argv);
   try {
     if (one.empty()) return roomgraph::measureAll(largest) ? 0 : 1;

@@ -21,11 +21,11 @@ int main() {
     }
 
   const Grid grid = binarize(map, {});  // IV-C
-  const ObstacleSites sites = obstacleSites(grid, thinObstacles(grid, {}), false);
-  const VoronoiGraph voronoi = voronoiGraph(sites);  // III-A
+  const ObstacleCells obstacles = obstacleCells(grid, thinObstacles(grid, {}), false);
+  const VoronoiGraph voronoi = voronoiGraph(obstacles);  // III-A
   const InsideFlags isInside = keepInside(voronoi, grid, {});
   const EdgeIndices clear = keepClear(voronoi, isInside, 0.3);
   const TopologyGraph graph = topologyGraph(voronoi, clear);
-  std::printf("%zu sites, %zu Voronoi edges, %zu of them clear, %zu paths\n", sites.cells.size(),
-              voronoi.edges.size(), clear.size(), graph.edges().size());
+  std::printf("%zu obstacles, %zu Voronoi edges, %zu of them clear, %zu paths\n",
+              obstacles.cells.size(), voronoi.edges.size(), clear.size(), graph.edges().size());
 }

@@ -11,7 +11,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr mrpt::img::TColor kSites = mrptColour(ink::vermilion), kVoronoi = mrptColour(ink::blue),
+constexpr mrpt::img::TColor kObstacles = mrptColour(ink::vermilion),
+                            kVoronoi = mrptColour(ink::blue),
                             kPassages = mrptColour(ink::vermilion);
 
 viz::CSetOfObjects::Ptr setOf(const viz::CRenderizable::Ptr& object) {
@@ -22,15 +23,15 @@ viz::CSetOfObjects::Ptr setOf(const viz::CRenderizable::Ptr& object) {
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& places, float size) {
   auto cloud = viz::CPointCloud::Create();
-  cloud->setColor_u8(kSites);
+  cloud->setColor_u8(kObstacles);
   cloud->setPointSize(size);
   for (const Point p : places) cloud->insertPoint(float(p.x), float(p.y), float(kStageHeight));
   return cloud;
 }
 
-std::vector<Point> placesOf(const ObstacleSites& sites) {
+std::vector<Point> placesOf(const ObstacleCells& obstacles) {
   std::vector<Point> places;
-  for (const Cell cell : sites.cells) places.push_back(sites.frame.center(cell));
+  for (const Cell cell : obstacles.cells) places.push_back(obstacles.frame.center(cell));
   return places;
 }
 
@@ -116,8 +117,8 @@ viz::CSetOfObjects::Ptr drawn(const Stages& stages, ShownStage stage) {
   switch (stage) {
     case ShownStage::grid:
       return viz::CSetOfObjects::Create();
-    case ShownStage::sites:
-      return setOf(cloudOf(placesOf(stages.sites), 2));
+    case ShownStage::obstacles:
+      return setOf(cloudOf(placesOf(stages.obstacles), 2));
     case ShownStage::voronoi:
     case ShownStage::inside:
     case ShownStage::clear:
@@ -145,8 +146,8 @@ std::string countsAt(const Stages& stages, ShownStage stage) {
     return countText(graph->vertices().size(), "vertices") +
            countText(graph->edges().size(), "edges");
   switch (stage) {
-    case ShownStage::sites:
-      return countText(stages.sites.cells.size(), "sites");
+    case ShownStage::obstacles:
+      return countText(stages.obstacles.cells.size(), "obstacle cells");
     case ShownStage::voronoi:
     case ShownStage::inside:
     case ShownStage::clear: {

@@ -17,9 +17,9 @@ expect 0 "$view" --break 1 --screenshot break.png --size 640 480 "$maps"/office_
 [ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
 [ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
 
-# A stage takes the place of the graph: the sites are orange, and no vertex is there yet.
+# A stage takes the place of the graph: the obstacle cells are orange, and no vertex is there yet.
 expect 0 "$view" "$maps/office.yaml" --stage 2 --screenshot stage.png
-[ "$(pixels stage.png 'rgb(213,94,0)')" -gt 1000 ] || fail "no sites"
+[ "$(pixels stage.png 'rgb(213,94,0)')" -gt 1000 ] || fail "no obstacles"
 [ "$(pixels stage.png 'rgb(0,110,82)')" -eq 0 ] || fail "rooms in a stage before rooms"
 expect 2 "$view" "$maps/office.yaml" --stage 17 --screenshot none.png
 one_line err --stage

@@ -34,7 +34,7 @@ TEST(DrawStages, writesOnePictureForEachStepAndTheCounts) {
     EXPECT_FALSE(stage["counts"].empty());
   }
   EXPECT_EQ(json["stages"][0]["file"], "01_grid.png");
-  EXPECT_EQ(json["stages"][1]["counts"]["sites"], stages.sites.cells.size());
+  EXPECT_EQ(json["stages"][1]["counts"]["obstacle_cells"], stages.obstacles.cells.size());
   EXPECT_EQ(json["stages"][4]["counts"]["edges"], stages.clearEdges.size());
   EXPECT_EQ(json["stages"][8]["counts"]["vertices"], stages.largest.vertices().size());
   EXPECT_EQ(json["stages"][14]["counts"]["rooms"], stages.result.rooms.size());

@@ -21,22 +21,22 @@ TEST(ObstacleRows, findTheNearestCellAsBruteForceDoes) {
   for (int i = 0; i < 25; ++i) grid.cells[random(600)] = State::occupied;
   ThinObstaclesOptions all;
   all.neighbours = "none";
-  const ObstacleSites sites = obstacleSites(grid, thinObstacles(grid, all), true);
-  const ObstacleRows rows(sites);
+  const ObstacleCells obstacles = obstacleCells(grid, thinObstacles(grid, all), true);
+  const ObstacleRows rows(obstacles);
   for (int i = 0; i < 500; ++i) {
     const Point a{0.8 + 0.01 * random(350), 1.8 + 0.01 * random(250)};
     const Point b = i % 3 == 0 ? a : a + Point{0.01 * random(150) - 0.7, 0.01 * random(150) - 0.7};
     const double limit = 0.05 + 0.01 * random(100);
     double nearest = limit;
-    for (const Cell cell : sites.cells)
-      nearest = std::min(nearest, distanceToSegment(sites.frame.center(cell), a, b));
+    for (const Cell cell : obstacles.cells)
+      nearest = std::min(nearest, distanceToSegment(obstacles.frame.center(cell), a, b));
     EXPECT_DOUBLE_EQ(rows.clearance(a, b, limit), nearest) << i;
   }
 }
 
 TEST(ObstacleRows, withoutSitesGiveTheLimit) {
-  const ObstacleSites sites{{5, 5, 0.1, {}}, {}};
-  EXPECT_EQ(ObstacleRows(sites).clearance({0.1, 0.1}, {0.4, 0.3}, 2.5), 2.5);
+  const ObstacleCells obstacles{{5, 5, 0.1, {}}, {}};
+  EXPECT_EQ(ObstacleRows(obstacles).clearance({0.1, 0.1}, {0.4, 0.3}, 2.5), 2.5);
 }
 
 }  // namespace

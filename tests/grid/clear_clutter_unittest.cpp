@@ -14,7 +14,7 @@ namespace {
 ClearedMap cleared(const Grid& grid, double maxSize) {
   ClearClutterOptions options;
   options.maxSize = maxSize;
-  return clearClutter(grid, obstacleSites(grid, thinObstacles(grid, {}), false), options);
+  return clearClutter(grid, obstacleCells(grid, thinObstacles(grid, {}), false), options);
 }
 
 TEST(ClearClutter, aLimitOfZeroKeepsEvenSingleCells) {
@@ -30,7 +30,7 @@ TEST(ClearClutter, freesATableAndTellsOfIt) {
   ASSERT_EQ(map.clutter.size(), 1u);
   EXPECT_NEAR(distance(map.clutter[0].center, {1.3, 2.3}), 0, 1e-12) << "metres, map frame";
   EXPECT_NEAR(map.clutter[0].size, 0.2 * std::sqrt(2), 1e-12);
-  EXPECT_EQ(std::count(map.isClutter.begin(), map.isClutter.end(), 1), 4) << "of the sites";
+  EXPECT_EQ(std::count(map.isClutter.begin(), map.isClutter.end(), 1), 4) << "of the obstacles";
   EXPECT_EQ(std::count(map.grid.cells.begin(), map.grid.cells.end(), State::free), 24);
 }
 

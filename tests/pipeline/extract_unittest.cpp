@@ -108,13 +108,13 @@ TEST(ExtractAgain, givesWhatExtractGives) {
   EXPECT_GT(changed, 5u) << "or the options make no difference";
 }
 
-TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheSites) {
+TEST(Extract, findsTheSameRoomsWhateverTheOrderOfTheObstacles) {
   ExtractOptions options;
   options.findRooms.minWidth = 1.63;  // no multiple of a cell: no ties
   options.clearClutter.maxSize = 0;
   const Stages stages = extract(greyMap(noisyOffice(5, 300)), options);
   ASSERT_GT(stages.rooms.size(), 2u);
-  ObstacleSites shuffled = stages.sites;
+  ObstacleCells shuffled = stages.obstacles;
   std::mt19937 random(11);
   for (std::size_t i = shuffled.cells.size(); i > 1; --i)
     std::swap(shuffled.cells[i - 1], shuffled.cells[random() % i]);
@@ -189,7 +189,7 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   std::vector<std::string> names;
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
-      "binarize",       "thin_obstacles",  "obstacle_sites", "voronoi_graph", "keep_inside",
+      "binarize",       "thin_obstacles",  "obstacle_cells", "voronoi_graph", "keep_inside",
       "clear_clutter",  "voronoi_without", "keep_inside",    "find_rooms",    "region_outlines",
       "drop_half_seen", "keep_clear",      "topology_graph", "dead_ends",     "join_vertices",
       "keep_largest",   "border_vertices", "cut_paths",      "room_ids",      "short_dead_ends",

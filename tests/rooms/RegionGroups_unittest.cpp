@@ -10,7 +10,7 @@ namespace {
 /** Four places in a row, with the narrowest one between the second and the third. */
 VoronoiGraph row() {
   VoronoiGraph graph;
-  graph.sites = {{0, 3}, {0, -3}};
+  graph.obstacles = {{0, 3}, {0, -3}};
   graph.vertices = {{{0, 0}, 3}, {{4, 0}, 2}, {{8, 0}, 2.5}, {{12, 0}, 1}};
   graph.edges = {{0, 1, 0, 1, 1.5},
                  {1, 2, 0, 1, 0.7},
@@ -83,7 +83,7 @@ TEST(RegionGroups, aSquareHasAnElongationOfOne) {
 }
 
 TEST(RegionGroups, wallsCountByTheSpaceBesideThem) {
-  // The left of two sites is wall: half of all space lies nearest to it.
+  // The left of two obstacles is wall: half of all space lies nearest to it.
   const VoronoiGraph graph = row();
   const InsideFlags all(4, 1);
   RegionGroups regions(graph, all, 0, 0);

@@ -42,9 +42,9 @@ struct Outline {
  *  that touch in a vertex as its walk happens to go. */
 class Oracle {
  public:
-  Oracle(const ObstacleSites& sites, double alpha) {
+  Oracle(const ObstacleCells& obstacles, double alpha) {
     std::vector<Kernel::Point_2> points;
-    for (const Cell cell : sites.cells) points.emplace_back(cell.x, cell.y);
+    for (const Cell cell : obstacles.cells) points.emplace_back(cell.x, cell.y);
     shape_.set_mode(AlphaShape::GENERAL);
     shape_.make_alpha_shape(points.begin(), points.end());
     shape_.set_alpha(alpha);
@@ -109,7 +109,7 @@ std::vector<Outline> ourRooms(const MapText& map, double alpha) {
   inCells.origin = {-0.5, -0.5};
   const Grid grid = gridOf(inCells);
   const VoronoiGraph voronoi =
-      voronoiGraph(obstacleSites(grid, thinObstacles(grid, {}), hasUnknown(map)));
+      voronoiGraph(obstacleCells(grid, thinObstacles(grid, {}), hasUnknown(map)));
   KeepInsideOptions options;
   options.freeOnly = false;
   options.outsideAlphaPx2 = alpha;
@@ -132,7 +132,7 @@ std::vector<Outline> ourRooms(const MapText& map, double alpha) {
 
 std::vector<Outline> oracleRooms(const MapText& map, double alpha) {
   const Grid grid = gridOf(map);
-  return Oracle(obstacleSites(grid, thinObstacles(grid, {}), hasUnknown(map)), alpha).rooms();
+  return Oracle(obstacleCells(grid, thinObstacles(grid, {}), hasUnknown(map)), alpha).rooms();
 }
 
 void expectSame(const MapText& map, double alpha) {

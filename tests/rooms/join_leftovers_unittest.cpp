@@ -31,7 +31,7 @@ class DividedRooms {
       regions_.join(*first, v);
     }
     regions_.sumAreas();
-    regions_.sumWalls(std::vector<std::uint8_t>(inside.voronoi.sites.size(), 1));
+    regions_.sumWalls(std::vector<std::uint8_t>(inside.voronoi.obstacles.size(), 1));
   }
 
   void run(const SplitAtDoorsOptions& options) { joinLeftovers(regions_, options); }

@@ -19,7 +19,7 @@ struct Inside {
 
 inline Inside insideOf(const MapText& map) {
   Inside inside{gridOf(map), {}, {}};
-  inside.voronoi = voronoiGraph(obstacleSites(inside.grid, thinObstacles(inside.grid, {}), false));
+  inside.voronoi = voronoiGraph(obstacleCells(inside.grid, thinObstacles(inside.grid, {}), false));
   inside.isInside = keepInside(inside.voronoi, inside.grid, {});
   return inside;
 }
@@ -31,7 +31,7 @@ struct DividedByDisc {
 
   DividedByDisc(const MapText& map, double radius) {
     const Grid grid = gridOf(map);
-    voronoi = voronoiGraph(obstacleSites(grid, thinObstacles(grid, {}), false));
+    voronoi = voronoiGraph(obstacleCells(grid, thinObstacles(grid, {}), false));
     KeepInsideOptions options;
     options.outsideWidth = 2 * radius;
     options.freeOnly = false;

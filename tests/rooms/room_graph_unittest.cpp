@@ -10,7 +10,7 @@
 namespace roomgraph::test {
 namespace {
 
-const ObstacleSites kNoObstacle{{1, 1, 1, {}}, {}};
+const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
 
 TEST(RoomGraph, numbersRoomsAnewAndTellsOfThoseLeftOut) {
   const Rooms rooms{squareRoom(20, 20), squareRoom(0, 0)};
@@ -62,7 +62,7 @@ TEST(RoomGraph, aRoomWithoutAWayOutIsAVertexWithoutEdges) {
 
 TEST(RoomGraph, doesNotStandWhereAnObstacleIs) {
   // A pillar at the centroid: the vertex moves onto the path, unless straight edges are asked for.
-  const ObstacleSites pillar{{8, 8, 0.5, {0, 0}}, {{3, 3}, {3, 4}, {4, 3}, {4, 4}}};
+  const ObstacleCells pillar{{8, 8, 0.5, {0, 0}}, {{3, 3}, {3, 4}, {4, 3}, {4, 4}}};
   const Rooms rooms{squareRoom(0, 0)};
   const TopologyGraph cut = cutAtRooms(line({{1, 0.8}, {3, 0.8}, {9, 0.8}}), rooms, 1);
   Notes notes;

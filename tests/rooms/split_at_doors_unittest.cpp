@@ -14,7 +14,7 @@ namespace {
 
 Regions split(const Inside& inside, const SplitAtDoorsOptions& options = {}) {
   const double resolution = inside.grid.frame.resolution;
-  const std::vector<std::uint8_t> allWalls(inside.voronoi.sites.size(), 1);
+  const std::vector<std::uint8_t> allWalls(inside.voronoi.obstacles.size(), 1);
   return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.75 * resolution, resolution,
                       options);
 }
@@ -124,9 +124,9 @@ TEST(SplitAtDoors, aNarrowRoomIsOneIfDoorsCloseIt) {
 
 TEST(SplitAtDoors, whatTheUnknownBoundsIsHalfSeen) {
   const Inside inside = Plan(41, 20).wall(21, 1, 1, 20).gap(21, 8, 1, 5).inside();
-  std::vector<std::uint8_t> isWall(inside.voronoi.sites.size(), 1);
-  for (std::size_t site = 0; site < isWall.size(); ++site)
-    isWall[site] = inside.voronoi.sites[site].x < 22 * 0.2;
+  std::vector<std::uint8_t> isWall(inside.voronoi.obstacles.size(), 1);
+  for (std::size_t obstacle = 0; obstacle < isWall.size(); ++obstacle)
+    isWall[obstacle] = inside.voronoi.obstacles[obstacle].x < 22 * 0.2;
   const Regions regions =
       splitAtDoors(inside.voronoi, inside.isInside, isWall, 0.15, 0.2, SplitAtDoorsOptions());
   EXPECT_EQ(regions.roomCount, 1u);

@@ -14,22 +14,25 @@ namespace {
 class Climber {
  public:
   explicit Climber(const Stages& stages)
-      : s_(stages), edgesOfSite_(stages.voronoi.sites.size()), siteAt_(paddedCount(), kNone) {
+      : s_(stages),
+        edgesOfObstacle_(stages.voronoi.obstacles.size()),
+        obstacleAt_(paddedCount(), kNone) {
     for (std::uint32_t e = 0; e < s_.voronoi.edges.size(); ++e)
-      for (const auto site : {s_.voronoi.edges[e].left, s_.voronoi.edges[e].right})
-        edgesOfSite_[site].push_back(e);
-    for (std::uint32_t i = 0; i < s_.sites.cells.size(); ++i)
-      siteAt_[paddedIndex(s_.sites.cells[i])] = i;
+      for (const auto obstacle : {s_.voronoi.edges[e].left, s_.voronoi.edges[e].right})
+        edgesOfObstacle_[obstacle].push_back(e);
+    for (std::uint32_t i = 0; i < s_.obstacles.cells.size(); ++i)
+      obstacleAt_[paddedIndex(s_.obstacles.cells[i])] = i;
   }
 
-  /** The Voronoi vertex reached from `p`: first straight away from the nearest site to an edge of
-   *  its cell, then along that edge away from both of its sites; none where that never ends. */
+  /** The Voronoi vertex reached from `p`: first straight away from the nearest obstacle to an edge
+   *  of its cell, then along that edge away from both of its obstacles; none where that never
+   *  ends. */
   std::uint32_t vertexFrom(Point p) const {
-    const std::uint32_t site = nearestSite(p);
-    const Point from = s_.voronoi.sites[site], ahead = p - from;
+    const std::uint32_t obstacle = nearestObstacle(p);
+    const Point from = s_.voronoi.obstacles[obstacle], ahead = p - from;
     double nearest = std::numeric_limits<double>::infinity();
     std::uint32_t best = kNone;
-    for (const auto e : edgesOfSite_[site]) {
+    for (const auto e : edgesOfObstacle_[obstacle]) {
       const auto [a, b] = endsOf(s_.voronoi.edges[e]);
       const double turn = cross(ahead, b - a);
       if (turn == 0) continue;
@@ -48,13 +51,14 @@ class Climber {
   std::pair<Point, Point> endsOf(const VoronoiEdge& edge) const {
     const Point a = s_.voronoi.vertices[edge.source].at;
     if (!edge.isInfinite()) return {a, s_.voronoi.vertices[edge.target].at};
-    const Point left = s_.voronoi.sites[edge.left], right = s_.voronoi.sites[edge.right];
+    const Point left = s_.voronoi.obstacles[edge.left], right = s_.voronoi.obstacles[edge.right];
     constexpr double far = 1e6;
     return {a, a + far * Point{left.y - right.y, right.x - left.x}};
   }
 
   std::uint32_t upperEnd(const VoronoiEdge& edge, Point at) const {
-    const Point between = midpoint(s_.voronoi.sites[edge.left], s_.voronoi.sites[edge.right]);
+    const Point between =
+        midpoint(s_.voronoi.obstacles[edge.left], s_.voronoi.obstacles[edge.right]);
     const auto [a, b] = endsOf(edge);
     return dot(b - a, at - between) >= 0 ? edge.target : edge.source;
   }
@@ -68,7 +72,7 @@ class Climber {
   }
 
   /** In a square that grows until it must hold the nearest. */
-  std::uint32_t nearestSite(Point p) const {
+  std::uint32_t nearestObstacle(Point p) const {
     const GridFrame& frame = s_.grid.frame;
     const Cell middle = frame.cellAt(p);
     for (int reach = 2;; reach *= 2) {
@@ -78,18 +82,18 @@ class Climber {
            ++y)
         for (int x = std::max(-1, middle.x - reach); x <= std::min(frame.width, middle.x + reach);
              ++x) {
-          const std::uint32_t site = siteAt_[paddedIndex({x, y})];
-          if (site == kNone || distance(s_.voronoi.sites[site], p) >= nearest) continue;
-          nearest = distance(s_.voronoi.sites[site], p);
-          best = site;
+          const std::uint32_t obstacle = obstacleAt_[paddedIndex({x, y})];
+          if (obstacle == kNone || distance(s_.voronoi.obstacles[obstacle], p) >= nearest) continue;
+          nearest = distance(s_.voronoi.obstacles[obstacle], p);
+          best = obstacle;
         }
       if (best != kNone) return best;
     }
   }
 
   const Stages& s_;
-  std::vector<std::vector<std::uint32_t>> edgesOfSite_;
-  std::vector<std::uint32_t> siteAt_;  // by cell, with the ring outside of the grid
+  std::vector<std::vector<std::uint32_t>> edgesOfObstacle_;
+  std::vector<std::uint32_t> obstacleAt_;  // by cell, with the ring outside of the grid
 };
 
 /** Places on a fine raster, and which of them a disc can travel between. */
@@ -135,7 +139,7 @@ class FloodFill {
 }  // namespace
 
 std::vector<std::string> lostConnections(const Stages& stages, int samplesPerCell) {
-  if (stages.sites.cells.size() < 2) return {};
+  if (stages.obstacles.cells.size() < 2) return {};
   const Climber climber(stages);
   FloodFill fill(stages, samplesPerCell);
   UnionFind parts(stages.voronoi.vertices.size());

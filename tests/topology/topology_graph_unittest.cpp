@@ -15,7 +15,7 @@ constexpr auto kDeadEnd = VertexKind::deadEnd;
 
 TEST(MakeTopologyGraph, ofAVoronoiRingHasOneVertex) {
   VoronoiGraph voronoi;
-  voronoi.sites = {{1, 1}, {9, 9}};
+  voronoi.obstacles = {{1, 1}, {9, 9}};
   voronoi.vertices = {{{0, 0}, 1}, {{2, 0}, 3}, {{2, 2}, 1}, {{0, 2}, 1}};
   for (std::uint32_t v = 0; v < 4; ++v) voronoi.edges.push_back({v, (v + 1) % 4, 0, 1, 1});
   const TopologyGraph ring = topologyGraph(voronoi, {0, 1, 2, 3});
@@ -32,7 +32,7 @@ TEST(MakeTopologyGraph, ofAVoronoiRingHasOneVertex) {
 TEST(MakeTopologyGraph, runsOfEdgesBecomePathsBetweenJunctions) {
   // A cross whose one arm has a bend.
   VoronoiGraph voronoi;
-  voronoi.sites = {{1, 1}, {9, 9}};
+  voronoi.obstacles = {{1, 1}, {9, 9}};
   voronoi.vertices = {{{0, 0}, 2}, {{3, 0}, 1}, {{3, 3}, 1}, {{-4, 0}, 1}, {{0, -5}, 1}};
   voronoi.edges = {{0, 1, 0, 1, 1}, {2, 1, 0, 1, 1}, {0, 3, 0, 1, 1}, {4, 0, 0, 1, 1}};
   const TopologyGraph graph = topologyGraph(voronoi, {0, 1, 2, 3});
@@ -47,16 +47,16 @@ TEST(MakeTopologyGraph, runsOfEdgesBecomePathsBetweenJunctions) {
 
 TEST(MakeTopologyGraph, aVertexWithoutItsEdgesIsNone) {
   VoronoiGraph voronoi;
-  voronoi.sites = {{1, 1}, {9, 9}};
+  voronoi.obstacles = {{1, 1}, {9, 9}};
   voronoi.vertices = {{{0, 0}, 2}, {{3, 0}, 1}, {{3, 3}, 1}};
   voronoi.edges = {{0, 1, 0, 1, 1}, {1, 2, 0, 1, 1}};
   EXPECT_EQ(topologyGraph(voronoi, {0}).vertices().size(), 2u);
 }
 
-/** Places at random, joined at random; all edges between the same two sites. */
+/** Places at random, joined at random; all edges between the same two obstacles. */
 VoronoiGraph anyVoronoi(RandomNumbers& random) {
   VoronoiGraph voronoi;
-  voronoi.sites = {{-1, -1}, {50, 50}};
+  voronoi.obstacles = {{-1, -1}, {50, 50}};
   const std::size_t count = 2 + random.below(30);
   for (std::size_t v = 0; v < count; ++v)
     voronoi.vertices.push_back({random.place(20), random.between(0.5, 3)});

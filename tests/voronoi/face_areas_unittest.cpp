@@ -4,16 +4,16 @@
 
 #include <numeric>
 
-#include "drawn_sites.h"
+#include "drawn_obstacles.h"
 #include "random_maps.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {
 
-TEST(FaceAreas, ofAllGroupsAreTheHullOfTheSites) {
+TEST(FaceAreas, ofAllGroupsAreTheHullOfTheObstacles) {
   const VoronoiGraph graph =
-      voronoiGraph(sitesOf(drawn({"#...#", ".....", "..#..", ".....", "#...#"}, 0.5)));
+      voronoiGraph(obstaclesOf(drawn({"#...#", ".....", "..#..", ".....", "#...#"}, 0.5)));
   const auto areas = faceAreas(graph, [](std::uint32_t v) { return v; });
   EXPECT_EQ(areas.size(), graph.vertices.size());
   EXPECT_NEAR(std::accumulate(areas.begin(), areas.end(), 0.0), 4, 1e-12) << "2 m by 2 m";
@@ -21,7 +21,7 @@ TEST(FaceAreas, ofAllGroupsAreTheHullOfTheSites) {
 }
 
 TEST(FaceAreas, ofAGroupIsTheSumOfItsFaces) {
-  const VoronoiGraph graph = voronoiGraph(sitesOf(randomMap(7, 30, 20, 0.1)));
+  const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(7, 30, 20, 0.1)));
   const auto single = faceAreas(graph, [](std::uint32_t v) { return v; });
   const auto halves = faceAreas(graph, [](std::uint32_t v) { return v % 2; });
   double even = 0;
@@ -30,7 +30,7 @@ TEST(FaceAreas, ofAGroupIsTheSumOfItsFaces) {
 }
 
 TEST(FaceAreas, whatIsInNoGroupDoesNotCount) {
-  const VoronoiGraph graph = voronoiGraph(sitesOf(randomMap(7, 30, 20, 0.1)));
+  const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(7, 30, 20, 0.1)));
   const auto none = faceAreas(graph, [](std::uint32_t) { return VoronoiEdge::kNoVertex; });
   EXPECT_EQ(std::count(none.begin(), none.end(), 0.0), std::ptrdiff_t(none.size()));
 }

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drawn_sites.h"
+#include "drawn_obstacles.h"
 #include "random_maps.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
@@ -12,7 +12,7 @@ namespace roomgraph::test {
 namespace {
 
 TEST(KeepClear, keepsTheFiniteEdgesThatAreWideEnough) {
-  const VoronoiGraph voronoi = voronoiGraph(sitesOf(randomMap(4, 40, 30, 0.1)));
+  const VoronoiGraph voronoi = voronoiGraph(obstaclesOf(randomMap(4, 40, 30, 0.1)));
   const InsideFlags all(voronoi.vertices.size(), 1);
   const EdgeIndices kept = keepClear(voronoi, all, 0.25);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
@@ -41,7 +41,7 @@ TEST(KeepClear, roundingDoesNotClosePassagesOfTheLeastWidth) {
   const auto keptAt = [&](Point origin) {
     MapText map = noisyOffice(4, 200);
     map.origin = origin;
-    const VoronoiGraph voronoi = voronoiGraph(sitesOf(map));
+    const VoronoiGraph voronoi = voronoiGraph(obstaclesOf(map));
     return keepClear(voronoi, InsideFlags(voronoi.vertices.size(), 1), clearance).size();
   };
   const std::size_t kept = keptAt({0, 0});

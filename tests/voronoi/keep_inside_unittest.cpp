@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "drawn_sites.h"
+#include "drawn_obstacles.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
 namespace roomgraph::test {
@@ -18,7 +18,7 @@ class HouseOnWhite : public testing::Test {
     for (std::size_t i = 20; i <= 40; ++i)
       rows[20][i] = rows[40][i] = rows[i][20] = rows[i][40] = '#';
     map_ = drawn(rows, 0.1);
-    voronoi_ = voronoiGraph(sitesOf(map_));
+    voronoi_ = voronoiGraph(obstaclesOf(map_));
   }
 
   bool isHouse(Point p) const { return p.x > 2 && p.x < 4.1 && p.y > 1.9 && p.y < 4; }
@@ -52,7 +52,7 @@ TEST(KeepInside, leavesCellsThatAreNotFreeOut) {
   const Grid grid = gridOf(map);
   ThinObstaclesOptions thin;
   thin.unknownIsObstacle = false;
-  const VoronoiGraph voronoi = voronoiGraph(obstacleSites(grid, thinObstacles(grid, thin), false));
+  const VoronoiGraph voronoi = voronoiGraph(obstacleCells(grid, thinObstacles(grid, thin), false));
   KeepInsideOptions options;
   options.outsideWidth = 100;
   const InsideFlags freeOnly = keepInside(voronoi, grid, options);
@@ -72,7 +72,7 @@ TEST(KeepInside, biggestOnlyKeepsOnePolygon) {
   box(5, 5, 12, 12);
   box(50, 5, 20, 20);
   const MapText map = drawn(rows, 0.1);
-  const VoronoiGraph voronoi = voronoiGraph(sitesOf(map));
+  const VoronoiGraph voronoi = voronoiGraph(obstaclesOf(map));
   KeepInsideOptions options;
   options.outsideWidth = 2.4;
   options.biggestOnly = true;

@@ -6,40 +6,40 @@
 #include <array>
 
 #include "Pose.h"
-#include "drawn_sites.h"
+#include "drawn_obstacles.h"
 #include "random_maps.h"
 #include "roomgraph/geometry/Polyline.h"
 
 namespace roomgraph::test {
 namespace {
 
-double nearestSite(const VoronoiGraph& graph, Point p) {
+double nearestObstacle(const VoronoiGraph& graph, Point p) {
   double nearest = 1e300;
-  for (const Point site : graph.sites) nearest = std::min(nearest, distance(p, site));
+  for (const Point obstacle : graph.obstacles) nearest = std::min(nearest, distance(p, obstacle));
   return nearest;
 }
 
 TEST(VoronoiGraph, clearanceIsTheDistanceToTheNearestSite) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const VoronoiGraph graph = voronoiGraph(sitesOf(randomMap(seed, 24, 20, 0.1)));
+    const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(seed, 24, 20, 0.1)));
     ASSERT_GT(graph.edges.size(), 0u);
     for (const VoronoiVertex& v : graph.vertices)
-      EXPECT_NEAR(v.clearance, nearestSite(graph, v.at), 1e-9);
+      EXPECT_NEAR(v.clearance, nearestObstacle(graph, v.at), 1e-9);
   }
 }
 
-TEST(VoronoiGraph, edgesLieBetweenTheirTwoNearestSites) {
+TEST(VoronoiGraph, edgesLieBetweenTheirTwoNearestObstacles) {
   for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    const VoronoiGraph graph = voronoiGraph(sitesOf(randomMap(seed, 24, 20, 0.1)));
+    const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(seed, 24, 20, 0.1)));
     for (const VoronoiEdge& edge : graph.edges) {
       if (edge.isInfinite()) continue;
       const Point a = graph.vertices[edge.source].at, b = graph.vertices[edge.target].at;
-      const Point left = graph.sites[edge.left], right = graph.sites[edge.right];
+      const Point left = graph.obstacles[edge.left], right = graph.obstacles[edge.right];
       double least = 1e300;
       for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const Point p = a + t * (b - a);
-        EXPECT_NEAR(distance(p, left), nearestSite(graph, p), 1e-9);
-        EXPECT_NEAR(distance(p, right), nearestSite(graph, p), 1e-9);
+        EXPECT_NEAR(distance(p, left), nearestObstacle(graph, p), 1e-9);
+        EXPECT_NEAR(distance(p, right), nearestObstacle(graph, p), 1e-9);
         least = std::min(least, distance(p, left));
       }
       EXPECT_LE(edge.minClearance, least + 1e-12);
@@ -52,7 +52,7 @@ TEST(VoronoiGraph, edgesLieBetweenTheirTwoNearestSites) {
 
 TEST(VoronoiGraph, cellsOfASquareMeetInOneVertex) {
   const VoronoiGraph graph =
-      voronoiGraph(sitesOf(drawn({"#...#", ".....", ".....", ".....", "#...#"}, 1)));
+      voronoiGraph(obstaclesOf(drawn({"#...#", ".....", ".....", ".....", "#...#"}, 1)));
   ASSERT_EQ(graph.vertices.size(), 1u);
   EXPECT_NEAR(distance(graph.vertices[0].at, {2.5, 2.5}), 0, 1e-12);
   EXPECT_EQ(graph.edges.size(), 4u);
@@ -85,9 +85,9 @@ TEST(VoronoiGraph, isTheSameInAllEightPoses) {
                             drawn({"#.#.#", ".....", "#.#.#", ".....", "#.#.#"}, 0.5)};
   for (std::uint32_t seed = 0; seed < 5; ++seed) maps.push_back(randomMap(seed, 24, 20, 0.125));
   for (const MapText& map : maps) {
-    const VoronoiGraph reference = voronoiGraph(sitesOf(map));
+    const VoronoiGraph reference = voronoiGraph(obstaclesOf(map));
     for (const Pose& pose : symmetries()) {
-      const VoronoiGraph turned = voronoiGraph(sitesOf(posed(map, pose)));
+      const VoronoiGraph turned = voronoiGraph(obstaclesOf(posed(map, pose)));
       EXPECT_EQ(turned.edges.size(), reference.edges.size());
       EXPECT_EQ(fingerprint(turned, map, pose, false), fingerprint(reference, map, pose, true))
           << nameOf(pose);

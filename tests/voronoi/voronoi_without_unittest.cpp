@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "drawn_sites.h"
+#include "drawn_obstacles.h"
 #include "random_maps.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 
@@ -34,53 +34,54 @@ std::vector<Line> linesOf(const VoronoiGraph& graph) {
   return lines;
 }
 
-VoronoiGraph fromScratch(const ObstacleSites& sites, const std::vector<std::uint8_t>& isLeftOut) {
-  ObstacleSites kept{sites.frame, {}};
-  for (std::size_t i = 0; i < sites.cells.size(); ++i)
-    if (!isLeftOut[i]) kept.cells.push_back(sites.cells[i]);
+VoronoiGraph fromScratch(const ObstacleCells& obstacles,
+                         const std::vector<std::uint8_t>& isLeftOut) {
+  ObstacleCells kept{obstacles.frame, {}};
+  for (std::size_t i = 0; i < obstacles.cells.size(); ++i)
+    if (!isLeftOut[i]) kept.cells.push_back(obstacles.cells[i]);
   return voronoiGraph(kept);
 }
 
-/** One flag per site: whether its cell is one of `cells`. */
-std::vector<std::uint8_t> flagsOf(const ObstacleSites& sites, const std::vector<Cell>& cells) {
+/** One flag per obstacle: whether its cell is one of `cells`. */
+std::vector<std::uint8_t> flagsOf(const ObstacleCells& obstacles, const std::vector<Cell>& cells) {
   std::vector<std::uint8_t> flags;
-  for (const Cell cell : sites.cells)
+  for (const Cell cell : obstacles.cells)
     flags.push_back(std::any_of(cells.begin(), cells.end(),
                                 [&](Cell c) { return c.x == cell.x && c.y == cell.y; }));
   return flags;
 }
 
-TEST(VoronoiWithout, isTheDiagramOfTheOtherSites) {
+TEST(VoronoiWithout, isTheDiagramOfTheOtherObstacles) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    const ObstacleSites sites = sitesOf(randomMap(seed, 40, 30, 0.1));
-    std::vector<std::uint8_t> isLeftOut(sites.cells.size());
+    const ObstacleCells obstacles = obstaclesOf(randomMap(seed, 40, 30, 0.1));
+    std::vector<std::uint8_t> isLeftOut(obstacles.cells.size());
     for (std::size_t i = 0; i < isLeftOut.size(); ++i) {
-      const Cell cell = sites.cells[i];
+      const Cell cell = obstacles.cells[i];
       isLeftOut[i] = cell.x > 8 && cell.x < 30 && cell.y > 8 && cell.y < 20 && (i + seed) % 3 == 0;
     }
-    const VoronoiGraph without = voronoiWithout(voronoiGraph(sites), sites, isLeftOut);
-    EXPECT_EQ(linesOf(without), linesOf(fromScratch(sites, isLeftOut))) << seed;
+    const VoronoiGraph without = voronoiWithout(voronoiGraph(obstacles), obstacles, isLeftOut);
+    EXPECT_EQ(linesOf(without), linesOf(fromScratch(obstacles, isLeftOut))) << seed;
   }
 }
 
 TEST(VoronoiWithout, nothingIsTheSameDiagram) {
-  const ObstacleSites sites = sitesOf(randomMap(4, 40, 30, 0.1));
-  const VoronoiGraph graph = voronoiGraph(sites);
-  const auto none = std::vector<std::uint8_t>(sites.cells.size(), 0);
-  EXPECT_EQ(linesOf(voronoiWithout(graph, sites, none)), linesOf(graph));
+  const ObstacleCells obstacles = obstaclesOf(randomMap(4, 40, 30, 0.1));
+  const VoronoiGraph graph = voronoiGraph(obstacles);
+  const auto none = std::vector<std::uint8_t>(obstacles.cells.size(), 0);
+  EXPECT_EQ(linesOf(voronoiWithout(graph, obstacles, none)), linesOf(graph));
 }
 
 void expectNumbersKept(const std::vector<std::string>& rows, const std::vector<Cell>& cells) {
-  const ObstacleSites sites = sitesOf(drawn(rows, 1));
-  const std::vector<std::uint8_t> isLeftOut = flagsOf(sites, cells);
+  const ObstacleCells obstacles = obstaclesOf(drawn(rows, 1));
+  const std::vector<std::uint8_t> isLeftOut = flagsOf(obstacles, cells);
   ASSERT_EQ(std::size_t(std::count(isLeftOut.begin(), isLeftOut.end(), 1)), cells.size());
-  const VoronoiGraph graph = voronoiGraph(sites);
-  const VoronoiGraph without = voronoiWithout(graph, sites, isLeftOut);
-  EXPECT_EQ(linesOf(without), linesOf(fromScratch(sites, isLeftOut)));
-  ASSERT_EQ(without.sites, graph.sites);
+  const VoronoiGraph graph = voronoiGraph(obstacles);
+  const VoronoiGraph without = voronoiWithout(graph, obstacles, isLeftOut);
+  EXPECT_EQ(linesOf(without), linesOf(fromScratch(obstacles, isLeftOut)));
+  ASSERT_EQ(without.obstacles, graph.obstacles);
   for (const VoronoiEdge& edge : without.edges) {
     EXPECT_FALSE(isLeftOut[edge.left] || isLeftOut[edge.right]);
-    EXPECT_NEAR(distance(without.sites[edge.left], without.vertices[edge.source].at),
+    EXPECT_NEAR(distance(without.obstacles[edge.left], without.vertices[edge.source].at),
                 without.vertices[edge.source].clearance, 1e-9);
   }
 }

@@ -50,9 +50,9 @@ class FaceCover {
     std::vector<std::pair<std::uint32_t, Offer>> offers;
     const auto offer = [&](const VoronoiEdge& edge, std::uint32_t to, std::uint32_t from) {
       if (isOpenTo(to, from))
-        offers.push_back(
-            {to,
-             {distance(voronoi_.sites[edge.left], voronoi_.sites[edge.right]), regionOf_[from]}});
+        offers.push_back({to,
+                          {distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]),
+                           regionOf_[from]}});
     };
     for (const VoronoiEdge* edge : edges_) {
       offer(*edge, edge->source, edge->target);
@@ -92,8 +92,8 @@ RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
     if (source == target) continue;
     const bool isOpening = regions.of(edge.source) != kNone && regions.of(edge.target) != kNone;
     // The source lies on the left of the way from the right site to the left one.
-    outlines.borders.push_back({source, target, voronoi.sites[edge.right], voronoi.sites[edge.left],
-                                isOpening ? edge.minClearance : 0});
+    outlines.borders.push_back({source, target, voronoi.obstacles[edge.right],
+                                voronoi.obstacles[edge.left], isOpening ? edge.minClearance : 0});
   }
   return outlines;
 }

@@ -114,12 +114,12 @@ void drawRoomLabels(const Pen& pen, const std::vector<GraphRoom>& rooms) {
   }
 }
 
-void drawSites(const Pen& pen, const ObstacleSites& sites) {
-  const double half = std::max(0.6, 0.5 * sites.frame.resolution * pen.view().pxPerMetre());
+void drawObstacles(const Pen& pen, const ObstacleCells& obstacles) {
+  const double half = std::max(0.6, 0.5 * obstacles.frame.resolution * pen.view().pxPerMetre());
   pen.ink(ink::vermilion);
   int count = 0;
-  for (const Cell cell : sites.cells) {
-    const Point at = pen.view().px(sites.frame.center(cell));
+  for (const Cell cell : obstacles.cells) {
+    const Point at = pen.view().px(obstacles.frame.center(cell));
     cairo_rectangle(pen.cairo(), at.x - half, at.y - half, 2 * half, 2 * half);
     if (++count % 256 == 0) cairo_fill(pen.cairo());
   }

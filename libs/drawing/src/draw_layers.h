@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "Scene.h"
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 #include "roomgraph/rooms/RoomGraph.h"
 #include "roomgraph/voronoi/VoronoiGraph.h"
 
@@ -16,7 +16,7 @@ void drawPaths(const Pen& pen, const TopologyGraph& graph);
 void drawVertices(const Pen& pen, const TopologyGraph& graph);
 /** The id of each room on a disc where its vertex stands. */
 void drawRoomLabels(const Pen& pen, const std::vector<GraphRoom>& rooms);
-void drawSites(const Pen& pen, const ObstacleSites& sites);
+void drawObstacles(const Pen& pen, const ObstacleCells& obstacles);
 /** The finite edges that `isShown` picks by their index. */
 void drawVoronoi(const Pen& pen, const VoronoiGraph& graph,
                  const std::function<bool(std::size_t)>& isShown, Colour colour);

@@ -41,11 +41,12 @@ Picture gridPicture(const Stages& stages) {
   return picture;
 }
 
-Picture sitesPicture(const Stages& stages) {
-  const std::size_t count = stages.sites.cells.size();
-  Picture picture{Json::object({{"sites", count}}), {}};
-  picture.scene.layers = [&stages](const Pen& pen) { drawSites(pen, stages.sites); };
-  picture.scene.legend = {squareLegend(groupedCount(count, "site", "sites"), ink::vermilion)};
+Picture obstaclesPicture(const Stages& stages) {
+  const std::size_t count = stages.obstacles.cells.size();
+  Picture picture{Json::object({{"obstacle_cells", count}}), {}};
+  picture.scene.layers = [&stages](const Pen& pen) { drawObstacles(pen, stages.obstacles); };
+  picture.scene.legend = {
+      squareLegend(groupedCount(count, "obstacle cell", "obstacle cells"), ink::vermilion)};
   return picture;
 }
 
@@ -141,7 +142,7 @@ Picture areasPicture(const Stages& stages) {
 std::vector<Picture> pictures(const Stages& s) {
   return {
       gridPicture(s),
-      sitesPicture(s),
+      obstaclesPicture(s),
       voronoiPicture(s, finiteEdges(s)),
       voronoiPicture(s, insideEdges(s)),
       voronoiPicture(s, clearEdges(s)),

@@ -5,8 +5,8 @@ namespace roomgraph {
 const std::vector<StageName>& stageNames() {
   static const std::vector<StageName> names = {
       {"grid", "IV-C", "free, occupied and unknown cells"},
-      {"sites", "IV-C, III-A", "obstacles after thinning, the sites of the Voronoi diagram"},
-      {"voronoi", "III-A", "Voronoi diagram of the sites"},
+      {"obstacles", "IV-C, III-A", "obstacle cells after thinning"},
+      {"voronoi", "III-A", "Voronoi diagram of the obstacles"},
       {"inside", "III-A", "without what lies outside"},
       {"clear", "III-A", "without what is too near to an obstacle"},
       {"topology", "III-A", "runs of Voronoi edges joined to paths"},

@@ -6,24 +6,24 @@
 
 namespace roomgraph {
 
-ObstacleRows::ObstacleRows(const ObstacleSites& sites)
-    : sites_(sites), firstInRow_(std::size_t(sites.frame.height) + 3) {
+ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
+    : obstacles_(obstacles), firstInRow_(std::size_t(obstacles.frame.height) + 3) {
   std::size_t next = 0;
   for (std::size_t row = 0; row < firstInRow_.size(); ++row) {
-    while (next < sites.cells.size() && sites.cells[next].y < int(row) - 1) ++next;
+    while (next < obstacles.cells.size() && obstacles.cells[next].y < int(row) - 1) ++next;
     firstInRow_[row] = next;
   }
 }
 
 double ObstacleRows::clearance(Point a, Point b, double limit) const {
-  const GridFrame& frame = sites_.frame;
+  const GridFrame& frame = obstacles_.frame;
   const Point reach{limit, limit};
   const Cell low = frame.cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
   const Cell high = frame.cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
   double nearest = limit;
   for (std::ptrdiff_t y = low.y; y <= high.y; ++y) {
-    const auto rowEnd = sites_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
-    auto it = sites_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
+    const auto rowEnd = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
+    auto it = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
     it = std::lower_bound(it, rowEnd, low.x, [](Cell cell, int x) { return cell.x < x; });
     for (; it != rowEnd && it->x <= high.x; ++it)
       nearest = std::min(nearest, distanceToSegment(frame.center(*it), a, b));

@@ -134,14 +134,14 @@ void describe(ClearClutterOptions& options, FieldTable& table) {
       "do compact ones up to twice that with a room round them, as tables; 0 for none.");
 }
 
-ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
+ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                         const ClearClutterOptions& options) {
-  ClearedMap cleared{grid, std::vector<std::uint8_t>(sites.cells.size()), {}};
+  ClearedMap cleared{grid, std::vector<std::uint8_t>(obstacles.cells.size()), {}};
   ClutterFinder finder(cleared.grid, options.maxSize);
-  for (const Cell cell : sites.cells) finder.clear(cell, cleared.clutter);
-  // A site whose cell has become free was clutter.
-  for (std::size_t i = 0; i < sites.cells.size(); ++i)
-    cleared.isClutter[i] = cleared.grid.atOrUnknown(sites.cells[i]) == State::free;
+  for (const Cell cell : obstacles.cells) finder.clear(cell, cleared.clutter);
+  // An obstacle whose cell has become free was clutter.
+  for (std::size_t i = 0; i < obstacles.cells.size(); ++i)
+    cleared.isClutter[i] = cleared.grid.atOrUnknown(obstacles.cells[i]) == State::free;
   return cleared;
 }
 

@@ -8,7 +8,7 @@
 #include "roomgraph/areas/drop_half_seen.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/grid/ObstacleRows.h"
-#include "roomgraph/grid/wall_sites.h"
+#include "roomgraph/grid/wall_obstacles.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/topology/topology_graph.h"
@@ -54,14 +54,14 @@ Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, co
   const double resolution = s.grid.frame.resolution;
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
-  return splitAtDoors(voronoi, isInside, wallSites(s.grid, s.sites), minClearance, resolution,
-                      s.options.splitAtDoors);
+  return splitAtDoors(voronoi, isInside, wallObstacles(s.grid, s.obstacles), minClearance,
+                      resolution, s.options.splitAtDoors);
 }
 
 /** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
 RegionOutlines outlineRegions(const Stages& s, const StepTimer& timed) {
   const VoronoiGraph voronoi =
-      timed("voronoi_without", voronoiWithout, s.voronoi, s.sites, s.cleared.isClutter);
+      timed("voronoi_without", voronoiWithout, s.voronoi, s.obstacles, s.cleared.isClutter);
   const InsideFlags isInside =
       timed("keep_inside", keepInside, voronoi, s.cleared.grid, s.options.keepInside);
   const Regions regions = timed("find_rooms", findRegions, voronoi, isInside, s);
@@ -134,7 +134,7 @@ void addNotes(Stages& s) {
   };
   if (!hasAny(s.grid, State::free))
     note("no_free_cell", "the map has no free cell, so its graph is empty");
-  else if (s.sites.cells.empty())
+  else if (s.obstacles.cells.empty())
     note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");
   else if (s.result.graph.vertices().empty())
     note("no_path", "no place of the map is wide enough for a path");
@@ -150,7 +150,7 @@ void readDiagram(Stages& s, const StepTimer& timed) {
   s.isInside = timed("keep_inside", keepInside, s.voronoi, s.grid, options.keepInside);
 
   // III-B: the rooms, which tell what is half seen
-  s.cleared = timed("clear_clutter", clearClutter, s.grid, s.sites, options.clearClutter);
+  s.cleared = timed("clear_clutter", clearClutter, s.grid, s.obstacles, options.clearClutter);
   s.outlines = outlineRegions(s, timed);
   s.rooms = s.outlines.rooms();
   s.isInside = timed("drop_half_seen", dropHalfSeen, s.voronoi, std::move(s.isInside), s.outlines);
@@ -168,17 +168,17 @@ void readDiagram(Stages& s, const StepTimer& timed) {
   s.cut = timed("room_ids", roomIds, std::move(s.cut), s.rooms, minLength);
   s.cleaned = timed("short_dead_ends", removeShortDeadEnds, s.cut, minLength);
   s.doors = timed("join_doors", joinDoors, s.cleaned, options.joinDoors);
-  s.result = timed("room_graph", roomGraph, s.doors, s.rooms, ObstacleRows(s.sites), s.clearance,
-                   options.roomGraph, s.notes);
+  s.result = timed("room_graph", roomGraph, s.doors, s.rooms, ObstacleRows(s.obstacles),
+                   s.clearance, options.roomGraph, s.notes);
   s.areas =
       timed("area_graph", areaGraph, s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   addNotes(s);
 }
 
 /** IV-C, thinning. The flags of all cells go before the diagram needs its memory. */
-ObstacleSites sitesOf(const Stages& s, const StepTimer& timed) {
-  const auto obstacles = timed("thin_obstacles", thinObstacles, s.grid, s.options.thinObstacles);
-  return timed("obstacle_sites", obstacleSites, s.grid, obstacles, ringIsObstacle(s));
+ObstacleCells obstaclesOf(const Stages& s, const StepTimer& timed) {
+  const auto isObstacle = timed("thin_obstacles", thinObstacles, s.grid, s.options.thinObstacles);
+  return timed("obstacle_cells", obstacleCells, s.grid, isObstacle, ringIsObstacle(s));
 }
 
 /** IV-C, threshold. */
@@ -191,9 +191,9 @@ Stages binarized(const GreyMap& map, const ExtractOptions& options) {
 /** All that comes behind it. */
 Stages extracted(Stages s) {
   const StepTimer timed(s.timings);
-  s.sites = sitesOf(s, timed);
+  s.obstacles = obstaclesOf(s, timed);
   // III-A: the Voronoi diagram
-  s.voronoi = timed("voronoi_graph", voronoiGraph, s.sites);
+  s.voronoi = timed("voronoi_graph", voronoiGraph, s.obstacles);
   readDiagram(s, timed);
   return s;
 }
@@ -212,7 +212,7 @@ Stages extract(GreyMap&& map, const ExtractOptions& options) {
 
 Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options) {
   Stages s = prepared(map, options);
-  s.grid = std::move(before.grid), s.sites = std::move(before.sites);
+  s.grid = std::move(before.grid), s.obstacles = std::move(before.obstacles);
   s.voronoi = std::move(before.voronoi);
   readDiagram(s, StepTimer(s.timings));
   return s;

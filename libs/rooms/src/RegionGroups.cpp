@@ -64,8 +64,8 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   bounded_.assign(voronoi_.vertices.size(), 0);
   walled_.assign(voronoi_.vertices.size(), 0);
   for (const VoronoiEdge& edge : voronoi_.edges) {
-    // What lies behind the two sites is another space.
-    const Point between = midpoint(voronoi_.sites[edge.left], voronoi_.sites[edge.right]);
+    // What lies behind the two obstacles is another space.
+    const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
     for (const auto& [end, other] :
          {std::pair(edge.source, edge.target), {edge.target, edge.source}}) {
       if (end == VoronoiEdge::kNoVertex || !isInside_[end]) continue;
@@ -74,11 +74,11 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
       const Point to = isInfinite ? between : voronoi_.vertices[other].at;
       const bool isCrossed = isInfinite || dot(between - from, to - between) > 0;
       const Point half = isCrossed ? between : midpoint(from, to);
-      for (const std::uint32_t site : {edge.left, edge.right}) {
-        const Point at = voronoi_.sites[site];
+      for (const std::uint32_t obstacle : {edge.left, edge.right}) {
+        const Point at = voronoi_.obstacles[obstacle];
         const double area = std::abs(cross(from - at, half - at)) / 2;
         bounded_[find(end)] += area;
-        walled_[find(end)] += isWall[site] ? area : 0;
+        walled_[find(end)] += isWall[obstacle] ? area : 0;
       }
     }
   }

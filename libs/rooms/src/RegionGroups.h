@@ -51,8 +51,8 @@ class RegionGroups {
 
   void join(std::uint32_t a, std::uint32_t b);
   void sumAreas();
-  /** `isWall`, per site, tells walls from the edge of the unknown. Areas count, not sites: cells
-   *  make an edge the more ragged the smaller they are. O(n). */
+  /** `isWall`, per obstacle, tells walls from the edge of the unknown. Areas count, not
+   *  obstacles: cells make an edge the more ragged the smaller they are. O(n). */
   void sumWalls(const std::vector<std::uint8_t>& isWall);
   /** Who meets whom where, by region. O(passages). */
   std::map<std::uint32_t, Neighbours> neighbours();

@@ -11,7 +11,7 @@ constexpr std::uint32_t kNone = Regions::kNone;
 
 /** A Delaunay edge on the boundary of a room, which lies on its left. */
 struct BoundaryEdge {
-  std::uint32_t room, from, to;  // from and to are sites
+  std::uint32_t room, from, to;  // from and to are obstacles
   bool isUsed = false;
 };
 
@@ -40,12 +40,12 @@ double clockwiseTurn(Point from, Point to) {
 class RingTracer {
  public:
   RingTracer(const VoronoiGraph& voronoi, std::vector<BoundaryEdge> boundary)
-      : sites_(voronoi.sites),
+      : obstacles_(voronoi.obstacles),
         boundary_(std::move(boundary)),
-        firstFrom_(sites_.size() + 1),
-        place_(sites_.size(), kNone) {
+        firstFrom_(obstacles_.size() + 1),
+        place_(obstacles_.size(), kNone) {
     for (const BoundaryEdge& edge : boundary_) ++firstFrom_[edge.from + 1];
-    for (std::size_t i = 0; i < sites_.size(); ++i) firstFrom_[i + 1] += firstFrom_[i];
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) firstFrom_[i + 1] += firstFrom_[i];
   }
 
   /** Calls `add(room, ring)` for every simple ring of every room. */
@@ -70,11 +70,11 @@ class RingTracer {
   BoundaryEdge* next(const BoundaryEdge& edge) {
     BoundaryEdge* best = nullptr;
     double leastTurn = 7;
-    const Point back = sites_[edge.from] - sites_[edge.to];
+    const Point back = obstacles_[edge.from] - obstacles_[edge.to];
     for (std::size_t i = firstFrom_[edge.to]; i < firstFrom_[edge.to + 1]; ++i) {
       BoundaryEdge& other = boundary_[i];
       if (other.isUsed || other.room != edge.room) continue;
-      const double turn = clockwiseTurn(back, sites_[other.to] - sites_[other.from]);
+      const double turn = clockwiseTurn(back, obstacles_[other.to] - obstacles_[other.from]);
       if (turn < leastTurn) {
         leastTurn = turn;
         best = &other;
@@ -83,32 +83,32 @@ class RingTracer {
     return best;
   }
 
-  /** A walk that comes by a site twice is cut there. What encloses no area, a wall one obstacle
-   *  thick that reaches into the room, is dropped, as the regularised alpha shape does. */
+  /** A walk that comes by an obstacle twice is cut there. What encloses no area, a wall one
+   *  obstacle thick that reaches into the room, is dropped, as the regularised alpha shape does. */
   template <class Add>
   void splitAtTouches(const std::vector<std::uint32_t>& walk, const Add& add) {
     std::vector<std::uint32_t> open;
     const auto close = [&](std::size_t from) {
       Ring ring;
       for (std::size_t i = from; i < open.size(); ++i) {
-        ring.push_back(sites_[open[i]]);
+        ring.push_back(obstacles_[open[i]]);
         place_[open[i]] = kNone;
       }
       open.resize(from);
       if (ring.size() > 2) add(ring);
     };
-    for (const auto site : walk) {
-      if (place_[site] != kNone) close(place_[site]);
-      place_[site] = std::uint32_t(open.size());
-      open.push_back(site);
+    for (const auto obstacle : walk) {
+      if (place_[obstacle] != kNone) close(place_[obstacle]);
+      place_[obstacle] = std::uint32_t(open.size());
+      open.push_back(obstacle);
     }
     close(0);
   }
 
-  const std::vector<Point>& sites_;
+  const std::vector<Point>& obstacles_;
   std::vector<BoundaryEdge> boundary_;
-  std::vector<std::uint32_t> firstFrom_;  // per site into boundary_
-  std::vector<std::uint32_t> place_;      // of a site in the open ring
+  std::vector<std::uint32_t> firstFrom_;  // per obstacle into boundary_
+  std::vector<std::uint32_t> place_;      // of an obstacle in the open ring
 };
 
 }  // namespace

@@ -36,7 +36,7 @@ Path pathOf(const VoronoiGraph& voronoi, const EdgeIndices& kept, const Step* fi
   points.push_back(startOf(*first));
   for (const Step* step = first; step != last; ++step) {
     points.push_back(endOf(*step));
-    obstacles.push_back(voronoi.sites[voronoi.edges[kept[step->link]].left]);
+    obstacles.push_back(voronoi.obstacles[voronoi.edges[kept[step->link]].left]);
   }
   return makePath(std::move(points), std::move(obstacles));
 }

@@ -6,8 +6,8 @@
 namespace roomgraph {
 
 // Boost's diagram of points with nothing in it but what it is built with. Its own cells, vertices
-// and edges have a colour each, and tell what kind of site or curve they are of: a fifth of the
-// memory.
+// and edges have a colour each, and tell what kind of generator or curve they are of: a fifth of
+// the memory.
 
 class BareEdge;
 

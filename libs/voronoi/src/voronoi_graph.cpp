@@ -3,7 +3,7 @@
 #include "BareDiagram.h"
 #include "edge_clearance.h"
 
-// Cells are sites as they are: Boost only has to find their coordinates.
+// Boost takes cells as they are: it only has to find their coordinates.
 template <>
 struct boost::polygon::geometry_concept<roomgraph::Cell> {
   using type = boost::polygon::point_concept;
@@ -28,10 +28,10 @@ double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
 
 class Converter {
  public:
-  Converter(const ObstacleSites& sites, const BareDiagram& diagram)
-      : frame_(sites.frame), diagram_(diagram) {
-    graph_.sites.reserve(sites.cells.size());
-    for (const Cell cell : sites.cells) graph_.sites.push_back(frame_.center(cell));
+  Converter(const ObstacleCells& obstacles, const BareDiagram& diagram)
+      : frame_(obstacles.frame), diagram_(diagram) {
+    graph_.obstacles.reserve(obstacles.cells.size());
+    for (const Cell cell : obstacles.cells) graph_.obstacles.push_back(frame_.center(cell));
     graph_.vertices.reserve(diagram.num_vertices());
     graph_.edges.reserve(diagram.num_edges() / 2);
   }
@@ -48,8 +48,8 @@ class Converter {
   void addVertex(const BareVertex& vertex) {
     const Point at{frame_.origin.x + (vertex.x() + 0.5) * frame_.resolution,
                    frame_.origin.y + (vertex.y() + 0.5) * frame_.resolution};
-    const auto site = vertex.incident_edge()->cell()->source_index();
-    graph_.vertices.push_back({at, distance(at, graph_.sites[site])});
+    const auto obstacle = vertex.incident_edge()->cell()->source_index();
+    graph_.vertices.push_back({at, distance(at, graph_.obstacles[obstacle])});
   }
 
   void addEdge(const BareEdge& boostEdge) {
@@ -59,7 +59,7 @@ class Converter {
     result.source = indexOf(edge->vertex0());
     result.left = std::uint32_t(edge->cell()->source_index());
     result.right = std::uint32_t(edge->twin()->cell()->source_index());
-    const Point p = graph_.sites[result.left], q = graph_.sites[result.right];
+    const Point p = graph_.obstacles[result.left], q = graph_.obstacles[result.right];
     const VoronoiVertex& source = graph_.vertices[result.source];
     if (edge->vertex1()) {
       result.target = indexOf(edge->vertex1());
@@ -82,10 +82,10 @@ class Converter {
 
 }  // namespace
 
-VoronoiGraph voronoiGraph(const ObstacleSites& sites) {
+VoronoiGraph voronoiGraph(const ObstacleCells& obstacles) {
   BareDiagram diagram;
-  boost::polygon::construct_voronoi(sites.cells.begin(), sites.cells.end(), &diagram);
-  return Converter(sites, diagram).run();
+  boost::polygon::construct_voronoi(obstacles.cells.begin(), obstacles.cells.end(), &diagram);
+  return Converter(obstacles, diagram).run();
 }
 
 }  // namespace roomgraph

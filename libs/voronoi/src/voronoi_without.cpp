@@ -21,21 +21,21 @@ VoronoiEdge flipped(VoronoiEdge edge) {
 
 /** Faces of the triangulation that go, connected with each other. */
 struct Hole {
-  std::vector<std::uint32_t> sites;  ///< that stay, round the hole
-  std::vector<VoronoiEdge> rim;      ///< edges into the hole; the source stays, or is kNone
+  std::vector<std::uint32_t> obstacles;  ///< that stay, round the hole
+  std::vector<VoronoiEdge> rim;          ///< edges into the hole; the source stays, or is kNone
 };
 
 class HoleFiller {
  public:
-  HoleFiller(const VoronoiGraph& graph, const ObstacleSites& sites,
+  HoleFiller(const VoronoiGraph& graph, const ObstacleCells& obstacles,
              const std::vector<std::uint8_t>& isLeftOut)
-      : graph_(graph), sites_(sites), isLeftOut_(isLeftOut) {}
+      : graph_(graph), obstacles_(obstacles), isLeftOut_(isLeftOut) {}
 
   /** Empty where a hole cannot be told from the outside: it reaches the hull, or its rim is
    *  degenerate. */
   std::optional<VoronoiGraph> run() {
     flagVertices();
-    result_.sites = graph_.sites;
+    result_.obstacles = graph_.obstacles;
     keepTheRest();
     for (Hole& hole : holes())
       if (!fill(hole)) return std::nullopt;
@@ -81,8 +81,8 @@ class HoleFiller {
       const auto it = holeOf.emplace(group, holes.size()).first;
       if (it->second == holes.size()) holes.emplace_back();
       Hole& hole = holes[it->second];
-      for (const auto site : {edge.left, edge.right})
-        if (!isLeftOut_[site]) hole.sites.push_back(site);
+      for (const auto obstacle : {edge.left, edge.right})
+        if (!isLeftOut_[obstacle]) hole.obstacles.push_back(obstacle);
       if (!goes(edge.source)) hole.rim.push_back(edge);
       if (!goes(edge.target)) hole.rim.push_back(flipped(edge));
     }
@@ -90,16 +90,17 @@ class HoleFiller {
   }
 
   bool fill(Hole& hole) {
-    std::sort(hole.sites.begin(), hole.sites.end());
-    hole.sites.erase(std::unique(hole.sites.begin(), hole.sites.end()), hole.sites.end());
-    ObstacleSites around{sites_.frame, {}};
-    for (const auto site : hole.sites) around.cells.push_back(sites_.cells[site]);
+    std::sort(hole.obstacles.begin(), hole.obstacles.end());
+    hole.obstacles.erase(std::unique(hole.obstacles.begin(), hole.obstacles.end()),
+                         hole.obstacles.end());
+    ObstacleCells around{obstacles_.frame, {}};
+    for (const auto obstacle : hole.obstacles) around.cells.push_back(obstacles_.cells[obstacle]);
     VoronoiGraph local = voronoiGraph(around);
     std::unordered_map<std::uint64_t, std::size_t> edgeOf;
     for (std::size_t e = 0; e < local.edges.size(); ++e) {
       VoronoiEdge& edge = local.edges[e];
-      edge.left = hole.sites[edge.left];
-      edge.right = hole.sites[edge.right];
+      edge.left = hole.obstacles[edge.left];
+      edge.right = hole.obstacles[edge.right];
       edgeOf[keyOf(edge)] = e;
     }
     return addLocal(hole, local, edgeOf);
@@ -155,7 +156,7 @@ class HoleFiller {
   }
 
   void addRim(VoronoiEdge edge, std::uint32_t inner) {
-    const Point p = graph_.sites[edge.left], q = graph_.sites[edge.right];
+    const Point p = graph_.obstacles[edge.left], q = graph_.obstacles[edge.right];
     edge.target = inner;
     if (edge.source == kNone) {  // from infinity: edges start at a vertex
       const VoronoiVertex& vertex = result_.vertices[inner];
@@ -172,20 +173,20 @@ class HoleFiller {
   }
 
   const VoronoiGraph& graph_;
-  const ObstacleSites& sites_;
+  const ObstacleCells& obstacles_;
   const std::vector<std::uint8_t>& isLeftOut_;
   std::vector<std::uint8_t> goes_;
   std::vector<std::uint32_t> newOf_;
   VoronoiGraph result_;
 };
 
-VoronoiGraph fromScratch(const VoronoiGraph& graph, const ObstacleSites& sites,
+VoronoiGraph fromScratch(const VoronoiGraph& graph, const ObstacleCells& obstacles,
                          const std::vector<std::uint8_t>& isLeftOut) {
-  ObstacleSites kept{sites.frame, {}};
+  ObstacleCells kept{obstacles.frame, {}};
   std::vector<std::uint32_t> numbers;
-  for (std::uint32_t i = 0; i < sites.cells.size(); ++i) {
+  for (std::uint32_t i = 0; i < obstacles.cells.size(); ++i) {
     if (isLeftOut[i]) continue;
-    kept.cells.push_back(sites.cells[i]);
+    kept.cells.push_back(obstacles.cells[i]);
     numbers.push_back(i);
   }
   VoronoiGraph result = voronoiGraph(kept);
@@ -193,16 +194,16 @@ VoronoiGraph fromScratch(const VoronoiGraph& graph, const ObstacleSites& sites,
     edge.left = numbers[edge.left];
     edge.right = numbers[edge.right];
   }
-  result.sites = graph.sites;
+  result.obstacles = graph.obstacles;
   return result;
 }
 
 }  // namespace
 
-VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleSites& sites,
+VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleCells& obstacles,
                             const std::vector<std::uint8_t>& isLeftOut) {
-  auto filled = HoleFiller(graph, sites, isLeftOut).run();
-  return filled ? std::move(*filled) : fromScratch(graph, sites, isLeftOut);
+  auto filled = HoleFiller(graph, obstacles, isLeftOut).run();
+  return filled ? std::move(*filled) : fromScratch(graph, obstacles, isLeftOut);
 }
 
 }  // namespace roomgraph

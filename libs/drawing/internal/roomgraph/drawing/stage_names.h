@@ -8,7 +8,7 @@ namespace roomgraph {
 /** The stages of an extraction that can be shown, in the order of the pipeline. */
 enum class ShownStage {
   grid,
-  sites,
+  obstacles,
   voronoi,
   inside,
   clear,

@@ -1,23 +1,23 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 
 namespace roomgraph {
 
 /** The obstacle cells by rows, to ask how far a straight way keeps from them. Keeps a reference to
- *  the sites, which must outlive it. */
+ *  those cells, which must outlive it. */
 class ObstacleRows {
  public:
   /** O(rows). */
-  explicit ObstacleRows(const ObstacleSites& sites);
+  explicit ObstacleRows(const ObstacleCells& obstacles);
 
   /** Distance from the segment a–b to the nearest centre of an obstacle cell [m], or `limit` where
    *  that is farther. O(cells within `limit` of the segment). */
   double clearance(Point a, Point b, double limit) const;
 
  private:
-  const ObstacleSites& sites_;
+  const ObstacleCells& obstacles_;
   std::vector<std::size_t> firstInRow_;  // from row -1 to one past row `height`
 };
 

@@ -4,13 +4,13 @@
 
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/Grid.h"
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 
 namespace roomgraph {
 
 // Paper, end of IV-C: "one would first need to filter out smaller obstacles (e.g. using a 'pillar
 // detection')"
-// In:   Grid, ObstacleSites
+// In:   Grid, ObstacleCells
 // Out:  the same without clutter, to find rooms in
 // Next: voronoiWithout
 
@@ -28,7 +28,7 @@ struct Clutter {
 /** The map as if the clutter were not there. */
 struct ClearedMap {
   Grid grid;
-  std::vector<std::uint8_t> isClutter;  ///< per site; non-zero where it belongs to clutter
+  std::vector<std::uint8_t> isClutter;  ///< per obstacle; non-zero where it belongs to clutter
   std::vector<Clutter> clutter;  ///< by its first cell in the order of rows; without unseen specks
 };
 
@@ -36,9 +36,9 @@ struct ClearedMap {
  *  limit and does not touch the border; also up to twice the limit where it is compact and, in more
  *  than half of all directions, no farther from another obstacle than that, as a table is in its
  *  room. Specks that beams have missed are cleared as well: groups with fewer occupied cells than
- *  half of the length of their rim. They are no obstacles, and so not in `clutter`. `sites` must be
- *  those of `grid`. O(cells). */
-ClearedMap clearClutter(const Grid& grid, const ObstacleSites& sites,
+ *  half of the length of their rim. They are no obstacles, and so not in `clutter`. `obstacles`
+ *  must be those of `grid`. O(cells). */
+ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                         const ClearClutterOptions& options);
 
 }  // namespace roomgraph

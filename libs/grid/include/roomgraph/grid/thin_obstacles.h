@@ -11,7 +11,7 @@ namespace roomgraph {
 // Paper IV-C, step 2
 // In:   Grid
 // Out:  the cells that stay obstacles
-// Next: obstacleSites
+// Next: obstacleCells
 
 struct ThinObstaclesOptions {
   std::string neighbours = "8";  ///< "none", "4" or "8"

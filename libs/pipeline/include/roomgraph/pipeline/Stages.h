@@ -7,7 +7,7 @@
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/Grid.h"
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/rooms/RoomGraph.h"
 #include "roomgraph/rooms/border_vertices.h"
@@ -28,7 +28,7 @@ struct Stages {
   ExtractOptions options;   ///< those that were used
   GreyMap::Source source;   ///< which map it was
   Grid grid;                ///< IV-C: free, occupied, unknown
-  ObstacleSites sites;      ///< IV-C, III-A
+  ObstacleCells obstacles;  ///< IV-C, III-A
   VoronoiGraph voronoi;     ///< III-A
   InsideFlags isInside;     ///< III-A, per Voronoi vertex
   double clearance = 0;     ///< that every path keeps [m]

@@ -24,8 +24,9 @@ Stages extract(const GreyMap& map, const ExtractOptions& options);
 Stages extract(GreyMap&& map, const ExtractOptions& options);
 
 /** The same, where `before` is what extract() made of this map with other options of the steps
- *  behind the Voronoi diagram: grid, sites and diagram, which take most of the time, are taken from
- *  it. The options of binarize and thin_obstacles must be those that it was made with. */
+ *  behind the Voronoi diagram: grid, obstacles and diagram, which take most of the time, are
+ *  taken from it. The options of binarize and thin_obstacles must be those that it was made with.
+ */
 Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options);
 
 }  // namespace roomgraph

@@ -22,8 +22,8 @@ namespace roomgraph {
  *  narrow regions that open widely into one other alone, and bays: short regions that open with
  *  nearly their whole width into one wider room, and else at doors only. What remains is half seen,
  *  and neither room nor corridor, where it lies nearer to the edge of the unknown than to walls
- *  (`isWall`, per site), unless it alone links rooms. It is a corridor where it is too narrow for a
- *  room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
+ *  (`isWall`, per obstacle), unless it alone links rooms. It is a corridor where it is too narrow
+ *  for a room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
  *  sides; or narrow and a corridor goes on through it; or long (its area in squares round its
  *  largest disc is its elongation) with two ways out; to half-seen space is none. Pieces of
  *  corridor without a door between them become one. All widths are free ones, between the sides of

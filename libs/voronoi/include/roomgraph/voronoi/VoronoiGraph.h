@@ -19,18 +19,19 @@ struct VoronoiEdge {
   static constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
   std::uint32_t source = kNoVertex, target = kNoVertex;  ///< vertices; only target may be kNoVertex
-  std::uint32_t left = 0, right = 0;  ///< the two sites, as seen when going from source to target
-  double minClearance = 0;            ///< smallest distance to an obstacle along the edge [m]
+  /** The two obstacles, as seen when going from source to target. */
+  std::uint32_t left = 0, right = 0;
+  double minClearance = 0;  ///< smallest distance to an obstacle along the edge [m]
 
   bool isInfinite() const { return target == kNoVertex; }
 };
 
 /** The Voronoi diagram of the obstacles as a graph; its dual is their Delaunay triangulation.
  *  Where more than three obstacles lie on one circle there is one vertex, so that the graph does
- *  not depend on the map's pose. Edges between two infinite ends (all sites on one line) are left
- *  out. */
+ *  not depend on the map's pose. Edges between two infinite ends (all obstacles on one line) are
+ *  left out. */
 struct VoronoiGraph {
-  std::vector<Point> sites;  ///< [m, map frame]
+  std::vector<Point> obstacles;  ///< [m, map frame]
   std::vector<VoronoiVertex> vertices;
   std::vector<VoronoiEdge> edges;
 };

@@ -19,9 +19,9 @@ std::vector<double> faceAreas(const VoronoiGraph& graph, const GroupOf& groupOf)
     if (group != VoronoiEdge::kNoVertex) area[group] += part;
   };
   for (const VoronoiEdge& edge : graph.edges) {
-    const Point origin = graph.sites.front();  // keeps the terms small
+    const Point origin = graph.obstacles.front();  // keeps the terms small
     const double part =
-        cross(graph.sites[edge.right] - origin, graph.sites[edge.left] - origin) / 2;
+        cross(graph.obstacles[edge.right] - origin, graph.obstacles[edge.left] - origin) / 2;
     add(edge.source, part);
     add(edge.target, -part);
   }

@@ -1,16 +1,16 @@
 #pragma once
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 #include "roomgraph/voronoi/VoronoiGraph.h"
 
 namespace roomgraph {
 
 // Paper III-A, first half
-// In:   ObstacleSites
+// In:   ObstacleCells
 // Out:  VoronoiGraph
 // Next: keepInside
 
 /** The Voronoi diagram of the cell centres (Boost.Polygon). The order of vertices and edges depends
- *  on the cells alone. Fewer than two sites give no edge. O(n log n). */
-VoronoiGraph voronoiGraph(const ObstacleSites& sites);
+ *  on the cells alone. Fewer than two obstacles give no edge. O(n log n). */
+VoronoiGraph voronoiGraph(const ObstacleCells& obstacles);
 
 }  // namespace roomgraph

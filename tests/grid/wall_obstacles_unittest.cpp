@@ -1,4 +1,4 @@
-#include "roomgraph/grid/wall_sites.h"
+#include "roomgraph/grid/wall_obstacles.h"
 
 #include <gtest/gtest.h>
 
@@ -10,33 +10,33 @@
 namespace roomgraph::test {
 namespace {
 
-/** How many sites are no wall. */
-std::ptrdiff_t unseenSites(const Grid& grid) {
-  const auto isWall = wallSites(grid, obstacleSites(grid, thinObstacles(grid, {}), true));
+/** How many obstacles are no wall. */
+std::ptrdiff_t unseenObstacles(const Grid& grid) {
+  const auto isWall = wallObstacles(grid, obstacleCells(grid, thinObstacles(grid, {}), true));
   return std::count(isWall.begin(), isWall.end(), 0);
 }
 
-TEST(WallSites, onADrawingUnknownIsAsGoodAsWall) {
-  EXPECT_EQ(unseenSites(gridFrom({"????????", "?......?", "?......?", "?......?", "?......?",
-                                  "?......?", "?......?", "????????"})),
+TEST(WallObstacles, onADrawingUnknownIsAsGoodAsWall) {
+  EXPECT_EQ(unseenObstacles(gridFrom({"????????", "?......?", "?......?", "?......?", "?......?",
+                                      "?......?", "?......?", "????????"})),
             0);
 }
 
-TEST(WallSites, whereABeamIsTheEdgeOfTheUnknownIsNoWall) {
+TEST(WallObstacles, whereABeamIsTheEdgeOfTheUnknownIsNoWall) {
   const Grid grid = gridFrom({"????????????", "?......?????", "?......?????", "?......?????",
                               "?...........", "?......?????", "?......?????", "????????????"});
-  EXPECT_GT(unseenSites(grid), 20);
+  EXPECT_GT(unseenObstacles(grid), 20);
 }
 
-TEST(WallSites, aRimOfUnknownCellsHidesNoWall) {
+TEST(WallObstacles, aRimOfUnknownCellsHidesNoWall) {
   const Grid grid = gridFrom({"############????", "#??????????#????", "#?........?#????",
                               "#?........?#????", "#?........?#????", "#?..............",
                               "#?........?#????", "#??????????#????", "############????"});
-  const auto sites = obstacleSites(grid, thinObstacles(grid, {}), true);
-  const auto isWall = wallSites(grid, sites);
+  const auto obstacles = obstacleCells(grid, thinObstacles(grid, {}), true);
+  const auto isWall = wallObstacles(grid, obstacles);
   for (std::size_t i = 0; i < isWall.size(); ++i)
-    if (sites.cells[i].x < 10) {
-      EXPECT_TRUE(isWall[i]) << sites.cells[i].x;
+    if (obstacles.cells[i].x < 10) {
+      EXPECT_TRUE(isWall[i]) << obstacles.cells[i].x;
     }
   EXPECT_GT(std::count(isWall.begin(), isWall.end(), 0), 0);
 }

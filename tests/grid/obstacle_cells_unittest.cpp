@@ -1,4 +1,4 @@
-#include "roomgraph/grid/obstacle_sites.h"
+#include "roomgraph/grid/obstacle_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -10,26 +10,26 @@
 namespace roomgraph::test {
 namespace {
 
-TEST(ObstacleSites, areOrderedByRowThenColumn) {
+TEST(ObstacleCells, areOrderedByRowThenColumn) {
   const Grid grid = gridFrom({"#.#", "...", "##."});
   ThinObstaclesOptions all;
   all.neighbours = "none";
   for (const bool withRing : {false, true}) {
-    const ObstacleSites sites = obstacleSites(grid, thinObstacles(grid, all), withRing);
-    EXPECT_TRUE(std::is_sorted(sites.cells.begin(), sites.cells.end(), [](Cell a, Cell b) {
+    const ObstacleCells obstacles = obstacleCells(grid, thinObstacles(grid, all), withRing);
+    EXPECT_TRUE(std::is_sorted(obstacles.cells.begin(), obstacles.cells.end(), [](Cell a, Cell b) {
       return a.y < b.y || (a.y == b.y && a.x < b.x);
     }));
-    EXPECT_EQ(sites.cells.size() > 4, withRing);
+    EXPECT_EQ(obstacles.cells.size() > 4, withRing);
   }
 }
 
-TEST(ObstacleSites, theRingStandsBesideFreeCellsOnly) {
+TEST(ObstacleCells, theRingStandsBesideFreeCellsOnly) {
   const Grid grid = gridFrom({"#####", "#####", "####."});
   const auto none = std::vector<std::uint8_t>(grid.cells.size(), 0);
-  const ObstacleSites sites = obstacleSites(grid, none, true);
+  const ObstacleCells obstacles = obstacleCells(grid, none, true);
   // Below, beside and diagonally round the free cell in the corner.
-  EXPECT_EQ(sites.cells.size(), 5u);
-  EXPECT_TRUE(obstacleSites(grid, none, false).cells.empty());
+  EXPECT_EQ(obstacles.cells.size(), 5u);
+  EXPECT_TRUE(obstacleCells(grid, none, false).cells.empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "roomgraph/grid/wall_sites.h"
+#include "roomgraph/grid/wall_obstacles.h"
 
 #include <array>
 
@@ -70,11 +70,11 @@ class SeenEdge {
 
 }  // namespace
 
-std::vector<std::uint8_t> wallSites(const Grid& grid, const ObstacleSites& sites) {
+std::vector<std::uint8_t> wallObstacles(const Grid& grid, const ObstacleCells& obstacles) {
   const SeenEdge edge(grid);
-  std::vector<std::uint8_t> isWall(sites.cells.size(), 1);
+  std::vector<std::uint8_t> isWall(obstacles.cells.size(), 1);
   if (!edge.hasBeams()) return isWall;
-  for (std::size_t i = 0; i < isWall.size(); ++i) isWall[i] = edge.isNearWall(sites.cells[i]);
+  for (std::size_t i = 0; i < isWall.size(); ++i) isWall[i] = edge.isNearWall(obstacles.cells[i]);
   return isWall;
 }
 
