@@ -1,8 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/compare/CompareRunsOptions.h"
-#include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
