@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/match/polygon_cells.h"
@@ -30,7 +31,10 @@ AreaGraph moved(AreaGraph areas, const Transform2D& pose) {
   return areas;
 }
 
-/** Labels the cells of each area, and takes samples of every second cell both ways. */
+/** Every second cell both ways. */
+bool isSample(Cell c) { return c.x % 2 == 0 && c.y % 2 == 0; }
+
+/** Labels the cells of each area. */
 void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
   for (std::size_t a = 0; a < std::min(areas.areas.size(), kMaxAreas); ++a) {
     SiteShape shape;
@@ -40,7 +44,7 @@ void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
     shape.isCorridor = !areas.areas[a].isRoom();
     for (const Cell c : cellsIn(shape.polygon, frame)) {
       run.labels[frame.index(c)] = std::uint16_t(RunAreas::kFirst + a);
-      if (c.x % 2 == 0 && c.y % 2 == 0) shape.samples.push_back(frame.center(c));
+      shape.size += isSample(c);
     }
     run.shapes.push_back(std::move(shape));
   }
@@ -86,6 +90,14 @@ GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
   return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
 }
 
+SiteShape sampled(SiteShape shape, const GridFrame& frame) {
+  shape.samples.clear();
+  shape.samples.reserve(shape.size);
+  for (const Cell c : cellsIn(shape.polygon, frame))
+    if (isSample(c)) shape.samples.push_back(frame.center(c));
+  return shape;
+}
+
 SiteAreas siteAreas(const Site& site, const Trust& trust) {
   std::vector<AreaGraph> areas;
   std::vector<const Polygon*> polygons;
@@ -112,6 +124,7 @@ RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame) {
   run.weight = 1;
   run.labels.assign(frame.cellCount(), RunAreas::kFree);
   addShapes(areas, frame, run);
+  for (SiteShape& shape : run.shapes) shape = sampled(std::move(shape), frame);
   return run;
 }
 

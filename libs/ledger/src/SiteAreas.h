@@ -12,7 +12,8 @@ namespace roomgraph {
 /** A room or corridor as one run draws it. */
 struct SiteShape {
   Polygon polygon;             ///< [m, site frame]
-  std::vector<Point> samples;  ///< evenly spread over it, on one raster for all shapes
+  std::vector<Point> samples;  ///< of one that is looked for in other runs, see sampled()
+  std::size_t size = 0;        ///< how many samples it has, or would have
   Point middle;                ///< centre of mass
   double area = 0;             ///< [m2]
   bool isCorridor = false;
@@ -43,12 +44,17 @@ struct SiteAreas {
   std::vector<RunAreas> runs;
 };
 
-/** Lays down the areas of all runs. Weights are the fourth root of the runs' trust, and at
- *  least 0.1: good walls do not make good rooms, so several fair runs have a say against the best.
- *  All 1 where no run has any trust. O(runs * cells of the site). */
+/** The shape with samples that are spread evenly over it, on one raster for all shapes. They take
+ *  most of the memory of a shape. O(cells of its box). */
+SiteShape sampled(SiteShape shape, const GridFrame& frame);
+
+/** Lays down the areas of all runs, without samples. Weights are the fourth root of the runs'
+ *  trust, and at least 0.1: good walls do not make good rooms, so several fair runs have a say
+ *  against the best. All 1 where no run has any trust. O(runs * cells of the site). */
 SiteAreas siteAreas(const Site& site, const Trust& trust);
 
-/** The same for one run whose areas are in the site's frame and which knows all there is. */
+/** The same, with samples, for one run whose areas are in the site's frame and which knows all
+ *  there is. */
 RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame);
 
 /** A frame round the outlines, with cells of 0.1 m, or larger where there would be too many. */

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "roomgraph/align/nearest_wall.h"
 
@@ -98,7 +99,7 @@ class Choosing {
     FitShapeOptions quick = options_.fit;
     quick.isQuick = true;
     quick.good = kGood;
-    const SiteShape& shape = site_.runs[own].shapes[area];
+    const SiteShape shape = sampled(site_.runs[own].shapes[area], site_.frame);
     for (std::size_t other = 0; other < voters; ++other) {
       const std::size_t j = order_[other];
       if (j == own) continue;
@@ -123,9 +124,9 @@ class Choosing {
   void choose(const std::vector<Candidate>& candidates, const Accepts& accepts) {
     for (const Candidate& c : candidates) {
       if (!accepts(c)) continue;
-      const SiteShape& shape = site_.runs[c.source.run].shapes[c.source.area];
+      SiteShape shape = sampled(site_.runs[c.source.run].shapes[c.source.area], site_.frame);
       if (coveredShare(shape) > kMaxCovered) continue;
-      result_.rooms.shapes.push_back(shape);
+      result_.rooms.shapes.push_back(std::move(shape));
       result_.sources.push_back(c.source);
       cover(site_.runs[c.source.run], c.source.area);
     }

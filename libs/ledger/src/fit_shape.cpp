@@ -65,7 +65,7 @@ class Search {
 
  private:
   double overlapOf(const Footprint& print, std::size_t area, double common) const {
-    const double either = print.known + double(run_.shapes[area].samples.size()) - common;
+    const double either = print.known + double(run_.shapes[area].size) - common;
     return either > 0 ? common / either : 0;
   }
 

@@ -165,7 +165,7 @@ class Matching {
     match.bare = print.bare / print.samples;
   }
 
-  double sizeOf(std::size_t area) const { return double(run_.shapes[area].samples.size()); }
+  double sizeOf(std::size_t area) const { return double(run_.shapes[area].size); }
 
   void addPieces(std::size_t s) {
     AreaMatch& match = matches_[s];
@@ -200,7 +200,7 @@ class Matching {
       for (std::size_t s = 0; s < areaOf_.size(); ++s)
         if (areaOf_[s] == area) rooms.push_back(s);
       double size = 0;
-      for (const std::size_t s : rooms) size += double(rooms_.shapes[s].samples.size());
+      for (const std::size_t s : rooms) size += double(rooms_.shapes[s].size);
       if (sizeOf(area) < kMinContainer * size) continue;
       for (std::size_t i = 0; i < rooms.size(); ++i) {
         AreaMatch& match = matches_[rooms[i]];

@@ -25,36 +25,53 @@ constexpr std::size_t kMaxJudges = 12;  // so that the cost grows with the runs,
 constexpr double kNearOutline = 0.15;   // of two outlines that agree [m]
 constexpr double kOutlineTolerance = 0.05;  // of the outlines in the result [m]
 
-/** How all rooms lie in one run, and their outlines there. */
-struct MeasuredRun {
-  RoomsInRun rooms;
-  std::vector<RoomOutline> outlines;  ///< by room; empty where the room cannot be measured
-};
-
-MeasuredRun measured(const RunAreas& run, const ConsensusRooms& consensus, std::size_t index,
-                     const std::vector<RoomOutline>& outlines) {
-  MeasuredRun result;
-  for (std::size_t s = 0; s < outlines.size(); ++s) {
-    const AreaMatch& match = consensus.matches[index][s];
-    result.rooms.isClean.push_back(match.areas.size() == 1 && !match.isMerged &&
-                                   match.overlap >= kMinOverlap && match.known >= kComplete);
-    result.rooms.moves.push_back(match.move);
-    result.outlines.emplace_back(Polygon{});
-    if (!result.rooms.isClean[s]) continue;
-    result.outlines[s] = RoomOutline(run.shapes[match.areas[0]].polygon);
-    result.rooms.moves[s] =
-        refinedMove(outlines[s], result.outlines[s], match.move, consensus.rooms.shapes[s].middle);
-  }
-  return result;
+/** Whether a run has all of a room, as one area that is no other room's, too. */
+bool isClean(const AreaMatch& match) {
+  return match.areas.size() == 1 && !match.isMerged && match.overlap >= kMinOverlap &&
+         match.known >= kComplete;
 }
 
+/** Of each room the runs whose outlines the others are held against: the most trusted ones that
+ *  have it clean. */
+std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
+                                               const ConsensusRooms& consensus) {
+  std::vector<std::vector<std::size_t>> judges(consensus.rooms.shapes.size());
+  for (std::size_t room = 0; room < judges.size(); ++room) {
+    for (std::size_t i = 0; i < site.runs.size(); ++i)
+      if (isClean(consensus.matches[i][room])) judges[room].push_back(i);
+    std::stable_sort(judges[room].begin(), judges[room].end(), [&](std::size_t a, std::size_t b) {
+      return site.runs[a].weight > site.runs[b].weight;
+    });
+    if (judges[room].size() > kMaxJudges) judges[room].resize(kMaxJudges);
+  }
+  return judges;
+}
+
+/** How all rooms lie in one run. */
+struct MeasuredRun {
+  RoomsInRun rooms;
+  std::map<std::size_t, RoomOutline> outlines;  ///< there, of the rooms that it judges
+};
+
 std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRooms& consensus,
+                                      const std::vector<std::vector<std::size_t>>& judges,
                                       const ForEach& forEach) {
   std::vector<RoomOutline> outlines;
   for (const SiteShape& shape : consensus.rooms.shapes) outlines.emplace_back(shape.polygon);
   std::vector<MeasuredRun> runs(site.runs.size());
-  forEach(runs.size(),
-          [&](std::size_t i) { runs[i] = measured(site.runs[i], consensus, i, outlines); });
+  forEach(runs.size(), [&](std::size_t i) {
+    for (std::size_t s = 0; s < outlines.size(); ++s) {
+      const AreaMatch& match = consensus.matches[i][s];
+      runs[i].rooms.isClean.push_back(isClean(match));
+      runs[i].rooms.moves.push_back(match.move);
+      if (!isClean(match)) continue;
+      RoomOutline outline(site.runs[i].shapes[match.areas[0]].polygon);
+      runs[i].rooms.moves[s] =
+          refinedMove(outlines[s], outline, match.move, consensus.rooms.shapes[s].middle);
+      if (std::count(judges[s].begin(), judges[s].end(), i) > 0)
+        runs[i].outlines.emplace(s, std::move(outline));
+    }
+  });
   return runs;
 }
 
@@ -62,20 +79,15 @@ std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRoom
 class Ledger {
  public:
   Ledger(const SiteAreas& site, const ConsensusRooms& consensus,
-         const std::vector<MeasuredRun>& runs, const RoomDoors& doors, std::size_t room)
+         const std::vector<std::size_t>& judges, const std::vector<MeasuredRun>& runs,
+         const RoomDoors& doors, std::size_t room)
       : site_(site),
         consensus_(consensus),
+        judges_(judges),
         measured_(runs),
         doors_(doors),
         room_(room),
-        shape_(consensus.rooms.shapes[room]) {
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      if (isClean(i)) judges_.push_back(i);
-    std::stable_sort(judges_.begin(), judges_.end(), [&](std::size_t a, std::size_t b) {
-      return site.runs[a].weight > site.runs[b].weight;
-    });
-    if (judges_.size() > kMaxJudges) judges_.resize(kMaxJudges);
-  }
+        shape_(consensus.rooms.shapes[room]) {}
 
   SiteRoom room() const {
     SiteRoom result;
@@ -91,13 +103,13 @@ class Ledger {
 
  private:
   const AreaMatch& matchIn(std::size_t run) const { return consensus_.matches[run][room_]; }
-  bool isClean(std::size_t run) const { return measured_[run].rooms.isClean[room_]; }
+  bool isCleanIn(std::size_t run) const { return measured_[run].rooms.isClean[room_]; }
   const RoomMove& moveIn(std::size_t run) const { return measured_[run].rooms.moves[room_]; }
 
   bool isCorridor() const {
     double corridor = 0, all = 0;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {
-      if (!isClean(i)) continue;
+      if (!isCleanIn(i)) continue;
       all += site_.runs[i].weight;
       if (site_.runs[i].shapes[matchIn(i).areas[0]].isCorridor) corridor += site_.runs[i].weight;
     }
@@ -137,32 +149,31 @@ class Ledger {
 
   /** Mean over the other runs, the most trusted ones, by weight. */
   std::optional<double> agreementOf(std::size_t run) const {
-    if (!isClean(run)) return std::nullopt;
+    if (!isCleanIn(run)) return std::nullopt;
+    const RoomOutline own(site_.runs[run].shapes[matchIn(run).areas[0]].polygon);
     double sum = 0, all = 0;
     for (const std::size_t j : judges_) {
       if (j == run) continue;
       const Transform2D between =
           moveIn(j).about(shape_.middle) * moveIn(run).about(shape_.middle).inverse();
       const double weight = site_.runs[j].weight;
-      sum += weight * outlineAgreement(measured_[run].outlines[room_], measured_[j].outlines[room_],
-                                       between, kNearOutline);
+      sum += weight * outlineAgreement(own, measured_[j].outlines.at(room_), between, kNearOutline);
       all += weight;
     }
-    if (all <= 0) return std::nullopt;
-    return sum / all;
+    return all > 0 ? std::optional(sum / all) : std::nullopt;
   }
 
   void addShifts(SiteRoom& result) const {
     std::vector<WeightedValue> xs, ys;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {
-      if (!isClean(i)) continue;
+      if (!isCleanIn(i)) continue;
       xs.push_back({moveIn(i).shift.x, site_.runs[i].weight});
       ys.push_back({moveIn(i).shift.y, site_.runs[i].weight});
     }
     if (xs.size() < 2) return;
     const Point consensus{*weightedMedian(xs), *weightedMedian(ys)};
     for (std::size_t i = 0; i < site_.runs.size(); ++i)
-      if (isClean(i) && result.runs[i].boundaryAgreement.value_or(0) >= kMinAgreement)
+      if (isCleanIn(i) && result.runs[i].boundaryAgreement.value_or(0) >= kMinAgreement)
         result.runs[i].shift = distance(moveIn(i).shift, consensus);
   }
 
@@ -171,7 +182,7 @@ class Ledger {
     std::vector<double> lengths(site_.runs.size());
     std::vector<WeightedValue> all;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {
-      if (!isClean(i)) continue;
+      if (!isCleanIn(i)) continue;
       lengths[i] = lengthOf(site_.runs[i].shapes[matchIn(i).areas[0]].polygon);
       all.push_back({lengths[i], site_.runs[i].weight});
     }
@@ -183,11 +194,11 @@ class Ledger {
 
   const SiteAreas& site_;
   const ConsensusRooms& consensus_;
+  const std::vector<std::size_t>& judges_;
   const std::vector<MeasuredRun>& measured_;
   const RoomDoors& doors_;
   std::size_t room_;
   const SiteShape& shape_;
-  std::vector<std::size_t> judges_;  // runs whose outlines the others are held against
 };
 
 /** R1, R2, ... and C1, C2, ..., largest first. */
@@ -245,12 +256,13 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForE
   const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
   std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
   std::vector<RoomDoors> doors(rooms.size());
-  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus, forEach);
+  const auto judges = judgesOf(areas, consensus);
+  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus, judges, forEach);
   std::vector<RoomsInRun> inRuns;
   for (const MeasuredRun& run : runs) inRuns.push_back(run.rooms);
   forEach(rooms.size(), [&](std::size_t s) {
     doors[s] = roomDoors(areas, consensus, s, inRuns);
-    rooms[s] = Ledger(areas, consensus, runs, doors[s], s).room();
+    rooms[s] = Ledger(areas, consensus, judges[s], runs, doors[s], s).room();
   });
   number(rooms);
   for (std::size_t s = 0; s < rooms.size(); ++s) {
