@@ -34,7 +34,7 @@ const Building& building() {
 
 std::vector<MatchedPiece> piecesOf(const roomgraph::Run& of, const roomgraph::Run& in,
                                    const Transform2D& pose) {
-  return matchSubmaps(of, runSubmaps(of), in.map, runSubmaps(in),
+  return matchSubmaps(of, runSubmaps(of), {in.map, runSubmaps(in), drawnBy(in, in.map)},
                       followWalls(of.map, in.map, {pose}, {}), {pose});
 }
 
@@ -93,7 +93,8 @@ TEST(MatchSubmaps, inAnotherBuildingThereAreNone) {
   other.map = wallMap(test::squareHall({300, 0, 0}), {});
   EXPECT_TRUE(matchesOf(run, other, {}).empty());
   EXPECT_TRUE(matchesOf(flat, other, {}).empty());
-  EXPECT_TRUE(matchSubmaps(run, runSubmaps(run), run.map, runSubmaps(run), {}, {}).empty())
+  const RunSubmaps own = runSubmaps(run);
+  EXPECT_TRUE(matchSubmaps(run, own, {run.map, own, drawnBy(run, run.map)}, {}, {}).empty())
       << "where no wall was followed";
 }
 

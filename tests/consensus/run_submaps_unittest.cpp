@@ -2,32 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "drawn_building.h"
-#include "drawn_drive.h"
-#include "roomgraph/align/wall_map.h"
+#include "sample_runs.h"
 
 namespace roomgraph {
 namespace {
 
-/** A run with scans, all in a frame of its own. */
-roomgraph::Run drivenRun() {
-  const Grid grid = test::drawnBuilding(4, {});
-  roomgraph::Run run;
-  run.map = wallMap(grid, {});
-  run.scans = scanWalls(test::drawnDrive(grid));
-  return run;
-}
-
-roomgraph::Run scanlessRun() {
-  roomgraph::Run run;
-  run.map = wallMap(test::drawnBuilding(4, {3, -2, 0.5}), {});
-  return run;
-}
-
 TEST(RunSubmaps, aScanIsOneAndIsLinkedToTheNext) {
-  const roomgraph::Run run = drivenRun();
+  const roomgraph::Run run = test::drivenRun();
   const RunSubmaps result = runSubmaps(run);
   EXPECT_TRUE(result.areScans);
   ASSERT_EQ(result.submaps.size(), run.scans.size());
@@ -43,37 +24,8 @@ TEST(RunSubmaps, aScanIsOneAndIsLinkedToTheNext) {
   }
 }
 
-TEST(RunSubmaps, aScanHasDrawnTheWallsThatItMet) {
-  const roomgraph::Run run = drivenRun();
-  const RunSubmaps result = runSubmaps(run);
-  ASSERT_EQ(result.drawnBy.size(), run.map.walls.size());
-  std::vector<double> drawn(run.scans.size());
-  for (std::size_t wall = 0; wall < result.drawnBy.size(); ++wall) {
-    const auto& by = result.drawnBy[wall];
-    EXPECT_TRUE(std::is_sorted(by.begin(), by.end()));
-    EXPECT_EQ(std::adjacent_find(by.begin(), by.end()), by.end());
-    for (const std::uint32_t k : by) {
-      ++drawn[k];
-      const auto& met = run.scans[k].walls;
-      EXPECT_TRUE(std::any_of(met.begin(), met.end(),
-                              [&](const WallPoint& point) {
-                                return distance(point.place, run.map.walls[wall].place) < 0.15;
-                              }))
-          << "wall " << wall << " by " << k;
-    }
-  }
-  for (std::size_t k = 0; k < drawn.size(); ++k)
-    EXPECT_GT(drawn[k], 0.3 * double(run.scans[k].walls.size())) << k;  // many meet one wall
-}
-
-TEST(RunSubmaps, wallsThatTheScansDidNotMeetAreOfNone) {
-  roomgraph::Run run = drivenRun();
-  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}), {});
-  for (const auto& by : runSubmaps(run).drawnBy) EXPECT_TRUE(by.empty());
-}
-
 TEST(RunSubmaps, withoutScansAPatchIsOne) {
-  const roomgraph::Run run = scanlessRun();
+  const roomgraph::Run run = test::scanlessRun();
   const RunSubmaps result = runSubmaps(run);
   EXPECT_FALSE(result.areScans);
   ASSERT_EQ(result.submaps.size(), run.map.patches.size());
@@ -84,15 +36,10 @@ TEST(RunSubmaps, withoutScansAPatchIsOne) {
     EXPECT_NEAR(submap.points.x, 0, 1e-6) << "its middle is the mean of its walls";
     EXPECT_FALSE(submap.axes);
   }
-  for (std::size_t wall = 0; wall < run.map.walls.size(); ++wall) {
-    ASSERT_EQ(result.drawnBy[wall].size(), 1u);
-    const auto& own = run.map.patches[result.drawnBy[wall][0]].own;
-    EXPECT_NE(std::find(own.begin(), own.end(), wall), own.end());
-  }
 }
 
 TEST(RunSubmaps, neighbouringPatchesAreLinkedOnce) {
-  const roomgraph::Run run = scanlessRun();
+  const roomgraph::Run run = test::scanlessRun();
   std::size_t sides = 0;
   for (const WallPatch& patch : run.map.patches) sides += patch.neighbours.size();
   const RunSubmaps result = runSubmaps(run);
@@ -104,7 +51,6 @@ TEST(RunSubmaps, ofNothingThereAreNone) {
   const RunSubmaps result = runSubmaps({});
   EXPECT_TRUE(result.submaps.empty());
   EXPECT_TRUE(result.links.empty());
-  EXPECT_TRUE(result.drawnBy.empty());
 }
 
 }  // namespace

@@ -18,11 +18,6 @@ std::vector<const RunMatches*> matchesOf(std::size_t run, const std::vector<RunM
   return own;
 }
 
-/** What an error needs to know of a run. */
-RunSubmaps withoutWalls(const RunSubmaps& run) {
-  return {run.submaps, run.links, run.areScans, {}};
-}
-
 /** The submaps of several runs, where they lie, as those of one run without links. */
 class FixedRun {
  public:
@@ -59,7 +54,7 @@ std::vector<Transform2D> posesAmong(FixedRun& fixed, const RunSubmaps& added, st
   }
   ConsensusOptions options;
   options.reference = kFixed;
-  return findConsensus({fixed.submaps(), withoutWalls(added)}, both, options).best[kAdded];
+  return findConsensus({fixed.submaps(), added}, both, options).best[kAdded];
 }
 
 }  // namespace
@@ -77,13 +72,13 @@ AddedToConsensus addToConsensus(const std::vector<RunSubmaps>& runs, std::size_t
     const std::size_t other = piece->of == added ? piece->in : piece->of;
     fixed.add(other, runs[other], poses[other]);
     if (!places.emplace(other, among.size()).second) continue;
-    among.push_back(withoutWalls(runs[other]));
+    among.push_back(runs[other]);
     posesOfThem.push_back(poses[other]);
   }
   for (const RunMatches* piece : own)
     ofThem.push_back({placeOf(piece->of), placeOf(piece->in), piece->matches});
   AddedToConsensus result{posesAmong(fixed, runs[added], added, own), {}};
-  among.push_back(withoutWalls(runs[added]));
+  among.push_back(runs[added]);
   posesOfThem.push_back(result.poses);
   result.error = mapErrors(among, ofThem, posesOfThem).back();
   return result;

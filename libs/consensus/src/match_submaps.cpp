@@ -18,18 +18,17 @@ namespace {
 /** Counts which submaps of the other run drew the walls that a submap meets there. */
 class Meeting {
  public:
-  Meeting(const WallMap& in, const RunSubmaps& inSubmaps, const Transform2D& pose)
-      : in_(in), inSubmaps_(inSubmaps), forth_(pose) {}
+  Meeting(const DrawnMap& in, const Transform2D& pose) : in_(in), forth_(pose) {}
 
   void add(const WallPoint& point) {
     ++all_;
     const Point at = forth_(point.place);
     const WallPoint* wall =
-        nearestWall(in_, cellIndexAt(in_.frame, at), forth_.turned(point.normal));
+        nearestWall(in_.map, cellIndexAt(in_.map.frame, at), forth_.turned(point.normal));
     if (!wall || distance(wall->place, at) > kSameWall) return;
     ++found_;
-    for (const std::uint32_t by : inSubmaps_.drawnBy[std::size_t(wall - in_.walls.data())])
-      ++met_[by];
+    const auto first = in_.drawnBy.firsts.begin() + (wall - in_.map.walls.data());
+    for (std::uint32_t k = first[0]; k < first[1]; ++k) ++met_[in_.drawnBy.submaps[k]];
   }
 
   double share() const { return all_ > 0 ? found_ / all_ : 0; }
@@ -43,8 +42,7 @@ class Meeting {
   }
 
  private:
-  const WallMap& in_;
-  const RunSubmaps& inSubmaps_;
+  DrawnMap in_;
   Motion2D forth_;
   double all_ = 0, found_ = 0;
   std::map<std::uint32_t, int> met_;
@@ -61,15 +59,14 @@ std::optional<SubmapMatch> matchAt(std::uint32_t submap, const Transform2D& subm
 }
 
 std::vector<MatchedPiece> matchPatches(const Run& of, const RunSubmaps& ofSubmaps,
-                                       const WallMap& in, const RunSubmaps& inSubmaps,
-                                       const FollowedWalls& followed) {
+                                       const DrawnMap& in, const FollowedWalls& followed) {
   std::map<int, MatchedPiece> layers;
   for (const FollowedPatch& patch : followed.patches) {
-    Meeting meeting(in, inSubmaps, patch.pose);
+    Meeting meeting(in, patch.pose);
     for (const std::uint32_t wall : of.map.patches[patch.patch].own)
       meeting.add(of.map.walls[wall]);
     const Transform2D& submap = ofSubmaps.submaps[patch.patch].pose;
-    if (const auto match = matchAt(patch.patch, submap, patch.pose, meeting, inSubmaps))
+    if (const auto match = matchAt(patch.patch, submap, patch.pose, meeting, in.submaps))
       layers[patch.layer].matches.push_back(*match);
   }
   std::vector<MatchedPiece> pieces;
@@ -101,12 +98,11 @@ void tellLikeness(std::vector<MatchedPiece>& pieces, const Track& track, const R
 }  // namespace
 
 std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps,
-                                       const WallMap& in, const RunSubmaps& inSubmaps,
-                                       const FollowedWalls& followed,
+                                       const DrawnMap& in, const FollowedWalls& followed,
                                        const std::vector<Transform2D>& wholes) {
   if (followed.patches.empty()) return {};
-  if (!ofSubmaps.areScans) return matchPatches(of, ofSubmaps, in, inSubmaps, followed);
-  const auto track = trackScans(of.scans, of.map.patches, followed, wholes, in, {});
+  if (!ofSubmaps.areScans) return matchPatches(of, ofSubmaps, in, followed);
+  const auto track = trackScans(of.scans, of.map.patches, followed, wholes, in.map, {});
   std::vector<MatchedPiece> pieces;
   std::optional<std::size_t> last;
   for (std::uint32_t k = 0; k < track.size(); ++k) {
@@ -114,12 +110,12 @@ std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmap
     if (!last || !areNear(*track[*last], *track[k], of.scans[k].at(), kSteadyTrack))
       pieces.emplace_back();  // the track jumps
     last = k;
-    Meeting meeting(in, inSubmaps, *track[k]);
+    Meeting meeting(in, *track[k]);
     for (const WallPoint& point : of.scans[k].walls) meeting.add(point);
-    const auto match = matchAt(k, ofSubmaps.submaps[k].pose, *track[k], meeting, inSubmaps);
+    const auto match = matchAt(k, ofSubmaps.submaps[k].pose, *track[k], meeting, in.submaps);
     if (match) pieces.back().matches.push_back(*match);
   }
-  tellLikeness(pieces, track, of, in);
+  tellLikeness(pieces, track, of, in.map);
   return pieces;
 }
 

@@ -1,33 +1,20 @@
 #include "roomgraph/consensus/run_submaps.h"
 
-#include <algorithm>
-
-#include "roomgraph/align/FullMaps.h"
-#include "roomgraph/align/nearest_wall.h"
-
 namespace roomgraph {
 namespace {
 
-void addScan(RunSubmaps& run, const ScanWalls& scan, const WallMap& map) {
+void addScan(RunSubmaps& run, const ScanWalls& scan) {
   const auto index = std::uint32_t(run.submaps.size());
   run.submaps.push_back({scan.pose, scan.ends, scan.axes});
   if (index > 0) run.links.push_back({index - 1, index});
-  for (const WallPoint& point : scan.walls) {
-    const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
-    if (!wall || distance(wall->place, point.place) >= kSameWall) continue;
-    auto& drawnBy = run.drawnBy[std::size_t(wall - map.walls.data())];
-    if (drawnBy.empty() || drawnBy.back() != index) drawnBy.push_back(index);
-  }
 }
 
 void addPatch(RunSubmaps& run, const WallPatch& patch, const WallMap& map) {
   const auto index = std::uint32_t(run.submaps.size());
   Submap submap;
   submap.pose = {patch.middle.x, patch.middle.y, 0};
-  for (const std::uint32_t wall : patch.own) {
+  for (const std::uint32_t wall : patch.own)
     submap.points.add(map.walls[wall].place - patch.middle);
-    run.drawnBy[wall].push_back(index);
-  }
   run.submaps.push_back(submap);
   for (const std::uint32_t next : patch.neighbours)
     if (next > index) run.links.push_back({index, next});
@@ -37,10 +24,8 @@ void addPatch(RunSubmaps& run, const WallPatch& patch, const WallMap& map) {
 
 RunSubmaps runSubmaps(const Run& run) {
   RunSubmaps result;
-  result.drawnBy.resize(run.map.walls.size());
   result.areScans = !run.scans.empty();
-  FullMaps maps;
-  for (const ScanWalls& scan : run.scans) addScan(result, scan, maps(run.map));
+  for (const ScanWalls& scan : run.scans) addScan(result, scan);
   if (!result.areScans)
     for (const WallPatch& patch : run.map.patches) addPatch(result, patch, run.map);
   return result;

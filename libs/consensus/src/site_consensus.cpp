@@ -6,12 +6,9 @@
 #include <utility>
 
 #include "lost_scans.h"
-#include "roomgraph/align/FullMaps.h"
-#include "roomgraph/align/near_poses.h"
+#include "match_runs.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/find_consensus.h"
-#include "roomgraph/relate/pair_jobs.h"
-#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -52,69 +49,6 @@ struct CountedRuns {
   }
 };
 
-constexpr std::size_t kMostWholes = 12;
-
-/** Where a run may lie in the site as a whole, site <- run, the likeliest first: as it does, and
- *  where the search for its pairs found that it fits as well. A piece of it may lie there. */
-std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::size_t run) {
-  std::vector<Transform2D> wholes{site.poses[run]};
-  const Point middle = site.runs[run]->map.middle();
-  std::vector<std::vector<Transform2D>> byPair;
-  std::size_t most = 0;
-  for (const std::size_t j : pairs.othersOf(run)) {
-    const bool isFirst = j < run;
-    byPair.emplace_back();
-    for (const Transform2D& pose : (isFirst ? pairs(j, run) : pairs(run, j)).alignment.poses)
-      byPair.back().push_back(site.poses[j] * (isFirst ? pose : pose.inverse()));
-    most = std::max(most, byPair.back().size());
-  }
-  for (std::size_t rank = 0; rank < most; ++rank)
-    for (const std::vector<Transform2D>& poses : byPair) {
-      if (rank >= poses.size() || wholes.size() >= kMostWholes) continue;
-      if (std::none_of(wholes.begin(), wholes.end(), [&](const Transform2D& known) {
-            return areNear(known, poses[rank], middle, kBesideItself);
-          }))
-        wholes.push_back(poses[rank]);
-    }
-  return wholes;
-}
-
-/** All matches between the runs named in `order` that were related, by their places there. */
-std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
-                                  const std::vector<std::size_t>& order,
-                                  const std::vector<RunSubmaps>& submaps, const ForEach& forEach) {
-  const std::size_t n = order.size();
-  std::vector<std::vector<Transform2D>> wholes;  // site <- run
-  for (const std::size_t run : order) wholes.push_back(wholesOf(site, pairs, run));
-  std::vector<PairOfThings> related;  // both ways
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t b = 0; b < n; ++b)
-      if (a != b && pairs.has(order[a], order[b])) related.emplace_back(a, b);
-  const auto matched = [&](std::size_t a, std::size_t b, FullMaps& maps) {
-    const std::size_t i = order[a], j = order[b];
-    std::vector<Transform2D> wholesInJ;
-    for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
-    auto pieces = matchSubmaps(*site.runs[i], submaps[a], maps(site.mapOf(j)), submaps[b],
-                               followedIn(pairs, i, j), wholesInJ);
-    if (a < b) pieces.push_back({sameScans(*site.runs[i], *site.runs[j]), 0});
-    return pieces;
-  };
-  const auto jobs = pairJobs(related, [&](std::size_t a) { return site.mapOf(order[a]).isBare(); });
-  std::vector<std::vector<MatchedPiece>> found(related.size());
-  forEach(jobs.size(), [&](std::size_t job) {
-    FullMaps maps;
-    for (const std::size_t k : jobs[job])
-      found[k] = matched(related[k].first, related[k].second, maps);
-  });
-  std::vector<RunMatches> all;
-  for (std::size_t k = 0; k < related.size(); ++k)
-    for (MatchedPiece& piece : found[k])
-      if (!piece.matches.empty())
-        all.push_back(
-            {related[k].first, related[k].second, std::move(piece.matches), piece.likeness});
-  return all;
-}
-
 /** Lets the intervals hold what another solution has, which may be the right one. */
 void widen(std::vector<MapError>& errors, const std::vector<MapError>& others) {
   for (std::size_t i = 0; i < errors.size(); ++i) {
@@ -152,13 +86,15 @@ void addOthers(Agreement& agreement, const std::vector<RunSubmaps>& submaps,
   agreement.poses.resize(submaps.size());
   agreement.errors.resize(submaps.size());
   const SubmapPoses& known = agreement.poses;
-  std::vector<std::vector<RunMatches>> own(submaps.size());
+  std::vector<std::vector<const RunMatches*>> own(submaps.size());
   for (const RunMatches& piece : matches) {
-    if (piece.of >= core && piece.in < core) own[piece.of].push_back(piece);
-    if (piece.in >= core && piece.of < core) own[piece.in].push_back(piece);
+    if (piece.of >= core && piece.in < core) own[piece.of].push_back(&piece);
+    if (piece.in >= core && piece.of < core) own[piece.in].push_back(&piece);
   }
   forEach(submaps.size() - core, [&](std::size_t i) {
-    AddedToConsensus added = addToConsensus(submaps, core + i, own[core + i], known);
+    std::vector<RunMatches> matchesOfIt;
+    for (const RunMatches* piece : own[core + i]) matchesOfIt.push_back(*piece);
+    AddedToConsensus added = addToConsensus(submaps, core + i, matchesOfIt, known);
     agreement.poses[core + i] = std::move(added.poses);
     agreement.errors[core + i] = std::move(added.error);
   });

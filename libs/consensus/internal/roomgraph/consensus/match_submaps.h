@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomgraph/consensus/drawn_by.h"
 #include "roomgraph/consensus/run_submaps.h"
 #include "roomgraph/relate/follow_walls.h"
 
@@ -29,14 +30,20 @@ struct MatchedPiece {
   double likeness = 0;
 };
 
+/** The map of a run, and which of its submaps drew what of it. */
+struct DrawnMap {
+  const WallMap& map;  ///< not bare
+  const RunSubmaps& submaps;
+  const DrawnBy& drawnBy;
+};
+
 /** Finds each submap of `of` in the map of another run: scans by trackScans, patches as they were
  *  `followed`; `wholes` (in <- of) is where the runs may lie as a whole, the likeliest first.
  *  Submaps of which less than 45 % lies on walls there are not found. The pieces are the stretches
  *  of a track between its jumps, or the layers in which patches were followed. Cost: that of
  *  trackScans. */
 std::vector<MatchedPiece> matchSubmaps(const Run& of, const RunSubmaps& ofSubmaps,
-                                       const WallMap& in, const RunSubmaps& inSubmaps,
-                                       const FollowedWalls& followed,
+                                       const DrawnMap& in, const FollowedWalls& followed,
                                        const std::vector<Transform2D>& wholes);
 
 /** The scans that both runs have, as runs over one log do. O((a + b) * log b). */

@@ -10,7 +10,7 @@ namespace roomgraph {
 // Ours
 // In:   Run
 // Out:  RunSubmaps
-// Next: matchSubmaps, findConsensus
+// Next: drawnBy, matchSubmaps, findConsensus
 
 /** A part of a run that is rigid in itself: a key frame with its scan or, of a run without
  *  scans, a patch of its walls. A node of the pose graph. */
@@ -30,12 +30,10 @@ struct RunSubmaps {
   std::vector<Submap> submaps;    ///< key frames in the order of the run, or patches
   std::vector<SubmapLink> links;  ///< each key frame to the next, or neighbouring patches
   bool areScans = false;
-  /** For each wall point of the run's map the submaps that have drawn it, ascending. */
-  std::vector<std::vector<std::uint32_t>> drawnBy;
 };
 
-/** Cuts a run into submaps: its key frames where it has scans, else its wall patches. O(scans *
- *  walls of a scan), or O(walls). */
+/** Cuts a run into submaps: its key frames where it has scans, else its wall patches. O(scans), or
+ *  O(walls). */
 RunSubmaps runSubmaps(const Run& run);
 
 }  // namespace roomgraph

@@ -1,0 +1,61 @@
+#include "roomgraph/consensus/drawn_by.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample_runs.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<std::uint32_t> drawersOf(const DrawnBy& drawn, std::size_t wall) {
+  return {drawn.submaps.begin() + drawn.firsts[wall],
+          drawn.submaps.begin() + drawn.firsts[wall + 1]};
+}
+
+TEST(DrawnBy, aScanHasDrawnTheWallsThatItMet) {
+  const roomgraph::Run run = test::drivenRun();
+  const DrawnBy result = drawnBy(run, run.map);
+  ASSERT_EQ(result.firsts.size(), run.map.walls.size() + 1);
+  ASSERT_EQ(result.firsts.back(), result.submaps.size());
+  std::vector<double> drawn(run.scans.size());
+  for (std::size_t wall = 0; wall < run.map.walls.size(); ++wall) {
+    const auto by = drawersOf(result, wall);
+    EXPECT_TRUE(std::is_sorted(by.begin(), by.end()));
+    EXPECT_EQ(std::adjacent_find(by.begin(), by.end()), by.end());
+    for (const std::uint32_t k : by) {
+      ++drawn[k];
+      const auto& met = run.scans[k].walls;
+      EXPECT_TRUE(std::any_of(met.begin(), met.end(),
+                              [&](const WallPoint& point) {
+                                return distance(point.place, run.map.walls[wall].place) < 0.15;
+                              }))
+          << "wall " << wall << " by " << k;
+    }
+  }
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    EXPECT_GT(drawn[k], 0.3 * double(run.scans[k].walls.size())) << k;  // many meet one wall
+}
+
+TEST(DrawnBy, wallsThatTheScansDidNotMeetAreOfNone) {
+  roomgraph::Run run = test::drivenRun();
+  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}), {});
+  EXPECT_TRUE(drawnBy(run, run.map).submaps.empty());
+}
+
+TEST(DrawnBy, withoutScansAWallIsOfItsPatch) {
+  const roomgraph::Run run = test::scanlessRun();
+  const DrawnBy result = drawnBy(run, run.map);
+  for (std::size_t wall = 0; wall < run.map.walls.size(); ++wall) {
+    const auto by = drawersOf(result, wall);
+    ASSERT_EQ(by.size(), 1u);
+    const auto& own = run.map.patches[by[0]].own;
+    EXPECT_NE(std::find(own.begin(), own.end(), wall), own.end());
+  }
+}
+
+TEST(DrawnBy, ofNothingIsNone) { EXPECT_TRUE(drawnBy({}, {}).submaps.empty()); }
+
+}  // namespace
+}  // namespace roomgraph
