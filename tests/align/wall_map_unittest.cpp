@@ -182,5 +182,17 @@ TEST(WallMap, aBareOneIsCompletedWithAllItHad) {
   EXPECT_FALSE(WallMap().isBare()) << "nothing is missing";
 }
 
+TEST(WallMap, severalAreCompletedAndKnownFromThenOn) {
+  std::vector<WallMap> bare(2, wallMap(test::squareHall({}), {}));
+  for (WallMap& map : bare) dropLookUp(map);
+  FullMaps maps;
+  EXPECT_EQ(&maps.known(bare[0]), &bare[0]) << "nothing has been made";
+  maps.complete({&bare[0], &bare[1], &bare[0]}, oneByOne);
+  for (const WallMap& map : bare) {
+    EXPECT_FALSE(maps.known(map).isBare());
+    EXPECT_EQ(&maps(map), &maps.known(map));
+  }
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -81,9 +81,10 @@ bool isOfCore(const MapPairs& related, std::size_t run) {
 }
 
 void completeCore(Site& site, const MapPairs& related) {
+  std::vector<const WallMap*> core;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (site.runs[i]->map.isBare() && isOfCore(related, site.members[i]))
-      addLookUp(site.fullMaps.emplace(i, site.runs[i]->map).first->second);
+    if (isOfCore(related, site.members[i])) core.push_back(&site.runs[i]->map);
+  site.fullMaps.complete(core, oneByOne);
 }
 
 }  // namespace

@@ -45,10 +45,9 @@ class Relating {
 
   /** Completes maps in which others will be looked for again and again. */
   void complete(const std::vector<std::size_t>& runs) {
-    std::vector<WallMap*> bare;
-    for (const std::size_t run : runs)
-      if (isBare(run)) bare.push_back(&full_.emplace(run, runs_[run].map).first->second);
-    forEach_(bare.size(), [&](std::size_t i) { addLookUp(*bare[i]); });
+    std::vector<const WallMap*> maps;
+    for (const std::size_t run : runs) maps.push_back(&runs_[run].map);
+    full_.complete(maps, forEach_);
   }
   /** Relates each of `others` to the hub. */
   void search(std::size_t hub, const std::vector<std::size_t>& others) {
@@ -88,10 +87,7 @@ class Relating {
   }
 
  private:
-  const WallMap& mapOf(std::size_t run) const {
-    const auto full = full_.find(run);
-    return full == full_.end() ? runs_[run].map : full->second;
-  }
+  const WallMap& mapOf(std::size_t run) const { return full_.known(runs_[run].map); }
 
   bool isBare(std::size_t run) const { return mapOf(run).isBare(); }
 
@@ -125,7 +121,7 @@ class Relating {
   const ForEach& forEach_;
   const KeptPairs& kept_;
   std::vector<std::string> prints_;
-  std::map<std::size_t, WallMap> full_;  // of runs that came bare
+  FullMaps full_;
   std::map<PairOfThings, MapPair> found_;
 };
 

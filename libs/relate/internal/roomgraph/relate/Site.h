@@ -1,9 +1,9 @@
 #pragma once
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <vector>
 
+#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/relate/Run.h"
 
@@ -19,13 +19,10 @@ struct Site {
    *  runs, ascending. */
   std::vector<std::vector<std::size_t>> others{};
   /** Of the runs of the core that came with a bare map: the map with all there is. */
-  std::map<std::size_t, WallMap> fullMaps{};
+  FullMaps fullMaps{};
 
   /** Bare at most for a run that is not of the core. */
-  const WallMap& mapOf(std::size_t run) const {
-    const auto full = fullMaps.find(run);
-    return full == fullMaps.end() ? runs[run]->map : full->second;
-  }
+  const WallMap& mapOf(std::size_t run) const { return fullMaps.known(runs[run]->map); }
 };
 
 /** How much the word of each run of a site counts in what is said of the others: 0 to 1. */
