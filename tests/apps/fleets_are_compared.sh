@@ -62,6 +62,9 @@ damage err
 results parallel | cmp - serial.results
 grep -q '<p class="counts">40 sites, 40 robots, 119 runs' parallel/fleet.html || fail "no page"
 runs parallel.db | cmp - serial.runs
+echo place,map > no_columns.csv
+expect 1 "$share/parallel/night" no_columns.csv parallel.db parallel
+one_line err no_columns.csv "columns"
 
 # On Slurm, two nodes on this machine.
 missing=
