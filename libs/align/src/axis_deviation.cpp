@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 #include <vector>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/geometry/principal_axis.h"
 
 namespace roomgraph {
@@ -28,38 +27,32 @@ std::optional<double> directionOf(const PointSums& places) {
   return axis.direction;
 }
 
-using Squares = std::map<std::pair<int, int>, std::vector<const WallPoint*>>;
-
-std::pair<int, int> squareOf(Point p) {
-  return {int(std::floor(p.x / kDirectionReach)), int(std::floor(p.y / kDirectionReach))};
+std::vector<Point> placesOf(const std::vector<WallPoint>& walls) {
+  std::vector<Point> places;
+  for (const WallPoint& wall : walls) places.push_back(wall.place);
+  return places;
 }
 
-std::optional<double> directionAt(const Squares& squares, const WallPoint& wall) {
+std::optional<double> directionAt(const std::vector<WallPoint>& walls, const NearPlaces& index,
+                                  const WallPoint& wall) {
   PointSums near;
-  const auto [x0, y0] = squareOf(wall.place);
-  for (int x = x0 - 1; x <= x0 + 1; ++x)
-    for (int y = y0 - 1; y <= y0 + 1; ++y) {
-      const auto it = squares.find({x, y});
-      if (it == squares.end()) continue;
-      for (const WallPoint* other : it->second) {
-        const Point off = other->place - wall.place;
-        if (dot(other->normal, wall.normal) >= kSameWallFacing && norm(off) <= kDirectionReach &&
-            std::abs(dot(off, wall.normal)) <= kThickness)
-          near.add(off);
-      }
-    }
+  index.forEachNear(wall.place, [&](std::uint32_t i) {
+    const Point off = walls[i].place - wall.place;
+    if (dot(walls[i].normal, wall.normal) >= kSameWallFacing && norm(off) <= kDirectionReach &&
+        std::abs(dot(off, wall.normal)) <= kThickness)
+      near.add(off);
+  });
   return directionOf(near);
 }
 
 }  // namespace
 
 std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
-  Squares squares;
-  for (const WallPoint& wall : walls) squares[squareOf(wall.place)].push_back(&wall);
+  const NearPlaces index(placesOf(walls), kDirectionReach);
   std::vector<double> directions;
   double cosine = 0, sine = 0;
   for (const WallPoint& wall : walls)
-    if (const auto direction = directionAt(squares, wall)) {
+    if (const auto direction = directionAt(walls, index, wall)) {
       directions.push_back(*direction);
       cosine += std::cos(4 * *direction), sine += std::sin(4 * *direction);  // all axes as one
     }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/geometry/NearPlaces.h"
 
 namespace roomgraph {
 
@@ -20,11 +21,15 @@ std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
     return distance(f.pose(between), g.pose(between)) <= options.maxShift;
   };
   UnionFind sets(found.size());
+  std::vector<Point> middles;
+  for (const FollowedPatch& f : found) middles.push_back(patches[f.patch].middle);
+  const NearPlaces near(middles, options.reach);
   double all = 0;
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     all += found[i].walls;
-    for (std::uint32_t j = 0; j < i; ++j)
-      if (holdTogether(found[i], found[j])) sets.join(i, j);
+    near.forEachNear(middles[i], [&](std::uint32_t j) {
+      if (j < i && holdTogether(found[i], found[j])) sets.join(i, j);
+    });
   }
   std::vector<std::vector<std::size_t>> pieces(found.size());
   std::vector<double> walls(found.size());

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/match/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
@@ -133,8 +134,10 @@ class Choosing {
   }
 
   void cover(const RunAreas& run, std::size_t area) {
-    for (std::size_t i = 0; i < run.labels.size(); ++i)
+    for (const Cell c : cellsIn(run.shapes[area].polygon, site_.frame)) {
+      const std::size_t i = site_.frame.index(c);
       if (run.labels[i] == RunAreas::kFirst + area) isCovered_[i] = 1;
+    }
   }
 
   void match() {

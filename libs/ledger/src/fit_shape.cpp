@@ -92,18 +92,24 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
                     const RunAreas& run) {
   const Motion2D motion(move.about(room.middle));
   const bool isStill = move.shift == Point{} && move.turn == 0;
+  // Only what the last call has counted is set to 0: a room meets few of the areas of a large site.
   static thread_local std::vector<std::uint32_t> counts;
-  counts.assign(run.shapes.size() + RunAreas::kFirst, 0);
+  static thread_local std::vector<std::uint16_t> met;
+  for (const std::uint16_t label : met) counts[label] = 0;
+  met.clear();
+  counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::kFirst));
   for (const Point p : room.samples) {
     const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
-    ++counts[cell < run.labels.size() ? run.labels[cell] : RunAreas::kUnknown];
+    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::kUnknown;
+    if (counts[label] == 0) met.push_back(label);
+    ++counts[label];
   }
   Footprint print;
   print.samples = double(room.samples.size());
   print.known = print.samples - counts[RunAreas::kUnknown];
   print.bare = counts[RunAreas::kFree];
-  for (std::size_t i = RunAreas::kFirst; i < counts.size(); ++i)
-    if (counts[i] > 0) print.in[i - RunAreas::kFirst] = counts[i];
+  for (const std::uint16_t label : met)
+    if (label >= RunAreas::kFirst) print.in[label - RunAreas::kFirst] = counts[label];
   return print;
 }
 

@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "roomgraph/geometry/NearPlaces.h"
 #include "shared_paths.h"
 
 namespace roomgraph {
@@ -18,20 +19,27 @@ constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerClearance = 0.5, kPerLen
 constexpr double kUnlike = 1.0, kGrown = -0.3;
 constexpr int kMostExits = 3;
 
-/** Where a vertex lies in the other map: once for each copy of the walls beside it. */
-std::vector<Point> placesOf(const Vertex& vertex, const FollowedGraph& side, double reach) {
-  std::map<int, std::pair<double, const FollowedPatch*>> nearest;  // by layer
-  for (const FollowedPatch& f : side.followed.patches) {
-    const double far = distance(side.patches[f.patch].middle, vertex.at);
-    if (far > reach) continue;
-    const auto [it, isNew] = nearest.try_emplace(f.layer, far, &f);
-    if (!isNew && far < it->second.first) it->second = {far, &f};
+/** Where each vertex lies in the other map: once for each copy of the walls beside it. */
+std::vector<std::vector<Point>> placesOf(const FollowedGraph& side, double reach) {
+  const std::vector<FollowedPatch>& followed = side.followed.patches;
+  std::vector<Point> middles;
+  for (const FollowedPatch& f : followed) middles.push_back(side.patches[f.patch].middle);
+  const NearPlaces near(middles, reach);
+  std::vector<std::vector<Point>> all;
+  for (const Vertex& vertex : side.graph.vertices()) {
+    std::map<int, std::pair<double, std::uint32_t>> nearest;  // by layer
+    near.forEachNear(vertex.at, [&](std::uint32_t i) {
+      const std::pair found{distance(middles[i], vertex.at), i};
+      if (found.first > reach) return;
+      auto& best = nearest.try_emplace(followed[i].layer, found).first->second;
+      best = std::min(best, found);
+    });
+    std::vector<Point>& places = all.emplace_back();
+    for (const auto& [layer, found] : nearest)
+      places.push_back(followed[found.second].pose(vertex.at));
+    if (places.empty() && !followed.empty()) places.push_back(side.followed.pose(vertex.at));
   }
-  std::vector<Point> places;
-  for (const auto& [layer, found] : nearest) places.push_back(found.second->pose(vertex.at));
-  if (places.empty() && !side.followed.patches.empty())
-    places.push_back(side.followed.pose(vertex.at));
-  return places;
+  return all;
 }
 
 double nearestOf(const std::vector<Point>& places, Point to) {
@@ -45,9 +53,7 @@ using Near = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
 
 Near nearVertices(const FollowedGraph& a, const FollowedGraph& b,
                   const MatchGraphsOptions& options) {
-  std::vector<std::vector<Point>> ofA, ofB;
-  for (const Vertex& v : a.graph.vertices()) ofA.push_back(placesOf(v, a, options.reach));
-  for (const Vertex& v : b.graph.vertices()) ofB.push_back(placesOf(v, b, options.reach));
+  const auto ofA = placesOf(a, options.reach), ofB = placesOf(b, options.reach);
   Near near(ofA.size());
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j) {

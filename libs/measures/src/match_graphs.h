@@ -24,7 +24,8 @@ struct FollowedGraph {
  *  The surest pairs come first: near, and alike in kind, exits and clearance; from each the
  *  neighbours over edges of about the same length follow before others. Swapping the graphs swaps
  *  the answer, but for exact ties, which go by the vertex numbers. Empty where nothing was followed
- *  or a graph is empty. O(vertices * vertices + matches * edges around). */
+ *  or a graph is empty. O(vertices * (vertices + patches within reach) + matches * edges
+ *  around). */
 GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b,
                        const MatchGraphsOptions& options);
 

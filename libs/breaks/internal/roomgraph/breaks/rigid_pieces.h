@@ -22,7 +22,7 @@ struct RigidPiecesOptions {
 /** Patches that hold together, as indices of `followed.patches`, ascending: those that are near by
  *  and whose poses in the other map are nearly the same, and so on from one to the next. So a map
  *  that bends bit by bit is one piece, and one that jumps is two. Most walls first; without those
- *  that are too small to count. O(patches^2). */
+ *  that are too small to count. O(patches * patches within reach). */
 std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
                                                      const FollowedWalls& followed,
                                                      const RigidPiecesOptions& options);
