@@ -32,6 +32,31 @@ CellBox knownBox(const Grid& grid) {
   return box;
 }
 
+/** What lies in each cell of one row of a coarser map. */
+class CoarseRow {
+ public:
+  explicit CoarseRow(const GridFrame& frame)
+      : balance_(std::size_t(frame.width)), isOccupied_(std::size_t(frame.width)) {}
+
+  void add(std::size_t column, State state) {
+    if (state == State::occupied) isOccupied_[column] = 1;
+    balance_[column] += state == State::free ? 1 : -1;
+  }
+
+  /** Writes the row, and starts anew. */
+  void moveTo(Grid& grid, int row) {
+    State* cells = &grid.cells[grid.frame.index({0, row})];
+    for (std::size_t x = 0; x < balance_.size(); ++x)
+      cells[x] = isOccupied_[x] ? State::occupied : balance_[x] > 0 ? State::free : State::unknown;
+    std::fill(balance_.begin(), balance_.end(), 0);
+    std::fill(isOccupied_.begin(), isOccupied_.end(), std::uint8_t(0));
+  }
+
+ private:
+  std::vector<std::int32_t> balance_;  // free cells less the others
+  std::vector<std::uint8_t> isOccupied_;
+};
+
 /** The known part of the map on cells of side `cell`, with a margin: occupied where any of its
  *  cells is, free where more are free than unknown. */
 Grid coarser(const Grid& grid, double cell, double margin) {
@@ -45,23 +70,19 @@ Grid coarser(const Grid& grid, double cell, double margin) {
   out.frame.origin = low - Point{margin, margin};
   out.frame.width = int(std::ceil(((box.x1 - box.x0) * from.resolution + 2 * margin) / cell));
   out.frame.height = int(std::ceil(((box.y1 - box.y0) * from.resolution + 2 * margin) / cell));
-  std::vector<std::int32_t> balance(out.frame.cellCount(), 0);
-  std::vector<std::uint8_t> isOccupied(out.frame.cellCount(), 0);
-  std::vector<std::int32_t> column(std::size_t(from.width));
+  out.cells.resize(out.frame.cellCount(), State::unknown);
+  std::vector<std::size_t> column(std::size_t(from.width));
   for (int x = 0; x < from.width; ++x)
-    column[std::size_t(x)] = out.frame.cellAt(from.center({x, 0})).x;
+    column[std::size_t(x)] = std::size_t(out.frame.cellAt(from.center({x, 0})).x);
+  CoarseRow sums(out.frame);
+  int row = 0;
   for (int y = box.y0; y < box.y1; ++y) {
-    const int row = out.frame.cellAt(from.center({0, y})).y;
-    for (int x = box.x0; x < box.x1; ++x) {
-      const std::size_t i = out.frame.index({column[std::size_t(x)], row});
-      const State state = grid.at({x, y});
-      if (state == State::occupied) isOccupied[i] = 1;
-      balance[i] += state == State::free ? 1 : -1;
-    }
+    const int next = out.frame.cellAt(from.center({0, y})).y;
+    if (next != row) sums.moveTo(out, row);
+    row = next;
+    for (int x = box.x0; x < box.x1; ++x) sums.add(column[std::size_t(x)], grid.at({x, y}));
   }
-  out.cells.resize(out.frame.cellCount());
-  for (std::size_t i = 0; i < out.cells.size(); ++i)
-    out.cells[i] = isOccupied[i] ? State::occupied : balance[i] > 0 ? State::free : State::unknown;
+  sums.moveTo(out, row);
   return out;
 }
 
@@ -124,52 +145,73 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
   return points;
 }
 
-/** Spreads what `better` prefers from each cell to its neighbours, forth and back. */
+/** Spreads what `better` prefers from each cell to its neighbours, forth and back. It takes the
+ *  cell and its index, the index of the neighbour, and whether that lies across a corner. */
 template <class Better>
-void sweep(const GridFrame& frame, Better better) {
+void sweep(const GridFrame& frame, const Better& better) {
   const int w = frame.width, h = frame.height;
+  // To a cell from those before it, which are at -1 or at 1 from it along x and y.
+  const auto spread = [&](Cell to, int before, bool hasRow) {
+    const auto has = [w](int x) { return x >= 0 && x < w; };
+    const auto i = std::ptrdiff_t(frame.index(to)), row = i + before * std::ptrdiff_t(w);
+    if (hasRow) {
+      if (has(to.x + before)) better(to, i, row + before, true);
+      better(to, i, row, false);
+      if (has(to.x - before)) better(to, i, row - before, true);
+    }
+    if (has(to.x + before)) better(to, i, i + before, false);
+  };
+  const auto back = [&](Cell to, int before) {
+    const auto i = std::ptrdiff_t(frame.index(to));
+    better(to, i, i + before, false);
+  };
   for (int y = 0; y < h; ++y) {
-    for (int x = 0; x < w; ++x)
-      for (const Cell d : {Cell{-1, -1}, Cell{0, -1}, Cell{1, -1}, Cell{-1, 0}})
-        if (frame.contains({x + d.x, y + d.y})) better({x, y}, {x + d.x, y + d.y});
-    for (int x = w - 1; x-- > 0;) better({x, y}, {x + 1, y});
+    for (int x = 0; x < w; ++x) spread({x, y}, -1, y > 0);
+    for (int x = w - 1; x-- > 0;) back({x, y}, 1);
   }
   for (int y = h - 1; y >= 0; --y) {
-    for (int x = w - 1; x >= 0; --x)
-      for (const Cell d : {Cell{1, 1}, Cell{0, 1}, Cell{-1, 1}, Cell{1, 0}})
-        if (frame.contains({x + d.x, y + d.y})) better({x, y}, {x + d.x, y + d.y});
-    for (int x = 1; x < w; ++x) better({x, y}, {x - 1, y});
+    for (int x = w - 1; x >= 0; --x) spread({x, y}, 1, y + 1 < h);
+    for (int x = 1; x < w; ++x) back({x, y}, -1);
   }
 }
 
-std::vector<std::uint32_t> nearestWalls(const WallMap& map, int octant) {
+/** What findNearest() works with: of a large map, new memory for each octant would take a fourth of
+ *  its time. */
+struct NearestWalls {
+  std::vector<std::uint32_t> label;
+  std::vector<float> best;
+};
+
+/** Fills `nearest.label`. */
+void findNearest(const WallMap& map, int octant, NearestWalls& nearest) {
   constexpr std::uint32_t none = WallMap::kNoWall;
   const GridFrame& frame = map.frame;
-  std::vector<std::uint32_t> label(frame.cellCount(), none);
-  std::vector<float> best(frame.cellCount(), float(map.reach * map.reach));
-  const auto offer = [&](Cell c, std::uint32_t wall) {
-    const std::size_t i = frame.index(c);
+  nearest.label.assign(frame.cellCount(), none);
+  nearest.best.assign(frame.cellCount(), float(map.reach * map.reach));
+  std::uint32_t* label = nearest.label.data();
+  float* best = nearest.best.data();
+  const auto offer = [&](Cell c, std::size_t i, std::uint32_t wall) {
     const float d = float(squaredNorm(frame.center(c) - map.walls[wall].place));
     if (d < best[i]) best[i] = d, label[i] = wall;
   };
   const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
-  for (std::uint32_t i = 0; i < map.walls.size(); ++i)
-    if (dot(map.walls[i].normal, axis) > M_SQRT1_2) offer(frame.cellAt(map.walls[i].place), i);
-  sweep(frame, [&](Cell to, Cell from) {
-    const std::uint32_t wall = label[frame.index(from)];
-    if (wall != none && wall != label[frame.index(to)]) offer(to, wall);
+  for (std::uint32_t i = 0; i < map.walls.size(); ++i) {
+    const Cell c = frame.cellAt(map.walls[i].place);
+    if (dot(map.walls[i].normal, axis) > M_SQRT1_2) offer(c, frame.index(c), i);
+  }
+  sweep(frame, [&](Cell to, std::ptrdiff_t i, std::ptrdiff_t from, bool) {
+    const std::uint32_t wall = label[from];
+    if (wall != none && wall != label[i]) offer(to, std::size_t(i), wall);
   });
-  return label;
 }
 
 std::vector<float> depthsOf(const GridFrame& frame, const std::vector<State>& states) {
   std::vector<float> depth(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) depth[i] = states[i] == State::free ? 1e6f : 0;
   const float straight = float(frame.resolution), slanted = float(M_SQRT2 * frame.resolution);
-  sweep(frame, [&](Cell to, Cell from) {
-    const float step = to.x != from.x && to.y != from.y ? slanted : straight;
-    float& d = depth[frame.index(to)];
-    d = std::min(d, depth[frame.index(from)] + step);
+  float* cells = depth.data();
+  sweep(frame, [&](Cell, std::ptrdiff_t i, std::ptrdiff_t from, bool isSlanted) {
+    cells[i] = std::min(cells[i], cells[from] + (isSlanted ? slanted : straight));
   });
   return depth;
 }
@@ -225,8 +267,11 @@ WallMap wallMap(const Grid& grid, const WallMapOptions& options) {
 
 void addLookUp(WallMap& map) {
   map.depths = {depthsOf(map.frame, map.states), 0};
-  for (int k = 0; k < kOctants; ++k)
-    map.nearest[std::size_t(k)] = SparseIndices(nearestWalls(map, k));
+  NearestWalls nearest;
+  for (int k = 0; k < kOctants; ++k) {
+    findNearest(map, k, nearest);
+    map.nearest[std::size_t(k)] = SparseIndices(nearest.label);
+  }
 }
 
 void dropLookUp(WallMap& map) { map.depths = {}, map.nearest = {}; }
