@@ -12,6 +12,7 @@
 #include "comparison_results.h"
 #include "error_line.h"
 #include "mrpt_results.h"
+#include "note_lines.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
@@ -36,7 +37,7 @@ struct CompareArguments {
   std::vector<std::string> candidates;  ///< files that the gate judges; empty for all
   OptionArguments options;
   std::vector<std::string> files;
-  std::string folder;
+  std::string folder, formats = "all";
   std::string names;  ///< file of the site's rooms; empty for none
   std::string cache;  ///< folder that keeps pairs from call to call; empty for none
   bool writesBreaks = false, writesSiteMaps = false;
@@ -62,6 +63,7 @@ void declareResults(CompareArguments& arguments, CLI::App& app) {
                 "report.html, comparison.json, comparison.runs.csv, comparison.rooms.csv, "
                 "comparison.rooms.geojson, comparison.3Dscene and comparison.roomgraph",
                 app);
+  declareFormats(arguments.formats, app);
   declareFrames(arguments, app);
   app.add_option(
          "--names", arguments.names,
@@ -96,7 +98,7 @@ std::vector<std::string> allFiles(const CompareArguments& arguments) {
 }
 
 void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& files) {
-  std::vector<std::string> inputs = allFiles(arguments), results = files.all();
+  std::vector<std::string> inputs = allFiles(arguments), results = files.names();
   for (const std::string& result : results)
     if (!arguments.names.empty() && wouldBeSameFile(arguments.names, result))
       throw UsageError(arguments.names + ": would be replaced by a result: choose another file " +
@@ -130,11 +132,6 @@ std::vector<std::string> candidatesOf(const CompareArguments& arguments,
   return names;
 }
 
-void printNote(const std::string& file, const Note& note) {
-  const bool isGuess = note.code == "assumed_resolution";
-  printError(file + ": note: " + note.text + (isGuess ? "; --estimate-scale finds it" : ""));
-}
-
 /** Those of a call; a file that cannot be used is a line on stderr. */
 CompareMapsOptions optionsOf(const CompareArguments& arguments) {
   CompareMapsOptions options = toCompareOptions(arguments.options);
@@ -143,8 +140,21 @@ CompareMapsOptions optionsOf(const CompareArguments& arguments) {
   options.estimatesScale |= arguments.estimatesScale;
   options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
-  if (!arguments.running.isQuiet) options.onNote = printNote;
   return options;
+}
+
+/** Reads the maps, and tells what is odd about them. */
+ReadRuns readMaps(const CompareArguments& arguments) {
+  CompareMapsOptions options = optionsOf(arguments);
+  std::vector<MapNote> notes;
+  options.onNote = [&](const std::string& file, Note note) {
+    if (note.code == "assumed_resolution") note.text += "; --estimate-scale finds it";
+    notes.push_back({file, std::move(note)});
+  };
+  ReadRuns read = readRuns(allFiles(arguments), options);
+  if (!arguments.running.isQuiet)
+    std::fputs(noteLines(notes, arguments.running.isVerbose).c_str(), stderr);
+  return read;
 }
 
 /** Compares, with what is kept of earlier calls. */
@@ -184,7 +194,7 @@ ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
 void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
                   const CompareArguments& arguments, const std::string& folder,
                   StagedFiles& staged) {
-  const ResultFiles files(folder);
+  const ResultFiles files(folder, arguments.formats);
   const ExtractOptions options = toCompareOptions(arguments.options).extract;
   std::vector<std::string> more;
   if (arguments.writesBreaks)
@@ -235,13 +245,13 @@ void printMaps(const std::vector<Run>& runs) {
 int run(const CompareArguments& arguments) {
   check(arguments);
   GateOptions gate = gateOf(arguments.gate);
-  const ResultFiles files(arguments.folder);
+  const ResultFiles files(arguments.folder, arguments.formats);
   checkNotReplaced(arguments, files);
   makeWritableFolder(arguments.folder);
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);
   Laps laps;
-  ReadRuns read = readRuns(allFiles(arguments), optionsOf(arguments));
+  ReadRuns read = readMaps(arguments);
   laps.end("read_maps");
   if (arguments.running.isVerbose) printMaps(read.runs);
   Comparison comparison = compared(read, arguments);

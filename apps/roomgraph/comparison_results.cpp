@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "Command.h"
 #include "error_line.h"
 #include "mrpt_results.h"
+#include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/page/comparison_report.h"
@@ -18,14 +20,66 @@
 
 namespace roomgraph {
 
-ResultFiles::ResultFiles(const std::filesystem::path& folder)
-    : report((folder / "report.html").string()),
-      json((folder / "comparison.json").string()),
-      runs((folder / "comparison.runs.csv").string()),
-      rooms((folder / "comparison.rooms.csv").string()),
-      site((folder / "comparison.rooms.geojson").string()),
-      scene((folder / "comparison.3Dscene").string()),
-      object((folder / "comparison.roomgraph").string()) {}
+struct ComparisonFile {
+  const char *format, *name;  ///< for --format; of the file
+  std::string (*bytes)(const Comparison& saved, const std::vector<Run>& runs);
+};
+
+namespace {
+
+using Runs = std::vector<Run>;
+
+constexpr ComparisonFile kFiles[] = {
+    {"report", "report.html",
+     [](const Comparison& c, const Runs& r) { return comparisonReport(c, r); }},
+    {"json", "comparison.json", [](const Comparison& c, const Runs&) { return comparisonJson(c); }},
+    {"csv", "comparison.runs.csv",
+     [](const Comparison& c, const Runs&) { return comparisonRunsCsv(c); }},
+    {"csv", "comparison.rooms.csv",
+     [](const Comparison& c, const Runs&) { return comparisonRoomsCsv(c); }},
+    {"geojson", "comparison.rooms.geojson",
+     [](const Comparison& c, const Runs&) { return siteGeojson(c); }},
+    {"3Dscene", "comparison.3Dscene", comparisonSceneFile},
+    {"roomgraph", "comparison.roomgraph", comparisonObjectFile},
+};
+
+std::vector<std::string> allFormats() {
+  std::vector<std::string> names;
+  for (const ComparisonFile& file : kFiles)
+    if (names.empty() || names.back() != file.format) names.emplace_back(file.format);
+  return names;
+}
+
+}  // namespace
+
+ResultFiles::ResultFiles(std::filesystem::path folder, const std::string& formats)
+    : folder_(std::move(folder)) {
+  const std::vector<std::string> chosen = chosenFormats(formats, allFormats());
+  for (const ComparisonFile& file : kFiles)
+    if (std::count(chosen.begin(), chosen.end(), file.format) > 0) files_.push_back(&file);
+}
+
+std::string ResultFiles::nameOf(const ComparisonFile& file) const {
+  return (folder_ / file.name).string();
+}
+
+std::vector<std::string> ResultFiles::names() const {
+  std::vector<std::string> names;
+  for (const ComparisonFile* file : files_) names.push_back(nameOf(*file));
+  return names;
+}
+
+void ResultFiles::add(const Comparison& saved, const std::vector<Run>& runs,
+                      StagedFiles& staged) const {
+  for (const ComparisonFile* file : files_) staged.add(nameOf(*file), file->bytes(saved, runs));
+}
+
+void declareFormats(std::string& formats, CLI::App& app) {
+  app.add_option("--format", formats,
+                 "What to write, as a comma-separated list: " + listedFormats(allFormats()) + ".")
+      ->type_name("LIST")
+      ->capture_default_str();
+}
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const int percent = int(std::lround(100 * kPartialCoverage));
@@ -93,25 +147,17 @@ bool addGate(Comparison& comparison, const GateOptions& gate) {
 void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
                 const std::vector<std::string>& more, StagedFiles& staged) {
   comparison.files.clear();
-  for (const std::vector<std::string>& names : {files.all(), more})
+  for (const std::vector<std::string>& names : {files.names(), more})
     for (const std::string& name : names)
       comparison.files.push_back(std::filesystem::path(name).filename().string());
-  const std::string document = comparisonJson(comparison);
-  // All else is made from what is saved, with its rounding, so that it can be made anew.
-  const Comparison saved = parseComparisonJson(document, files.json);
-  staged.add(files.json, document);
-  staged.add(files.runs, comparisonRunsCsv(saved));
-  staged.add(files.rooms, comparisonRoomsCsv(saved));
-  staged.add(files.site, siteGeojson(saved));
-  staged.add(files.scene, comparisonSceneFile(saved, runs));
-  staged.add(files.object, comparisonObjectFile(saved, runs));
-  staged.add(files.report, comparisonReport(saved, runs));
+  // All is made from what is saved, with its rounding, so that it can be made anew.
+  files.add(parseComparisonJson(comparisonJson(comparison), "comparison.json"), runs, staged);
 }
 
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more) {
   std::string text = comparisonText(comparison) + printable(comparison.verdict) + "\n";
-  for (const std::string& file : files.all()) text += "  " + printable(file) + "\n";
+  for (const std::string& file : files.names()) text += "  " + printable(file) + "\n";
   for (const std::string& file : more) text += "  " + printable(file) + "\n";
   print(text);
 }

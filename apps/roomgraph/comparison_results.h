@@ -12,14 +12,26 @@
 
 namespace roomgraph {
 
-/** The names of all that is written of a comparison. */
-struct ResultFiles {
-  explicit ResultFiles(const std::filesystem::path& folder);
+struct ComparisonFile;
 
-  std::vector<std::string> all() const { return {report, json, runs, rooms, site, scene, object}; }
+/** The files that are written of a comparison. */
+class ResultFiles {
+ public:
+  /** `formats` is a list for --format. @throws UsageError for a format that is none. */
+  explicit ResultFiles(std::filesystem::path folder, const std::string& formats = "all");
 
-  std::string report, json, runs, rooms, site, scene, object;
+  std::vector<std::string> names() const;
+  void add(const Comparison& saved, const std::vector<Run>& runs, StagedFiles& staged) const;
+
+ private:
+  std::string nameOf(const ComparisonFile& file) const;
+
+  std::filesystem::path folder_;
+  std::vector<const ComparisonFile*> files_;
 };
+
+/** --format, for ResultFiles. */
+void declareFormats(std::string& formats, CLI::App& app);
 
 /** --fail-below, --fail-above, --fail-worse-by, --fail-on, --junit and --summary. */
 struct GateArguments {

@@ -1,10 +1,10 @@
 #include "extract_map.h"
 
 #include <filesystem>
-#include <map>
 
 #include "Laps.h"
 #include "error_line.h"
+#include "note_lines.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
@@ -20,27 +20,6 @@ std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
   return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
          counted(result.graph.vertices().size(), "vertex", "vertices") + ", " +
          counted(result.graph.edges().size(), "edge", "edges") + "\n";
-}
-
-/** One line per note when verbose, else one per kind of note. */
-std::string noteLines(const std::string& mapFile, const Notes& notes, Verbosity verbosity) {
-  std::map<std::string, std::size_t> counts;
-  for (const Note& note : notes) ++counts[note.code];
-  std::string lines;
-  for (const Note& note : notes) {
-    std::size_t& count = counts[note.code];
-    if (count == 0) continue;
-    std::string text = mapFile + ": note: " + note.text;
-    if (verbosity == Verbosity::verbose && note.where)
-      text += formatted(" (at %.2f, %.2f)", (*note.where)[0], (*note.where)[1]);
-    if (verbosity == Verbosity::normal) {
-      if (count > 1)
-        text += " (and " + std::to_string(count - 1) + " more like this: see --verbose)";
-      count = 0;
-    }
-    lines += errorLine(text);
-  }
-  return lines;
 }
 
 std::string verboseLine(const std::string& mapFile, const Stages& stages) {
@@ -104,7 +83,9 @@ class Extraction {
     if (task_.showTimings) report_.err += laps_.table(mapFile_);
     if (task_.verbosity == Verbosity::quiet) return;
     if (task_.verbosity == Verbosity::verbose) report_.err += verboseLine(mapFile_, stages);
-    report_.err += noteLines(mapFile_, stages.notes, task_.verbosity);
+    std::vector<MapNote> notes;
+    for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
+    report_.err += noteLines(notes, task_.verbosity == Verbosity::verbose);
     report_.out += summaryLine(mapFile_, stages.result);
     for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
   }

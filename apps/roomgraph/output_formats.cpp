@@ -43,15 +43,40 @@ constexpr OutputFormat kFormats[] = {
 };
 constexpr std::size_t kDefaultCount = 7;  // the first ones
 
-bool sameName(const OutputFormat& format, const std::string& name) { return name == format.name; }
+std::vector<std::string> allFormats() {
+  std::vector<std::string> names;
+  for (const OutputFormat& format : kFormats) names.emplace_back(format.name);
+  return names;
+}
 
 }  // namespace
 
-std::string formatNames() {
-  std::string names;
-  for (const OutputFormat& format : kFormats) names += std::string(format.name) + ", ";
-  return names.substr(0, names.size() - 2) + " or all";
+std::string listedFormats(const std::vector<std::string>& known) {
+  std::string text;
+  for (const std::string& name : known) text += (text.empty() ? "" : ", ") + name;
+  return text + " or all";
 }
+
+std::vector<std::string> chosenFormats(const std::string& list,
+                                       const std::vector<std::string>& known) {
+  std::vector<std::string> chosen;
+  const auto add = [&](const std::string& name) {
+    if (std::count(chosen.begin(), chosen.end(), name) == 0) chosen.push_back(name);
+  };
+  std::istringstream in(list);
+  for (std::string name; std::getline(in, name, ',');) {
+    if (name == "all")
+      for (const std::string& each : known) add(each);
+    else if (std::count(known.begin(), known.end(), name) > 0)
+      add(name);
+    else
+      throw UsageError("there is no format '" + name + "': --format takes " + listedFormats(known));
+  }
+  if (chosen.empty()) throw UsageError("--format is empty: it takes " + listedFormats(known));
+  return chosen;
+}
+
+std::string formatNames() { return listedFormats(allFormats()); }
 
 std::string defaultFormats() {
   std::string names;
@@ -62,24 +87,9 @@ std::string defaultFormats() {
 
 std::vector<OutputFormat> parseFormats(const std::string& list) {
   std::vector<OutputFormat> formats;
-  const auto add = [&](const OutputFormat& format) {
-    for (const OutputFormat& known : formats)
-      if (sameName(known, format.name)) return;
-    formats.push_back(format);
-  };
-  std::istringstream in(list);
-  for (std::string name; std::getline(in, name, ',');) {
-    if (name == "all") {
-      for (const OutputFormat& format : kFormats) add(format);
-      continue;
-    }
-    const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
-                                     [&](const OutputFormat& f) { return sameName(f, name); });
-    if (found == std::end(kFormats))
-      throw UsageError("there is no format '" + name + "': --format takes " + formatNames());
-    add(*found);
-  }
-  if (formats.empty()) throw UsageError("--format is empty: it takes " + formatNames());
+  for (const std::string& name : chosenFormats(list, allFormats()))
+    formats.push_back(*std::find_if(std::begin(kFormats), std::end(kFormats),
+                                    [&](const OutputFormat& f) { return f.name == name; }));
   return formats;
 }
 

@@ -12,15 +12,22 @@ struct OutputFormat {
   std::string (*bytes)(const Stages& stages);
 };
 
-/** "json, svg, ... or all", for people. */
+/** "a, b or all", for people. */
+std::string listedFormats(const std::vector<std::string>& known);
+
+/** The names of a comma-separated list, in the order of the list, each once; "all" stands for every
+ *  one of `known`. Throws UsageError for a name that is none of them. */
+std::vector<std::string> chosenFormats(const std::string& list,
+                                       const std::vector<std::string>& known);
+
+/** The names of all formats of a result, for people. */
 std::string formatNames();
 
 /** The list of those that are written where none are asked for: what shows the graph. Labels and
  *  osm, which show the areas, take time and space that most calls can do without. */
 std::string defaultFormats();
 
-/** The formats of a comma-separated list, in the order of the list, each once; "all" stands for
- *  every one. Throws UsageError for a name that is none. */
+/** The formats of a list as for chosenFormats(). */
 std::vector<OutputFormat> parseFormats(const std::string& list);
 
 }  // namespace roomgraph

@@ -45,7 +45,7 @@ int run(const ReportArguments& arguments) {
   gate.candidates = arguments.candidates;
   const ResultFiles files(folderOf(arguments));
   for (const std::string& map : arguments.maps)
-    for (const std::string& result : files.all())
+    for (const std::string& result : files.names())
       if (areSameFile(map, result))
         throw UsageError(result + ": would replace a map: choose another folder with --output");
   Comparison comparison = readComparison(arguments.comparison);

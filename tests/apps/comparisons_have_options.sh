@@ -34,3 +34,19 @@ printf '[compare]\naligned = true\nestimate_scale = true\n' > both.ini
 expect 2 "$roomgraph" compare "${maps[@]}" --config both.ini
 one_line err compare.aligned compare.estimate_scale
 expect 2 "$roomgraph" compare "${maps[@]}" --config <(echo '{"format": "roomgraph/comparison"}')
+
+# Only what is asked for is written.
+expect 0 "$roomgraph" compare "${maps[@]}" -o some -q --format csv,json
+[ "$(ls some | tr '\n' ' ')" = 'comparison.json comparison.rooms.csv comparison.runs.csv ' ] ||
+  fail "other files than those that were asked for"
+cmp plain/comparison.runs.csv some/comparison.runs.csv
+expect 2 "$roomgraph" compare "${maps[@]}" --format json,htm
+one_line err "'htm'" report geojson
+
+# What is odd about several maps is told once.
+cp a.pgm b.pgm
+expect 0 "$roomgraph" compare a.pgm b.pgm -o odd
+[ "$(grep -c 'note: a picture does not say' err)" -eq 1 ] || fail "a note is told twice"
+grep -q 'and 1 more like this: see --verbose' err
+expect 0 "$roomgraph" compare a.pgm b.pgm -o odd --verbose
+[ "$(grep -c 'note: a picture does not say' err)" -eq 2 ] || fail "a note is missing"
