@@ -15,17 +15,17 @@ using test::expectSaid;
 
 TEST(ScoringDocument, saysWhereABreakBegins) {
   const SiteBreaksOptions breaks;
-  expectSaid("Where that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
+  expectSaid("that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
   expectSaid("moves by %g m from one scan to the next", breaks.findBreaks.minShift);
-  expectSaid("where it turns by %g degrees or", degrees(breaks.findBreaks.wideRotation));
+  expectSaid("where the pose turns by %g degrees or", degrees(breaks.findBreaks.wideRotation));
   expectSaid("moves by %g m within four scans", breaks.findBreaks.wideShift);
   expectSaid("differ by %g degrees or ", degrees(breaks.findPieces.minRotation));
   expectSaid(" degrees or %g m, and by", breaks.findPieces.minShift);
   expectSaid("and by %g times what they bend themselves", breaks.findPieces.minContrast);
   expectSaid("turned by %g degrees (root mean square)", degrees(breaks.findPieces.maxTurnBend));
   expectSaid("runs with %g %% of the votes", 100 * breaks.minVotes);
-  expectSaid("have %g %% of this one's walls are asked", 100 * kWitnessShare);
-  expectSaid("the pieces hold %g %% of the walls found, and the smaller one %g %%",
+  expectSaid("have %g %% of this one's walls are consulted", 100 * kWitnessShare);
+  expectSaid("the pieces take in %g %% of the walls found, and the smaller one %g %%",
              100 * breaks.findPieces.minExplained, 100 * breaks.findPieces.minPiece);
   expectSaid("(within %g degrees and %g m)", std::round(degrees(breaks.sameTurn)),
              breaks.samePlace);
@@ -36,7 +36,7 @@ TEST(ScoringDocument, saysHowRunsArePlaced) {
   expectSaid("with a confidence of at least %g,", poses.minConfidence);
   expectSaid("disagrees with the rest by more than %g m counts little", poses.width);
   EXPECT_EQ(CompareRunsOptions().core, 12u);
-  expectSaid("Of more than twelve runs");
+  expectSaid("With more than twelve runs");
 }
 
 TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
@@ -45,16 +45,16 @@ TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
              error.bendNoise);
   expectSaid("+ %g · Σ over runs of *c(i)* · ρ(log(*e(i)* + %g m) − %g · log(*d(i)* + %g) − *a*)",
              error.deviationWeight, error.errorNoise, error.deviationPower, error.deviationNoise);
-  expectSaid("of width %g where a bend is larger", error.above);
-  expectSaid("and %g for the deviations", error.deviationWidth);
+  expectSaid("with width %g if a bend is larger", error.above);
+  expectSaid("width %g for the deviations", error.deviationWidth);
   expectSaid("(pseudo-Huber, width %g)", error.below);
-  expectSaid("Errors end at %g m", error.mostError);
+  expectSaid("Errors are at most %g m", error.mostError);
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {
   const RunScoreOptions score;
   expectSaid("fewer than %g wall points", score.minWalls);
-  expectSaid("%g %% of its walls in common", 100 * score.minShare);
+  expectSaid("no other run shares %g %% of the walls", 100 * score.minShare);
   expectSaid("exp(−map error / %g m)", score.scoreScale);
   expectSaid("1 / (%g m + map error)⁴", score.trustFloor);
 }

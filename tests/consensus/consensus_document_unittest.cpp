@@ -13,12 +13,12 @@ using test::expectSaid;
 TEST(ConsensusDocument, saysHowScansAreTracked) {
   const TrackScansOptions track;
   expectSaid("that lie on walls, less %g.", track.lostQuality);
-  expectSaid("is under %g m and %g rad, %g where it is larger", kSteadyTrack.place,
-             kSteadyTrack.turn, track.jumpCost);
-  expectSaid("(a tear), and %g where it does not", track.farCost);
+  expectSaid("is under %g m and %g rad, %g if it is larger", kSteadyTrack.place, kSteadyTrack.turn,
+             track.jumpCost);
+  expectSaid("(a tear), and %g if it does not", track.farCost);
   expectSaid("begins more than %g rad or %g m from the pose of the pair costs %g", kAsMapsBend.turn,
              kAsMapsBend.place, 2 * track.jumpCost);
-  expectSaid("Up to %zu scans may be lost on the way", track.memory);
+  expectSaid("Up to %zu scans may be lost along the way", track.memory);
   expectSaid("if at least %g %% of its walls lie within %g m of walls", 100 * kLeastFound,
              kSameWall);
 }
@@ -40,17 +40,17 @@ TEST(ConsensusDocument, saysHowFarPiecesAreBelieved) {
   expectSaid("within %g m and %g rad of where the start has them", kRoughly.place, kRoughly.turn);
   expectSaid("once the graph is solved, within %g m and %g rad", kSameAnswer.place,
              kSameAnswer.turn);
-  expectSaid("To give up a piece of %g matches costs %g,", kGivingUpMatches, kGivingUp);
+  expectSaid("Giving up a piece of %g matches costs %g,", kGivingUpMatches, kGivingUp);
   EXPECT_EQ(kLeastCost, 1.0 / 5);
-  expectSaid("down to a fifth,");
+  expectSaid("to as little as a fifth");
   expectSaid("lays more than %g %% of the patches", 100 * kAlikeFrom);
-  expectSaid("until it is least at %g %%", 100 * kAlikeTo);
+  expectSaid("and is least at %g %%", 100 * kAlikeTo);
 }
 
 TEST(ConsensusDocument, saysHowFarLinksGiveWay) {
   EXPECT_DOUBLE_EQ(1 - kCountedLinks, 0.1);
   expectSaid("without the worst tenth");
-  expectSaid("This is its slack, at least %g and at most 1", kLeastSlack);
+  expectSaid("This is the slack of the run, at least %g and at most 1", kLeastSlack);
   expectSaid("its slack is at least %g.", kLeastSharedSlack);
 }
 
@@ -58,10 +58,10 @@ TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
   expectSaid("ln *f* = 1.28 · (%g + %g / (*n* − 1)² + %g · (1 − *v*))", kFactor, kFactorPerRun,
              kFactorUnseen);
   expectSaid("*p* = %g m + %g m / (*n* − 1)", kMetres, kMetresPerRun);
-  expectSaid("costs at most %g times the best", kAboutAsGood);
+  expectSaid("costs at most %g times as much as the best", kAboutAsGood);
   EXPECT_EQ(kLeastKnowing, 3);
-  expectSaid("Where at least three other runs know most of the place");
-  expectSaid("At least %ld such scans on end are taken to be %g m off", kLeastLostOnEnd, kLostBy);
+  expectSaid("If at least three other runs have seen most of the surroundings");
+  expectSaid("At least %ld such scans in a row are taken to be %g m off", kLeastLostOnEnd, kLostBy);
   expectSaid("√(*e*² + *l* · %g m²)", kLostBy * kLostBy);
 }
 
