@@ -69,6 +69,14 @@ TEST(MapsViewer, sessionsEndWithTheTableOfLensesThatTheViewerAsksFor) {
   EXPECT_EQ(none.substr(none.size() - end.size()), end);
 }
 
+TEST(MapsViewer, namesMayHoldAnything) {
+  SessionMap map = sample();
+  map.yaml = "a\"b\\c\n.yaml";
+  const std::string quoted = "\"a\\\"b\\\\c\\u000a.yaml\"";
+  EXPECT_EQ(valuesOf(mapsSession({map})).at("maps." + quoted + ".meta|yaml_path"), quoted);
+  EXPECT_NE(mapsPoseYaml({}, "a\"b").find("map_frame: \"a\\\"b\"\n"), std::string::npos);
+}
+
 TEST(MapsViewer, posesAreThoseOfTheMapInTheSite) {
   EXPECT_EQ(mapsPoseYaml({1.5, -2, 0.25}, "run1"),
             "translation:\n  x: 1.5\n  y: -2\n  z: 0\nrotation:\n  roll: 0\n  pitch: 0\n"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "number_text.h"
+#include "quoted_text.h"
 
 namespace roomgraph {
 namespace {
@@ -18,11 +19,11 @@ std::string line(const char* key, double value) {
 }
 
 std::string quotedLine(const char* key, const std::string& text) {
-  return std::string(key) + " = \"" + text + "\"\n";
+  return key + (" = " + quotedText(text)) + "\n";
 }
 
 std::string mapText(const SessionMap& map) {
-  const std::string table = "maps.\"" + map.yaml + "\"";
+  const std::string table = "maps." + quotedText(map.yaml);
   const Point origin = map.pose(map.frame.origin);
   const auto header = [&](const char* name) { return "\n[" + table + name + "]\n"; };
   return header("") + "visible = true\ntint = " + kHalf + "\n" + header(".meta") +
@@ -40,7 +41,7 @@ std::string mapText(const SessionMap& map) {
 std::string mapsPoseYaml(const Transform2D& pose, const std::string& name) {
   return "translation:\n  x: " + numberText(pose.x) + "\n  y: " + numberText(pose.y) +
          "\n  z: 0\nrotation:\n  roll: 0\n  pitch: 0\n  yaw: " + numberText(pose.phi) +
-         "\nroot_frame: site\nmap_frame: \"" + name + "\"\n";
+         "\nroot_frame: site\nmap_frame: " + quotedText(name) + "\n";
 }
 
 std::string mapsSession(const std::vector<SessionMap>& maps) {

@@ -1,6 +1,7 @@
 #include "roomgraph/graph_files/ros_map.h"
 
 #include "number_text.h"
+#include "quoted_text.h"
 #include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
@@ -12,16 +13,6 @@ constexpr std::uint8_t kUnknown = 205, kFree = 254, kOccupied = 0;
 constexpr std::uint8_t kGreys[] = {kUnknown, kFree, kOccupied};
 
 std::uint8_t greyOf(State state) { return kGreys[std::size_t(state)]; }
-
-/** In quotes, as a name may hold anything. */
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    text += c;
-  }
-  return text + "\"";
-}
 
 }  // namespace
 
@@ -48,7 +39,7 @@ std::string mapPng(const Grid& grid) {
 std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
                        const Transform2D& pose) {
   const Point origin = pose(frame.origin);
-  return "image: " + quoted(picture) +
+  return "image: " + quotedText(picture) +
          "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
          numberText(origin.x) + ", " + numberText(origin.y) + ", " + numberText(pose.phi) +
          "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";

@@ -13,7 +13,7 @@ namespace roomgraph {
 // Next: StagedFiles
 
 /** A ROS map beside the session; its yaml is rosMapYaml(frame, picture, pose). Both names are those
- *  of files in the session's folder, without quotes, backslashes and control characters. */
+ *  of files in the session's folder. */
 struct SessionMap {
   std::string yaml, picture;
   GridFrame frame;   ///< of the picture, in the frame of its map

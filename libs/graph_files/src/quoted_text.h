@@ -1,0 +1,23 @@
+#pragma once
+#include <cstdio>
+#include <string>
+
+namespace roomgraph {
+
+/** The text in quotes as YAML and TOML read it, whatever it holds. */
+inline std::string quotedText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      char code[8];
+      std::snprintf(code, sizeof code, "\\u%04x", unsigned(c));
+      quoted += code;
+      continue;
+    }
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
+}  // namespace roomgraph
