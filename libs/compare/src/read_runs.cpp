@@ -112,7 +112,7 @@ class Reader {
   /** Reads the bare pictures at the scale at which they fit the other maps. */
   void readPictures() {
     checkScales();
-    const std::vector<Run> tellers = runsOfKnownScale();
+    std::vector<Run> tellers = takeRunsOfKnownScale();
     for (MapFile& file : files_) {
       if (!file.picture) continue;
       const Grid grid = binarize(*file.picture, options_.extract.binarize);
@@ -121,6 +121,7 @@ class Reader {
       else
         refuse(file);
     }
+    for (Run& run : tellers) giveBack(std::move(run));
     forEachFile([this](MapFile& file) {
       prepare(file, *file.picture);
       file.run->isScaleEstimated = true;
@@ -148,22 +149,29 @@ class Reader {
     if (hasReference() && &file == &files_.back()) throw DataError(file.file + ": " + file.failure);
   }
 
-  std::vector<Run> runsOfKnownScale() const {
-    if (hasReference() && files_.back().run) return {*files_.back().run};
+  /** Those that tell the scale of the others: the reference, or else all. */
+  std::vector<Run> takeRunsOfKnownScale() {
+    if (!hasReference() || !files_.back().run) return takeRuns();
     std::vector<Run> runs;
-    for (const MapFile& file : files_)
-      if (file.run) runs.push_back(*file.run);
-    sortRuns(runs);
+    runs.push_back(*std::exchange(files_.back().run, std::nullopt));
     return runs;
   }
 
-  /** All runs. Many of them would not fit in memory twice. */
+  /** All runs, sorted. Many of them, or large ones, would not fit in memory twice. */
   std::vector<Run> takeRuns() {
     std::vector<Run> runs;
     for (MapFile& file : files_)
       if (file.run) runs.push_back(*std::exchange(file.run, std::nullopt));
     sortRuns(runs);
     return runs;
+  }
+
+  void giveBack(Run run) {
+    for (MapFile& file : files_)
+      if (file.name == run.name) {
+        file.run = std::move(run);
+        return;
+      }
   }
 
   bool hasReference() const { return !options_.reference.empty(); }
