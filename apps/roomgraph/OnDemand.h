@@ -20,7 +20,6 @@ struct WithMrpt {
   decltype(&roomgraph::gridmapBytes) gridmapBytes;
   decltype(&roomgraph::graphSceneFile) graphSceneFile;
   decltype(&roomgraph::graphObjectFile) graphObjectFile;
-  decltype(&roomgraph::mapComparisonText) mapComparisonText;
   decltype(&roomgraph::comparisonSceneFile) comparisonSceneFile;
   decltype(&roomgraph::comparisonObjectFile) comparisonObjectFile;
   decltype(&roomgraph::addBreakFiles) addBreakFiles;

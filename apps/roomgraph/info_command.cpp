@@ -7,16 +7,20 @@
 
 #include "Command.h"
 #include "error_line.h"
-#include "mrpt_results.h"
 #include "option_arguments.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/files/InputFile.h"
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/grid/binarize.h"
+#include "roomgraph/json/json_fault.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
+#include "roomgraph/mrpt_plugin/map_comparison_text.h"
+#include "roomgraph/mrpt_plugin/read_map_comparison.h"
 #include "roomgraph/mrpt_plugin/read_room_graph.h"
+#include "roomgraph/report/comparison_json.h"
 #include "roomgraph/scans/load_run_info.h"
 #include "terminal.h"
 
@@ -68,12 +72,21 @@ std::string runText(const RunInfo& info) {
          nameOf(info.compression) + "\n";
 }
 
+/** Of X.json or comparison.json. */
+std::string jsonText(const std::string& file) {
+  const std::string json = readFile(file);
+  if (jsonFault(json, "roomgraph/comparison").empty())
+    return mapComparisonText(parseComparisonJson(json, file));
+  return graphText(parseGraphJson(json, file));
+}
+
 std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && start[first] == '{') return graphText(readGraphJson(file));
+  if (first != std::string::npos && start[first] == '{') return jsonText(file);
   if (start.find("CRoomGraph") != std::string::npos) return graphText(readRoomGraph(file).file);
-  if (start.find("CMapComparison") != std::string::npos) return mapComparisonText(file);
+  if (start.find("CMapComparison") != std::string::npos)
+    return mapComparisonText(readMapComparison(file).comparison);
   return mapText(file, options);
 }
 
@@ -92,8 +105,10 @@ int run(const InfoArguments& arguments) {
 
 std::function<int()> infoCommand(CLI::App& app) {
   const auto arguments = std::make_shared<InfoArguments>();
-  app.add_option("FILE", arguments->files,
-                 "Maps as for 'roomgraph extract', or results: X.json, X.roomgraph.")
+  app.add_option(
+         "FILE", arguments->files,
+         "Maps as for 'roomgraph extract', or results: X.json, X.roomgraph, comparison.json, "
+         "comparison.roomgraph.")
       ->type_name("")
       ->required();
   declareConfig(arguments->options, app);

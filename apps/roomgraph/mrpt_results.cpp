@@ -17,10 +17,6 @@ namespace roomgraph {
 std::string graphSceneFile(const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }
 std::string graphObjectFile(const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }
 
-std::string mapComparisonText(const std::string& file) {
-  return loadMapComparison(file).asString();
-}
-
 std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs) {
   return comparisonSceneBytes(comparison, runs);
 }

@@ -23,10 +23,6 @@ namespace roomgraph {
 std::string graphSceneFile(const Stages& stages);
 std::string graphObjectFile(const Stages& stages);
 
-/** What `info` says of comparison.roomgraph.
- *  @throws DataError where the file is missing or damaged. */
-std::string mapComparisonText(const std::string& file);
-
 /** The bytes of comparison.3Dscene and comparison.roomgraph. */
 std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs);
 std::string comparisonObjectFile(const Comparison& comparison, const std::vector<Run>& runs);

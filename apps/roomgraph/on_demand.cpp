@@ -65,9 +65,6 @@ std::string gridmapBytes(const GreyMap& map, const Grid& grid) {
 
 std::string graphSceneFile(const Stages& stages) { return withMrpt().graphSceneFile(stages); }
 std::string graphObjectFile(const Stages& stages) { return withMrpt().graphObjectFile(stages); }
-std::string mapComparisonText(const std::string& file) {
-  return withMrpt().mapComparisonText(file);
-}
 
 std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs) {
   return withMrpt().comparisonSceneFile(comparison, runs);

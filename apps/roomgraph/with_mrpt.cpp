@@ -6,6 +6,6 @@ extern "C" __attribute__((visibility("default"))) const OnDemandLibrary<WithMrpt
     roomgraph_on_demand = {
         ROOMGRAPH_VERSION,
         {gridOfScans, readKeyframes, readRunInfo, gridmapBytes, graphSceneFile, graphObjectFile,
-         mapComparisonText, comparisonSceneFile, comparisonObjectFile, addBreakFiles, scanLog}};
+         comparisonSceneFile, comparisonObjectFile, addBreakFiles, scanLog}};
 
 }  // namespace roomgraph

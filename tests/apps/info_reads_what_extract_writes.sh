@@ -12,6 +12,15 @@ expect 0 "$roomgraph" info object.bin
 tail -n +2 out > object.info
 cmp graph.info object.info
 
+maps=$source_dir/share/roomgraph/maps
+expect 0 "$roomgraph" compare "$maps"/office_run[12].simplemap.gz -o compared -q
+expect 0 "$roomgraph" info compared/comparison.json
+tail -n +2 out > json.info
+expect 0 "$roomgraph" info compared/comparison.roomgraph
+tail -n +2 out > object.info
+grep -q office_run2 json.info || fail "no ranking"
+cmp json.info object.info
+
 expect 1 "$roomgraph" info a.pgm missing.json graph.txt
 one_line err missing.json
 [ "$(grep -c ':$' out)" -ge 2 ] || fail "the other files are not told"

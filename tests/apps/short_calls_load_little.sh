@@ -12,9 +12,11 @@ loaded() { LD_DEBUG=files LD_DEBUG_OUTPUT="$work/debug" "$roomgraph" "$@" > out 
 loaded extract "$maps/office.simplemap.gz" --format json -o built ||
   fail "this test sees nothing"
 "$roomgraph" extract "$maps/office.yaml" --format roomgraph -o built -q
+"$roomgraph" compare "$maps/office.gridmap.gz" "$maps"/office_run1.simplemap.gz -o compared -q
 library=$(grep -oE "[^ ]*/$name" loaded | head -n 1)
 for call in --version --help 'compare --help' config "info $maps/office.yaml" \
     "info $maps/office.gridmap.gz" 'info built/office.json' 'info built/office.roomgraph' \
+    'info compared/comparison.json' 'info compared/comparison.roomgraph' \
     "extract $maps/office.yaml --format json,svg,png,graphml,geojson,labels,osm -o o"; do
   if loaded $call; then fail "'$call' loads large libraries"; fi
 done

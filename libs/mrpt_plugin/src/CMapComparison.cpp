@@ -1,13 +1,9 @@
 #include "roomgraph/mrpt_plugin/CMapComparison.h"
 
-#include <cmath>
-
 #include "comparison_bytes.h"
 #include "object_body.h"
-#include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/time_text.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
-#include "roomgraph/report/comparison_json.h"
+#include "roomgraph/mrpt_plugin/map_comparison_text.h"
 
 IMPLEMENTS_SERIALIZABLE(CMapComparison, CSerializable, roomgraph)
 
@@ -16,26 +12,12 @@ namespace {
 
 const char* const kComparisonStream = "comparison of maps";
 
-std::string breakLine(const MapBreak& tear) {
-  std::string line = "  " + tear.run +
-                     formatted(" at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
-                               tear.place.y, tear.rotation * 180 / M_PI, tear.shift);
-  if (tear.keyFrame) line += ", from key frame " + std::to_string(*tear.keyFrame) + " on";
-  if (tear.time) line += ", " + timeText(*tear.time);
-  return line + "\n";
-}
-
 }  // namespace
 
 CMapComparison::CMapComparison(Comparison compared, const std::vector<Run>& runs)
     : MappedComparison{std::move(compared), runWalls(runs)} {}
 
-std::string CMapComparison::asString() const {
-  std::string text = comparison.verdict + "\n\n" + comparisonText(comparison);
-  if (!comparison.breaks.empty()) text += "\nBreaks\n";
-  for (const MapBreak& tear : comparison.breaks) text += breakLine(tear);
-  return text;
-}
+std::string CMapComparison::asString() const { return mapComparisonText(comparison); }
 
 void CMapComparison::getVisualizationInto(viz::CSetOfObjects& container) const {
   container.insert(drawComparison(comparison, walls));

@@ -1,8 +1,7 @@
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 
-#include "comparison_bytes.h"
 #include "object_bytes.h"
-#include "object_file.h"
+#include "roomgraph/mrpt_plugin/read_map_comparison.h"
 
 namespace roomgraph {
 
@@ -12,10 +11,7 @@ std::string mapComparisonBytes(const CMapComparison& comparison) {
 
 CMapComparison loadMapComparison(const std::string& path) {
   CMapComparison comparison;
-  readObjectFile(path,
-                 {"CMapComparison", "comparison of maps", "give a comparison.roomgraph",
-                  kComparisonBytesVersion},
-                 [&](ByteView body) { readComparisonBytes(body, path, comparison); });
+  static_cast<MappedComparison&>(comparison) = readMapComparison(path);
   return comparison;
 }
 
