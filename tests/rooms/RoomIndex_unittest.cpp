@@ -43,6 +43,7 @@ TEST(RoomIndex, anEdgeTooShortToPassIsNoOpening) {
   EXPECT_FALSE(RoomIndex({squareRoom(0, 0)}, 2).openingsNear({3, 2}, {5, 2}).empty());
   EXPECT_TRUE(RoomIndex({squareRoom(0, 0)}, 2.1).openingsNear({3, 2}, {5, 2}).empty());
   EXPECT_TRUE(RoomIndex({}, 1).openingsNear({3, 2}, {5, 2}).empty());
+  EXPECT_TRUE(RoomIndex({squareRoom(0, 0)}).openingsNear({3, 2}, {5, 2}).empty()) << "not asked";
 }
 
 /** Rooms with ragged outlines in squares of 10 m, some with a hole. */

@@ -8,7 +8,7 @@ InsideFlags dropHalfSeen(const VoronoiGraph& voronoi, InsideFlags isInside,
                          const RegionOutlines& outlines) {
   const Rooms halfSeen = outlines.halfSeen();
   if (halfSeen.empty()) return isInside;
-  const RoomIndex index(halfSeen, 0);
+  const RoomIndex index(halfSeen);
   for (std::size_t v = 0; v < isInside.size(); ++v)
     if (isInside[v] && index.roomAt(voronoi.vertices[v].at)) isInside[v] = 0;
   return isInside;

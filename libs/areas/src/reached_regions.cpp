@@ -25,7 +25,7 @@ std::vector<std::uint32_t> seeds(const RegionOutlines& outlines, const RoomGraph
   for (std::uint32_t v = 0; v < vertices.size(); ++v)
     if (isMissing(v)) missing.push_back(v);
   if (missing.empty()) return found;
-  const RoomIndex index(outlines.regions, 0);
+  const RoomIndex index(outlines.regions);
   for (const std::uint32_t v : missing) {
     const RoomId region = isMissing(v) ? index.roomAt(vertices[v].at) : RoomId::none();
     if (!region) continue;  // on a line between two

@@ -94,8 +94,7 @@ class ClutterFinder {
     const std::size_t index = frame.index(near);
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::large) return false;
-    add(near);
-    return size() <= maxTable_;
+    return !add(near) || size() <= maxTable_;
   }
 
   void countRim(Cell cell) {
@@ -106,11 +105,15 @@ class ClutterFinder {
     ++rim_;
   }
 
-  void add(Cell cell) {
+  /** Returns whether the box of the group has grown. */
+  bool add(Cell cell) {
     marks_[grid_.frame.index(cell)] = Mark::inGroup;
     group_.push_back(cell);
+    const bool isWithin =
+        cell.x >= low_.x && cell.x <= high_.x && cell.y >= low_.y && cell.y <= high_.y;
     low_ = {std::min(low_.x, cell.x), std::min(low_.y, cell.y)};
     high_ = {std::max(high_.x, cell.x), std::max(high_.y, cell.y)};
+    return !isWithin;
   }
 
   double size() const {

@@ -1,6 +1,8 @@
 #include "roomgraph/grid/wall_obstacles.h"
 
+#include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace roomgraph {
 namespace {
@@ -16,30 +18,59 @@ class SeenEdge {
   explicit SeenEdge(const Grid& grid) : grid_(grid) {}
 
   bool isNearWall(Cell cell) const {
-    for (int y = cell.y - kRim; y <= cell.y + kRim; ++y)
-      for (int x = cell.x - kRim; x <= cell.x + kRim; ++x)
-        if (grid_.atOrUnknown({x, y}) == State::occupied) return true;
-    return false;
+    const int left = std::max(cell.x - kRim, 0);
+    const int right = std::min(cell.x + kRim, grid_.frame.width - 1);
+    const int top = std::min(cell.y + kRim, grid_.frame.height - 1);
+    bool isFound = false;
+    for (int y = std::max(cell.y - kRim, 0); y <= top; ++y) {
+      const State* row = grid_.cells.data() + grid_.frame.index({0, y});
+      // Through to the end: leaving early costs more than looking.
+      for (int x = left; x <= right; ++x) isFound |= row[x] == State::occupied;
+    }
+    return isFound;
   }
 
   bool hasBeams() const {
     std::size_t edge = 0, thin = 0;
-    for (int y = 0; y < grid_.frame.height; ++y)
-      for (int x = 0; x < grid_.frame.width; ++x) {
-        const Cell cell{x, y};
-        if (grid_.at(cell) != State::free || !touches(cell, State::unknown) || isNearWall(cell))
-          continue;
+    for (int y = 0; y < grid_.frame.height; ++y) {
+      const std::vector<std::uint8_t> isEdge = edgeOfRow(y);
+      for (auto x = nextEdge(isEdge, 0); x < isEdge.size(); x = nextEdge(isEdge, x + 1)) {
+        const Cell cell{int(x), y};
+        if (isNearWall(cell)) continue;
         ++edge;
         thin += isThin(cell) ? 1 : 0;
       }
+    }
     return double(thin) > kLeastBeams * double(edge);
   }
 
  private:
-  bool touches(Cell cell, State state) const {
-    for (const Cell d : kPlus)
-      if (grid_.atOrUnknown({cell.x + d.x, cell.y + d.y}) == state) return true;
-    return false;
+  /** Which cells of a row are free and touch the unknown. */
+  std::vector<std::uint8_t> edgeOfRow(int y) const {
+    const auto width = std::size_t(grid_.frame.width);
+    const std::vector<State> beyond(width, State::unknown);
+    const auto row = [&](int at) {
+      const bool isIn = at >= 0 && at < grid_.frame.height;
+      return isIn ? grid_.cells.data() + std::size_t(at) * width : beyond.data();
+    };
+    const State *below = row(y - 1), *here = row(y), *above = row(y + 1);
+    std::vector<std::uint8_t> isEdge(width);
+    // No branch within, so that the compiler takes many cells at once.
+    for (std::size_t x = 1; x + 1 < width; ++x) {
+      const bool isAtUnknown = (below[x] == State::unknown) | (above[x] == State::unknown) |
+                               (here[x - 1] == State::unknown) | (here[x + 1] == State::unknown);
+      isEdge[x] = (here[x] == State::free) & isAtUnknown;
+    }
+    isEdge.front() = here[0] == State::free;
+    isEdge.back() = here[width - 1] == State::free;
+    return isEdge;
+  }
+
+  /** The first one not before `from`; their number where there is none. Most rows have few. */
+  static std::size_t nextEdge(const std::vector<std::uint8_t>& isEdge, std::size_t from) {
+    const auto* begin = isEdge.data();
+    const void* found = std::memchr(begin + from, 1, isEdge.size() - from);
+    return found ? std::size_t(static_cast<const std::uint8_t*>(found) - begin) : isEdge.size();
   }
 
   /** Whether it is in no plus of five free cells and in no square of nine, as corners are. */

@@ -63,23 +63,27 @@ void RegionGroups::sumAreas() {
 void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   bounded_.assign(voronoi_.vertices.size(), 0);
   walled_.assign(voronoi_.vertices.size(), 0);
+  const auto isOutside = [&](std::uint32_t end) {
+    return end == VoronoiEdge::kNoVertex || !isInside_[end];
+  };
   for (const VoronoiEdge& edge : voronoi_.edges) {
+    if (isOutside(edge.source) && isOutside(edge.target)) continue;
     // What lies behind the two obstacles is another space.
     const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
     for (const auto& [end, other] :
          {std::pair(edge.source, edge.target), {edge.target, edge.source}}) {
-      if (end == VoronoiEdge::kNoVertex || !isInside_[end]) continue;
+      if (isOutside(end)) continue;
       const Point from = voronoi_.vertices[end].at;
       const bool isInfinite = other == VoronoiEdge::kNoVertex;
       const Point to = isInfinite ? between : voronoi_.vertices[other].at;
       const bool isCrossed = isInfinite || dot(between - from, to - between) > 0;
       const Point half = isCrossed ? between : midpoint(from, to);
-      for (const std::uint32_t obstacle : {edge.left, edge.right}) {
-        const Point at = voronoi_.obstacles[obstacle];
-        const double area = std::abs(cross(from - at, half - at)) / 2;
-        bounded_[find(end)] += area;
-        walled_[find(end)] += isWall[obstacle] ? area : 0;
-      }
+      // Both obstacles bound the same area: the edge runs midway between them.
+      const Point left = voronoi_.obstacles[edge.left];
+      const double area = std::abs(cross(from - left, half - left)) / 2;
+      const std::uint32_t region = find(end);
+      bounded_[region] += 2 * area;
+      walled_[region] += area * ((isWall[edge.left] ? 1 : 0) + (isWall[edge.right] ? 1 : 0));
     }
   }
   double walls = 0, shares = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace roomgraph {
 
@@ -20,7 +21,7 @@ void RoomIndex::Buckets::add(std::uint32_t thing, Point p, Point q) {
 std::size_t RoomIndex::Rows::rowOf(double y) const {
   if (rowHeight <= 0) return 0;
   const auto row = std::size_t(std::max(0.0, (y - box.low.y) / rowHeight));
-  return std::min(row, edges.size() - 1);
+  return std::min(row, first.size() - 2);
 }
 
 RoomIndex::Rows RoomIndex::makeRows(const Polygon& polygon) {
@@ -29,32 +30,41 @@ RoomIndex::Rows RoomIndex::makeRows(const Polygon& polygon) {
   // About as many rows as a square has points on one side.
   const auto count = std::max<std::size_t>(1, polygon.outer.size() / 4);
   rows.rowHeight = (rows.box.high.y - rows.box.low.y) / double(count);
-  rows.edges.resize(count);
-  const auto addRing = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      const auto last = rows.rowOf(std::max(a.y, b.y));
-      for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row)
-        rows.edges[row].push_back({a, b});
-    }
+  rows.first.assign(count + 1, 0);
+  const auto forEachTouch = [&](const auto& visit) {
+    const auto visitRing = [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
+        const auto last = rows.rowOf(std::max(a.y, b.y));
+        for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row) visit(row, a, b);
+      }
+    };
+    visitRing(polygon.outer);
+    for (const Ring& hole : polygon.holes) visitRing(hole);
   };
-  addRing(polygon.outer);
-  for (const Ring& hole : polygon.holes) addRing(hole);
+  forEachTouch([&](std::size_t row, Point, Point) { ++rows.first[row + 1]; });
+  std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+  rows.edges.resize(rows.first.back());
+  std::vector<std::uint32_t> next = rows.first;
+  forEachTouch([&](std::size_t row, Point a, Point b) { rows.edges[next[row]++] = {a, b}; });
   return rows;
 }
 
 bool RoomIndex::isInside(const Rows& rows, Point p) {
   if (!rows.box.contains(p)) return false;
   bool isOdd = false;
-  for (const auto& [a, b] : rows.edges[rows.rowOf(p.y)]) {
+  const std::size_t row = rows.rowOf(p.y);
+  for (auto i = rows.first[row]; i < rows.first[row + 1]; ++i) {
+    const auto& [a, b] = rows.edges[i];
     if (isOnSegment(p, a, b)) return false;
     if (rayCrosses(p, a, b)) isOdd = !isOdd;
   }
   return isOdd;
 }
 
-RoomIndex::RoomIndex(const Rooms& rooms, double clearance) {
-  addRooms(rooms);
+RoomIndex::RoomIndex(const Rooms& rooms) { addRooms(rooms); }
+
+RoomIndex::RoomIndex(const Rooms& rooms, double clearance) : RoomIndex(rooms) {
   // A little less than twice, against rounding; far more than any edge along a wall.
   addOpenings(rooms, 2 * clearance * (1 - 1e-9));
 }

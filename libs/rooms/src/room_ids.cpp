@@ -1,7 +1,6 @@
 #include "roomgraph/rooms/room_ids.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 #include "roomgraph/base/UnionFind.h"
@@ -66,8 +65,7 @@ VertexId borderBase(const TopologyGraph& graph, const Edge& edge) {
 TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength) {
   leaveClippedRooms(graph);
   std::vector<Vertex> vertices = graph.vertices();
-  constexpr double noOpenings = std::numeric_limits<double>::infinity();
-  const RoomIndex index(rooms, noOpenings);
+  const RoomIndex index(rooms);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (graph.degree(VertexId(v)) == 0)
       vertices[v].room = index.roomAt(vertices[v].at);

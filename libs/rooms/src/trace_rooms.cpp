@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 namespace roomgraph {
 namespace {
@@ -11,7 +13,7 @@ constexpr std::uint32_t kNone = Regions::kNone;
 
 /** A Delaunay edge on the boundary of a room, which lies on its left. */
 struct BoundaryEdge {
-  std::uint32_t room, from, to;  // from and to are obstacles
+  std::uint32_t room = kNone, from = kNone, to = kNone;  // from and to are obstacles
   bool isUsed = false;
 };
 
@@ -25,9 +27,6 @@ std::vector<BoundaryEdge> boundaryEdges(const VoronoiGraph& voronoi, const Regio
     if (source != kNone) boundary.push_back({source, edge.right, edge.left});
     if (target != kNone) boundary.push_back({target, edge.left, edge.right});
   }
-  std::sort(boundary.begin(), boundary.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
-    return std::tie(a.from, a.room, a.to) < std::tie(b.from, b.room, b.to);
-  });
   return boundary;
 }
 
@@ -39,46 +38,59 @@ double clockwiseTurn(Point from, Point to) {
 
 class RingTracer {
  public:
-  RingTracer(const VoronoiGraph& voronoi, std::vector<BoundaryEdge> boundary)
+  RingTracer(const VoronoiGraph& voronoi, const std::vector<BoundaryEdge>& boundary)
       : obstacles_(voronoi.obstacles),
-        boundary_(std::move(boundary)),
+        boundary_(boundary.size()),
         firstFrom_(obstacles_.size() + 1),
         place_(obstacles_.size(), kNone) {
-    for (const BoundaryEdge& edge : boundary_) ++firstFrom_[edge.from + 1];
-    for (std::size_t i = 0; i < obstacles_.size(); ++i) firstFrom_[i + 1] += firstFrom_[i];
+    for (const BoundaryEdge& edge : boundary) ++firstFrom_[edge.from + 1];
+    std::partial_sum(firstFrom_.begin(), firstFrom_.end(), firstFrom_.begin());
+    std::vector<std::uint32_t> next = firstFrom_;
+    for (const BoundaryEdge& edge : boundary) boundary_[next[edge.from]++] = edge;
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) sortFrom(i);
   }
 
   /** Calls `add(room, ring)` for every simple ring of every room. */
   template <class Add>
   void run(const Add& add) {
     for (BoundaryEdge& first : boundary_)
-      if (!first.isUsed)
-        splitAtTouches(walk(first), [&](const Ring& ring) { add(first.room, ring); });
+      if (!first.isUsed) {
+        walk(first);
+        splitAtTouches([&](Ring ring) { add(first.room, std::move(ring)); });
+      }
   }
 
  private:
-  std::vector<std::uint32_t> walk(BoundaryEdge& first) {
-    std::vector<std::uint32_t> ring;
+  /** Those from one obstacle: the order must not depend on that of the diagram's edges. */
+  void sortFrom(std::size_t obstacle) {
+    const auto at = [&](std::size_t i) {
+      return boundary_.begin() + std::ptrdiff_t(firstFrom_[i]);
+    };
+    std::sort(at(obstacle), at(obstacle + 1), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+      return std::tie(a.room, a.to) < std::tie(b.room, b.to);
+    });
+  }
+
+  /** Notes the obstacles on the way round a piece of a room. */
+  void walk(BoundaryEdge& first) {
+    walk_.clear();
     for (BoundaryEdge* edge = &first; edge; edge = next(*edge)) {
       edge->isUsed = true;
-      ring.push_back(edge->from);
+      walk_.push_back(edge->from);
     }
-    return ring;
   }
 
   /** The next edge round the same piece of the room; null where the ring closes. */
   BoundaryEdge* next(const BoundaryEdge& edge) {
-    BoundaryEdge* best = nullptr;
-    double leastTurn = 7;
     const Point back = obstacles_[edge.from] - obstacles_[edge.to];
+    const auto turnTo = [&](const BoundaryEdge& other) {
+      return clockwiseTurn(back, obstacles_[other.to] - obstacles_[other.from]);
+    };
+    BoundaryEdge* best = nullptr;
     for (std::size_t i = firstFrom_[edge.to]; i < firstFrom_[edge.to + 1]; ++i) {
       BoundaryEdge& other = boundary_[i];
       if (other.isUsed || other.room != edge.room) continue;
-      const double turn = clockwiseTurn(back, obstacles_[other.to] - obstacles_[other.from]);
-      if (turn < leastTurn) {
-        leastTurn = turn;
-        best = &other;
-      }
+      if (!best || turnTo(other) < turnTo(*best)) best = &other;
     }
     return best;
   }
@@ -86,18 +98,19 @@ class RingTracer {
   /** A walk that comes by an obstacle twice is cut there. What encloses no area, a wall one
    *  obstacle thick that reaches into the room, is dropped, as the regularised alpha shape does. */
   template <class Add>
-  void splitAtTouches(const std::vector<std::uint32_t>& walk, const Add& add) {
-    std::vector<std::uint32_t> open;
+  void splitAtTouches(const Add& add) {
+    std::vector<std::uint32_t>& open = open_;
     const auto close = [&](std::size_t from) {
       Ring ring;
+      ring.reserve(open.size() - from);
       for (std::size_t i = from; i < open.size(); ++i) {
         ring.push_back(obstacles_[open[i]]);
         place_[open[i]] = kNone;
       }
       open.resize(from);
-      if (ring.size() > 2) add(ring);
+      if (ring.size() > 2) add(std::move(ring));
     };
-    for (const auto obstacle : walk) {
+    for (const auto obstacle : walk_) {
       if (place_[obstacle] != kNone) close(place_[obstacle]);
       place_[obstacle] = std::uint32_t(open.size());
       open.push_back(obstacle);
@@ -108,6 +121,8 @@ class RingTracer {
   const std::vector<Point>& obstacles_;
   std::vector<BoundaryEdge> boundary_;
   std::vector<std::uint32_t> firstFrom_;  // per obstacle into boundary_
+  std::vector<std::uint32_t> walk_;       // obstacles on the way round a piece
+  std::vector<std::uint32_t> open_;       // the ring that is not closed yet
   std::vector<std::uint32_t> place_;      // of an obstacle in the open ring
 };
 
@@ -124,14 +139,17 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
     room.inscribedRadius = vertex.clearance;
     room.widestPlace = vertex.at;
   }
-  RingTracer(voronoi, boundaryEdges(voronoi, regions))
-      .run([&](std::uint32_t room, const Ring& ring) {
-        Polygon& polygon = rooms[room].polygon;
-        if (signedArea(ring) > signedArea(polygon.outer))
-          polygon.outer = ring;
-        else
-          polygon.holes.push_back(ring);
-      });
+  std::vector<double> outerArea(regions.count);
+  RingTracer(voronoi, boundaryEdges(voronoi, regions)).run([&](std::uint32_t room, Ring ring) {
+    Polygon& polygon = rooms[room].polygon;
+    const double area = signedArea(ring);
+    if (area > outerArea[room]) {
+      outerArea[room] = area;
+      polygon.outer = std::move(ring);
+    } else {
+      polygon.holes.push_back(std::move(ring));
+    }
+  });
   return rooms;
 }
 

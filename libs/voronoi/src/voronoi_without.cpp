@@ -56,6 +56,8 @@ class HoleFiller {
 
   void keepTheRest() {
     newOf_.assign(graph_.vertices.size(), kNone);
+    result_.vertices.reserve(graph_.vertices.size());
+    result_.edges.reserve(graph_.edges.size());
     for (std::uint32_t v = 0; v < newOf_.size(); ++v) {
       if (goes_[v]) continue;
       newOf_[v] = std::uint32_t(result_.vertices.size());

@@ -13,6 +13,8 @@ class RoomIndex {
  public:
   using Opening = std::pair<Point, Point>;
 
+  /** For roomAt() alone: no openings. O(polygon points). */
+  explicit RoomIndex(const Rooms& rooms);
   /** A path that keeps `clearance` from all obstacles can only cross polygon edges at least twice
    *  as long, since their ends are obstacles: the openings of the room. O(polygon points). */
   RoomIndex(const Rooms& rooms, double clearance);
@@ -46,7 +48,8 @@ class RoomIndex {
   struct Rows {
     Box box;
     double rowHeight = 0;
-    std::vector<std::vector<Opening>> edges;
+    std::vector<std::uint32_t> first;  ///< of each row in edges, and one more
+    std::vector<Opening> edges;
 
     std::size_t rowOf(double y) const;
   };
