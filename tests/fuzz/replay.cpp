@@ -1,7 +1,8 @@
 // Runs a fuzz target without a fuzzer: on each file of the folders that are named, and then on
-// COUNT inputs by chance, random ones and changed files in turn; the same ones on each run. The one
-// that stops it is left in the file replay-input.
-//   replay COUNT FOLDER...
+// COUNT inputs by chance, random ones and changed files in turn; the same ones on each run, and
+// others with another SEED, so that runs add up. The one that stops it is left in the file
+// replay-input.
+//   replay [--seed SEED] COUNT FOLDER...
 #include <algorithm>
 #include <csignal>
 #include <cstdint>
@@ -77,16 +78,21 @@ std::string changed(std::string bytes, std::mt19937& random) {
 
 int main(int count, char** arguments) {
   for (const int signal : {SIGABRT, SIGSEGV, SIGFPE}) std::signal(signal, keepCurrent);
-  std::vector<std::string> seeds;
-  for (int i = 2; i < count; ++i)
-    for (std::string& bytes : filesIn(arguments[i])) seeds.push_back(std::move(bytes));
-  for (const std::string& seed : seeds) tryInput(seed);
+  std::vector<std::string> words(arguments + 1, arguments + count);
   std::mt19937 random(20160719);
-  const long inputs = count > 1 ? std::atol(arguments[1]) : 0;
-  for (long i = 0; i < inputs; ++i) {
-    const bool isNew = seeds.empty() || i % 4 == 0;
-    tryInput(isNew ? randomBytes(random) : changed(seeds[random() % seeds.size()], random));
+  if (words.size() > 1 && words[0] == "--seed") {
+    random.seed(static_cast<std::mt19937::result_type>(std::stoul(words[1])));
+    words.erase(words.begin(), words.begin() + 2);
   }
-  std::printf("%zu files and %ld inputs\n", seeds.size(), inputs);
+  const long inputs = words.empty() ? 0 : std::stol(words[0]);
+  std::vector<std::string> files;
+  for (std::size_t i = 1; i < words.size(); ++i)
+    for (std::string& bytes : filesIn(words[i])) files.push_back(std::move(bytes));
+  for (const std::string& file : files) tryInput(file);
+  for (long i = 0; i < inputs; ++i) {
+    const bool isNew = files.empty() || i % 4 == 0;
+    tryInput(isNew ? randomBytes(random) : changed(files[random() % files.size()], random));
+  }
+  std::printf("%zu files and %ld inputs\n", files.size(), inputs);
   return 0;
 }
