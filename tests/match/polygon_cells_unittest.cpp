@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+
+#include "RandomNumbers.h"
 
 namespace roomgraph {
 namespace {
@@ -49,6 +52,28 @@ TEST(CellsIn, endAtTheFrame) {
   const Polygon large{{{-9, -9}, {99, -9}, {99, 99}, {-9, 99}}, {}};
   EXPECT_EQ(cellsIn(large, kFrame).size(), kFrame.cellCount());
   EXPECT_TRUE(cellsIn({}, kFrame).empty());
+}
+
+TEST(CellsIn, areThoseWhoseCentresLieInside) {
+  test::RandomNumbers random(5);
+  const GridFrame frame{60, 40, 0.25, {-7, -5}};
+  for (int i = 0; i < 20; ++i) {
+    Polygon star;  // ragged, and in places beyond the frame
+    const Point middle = random.place(4);
+    for (int k = 0; k < 200; ++k) {
+      const double angle = 2 * M_PI * k / 200, far = random.between(1, 7);
+      star.outer.push_back(middle + far * Point{std::cos(angle), std::sin(angle)});
+    }
+    std::size_t next = 0;
+    const std::vector<Cell> cells = cellsIn(star, frame);
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x) {
+        const bool isNext = next < cells.size() && cells[next].x == x && cells[next].y == y;
+        EXPECT_EQ(sideOf(star, frame.center({x, y})) == Side::inside, isNext) << x << " " << y;
+        next += isNext ? 1 : 0;
+      }
+    EXPECT_EQ(next, cells.size());
+  }
 }
 
 }  // namespace

@@ -2,23 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace roomgraph {
 namespace {
 
-/** Where row `y` of the cell centres enters and leaves the polygon. */
-std::vector<double> crossings(const Polygon& polygon, double y) {
-  std::vector<double> xs;
-  const auto addRing = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-      if ((a.y <= y) != (b.y <= y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+/** Where rows of cell centres enter and leave the polygon, by row and then by x. Each edge is asked
+ *  for its own rows only: a long corridor has as many points as rows. */
+std::vector<std::pair<int, double>> crossings(const Polygon& polygon, const GridFrame& frame) {
+  std::vector<std::pair<int, double>> found;  // row, x
+  const auto addEdge = [&](Point a, Point b) {
+    const int low = std::max(0, frame.cellAt({a.x, std::min(a.y, b.y)}).y);
+    const int high = std::min(frame.height - 1, frame.cellAt({a.x, std::max(a.y, b.y)}).y);
+    for (int row = low; row <= high; ++row) {
+      const double y = frame.center({0, row}).y;
+      if ((a.y <= y) != (b.y <= y))
+        found.push_back({row, a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)});
     }
+  };
+  const auto addRing = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      addEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
   };
   addRing(polygon.outer);
   for (const Ring& hole : polygon.holes) addRing(hole);
-  std::sort(xs.begin(), xs.end());
-  return xs;
+  std::sort(found.begin(), found.end());
+  return found;
 }
 
 }  // namespace
@@ -26,18 +35,14 @@ std::vector<double> crossings(const Polygon& polygon, double y) {
 std::vector<Cell> cellsIn(const Polygon& polygon, const GridFrame& frame) {
   std::vector<Cell> cells;
   if (polygon.outer.empty()) return cells;
-  const Box box = boundingBox(polygon.outer);
-  const int low = std::max(0, frame.cellAt(box.low).y);
-  const int high = std::min(frame.height - 1, frame.cellAt(box.high).y);
   const auto column = [&](double x) {  // the first whose centre is not left of x
     const double c = std::ceil((x - frame.origin.x) / frame.resolution - 0.5);
     return int(std::clamp(c, 0.0, double(frame.width)));
   };
-  for (int y = low; y <= high; ++y) {
-    const std::vector<double> xs = crossings(polygon, frame.center({0, y}).y);
-    for (std::size_t k = 0; k + 1 < xs.size(); k += 2)
-      for (int x = column(xs[k]); x < column(xs[k + 1]); ++x) cells.push_back({x, y});
-  }
+  const std::vector<std::pair<int, double>> sides = crossings(polygon, frame);
+  for (std::size_t k = 0; k + 1 < sides.size(); k += 2)  // each row is entered as often as left
+    for (int x = column(sides[k].second); x < column(sides[k + 1].second); ++x)
+      cells.push_back({x, sides[k].first});
   return cells;
 }
 

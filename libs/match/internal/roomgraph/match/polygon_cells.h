@@ -6,8 +6,8 @@
 
 namespace roomgraph {
 
-/** The cells of `frame` whose centre lies in the polygon, by row, then column. O(rows * corners).
- */
+/** The cells of `frame` whose centre lies in the polygon, by row, then column.
+ *  O(cells + corners log corners), where edges are no longer than a few rows. */
 std::vector<Cell> cellsIn(const Polygon& polygon, const GridFrame& frame);
 
 }  // namespace roomgraph
