@@ -199,6 +199,9 @@ std::string runLayer(const std::string& run) { return "run " + run; }
 std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
   std::vector<RunWalls> walls;
   for (const Run& run : runs) walls.push_back({run.name, wallCells(run.map)});
+  // The maps of a comparison that is drawn anew may come in any order.
+  std::sort(walls.begin(), walls.end(),
+            [](const RunWalls& l, const RunWalls& r) { return l.run < r.run; });
   return walls;
 }
 

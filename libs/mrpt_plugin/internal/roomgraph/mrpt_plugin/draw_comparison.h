@@ -10,7 +10,7 @@ namespace roomgraph {
 /** The name of the set with the walls of a run: no other set has it, whatever the run is named. */
 std::string runLayer(const std::string& run);
 
-/** The walls of each run. */
+/** The walls of each run, by name. */
 std::vector<RunWalls> runWalls(const std::vector<Run>& runs);
 
 /** The runs laid on each other, in the frame of the site [m], in one set of objects named
