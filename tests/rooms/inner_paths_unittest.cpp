@@ -40,6 +40,15 @@ TEST(InnerPaths, doNotStartInADoorEvenWhereThereIsNoOtherPoint) {
   }
 }
 
+TEST(InnerPaths, startAtNoPointThatOnlyRoundingPartsFromADoor) {
+  const TopologyGraph graph(
+      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
+      {{VertexId(0), VertexId(1), straight({{0, 0}, {1e-9, 0}, {8 - 1e-9, 0}, {8, 0}}),
+        RoomId(0)}});
+  const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0), VertexId(1)}, {0, 0}, 0.5);
+  EXPECT_EQ(inner.center, (Point{4, 0}));
+}
+
 TEST(InnerPaths, takeTheShortestWay) {
   // From (0, 0) to (8, 0) straight on, or round by (4, 9).
   const TopologyGraph graph(

@@ -9,6 +9,9 @@
 namespace roomgraph {
 namespace {
 
+/** Far from the origin, points of a path that follow each other may differ by rounding only [m]. */
+constexpr double kSamePlace = 1e-6;
+
 /** A place on a path. */
 struct PlaceOnPath {
   EdgeId edge;
@@ -31,8 +34,9 @@ PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& 
       // The end by the path's own length, which may be rounded otherwise than this sum.
       const double here = i + 1 < points.size() ? along : graph.edge(e).path.length;
       const double clearance = distance(points[i], obstacles[i > 0 ? i - 1 : 0]);
-      const bool isRoomEnd = (i == 0 && isBorder(graph.edge(e).source)) ||
-                             (i + 1 == points.size() && isBorder(graph.edge(e).target));
+      const double left = graph.edge(e).path.length - here;
+      const bool isRoomEnd = (here < kSamePlace && isBorder(graph.edge(e).source)) ||
+                             (left < kSamePlace && isBorder(graph.edge(e).target));
       if (isRoomEnd) continue;
       if (clearance >= minClearance && distance(points[i], p) < best.offset)
         best = {e, here, distance(points[i], p)};
