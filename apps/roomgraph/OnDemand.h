@@ -9,14 +9,13 @@
 namespace roomgraph {
 
 // Starting with MRPT's scenes, observations and maps, which bring OpenCV and 150 libraries more,
-// takes longer than most commands, and so do the solvers of Ceres. What needs them is linked to two
+// takes longer than most commands, and so do the solvers of Ceres. What needs them is linked to
 // libraries of their own, which the first call of any of these functions loads. In the program
 // itself, on_demand.cpp has functions of the same names that pass the call on.
 
 struct WithMrpt {
   decltype(&roomgraph::gridOfScans) gridOfScans;
   decltype(&roomgraph::readKeyframes) readKeyframes;
-  decltype(&roomgraph::readRunInfo) readRunInfo;
   decltype(&roomgraph::gridmapBytes) gridmapBytes;
   decltype(&roomgraph::graphSceneFile) graphSceneFile;
   decltype(&roomgraph::graphObjectFile) graphObjectFile;
@@ -24,6 +23,11 @@ struct WithMrpt {
   decltype(&roomgraph::comparisonObjectFile) comparisonObjectFile;
   decltype(&roomgraph::addBreakFiles) addBreakFiles;
   decltype(&roomgraph::scanLog) scanLog;
+};
+
+/** Of MRPT, these need no more than its poses, which are loaded in no time. */
+struct WithPoses {
+  decltype(&roomgraph::readRunInfo) readRunInfo;
 };
 
 struct WithCeres {

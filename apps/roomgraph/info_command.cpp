@@ -30,6 +30,7 @@ namespace {
 struct InfoArguments {
   std::vector<std::string> files;
   OptionArguments options;
+  bool buildsGrid = false;
 };
 
 /** The first bytes of a file, unpacked. */
@@ -40,29 +41,34 @@ std::string firstBytes(const std::string& file) {
   return {reinterpret_cast<const char*>(head.data), std::min(head.size, kEnough)};
 }
 
-std::string mapText(const std::string& file, const ExtractOptions& options) {
-  const GreyMap map = loadGrid(file, options.loadGrid);
+std::string gridText(const GreyMap& map, const ExtractOptions& options) {
   const GridFrame& frame = map.frame;
   std::array<std::size_t, 3> counts{};
   for (const State state : binarize(map, options.binarize).cells) ++counts[std::size_t(state)];
   const double cells = frame.cellCount() > 0 ? double(frame.cellCount()) : 1;
   const auto share = [&](State state) { return 100 * double(counts[std::size_t(state)]) / cells; };
   std::string text = formatted(
-      "kind        %s\nsize        %d x %d cells, %g x %g m\nresolution  %g m\n"
+      "size        %d x %d cells, %g x %g m\nresolution  %g m\n"
       "origin      (%g, %g) m\ncells       %.1f %% free, %.1f %% occupied, "
       "%.1f %% unknown\n",
-      map.source.kind.c_str(), frame.width, frame.height, frame.width * frame.resolution,
-      frame.height * frame.resolution, frame.resolution, frame.origin.x, frame.origin.y,
-      share(State::free), share(State::occupied), share(State::unknown));
-  text += "sha256      " + map.source.sha256 + "\n";
+      frame.width, frame.height, frame.width * frame.resolution, frame.height * frame.resolution,
+      frame.resolution, frame.origin.x, frame.origin.y, share(State::free), share(State::occupied),
+      share(State::unknown));
   if (!map.source.insertion.empty()) text += "insertion   " + map.source.insertion + "\n";
   for (const Note& note : map.notes) text += "note        " + note.text + "\n";
   return text;
 }
 
+std::string mapText(const std::string& file, const ExtractOptions& options) {
+  const GreyMap map = loadGrid(file, options.loadGrid);
+  return "kind        " + map.source.kind + "\nsha256      " + map.source.sha256 + "\n" +
+         gridText(map, options);
+}
+
 std::string runText(const RunInfo& info) {
-  std::string text = formatted("key frames  %zu, %zu of them without scans\npath        %.1f m\n",
-                               info.keyframes, info.keyframesWithoutScans, info.pathLength);
+  std::string text = "kind        simplemap\nsha256      " + info.sha256 + "\n";
+  text += formatted("key frames  %zu, %zu of them without scans\npath        %.1f m\n",
+                    info.keyframes, info.keyframesWithoutScans, info.pathLength);
   if (info.start)
     text += formatted("duration    %.1f s, from %.3f s after 1970 (UTC)\n", *info.end - *info.start,
                       *info.start);
@@ -95,9 +101,11 @@ int run(const InfoArguments& arguments) {
   return doEach(arguments.files, [&](const std::string& file) {
     std::string heading = &file == &arguments.files.front() ? "" : "\n";
     heading += printable(file) + ":\n";
+    const auto info = loadRunInfo(file);
+    if (!info) return print(heading + infoText(file, options));
     // What is known of a run is worth telling even where no grid can be built from it.
-    if (const auto info = loadRunInfo(file)) print(std::exchange(heading, {}) + runText(*info));
-    print(heading + infoText(file, options));
+    print(heading + runText(*info));
+    if (arguments.buildsGrid) print(gridText(loadGrid(file, options.loadGrid), options));
   });
 }
 
@@ -111,6 +119,8 @@ std::function<int()> infoCommand(CLI::App& app) {
          "comparison.roomgraph.")
       ->type_name("")
       ->required();
+  app.add_flag("--grid", arguments->buildsGrid,
+               "Also build the grid of each simplemap, and tell what it holds.");
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };

@@ -31,6 +31,11 @@ const WithMrpt& withMrpt() {
   return functions;
 }
 
+const WithPoses& withPoses() {
+  static const WithPoses& functions = load<WithPoses>(ROOMGRAPH_WITH_POSES);
+  return functions;
+}
+
 const WithCeres& withCeres() {
   static const WithCeres& functions = load<WithCeres>(ROOMGRAPH_WITH_CERES);
   return functions;
@@ -49,7 +54,7 @@ std::vector<Keyframe> readKeyframes(CheckedFile& file, const LoadGridOptions& op
   return withMrpt().readKeyframes(file, options);
 }
 
-RunInfo readRunInfo(CheckedFile& file) { return withMrpt().readRunInfo(file); }
+RunInfo readRunInfo(CheckedFile& file) { return withPoses().readRunInfo(file); }
 
 PoseGraphSolution solvePoseGraph(const PoseGraph& graph, SubmapPoses start, StartIs startIs) {
   return withCeres().solvePoseGraph(graph, std::move(start), startIs);

@@ -5,7 +5,7 @@ namespace roomgraph {
 extern "C" __attribute__((visibility("default"))) const OnDemandLibrary<WithMrpt>
     roomgraph_on_demand = {
         ROOMGRAPH_VERSION,
-        {gridOfScans, readKeyframes, readRunInfo, gridmapBytes, graphSceneFile, graphObjectFile,
+        {gridOfScans, readKeyframes, gridmapBytes, graphSceneFile, graphObjectFile,
          comparisonSceneFile, comparisonObjectFile, addBreakFiles, scanLog}};
 
 }  // namespace roomgraph

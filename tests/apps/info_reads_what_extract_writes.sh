@@ -13,6 +13,11 @@ tail -n +2 out > object.info
 cmp graph.info object.info
 
 maps=$source_dir/share/roomgraph/maps
+expect 0 "$roomgraph" info "$maps/office_run1.simplemap.gz"
+grep -q 'key frames  120' out && grep -q 'sha256' out || fail "nothing of the run"
+! grep -q 'cells' out || fail "a grid is told that nobody asked for"
+expect 0 "$roomgraph" info --grid "$maps/office_run1.simplemap.gz"
+grep -q '646 x 444 cells' out || fail "no grid"
 expect 0 "$roomgraph" compare "$maps"/office_run[12].simplemap.gz -o compared -q
 expect 0 "$roomgraph" info compared/comparison.json
 tail -n +2 out > json.info

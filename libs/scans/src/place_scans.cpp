@@ -3,6 +3,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
 #include "external_file.h"
+#include "velodyne_points.h"
 
 namespace roomgraph {
 namespace {
@@ -14,9 +15,34 @@ struct Contents {
   Voxels voxels;            ///< of all clouds, by height above the robot
 };
 
-bool isHorizontal(const mrpt::obs::CObservation2DRangeScan& scan) {
+bool isHorizontal(const RangeScan& scan) {
   using Options = mrpt::maps::COccupancyGridMap2D::TInsertionOptions;
-  return scan.isPlanarScan(double(Options().horizontalTolerance));
+  return scan.sensor.isHorizontal(double(Options().horizontalTolerance));
+}
+
+mrpt::obs::CObservation2DRangeScan mrptScan(const RangeScan& from) {
+  mrpt::obs::CObservation2DRangeScan scan;
+  scan.sensorPose = from.sensor;
+  scan.sensorLabel = from.label;
+  scan.timestamp = from.time;
+  scan.aperture = from.aperture;
+  scan.maxRange = from.maxRange;
+  scan.rightToLeft = from.rightToLeft;
+  scan.resizeScan(from.ranges.size());
+  for (std::size_t i = 0; i < from.ranges.size(); ++i) {
+    scan.setScanRange(i, from.ranges[i]);
+    scan.setScanRangeValidity(i, from.isValid[i] != 0);
+  }
+  return scan;
+}
+
+/** Calls `use` with the cloud and its points, even where these still are packets. */
+template <class Use>
+void withPoints(const PointCloud& cloud, const Use& use) {
+  if (!cloud.packets) return use(cloud);
+  PointCloud unpacked = cloud;
+  unpacked.points = velodynePoints(*cloud.packets);
+  use(unpacked);
 }
 
 void addCloud(const PointCloud& cloud, const mrpt::poses::CPose3D& robot, Contents& contents) {
@@ -36,7 +62,8 @@ Contents contentsOf(const ByteReader& in) {
     contents.observations += entry.observations.size();
     contents.scans += entry.scans.size();
     for (const auto& scan : entry.scans) contents.horizontal += isHorizontal(scan);
-    for (const PointCloud& cloud : entry.clouds) addCloud(cloud, entry.robot, contents);
+    for (const PointCloud& packed : entry.clouds)
+      withPoints(packed, [&](const PointCloud& cloud) { addCloud(cloud, entry.robot, contents); });
   });
   return contents;
 }
@@ -82,12 +109,17 @@ ScanSource findScans(const ByteReader& in, const LoadGridOptions& options) {
 void placeScans(const ByteReader& in, const ScanSource& source, const ScanVisitor& visit) {
   readEntries(in, [&](const SimplemapEntry& entry) {
     if (source.slice) {
-      for (const PointCloud& cloud : entry.clouds)
-        if (!cloud.points.empty()) visit(entry, sliceScan(cloud, entry.robot, *source.slice));
+      for (const PointCloud& packed : entry.clouds)
+        withPoints(packed, [&](const PointCloud& cloud) {
+          if (!cloud.points.empty()) visit(entry, sliceScan(cloud, entry.robot, *source.slice));
+        });
       return;
     }
-    for (const auto& scan : entry.scans)
-      if (isHorizontal(scan)) visit(entry, {entry.robot, scan, rangesId(scan)});
+    for (const RangeScan& read : entry.scans) {
+      if (!isHorizontal(read)) continue;
+      const mrpt::obs::CObservation2DRangeScan scan = mrptScan(read);
+      visit(entry, {entry.robot, scan, rangesId(scan)});
+    }
   });
 }
 

@@ -65,7 +65,7 @@ void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int map
   kind.className = header.className, kind.version = header.version;
   if (header.className == "CObservation2DRangeScan") {
     readScan(in, header, entry.scans.emplace_back());
-    kind.label = entry.scans.back().sensorLabel;
+    kind.label = entry.scans.back().label;
     return;
   }
   if (isCloudClass(header.className)) {

@@ -28,6 +28,7 @@ RunInfo readRunInfo(CheckedFile& file) {
   RunInfo info;
   info.compression = file.compression();
   ByteReader in(file.content(), file.name());
+  info.sha256 = file.sha256();
   info.version = readObjectHeader(in).version;
   std::optional<mrpt::poses::CPose3D> before;
   readEntries(ByteReader(file.content(), file.name()), [&](const SimplemapEntry& entry) {
@@ -35,7 +36,7 @@ RunInfo readRunInfo(CheckedFile& file) {
     info.keyframesWithoutScans += entry.scans.empty() && entry.clouds.empty();
     if (before) info.pathLength += before->distanceTo(entry.robot);
     before = entry.robot;
-    for (const auto& scan : entry.scans) addTime(scan.timestamp, info);
+    for (const auto& scan : entry.scans) addTime(scan.time, info);
     for (const PointCloud& cloud : entry.clouds) addTime(cloud.time, info);
     for (const ObservationKind& kind : entry.observations) ++info.sensors[sensorName(kind)];
   });

@@ -10,7 +10,8 @@ namespace roomgraph {
 
 /** What a simplemap tells of the run that made it. */
 struct RunInfo {
-  int version = 0;  ///< of CSimpleMap
+  std::string sha256;  ///< of the file
+  int version = 0;     ///< of CSimpleMap
   Compression compression = Compression::none;
   std::size_t keyframes = 0, keyframesWithoutScans = 0;
   double pathLength = 0;             ///< from pose to pose [m]

@@ -1,5 +1,4 @@
 #pragma once
-#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3D.h>
 
@@ -7,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/scans/RangeScan.h"
 #include "roomgraph/scans/read_cloud.h"
 
 namespace roomgraph {
@@ -22,7 +22,7 @@ struct ObservationKind {
 struct SimplemapEntry {
   mrpt::poses::CPose3D robot;
   std::size_t number = 0;  ///< from 0, in the order of the file
-  std::vector<mrpt::obs::CObservation2DRangeScan> scans;
+  std::vector<RangeScan> scans;
   std::vector<PointCloud> clouds;
   std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
   std::vector<ObservationKind> observations;     ///< of all classes

@@ -1,6 +1,5 @@
 #pragma once
-#include <mrpt/obs/CObservation2DRangeScan.h>
-
+#include "roomgraph/scans/RangeScan.h"
 #include "roomgraph/scans/mrpt_object.h"
 
 namespace roomgraph {
@@ -8,7 +7,7 @@ namespace roomgraph {
 /** Reads what follows the header of a CObservation2DRangeScan, versions 0 to 8, its end included.
  *  Ranges that are no length (NaN, negative) become invalid ones. Throws DataError where anything
  *  contradicts the format or a number is absurd. */
-void readScan(ByteReader& in, const ObjectHeader& header, mrpt::obs::CObservation2DRangeScan& scan);
+void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan);
 
 /** Reads the pose that follows the header of a CObservationOdometry, versions 0 to 2, and leaves
  *  the rest. */

@@ -1,0 +1,8 @@
+#include "OnDemand.h"
+
+namespace roomgraph {
+
+extern "C" __attribute__((visibility("default"))) const OnDemandLibrary<WithPoses>
+    roomgraph_on_demand = {ROOMGRAPH_VERSION, {readRunInfo}};
+
+}  // namespace roomgraph
