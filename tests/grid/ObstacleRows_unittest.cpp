@@ -34,6 +34,11 @@ TEST(ObstacleRows, findTheNearestCellAsBruteForceDoes) {
   }
 }
 
+TEST(ObstacleRows, mayBeAskedFarBeyondTheMap) {
+  const ObstacleCells obstacles{{5, 5, 0.1, {}}, {{0, 0}}};
+  EXPECT_NEAR(ObstacleRows(obstacles).clearance({0.45, 0.05}, {0.45, 0.05}, 100), 0.4, 1e-9);
+}
+
 TEST(ObstacleRows, withoutSitesGiveTheLimit) {
   const ObstacleCells obstacles{{5, 5, 0.1, {}}, {}};
   EXPECT_EQ(ObstacleRows(obstacles).clearance({0.1, 0.1}, {0.4, 0.3}, 2.5), 2.5);

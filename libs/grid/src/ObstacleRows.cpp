@@ -21,7 +21,7 @@ double ObstacleRows::clearance(Point a, Point b, double limit) const {
   const Cell low = frame.cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
   const Cell high = frame.cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
   double nearest = limit;
-  for (std::ptrdiff_t y = low.y; y <= high.y; ++y) {
+  for (std::ptrdiff_t y = std::max(low.y, -1); y <= std::min(high.y, frame.height); ++y) {
     const auto rowEnd = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
     auto it = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
     it = std::lower_bound(it, rowEnd, low.x, [](Cell cell, int x) { return cell.x < x; });

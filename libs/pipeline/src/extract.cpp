@@ -1,6 +1,7 @@
 #include "roomgraph/pipeline/extract.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "StepTimer.h"
@@ -9,8 +10,10 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
+#include "roomgraph/rooms/RoomIndex.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
+#include "roomgraph/topology/pass_clutter.h"
 #include "roomgraph/topology/topology_graph.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
 #include "roomgraph/voronoi/voronoi_without.h"
@@ -142,6 +145,19 @@ void addNotes(Stages& s) {
     note("no_room", "the map has no room, only corridors");
 }
 
+/** Tells whether a place is in a room. */
+std::function<bool(Point)> roomsAround(const Stages& s) {
+  if (s.rooms.empty()) return [](Point) { return false; };
+  return [index = RoomIndex(s.rooms, 0)](Point at) { return bool(index.roomAt(at)); };
+}
+
+ObstacleCells withoutClutter(const Stages& s) {
+  ObstacleCells walls{s.obstacles.frame, {}};
+  for (std::size_t i = 0; i < s.obstacles.cells.size(); ++i)
+    if (!s.cleared.isClutter[i]) walls.cells.push_back(s.obstacles.cells[i]);
+  return walls;
+}
+
 /** All that comes behind the Voronoi diagram. */
 void readDiagram(Stages& s, const StepTimer& timed) {
   const ExtractOptions& options = s.options;
@@ -157,8 +173,13 @@ void readDiagram(Stages& s, const StepTimer& timed) {
 
   // III-A: the topology graph
   s.clearEdges = timed("keep_clear", keepClear, s.voronoi, s.isInside, s.clearance);
+  s.clearEdges = timed("pass_clutter", passClutter, s.voronoi, std::move(s.clearEdges),
+                       s.cleared.isClutter, roomsAround(s));
   s.topology = timed("topology_graph", topologyGraph, s.voronoi, s.clearEdges);
-  s.pruned = timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution);
+  const ObstacleCells walls = withoutClutter(s);
+  const ObstacleRows wallRows(walls);
+  s.pruned =
+      timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution, &wallRows);
   s.joinedUp = timed("join_vertices", joinVertices, s.pruned, options.joinVertices, resolution);
   s.largest = timed("keep_largest", keepLargest, s.joinedUp, options.keepLargest, s.notes);
 
