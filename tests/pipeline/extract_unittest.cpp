@@ -189,10 +189,10 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   std::vector<std::string> names;
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
-      "binarize",        "thin_obstacles",  "obstacle_cells",  "voronoi_graph",  "keep_inside",
-      "clear_clutter",   "voronoi_without", "keep_inside",     "find_rooms",     "region_outlines",
-      "drop_half_seen",  "keep_clear",      "pass_clutter",    "topology_graph", "dead_ends",
-      "join_vertices",   "keep_largest",    "border_vertices", "cut_paths",      "room_ids",
+      "binarize",        "thin_obstacles",  "obstacle_cells",  "voronoi_graph", "keep_inside",
+      "clear_clutter",   "voronoi_without", "keep_inside",     "find_rooms",    "region_outlines",
+      "drop_half_seen",  "keep_clear",      "topology_graph",  "dead_ends",     "pass_clutter",
+      "join_vertices",   "keep_largest",    "border_vertices", "cut_paths",     "room_ids",
       "short_dead_ends", "join_doors",      "room_graph",      "area_graph"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());

@@ -38,6 +38,15 @@ TEST(RemoveDeadEnds, measuresTheReachBeyondTheJunctionsDisc) {
   EXPECT_EQ(removeDeadEnds(star({0.6, 3, 4}), options, 0.1).edges().size(), 3u);
 }
 
+TEST(RemoveDeadEnds, whatEndsBetweenChairsLiesInTheirHall) {
+  // The junction at the origin has a clearance of 1 m from chairs, and of 3.5 m from walls.
+  const ObstacleCells walls{{100, 100, 0.1, {-5.05, -5.05}}, {{15, 50}}};
+  const ObstacleRows rows(walls);
+  EXPECT_EQ(removeDeadEnds(star({3, 9, 9}), {}, 0.1).edges().size(), 3u);
+  EXPECT_EQ(removeEndsAmongClutter(star({3, 9, 9}), {}, rows).edges().size(), 1u);
+  EXPECT_EQ(removeEndsAmongClutter(star({5, 9, 9}), {}, rows).edges().size(), 3u);
+}
+
 TEST(RemoveDeadEnds, neverRemovesAWholeComponent) {
   const TopologyGraph kept = removeDeadEnds(star({0.1, 0.1, 0.1}), {}, 0.1);
   EXPECT_EQ(kept.vertices().size(), 1u);

@@ -1,7 +1,6 @@
 #include "roomgraph/pipeline/extract.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "StepTimer.h"
@@ -145,17 +144,19 @@ void addNotes(Stages& s) {
     note("no_room", "the map has no room, only corridors");
 }
 
-/** Tells whether a place is in a room. */
-std::function<bool(Point)> roomsAround(const Stages& s) {
-  if (s.rooms.empty()) return [](Point) { return false; };
-  return [index = RoomIndex(s.rooms, 0)](Point at) { return bool(index.roomAt(at)); };
-}
-
-ObstacleCells withoutClutter(const Stages& s) {
+/** Paths pass clutter on one side. */
+TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
+  if (s.cleared.clutter.empty()) return graph;
+  const auto isClutter = [&](Point obstacle) {
+    return s.cleared.grid.atOrUnknown(s.grid.frame.cellAt(obstacle)) == State::free;
+  };
+  const RoomIndex rooms(s.rooms);
+  const auto isInRoom = [&](Point at) { return bool(rooms.roomAt(at)); };
   ObstacleCells walls{s.obstacles.frame, {}};
   for (std::size_t i = 0; i < s.obstacles.cells.size(); ++i)
     if (!s.cleared.isClutter[i]) walls.cells.push_back(s.obstacles.cells[i]);
-  return walls;
+  return passClutter(std::move(graph), isClutter, isInRoom, ObstacleRows(walls),
+                     s.options.deadEnds);
 }
 
 /** All that comes behind the Voronoi diagram. */
@@ -173,13 +174,9 @@ void readDiagram(Stages& s, const StepTimer& timed) {
 
   // III-A: the topology graph
   s.clearEdges = timed("keep_clear", keepClear, s.voronoi, s.isInside, s.clearance);
-  s.clearEdges = timed("pass_clutter", passClutter, s.voronoi, std::move(s.clearEdges),
-                       s.cleared.isClutter, roomsAround(s));
   s.topology = timed("topology_graph", topologyGraph, s.voronoi, s.clearEdges);
-  const ObstacleCells walls = withoutClutter(s);
-  const ObstacleRows wallRows(walls);
-  s.pruned =
-      timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution, &wallRows);
+  s.pruned = timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution);
+  s.pruned = timed("pass_clutter", passedClutter, std::move(s.pruned), s);
   s.joinedUp = timed("join_vertices", joinVertices, s.pruned, options.joinVertices, resolution);
   s.largest = timed("keep_largest", keepLargest, s.joinedUp, options.keepLargest, s.notes);
 

@@ -29,6 +29,11 @@ bool removeLayer(TopologyGraph& graph, const IsShort& isShort) {
   return isAny;
 }
 
+/** Whether what lies so far along a path [m] is hardly beyond the disc of a clearance. */
+bool isWithin(double clearance, double farthest, const DeadEndsOptions& options) {
+  return farthest - clearance < std::max(options.minReach, options.minReachRatio * clearance);
+}
+
 }  // namespace
 
 void describe(DeadEndsOptions& options, FieldTable& table) {
@@ -55,8 +60,19 @@ TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options
     return graph;
   }
   const IsShort isShort = [&](const Vertex& tip, const Vertex& base, const Path& path) {
-    const double reach = path.length + tip.clearance - base.clearance;
-    return reach < std::max(options.minReach, options.minReachRatio * base.clearance);
+    return isWithin(base.clearance, path.length + tip.clearance, options);
+  };
+  while (removeLayer(graph, isShort)) {
+  }
+  return graph;
+}
+
+TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions& options,
+                                     const ObstacleRows& walls) {
+  const IsShort isShort = [&](const Vertex& tip, const Vertex& base, const Path& path) {
+    const double farthest = path.length + tip.clearance;
+    return isWithin(base.clearance, farthest, options) ||
+           isWithin(walls.clearance(base.at, base.at, farthest), farthest, options);
   };
   while (removeLayer(graph, isShort)) {
   }

@@ -1,10 +1,10 @@
 #include "roomgraph/topology/pass_clutter.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
+#include <vector>
 
 #include "roomgraph/base/UnionFind.h"
 
@@ -15,175 +15,154 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 /** Widths and lengths that differ by less than this share are equal: rounding must not decide. */
 constexpr double kSame = 1e-9;
 
-/** Where one gets through between two blocks: kept edges that follow each other, without a
- *  branch. */
-struct Passage {
-  std::uint32_t left, right;  ///< an obstacle of either block
-  std::uint32_t number;       ///< of all passages
-  double width;               ///< half of it [m]
-  double length;              ///< of all edges [m]
-};
-
-/** Whether nobody misses `a` as much as `b`: it is narrower, or as narrow and longer. */
-bool isWorse(const Passage& a, const Passage& b) {
-  if (a.width < b.width * (1 - kSame)) return true;
-  return a.width < b.width * (1 + kSame) && a.length > b.length * (1 + kSame);
+/** Whether `a` is missed less than `b`: it is narrower, or as narrow and shorter, as the ways
+ *  between the chairs of a row are. */
+bool isWorse(const Path& a, const Path& b) {
+  if (a.minClearance < b.minClearance * (1 - kSame)) return true;
+  return a.minClearance < b.minClearance * (1 + kSame) && a.length < b.length * (1 - kSame);
 }
 
-/** Works on blocks: obstacles with no kept edge between them. They are the faces of the kept
- *  edges; one that is clutter has a ring of passages round it. */
+/** The obstacle to the left of a segment of a path in the path's direction, or to its right. Of the
+ *  two, which mirror each other, the path knows either. */
+Point obstacleBeside(const Path& path, std::size_t segment, bool onLeft) {
+  const Point a = path.points[segment], along = path.points[segment + 1] - a;
+  const Point known = path.obstacles[segment];
+  const double side = cross(along, known - a);
+  if ((side > 0) == onLeft) return known;
+  return known + (2 * side / squaredNorm(along)) * Point{along.y, -along.x};
+}
+
+/** The faces of the graph: what the half edges have to their left. */
+struct Faces {
+  std::vector<std::uint32_t> of;       ///< per half edge
+  std::vector<std::uint8_t> isPassed;  ///< per face: there is but clutter in it
+};
+
+/** For each half edge the next one round the face to its left. */
+std::vector<HalfEdgeId> roundFaces(const TopologyGraph& graph) {
+  const auto bearing = [&](HalfEdgeId h) {
+    const Polyline& points = graph.edge(h).path.points;
+    const Point out = TopologyGraph::runsAsPath(h) ? points[1] - points[0]
+                                                   : points[points.size() - 2] - points.back();
+    return std::atan2(out.y, out.x);
+  };
+  std::vector<HalfEdgeId> next(2 * graph.edges().size());
+  std::vector<std::pair<double, HalfEdgeId>> out;
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
+    out.clear();
+    for (const HalfEdgeId h : graph.outgoing(VertexId(v))) out.push_back({bearing(h), h});
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.first, a.second.index()) < std::pair(b.first, b.second.index());
+    });
+    for (std::size_t i = 0; i < out.size(); ++i)
+      next[TopologyGraph::twin(out[(i + 1) % out.size()].second).index()] = out[i].second;
+  }
+  return next;
+}
+
+/** One round of removals. */
 class ClutterPasser {
  public:
-  ClutterPasser(const VoronoiGraph& voronoi, const EdgeIndices& kept,
-                const std::vector<std::uint8_t>& isClutter)
-      : voronoi_(voronoi),
-        kept_(kept),
-        isKept_(voronoi.edges.size()),
-        blocks_(voronoi.obstacles.size()),
-        stays_(voronoi.obstacles.size()) {
-    for (const std::uint32_t e : kept) isKept_[e] = 1;
-    for (std::size_t e = 0; e < isKept_.size(); ++e)
-      if (!isKept_[e]) blocks_.join(voronoi.edges[e].left, voronoi.edges[e].right);
-    for (std::uint32_t i = 0; i < stays_.size(); ++i)
-      if (!isClutter[i]) stays_[blocks_.find(i)] = 1;
-  }
+  ClutterPasser(const TopologyGraph& graph, const PlaceTest& isClutter, const PlaceTest& isInRoom)
+      : graph_(graph), faces_(facesOf(graph, isClutter, isInRoom)) {}
 
-  EdgeIndices run(const std::function<bool(Point)>& isInRoom) {
-    const EdgeIndices edges = besideClutter(isInRoom);
-    const std::vector<std::uint32_t> passageOf = findPassages(edges);
-    isClosed_.assign(passages_.size(), 0);
-    while (closeWorst()) {
+  /** Which edges stay. Worst edges join pieces of clutter to groups. All those of a group go if
+   *  they are no more than its pieces less one, or one more if it also joins what is no clutter. */
+  std::vector<bool> keptEdges() const {
+    const std::vector<EdgeId> worst = worstEdges();
+    UnionFind groups(faces_.isPassed.size());
+    for (const EdgeId e : worst)
+      if (isPassed(left(e)) && isPassed(right(e))) groups.join(left(e), right(e));
+    std::vector<int> spare(faces_.isPassed.size(), -1);
+    std::vector<std::uint8_t> isAtWall(spare.size());
+    for (std::uint32_t face = 0; face < spare.size(); ++face) ++spare[groups.find(face)];
+    for (const EdgeId e : worst) {
+      const std::uint32_t group = groups.find(isPassed(left(e)) ? left(e) : right(e));
+      --spare[group];
+      if (!isPassed(left(e)) || !isPassed(right(e))) isAtWall[group] = 1;
     }
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (isClosed_[passageOf[i]]) isKept_[edges[i]] = 0;
-    EdgeIndices left;
-    for (const std::uint32_t e : kept_)
-      if (isKept_[e]) left.push_back(e);
-    return left;
+    std::vector<bool> isKept(graph_.edges().size(), true);
+    for (const EdgeId e : worst) {
+      const std::uint32_t group = groups.find(isPassed(left(e)) ? left(e) : right(e));
+      if (spare[group] + isAtWall[group] >= 0) isKept[e.index()] = false;
+    }
+    return isKept;
   }
 
  private:
-  bool isPassed(std::uint32_t obstacle) { return !stays_[blocks_.find(obstacle)]; }
-  bool isBesideClutter(const VoronoiEdge& edge) {
-    return blocks_.find(edge.left) != blocks_.find(edge.right) &&
-           (isPassed(edge.left) || isPassed(edge.right));
-  }
-
-  /** The edges round all clutter but that with one in a room. */
-  EdgeIndices besideClutter(const std::function<bool(Point)>& isInRoom) {
-    EdgeIndices edges;
-    for (const std::uint32_t e : kept_) {
-      const VoronoiEdge& edge = voronoi_.edges[e];
-      if (!isBesideClutter(edge)) continue;
-      edges.push_back(e);
-      if (isInRoom(voronoi_.vertices[edge.source].at) ||
-          isInRoom(voronoi_.vertices[edge.target].at))
-        stays_[blocks_.find(edge.left)] = stays_[blocks_.find(edge.right)] = 1;
+  static Faces facesOf(const TopologyGraph& graph, const PlaceTest& isClutter,
+                       const PlaceTest& isInRoom) {
+    const std::vector<HalfEdgeId> next = roundFaces(graph);
+    Faces faces{std::vector<std::uint32_t>(next.size(), kNone), {}};
+    for (std::size_t first = 0; first < next.size(); ++first) {
+      if (faces.of[first] != kNone) continue;
+      std::uint8_t isPassed = 1;
+      std::size_t h = first;
+      do {
+        faces.of[h] = std::uint32_t(faces.isPassed.size());
+        isPassed = isPassed && hasClutterOnly(graph.edge(HalfEdgeId(h)).path,
+                                              TopologyGraph::runsAsPath(HalfEdgeId(h)), isClutter);
+        h = next[h].index();
+      } while (h != first);
+      faces.isPassed.push_back(isPassed);
     }
-    const auto stays = [&](std::uint32_t e) { return !isBesideClutter(voronoi_.edges[e]); };
-    edges.erase(std::remove_if(edges.begin(), edges.end(), stays), edges.end());
-    return edges;
-  }
-
-  /** The passages, and to which of them each of the ascending edges belongs. */
-  std::vector<std::uint32_t> findPassages(const EdgeIndices& edges) {
-    std::vector<std::uint32_t> degree(voronoi_.vertices.size()), first(degree.size(), kNone);
-    for (const std::uint32_t e : kept_)
-      for (const std::uint32_t v : endsOf(e)) ++degree[v];
-    UnionFind groups(edges.size());
-    for (std::uint32_t i = 0; i < edges.size(); ++i)
-      for (const std::uint32_t v : endsOf(edges[i])) {
-        if (first[v] == kNone) first[v] = i;
-        if (degree[v] == 2) groups.join(first[v], i);
-      }
-    std::vector<std::uint32_t> passageOf(edges.size());
-    for (std::uint32_t i = 0; i < edges.size(); ++i) {
-      const std::uint32_t group = groups.find(i);  // goes by its first edge
-      passageOf[i] = group == i ? addPassage(edges[i]) : passageOf[group];
-      addTo(passages_[passageOf[i]], edges[i]);
+    for (std::size_t h = 0; h < next.size(); ++h) {
+      std::uint8_t& isPassed = faces.isPassed[faces.of[h]];
+      const Polyline& points = graph.edge(HalfEdgeId(h)).path.points;
+      if (isPassed && std::any_of(points.begin(), points.end(), isInRoom)) isPassed = 0;
     }
-    return passageOf;
+    return faces;
   }
 
-  std::array<std::uint32_t, 2> endsOf(std::uint32_t e) const {
-    return {voronoi_.edges[e].source, voronoi_.edges[e].target};
+  static bool hasClutterOnly(const Path& path, bool onLeft, const PlaceTest& isClutter) {
+    for (std::size_t i = 0; i < path.obstacles.size(); ++i)
+      if (!isClutter(obstacleBeside(path, i, onLeft))) return false;
+    return true;
   }
 
-  std::uint32_t addPassage(std::uint32_t e) {
-    const VoronoiEdge& edge = voronoi_.edges[e];
-    const auto number = std::uint32_t(passages_.size());
-    passages_.push_back({edge.left, edge.right, number, edge.minClearance, 0});
-    return number;
-  }
+  std::uint32_t left(EdgeId e) const { return faces_.of[2 * e.index()]; }
+  std::uint32_t right(EdgeId e) const { return faces_.of[2 * e.index() + 1]; }
+  bool isPassed(std::uint32_t face) const { return faces_.isPassed[face] != 0; }
 
-  void addTo(Passage& passage, std::uint32_t e) const {
-    const auto [source, target] = endsOf(e);
-    passage.width = std::min(passage.width, voronoi_.edges[e].minClearance);
-    passage.length += distance(voronoi_.vertices[source].at, voronoi_.vertices[target].at);
-  }
-
-  /** The worst passage beside a block. */
-  struct Worst {
-    std::uint32_t passage = kNone;
-    bool isTie = false;
-  };
-
-  /** Each piece of clutter joins the nearest block round it, all at once, so that no order
-   *  matters. Returns whether there was any. */
-  bool closeWorst() {
-    const auto isInner = [&](const Passage& p) {
-      return blocks_.find(p.left) == blocks_.find(p.right);
+  /** The edges that are the worst of those round a piece of clutter, ascending; equal ones all. */
+  std::vector<EdgeId> worstEdges() const {
+    std::vector<EdgeId> beside;
+    std::vector<std::uint32_t> worst(faces_.isPassed.size(), kNone);  // per face
+    for (std::size_t i = 0; i < graph_.edges().size(); ++i) {
+      const EdgeId e(i);
+      if (left(e) == right(e) || graph_.edge(e).source == graph_.edge(e).target) continue;
+      if (!isPassed(left(e)) && !isPassed(right(e))) continue;
+      beside.push_back(e);
+      for (const std::uint32_t face : {left(e), right(e)})
+        if (worst[face] == kNone ||
+            isWorse(graph_.edge(e).path, graph_.edge(EdgeId(worst[face])).path))
+          worst[face] = std::uint32_t(i);
+    }
+    const auto isWorstOf = [&](EdgeId e, std::uint32_t face) {
+      return isPassed(face) && !isWorse(graph_.edge(EdgeId(worst[face])).path, graph_.edge(e).path);
     };
-    passages_.erase(std::remove_if(passages_.begin(), passages_.end(), isInner), passages_.end());
-    std::vector<std::uint32_t> gaps;
-    for (const auto& [block, worst] : worstPassages()) {
-      if (worst.isTie)
-        stays_[block] = 1;
-      else
-        gaps.push_back(worst.passage);
-    }
-    for (const std::uint32_t gap : gaps) close(passages_[gap]);
-    return !gaps.empty();
+    std::vector<EdgeId> found;
+    for (const EdgeId e : beside)
+      if (isWorstOf(e, left(e)) || isWorstOf(e, right(e))) found.push_back(e);
+    return found;
   }
 
-  std::map<std::uint32_t, Worst> worstPassages() {
-    std::map<std::uint32_t, Worst> worst;
-    for (std::uint32_t i = 0; i < passages_.size(); ++i)
-      for (const std::uint32_t obstacle : {passages_[i].left, passages_[i].right}) {
-        if (!isPassed(obstacle)) continue;
-        Worst& found = worst[blocks_.find(obstacle)];
-        if (found.passage == kNone || isWorse(passages_[i], passages_[found.passage]))
-          found = {i, false};
-        else if (!isWorse(passages_[found.passage], passages_[i]))
-          found.isTie = true;
-      }
-    return worst;
-  }
-
-  void close(const Passage& passage) {
-    const std::uint32_t a = blocks_.find(passage.left), b = blocks_.find(passage.right);
-    if (!blocks_.join(a, b)) return;  // closed from its other side
-    isClosed_[passage.number] = 1;
-    stays_[blocks_.find(a)] = stays_[a] || stays_[b];
-  }
-
-  const VoronoiGraph& voronoi_;
-  const EdgeIndices& kept_;
-  std::vector<std::uint8_t> isKept_;  // per edge
-  UnionFind blocks_;                  // of obstacles
-  std::vector<std::uint8_t> stays_;   // per block: rings round it stay
-  std::vector<Passage> passages_;
-  std::vector<std::uint8_t> isClosed_;  // per passage, by number
+  const TopologyGraph& graph_;
+  Faces faces_;
 };
 
 }  // namespace
 
-EdgeIndices passClutter(const VoronoiGraph& voronoi, EdgeIndices kept,
-                        const std::vector<std::uint8_t>& isClutter,
-                        const std::function<bool(Point)>& isInRoom) {
-  const auto isSome = [](std::uint8_t flag) { return flag != 0; };
-  if (std::none_of(isClutter.begin(), isClutter.end(), isSome)) return kept;
-  return ClutterPasser(voronoi, kept, isClutter).run(isInRoom);
+TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
+                          const PlaceTest& isInRoom, const ObstacleRows& walls,
+                          const DeadEndsOptions& options) {
+  for (;;) {
+    const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter, isInRoom).keptEdges();
+    if (std::find(keepEdge.begin(), keepEdge.end(), false) == keepEdge.end()) return graph;
+    const std::vector<bool> keepVertex(graph.vertices().size(), true);
+    graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
+    graph = removeEndsAmongClutter(std::move(graph), options, walls);
+  }
 }
 
 }  // namespace roomgraph

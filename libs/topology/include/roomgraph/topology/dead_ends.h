@@ -1,5 +1,6 @@
 #pragma once
 #include "roomgraph/base/Options.h"
+#include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/topology/TopologyGraph.h"
 
 namespace roomgraph {
@@ -25,5 +26,11 @@ void describe(DeadEndsOptions& options, FieldTable& table);
  *  O(rounds * edges). */
 TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
                              double resolution);
+
+/** The same by the reach alone, where a junction's disc may also be that which touches only
+ *  `walls`, the obstacles but the clutter: what ends between chairs lies in the hall that they
+ *  stand in. O(rounds * edges) and, for each dead end, the cells of `walls` within its length. */
+TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions& options,
+                                     const ObstacleRows& walls);
 
 }  // namespace roomgraph

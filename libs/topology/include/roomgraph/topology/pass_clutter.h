@@ -1,26 +1,30 @@
 #pragma once
-#include <cstdint>
 #include <functional>
-#include <vector>
 
-#include "roomgraph/voronoi/VoronoiGraph.h"
-#include "roomgraph/voronoi/keep_clear.h"
+#include "roomgraph/topology/TopologyGraph.h"
+#include "roomgraph/topology/dead_ends.h"
 
 namespace roomgraph {
 
 // Ours: clutter parts no paths, as it parts no rooms
-// In:   VoronoiGraph, the edges that are kept, and which of its obstacles are clutter
-// Out:  the edges that are kept still
-// Next: topologyGraph
+// In:   TopologyGraph without dead ends, and where clutter, walls and rooms are
+// Out:  the same with one way past each piece of clutter
+// Next: joinVertices
 
-/** Closes the narrowest of the passages round each piece of clutter, so that paths pass it on one
- *  side, the wider one, and no ladder of short paths grows among chairs. Of two passages as narrow
- *  as each other the longer one is closed; where these are equal, too, both stay, for then only the
- *  map's pose could decide. So do those round anything else, and round what touches places that
- *  are `isInRoom`: in a room, all paths become one vertex. What stays is connected as it was.
- *  `kept` ascends, and so does what comes back. O(n log n). */
-EdgeIndices passClutter(const VoronoiGraph& voronoi, EdgeIndices kept,
-                        const std::vector<std::uint8_t>& isClutter,
-                        const std::function<bool(Point)>& isInRoom);
+using PlaceTest = std::function<bool(Point)>;
+
+/** Removes the narrowest of the ways round each piece of clutter, and the dead ends that are left;
+ *  then again, with the pieces that no way parts any more as one, until each is passed on one side,
+ *  the wider one. So no ladder of short paths grows among chairs. Of two ways as narrow as each
+ *  other the shorter one goes, as that between two chairs of a row. Where these are equal, too,
+ *  both go if what is connected stays so, and both stay if not: only the map's pose could decide
+ *  between them.
+ *
+ *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. So do all ways
+ *  round clutter that touch a place that `isInRoom`, as all paths of a room become one vertex, and
+ *  a loop that begins and ends at one junction. Nothing is parted. O(rounds * n log n). */
+TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
+                          const PlaceTest& isInRoom, const ObstacleRows& walls,
+                          const DeadEndsOptions& options);
 
 }  // namespace roomgraph
