@@ -64,6 +64,9 @@ class Rules {
   void checkRoom(std::size_t r) {
     const GraphRoom& room = s_.result.rooms[r];
     expect(room.shape.polygon.outer.size() >= 3, "polygon has fewer than three corners", r);
+    const double size = area(room.shape.polygon);
+    const double before = r > 0 ? area(s_.result.rooms[r - 1].shape.polygon) : size;
+    expect(size <= before + near_ * (1 + before), "room is larger than the one before it", r);
     for (const VertexId v : room.borderVertices) {
       expect(graph_.vertex(v).kind == VertexKind::border, "room lists what borders nothing", r);
       const double off = distanceToRings(graph_.vertex(v).at, room.shape.polygon);

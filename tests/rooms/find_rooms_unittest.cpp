@@ -39,6 +39,33 @@ TEST(FindRooms, whatIsInNoRoomIsCorridorInPiecesThatADiscPasses) {
     EXPECT_TRUE(region == Regions::kNone || region < regions.count);
 }
 
+/** The widest place of the first room of a plan. */
+double xOfFirstRoom(const MapText& map, double radius) {
+  const DividedByDisc plan(map, radius);
+  double x = 0, most = 0;
+  for (std::size_t v = 0; v < plan.regions.regionOf.size(); ++v) {
+    const VoronoiVertex& vertex = plan.voronoi.vertices[v];
+    if (plan.regions.regionOf[v] == 0 && vertex.clearance > most)
+      most = vertex.clearance, x = vertex.at.x;
+  }
+  return x;
+}
+
+TEST(FindRooms, theLargestRoomIsTheFirst) {
+  const MapText largeLeft =
+      drawn({"#####################", "#.........###.......#", "#.........###.......#",
+             "#...................#", "#.........###.......#", "#.........###.......#",
+             "#####################"},
+            1);
+  const MapText largeRight =
+      drawn({"#####################", "#.......###.........#", "#.......###.........#",
+             "#...................#", "#.......###.........#", "#.......###.........#",
+             "#####################"},
+            1);
+  EXPECT_LT(xOfFirstRoom(largeLeft, 2), 10);
+  EXPECT_GT(xOfFirstRoom(largeRight, 2), 11);
+}
+
 TEST(FindRooms, theRadiusIsGivenInMetresOrAsAlphaInCells) {
   FindRoomsOptions options;
   options.minWidth = 1.6;

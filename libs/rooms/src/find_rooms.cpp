@@ -4,6 +4,7 @@
 
 #include "number_regions.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/voronoi/face_areas.h"
 
 namespace roomgraph {
 
@@ -35,7 +36,11 @@ Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, doub
         (isInCorridor && edge.minClearance >= minClearance))
       groups.join(edge.source, edge.target);
   }
-  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), kindOf, radius);
+  const std::vector<double> areas =
+      faceAreas(voronoi, [&](std::uint32_t v) { return groups.find(v); });
+  const auto areaOf = [&](std::uint32_t v) { return areas[v]; };
+  return numberRegions(groups, clearInside(voronoi, isInside, minClearance), kindOf, areaOf,
+                       radius);
 }
 
 }  // namespace roomgraph

@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <vector>
+
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/rooms/Regions.h"
 #include "roomgraph/voronoi/keep_inside.h"
@@ -16,18 +19,22 @@ inline InsideFlags clearInside(const VoronoiGraph& voronoi, InsideFlags isInside
 enum class RegionKind : std::uint8_t { room, corridor, halfSeen };
 
 /** The groups of vertices inside as regions: first the rooms, then the corridors, then what is half
- *  seen, each by its smallest vertex. `kindOf(v)` is asked for the smallest vertex of each group.
- *  O(n). */
-template <class KindOf>
+ *  seen, each kind from the largest to the smallest, so that a region has the same number however
+ *  the map is turned. `kindOf(v)` and `areaOf(v)` are asked for the smallest vertex of each group.
+ *  O(n), and O(r log r) in the regions. */
+template <class KindOf, class AreaOf>
 Regions numberRegions(UnionFind& groups, const InsideFlags& isInside, const KindOf& kindOf,
-                      double radius) {
+                      const AreaOf& areaOf, double radius) {
   Regions regions;
   regions.regionOf.assign(isInside.size(), Regions::kNone);
   regions.radius = radius;
   const auto number = [&](RegionKind kind) {
+    std::vector<std::uint32_t> found;
     for (std::uint32_t v = 0; v < isInside.size(); ++v)
-      if (isInside[v] && groups.find(v) == v && kindOf(v) == kind)
-        regions.regionOf[v] = regions.count++;
+      if (isInside[v] && groups.find(v) == v && kindOf(v) == kind) found.push_back(v);
+    std::stable_sort(found.begin(), found.end(),
+                     [&](std::uint32_t l, std::uint32_t r) { return areaOf(l) > areaOf(r); });
+    for (const std::uint32_t v : found) regions.regionOf[v] = regions.count++;
     return regions.count;
   };
   regions.roomCount = number(RegionKind::room);

@@ -171,7 +171,8 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   joinCorridors(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are corridors.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
-  return numberRegions(regions.groups(), isClear, kindOf, 0);
+  const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
+  return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0);
 }
 
 }  // namespace roomgraph
