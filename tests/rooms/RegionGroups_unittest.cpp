@@ -88,11 +88,28 @@ TEST(RegionGroups, wallsCountByTheSpaceBesideThem) {
   const InsideFlags all(4, 1);
   RegionGroups regions(graph, all, 0, 0);
   regions.sumWalls({1, 1});
-  EXPECT_DOUBLE_EQ(regions.wallShare(0), 1);
+  EXPECT_DOUBLE_EQ(regions.wallShare(1), 1);
   regions.sumWalls({1, 0});
-  for (std::uint32_t v = 0; v < 4; ++v) EXPECT_DOUBLE_EQ(regions.wallShare(v), 1) << v;
+  for (std::uint32_t v = 1; v < 4; ++v) EXPECT_DOUBLE_EQ(regions.wallShare(v), 1) << v;
+  EXPECT_EQ(regions.wallShare(0), 0) << "lies where its edge is narrowest: all is its neighbour's";
   regions.sumWalls({0, 0});
-  EXPECT_EQ(regions.wallShare(0), 0);
+  EXPECT_EQ(regions.wallShare(1), 0);
+}
+
+TEST(RegionGroups, roundingDecidesNothingInARightAngle) {
+  // The first place is the middle between two walls, as often on a grid.
+  for (const double rounding : {-1e-12, 1e-12}) {
+    VoronoiGraph graph;
+    graph.obstacles = {{0, 3}, {0, -3}, {-2, 3}, {-2, -3}};
+    graph.vertices = {{{rounding, 0}, 3}, {{4, 0}, 5}, {{-4, 0}, 3.6}};
+    graph.edges = {{0, 1, 0, 1, 3}, {0, 2, 3, 2, 3}};
+    const InsideFlags all(3, 1);
+    RegionGroups regions(graph, all, 0, 0);
+    regions.sumWalls({1, 1, 0, 0});
+    EXPECT_NEAR(regions.wallShare(0), 0, 1e-9);
+    EXPECT_NEAR(regions.wallShare(1), 1, 1e-9);
+    EXPECT_EQ(regions.wallShare(2), 0);
+  }
 }
 
 }  // namespace

@@ -10,6 +10,13 @@
 namespace roomgraph {
 namespace {
 
+/** The place of the segment a–b that is nearest to `p`. */
+Point nearestOn(Point a, Point b, Point p) {
+  const Point along = b - a;
+  const double squared = squaredNorm(along);
+  return squared == 0 ? a : a + std::clamp(dot(p - a, along) / squared, 0.0, 1.0) * along;
+}
+
 std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                         double minClearance) {
   // The widths go along with the numbers: looking them up while sorting costs more than the sort.
@@ -63,24 +70,23 @@ void RegionGroups::sumAreas() {
 void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   bounded_.assign(voronoi_.vertices.size(), 0);
   walled_.assign(voronoi_.vertices.size(), 0);
+  const auto placeOf = [&](std::uint32_t v) { return voronoi_.vertices[v].at; };
   const auto isOutside = [&](std::uint32_t end) {
     return end == VoronoiEdge::kNoVertex || !isInside_[end];
   };
   for (const VoronoiEdge& edge : voronoi_.edges) {
     if (isOutside(edge.source) && isOutside(edge.target)) continue;
-    // What lies behind the two obstacles is another space.
+    // Two areas meet at the narrowest place of an edge. What lies behind the two obstacles is
+    // another space.
     const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
-    for (const auto& [end, other] :
-         {std::pair(edge.source, edge.target), {edge.target, edge.source}}) {
+    const Point narrowest = edge.isInfinite()
+                                ? between
+                                : nearestOn(placeOf(edge.source), placeOf(edge.target), between);
+    for (const std::uint32_t end : {edge.source, edge.target}) {
       if (isOutside(end)) continue;
-      const Point from = voronoi_.vertices[end].at;
-      const bool isInfinite = other == VoronoiEdge::kNoVertex;
-      const Point to = isInfinite ? between : voronoi_.vertices[other].at;
-      const bool isCrossed = isInfinite || dot(between - from, to - between) > 0;
-      const Point half = isCrossed ? between : midpoint(from, to);
       // Both obstacles bound the same area: the edge runs midway between them.
       const Point left = voronoi_.obstacles[edge.left];
-      const double area = std::abs(cross(from - left, half - left)) / 2;
+      const double area = std::abs(cross(placeOf(end) - left, narrowest - left)) / 2;
       const std::uint32_t region = find(end);
       bounded_[region] += 2 * area;
       walled_[region] += area * ((isWall[edge.left] ? 1 : 0) + (isWall[edge.right] ? 1 : 0));
