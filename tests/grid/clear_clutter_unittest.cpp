@@ -85,6 +85,23 @@ TEST(ClearClutter, aLargeOneInAHallStays) {
   EXPECT_TRUE(cleared(roomWith(120, 120, {53, 54}, {68, 62}), 1.2).clutter.empty());
 }
 
+TEST(ClearClutter, chairsAreNoRoomRoundATable) {
+  // In a hall, with chairs on three sides, which come behind the table in the order of rows.
+  Grid hall = roomWith(120, 120, {53, 54}, {68, 62});
+  for (int y = 60; y <= 80; ++y)
+    for (int x = 38; x <= 84; ++x)
+      if ((x < 51 || x > 70 || y > 69) && x % 3 != 0 && y % 3 != 2)
+        hall.cells[hall.frame.index({x, y})] = State::occupied;
+  for (const bool isTurned : {false, true}) {
+    if (isTurned) std::reverse(hall.cells.begin(), hall.cells.end());
+    const std::vector<Clutter> found = cleared(hall, 1.2).clutter;
+    EXPECT_GT(found.size(), 50u);
+    EXPECT_TRUE(
+        std::all_of(found.begin(), found.end(), [](const Clutter& c) { return c.size < 1; }))
+        << "the table goes, turned: " << isTurned;
+  }
+}
+
 TEST(ClearClutter, aPieceOfWallIsNoTable) {
   EXPECT_TRUE(cleared(roomWith(40, 36, {13, 18}, {28, 19}), 1.2).clutter.empty());
 }

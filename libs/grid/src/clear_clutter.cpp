@@ -17,7 +17,14 @@ constexpr double kTableShare = 0.3;
  *  some. */
 constexpr int kLooks = 16;
 
-enum class Mark : std::uint8_t { unseen, inGroup, large };
+enum class Mark : std::uint8_t { unseen, inGroup, other };
+
+/** Connected cells that are not free. */
+struct Group {
+  std::vector<Cell> cells;
+  Cell low, high;
+  std::size_t rim = 0, wall = 0;  // cells at free ones, and occupied cells
+};
 
 class ClutterFinder {
  public:
@@ -27,52 +34,81 @@ class ClutterFinder {
         maxTable_(kTableSize * maxSize),
         marks_(grid.cells.size(), Mark::unseen) {}
 
-  /** Frees the group of `first` if it is clutter, and tells about it. */
-  void clear(Cell first, std::vector<Clutter>& found) {
-    const GridFrame& frame = grid_.frame;
-    if (!frame.contains(first) || marks_[frame.index(first)] != Mark::unseen) return;
-    if (!collect(first)) {
-      for (const Cell c : group_) marks_[frame.index(c)] = Mark::large;
-      return;
+  /** Frees the groups of these cells that are clutter, and tells about them: first what is small,
+   *  then all tables among what is left, so that the order of the cells does not matter. */
+  std::vector<Clutter> clear(const std::vector<Cell>& obstacles) {
+    std::vector<Group> found;
+    for (const Cell cell : obstacles) {
+      if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
+      const bool isFound = collect(cell);
+      mark(Mark::other);
+      if (!isFound) continue;
+      if (isSmall()) free(group_);
+      found.push_back(group_);
     }
-    for (const Cell c : group_) grid_.cells[frame.index(c)] = State::free;
-    if (2 * wall_ >= rim_)
-      found.push_back({midpoint(frame.center(low_), frame.center(high_)), size()});
+    const auto stays = [&](const Group& group) {
+      group_ = group;
+      return !isSmall() && !isTable();
+    };
+    found.erase(std::remove_if(found.begin(), found.end(), stays), found.end());
+    std::vector<Clutter> clutter;
+    for (const Group& group : found) {
+      free(group);
+      const GridFrame& frame = grid_.frame;
+      if (2 * group.wall >= group.rim)
+        clutter.push_back(
+            {midpoint(frame.center(group.low), frame.center(group.high)), sizeOf(group)});
+    }
+    return clutter;
   }
 
  private:
-  /** Fills group_, and gives up where it is too large, or touches the border or a large one. */
-  bool collect(Cell first) {
-    group_.clear();
-    rim_ = wall_ = 0;
-    low_ = high_ = first;
-    add(first);
-    if (size() > maxTable_) return false;
-    for (std::size_t i = 0; i < group_.size(); ++i) {
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          if (!visit({group_[i].x + dx, group_[i].y + dy})) return false;
-      countRim(group_[i]);
-      wall_ += grid_.at(group_[i]) == State::occupied ? 1 : 0;
-    }
-    return size() <= maxSize_ || isTable();
+  void mark(Mark as) {
+    for (const Cell cell : group_.cells) marks_[grid_.frame.index(cell)] = as;
   }
 
-  /** Whether it is compact, and has a room round it. What stands in a hall splits nothing, and a
-   *  row of cupboards with doors between them has space on two sides: both stay. */
-  bool isTable() const {
+  void free(const Group& group) {
+    for (const Cell cell : group.cells) grid_.cells[grid_.frame.index(cell)] = State::free;
+  }
+
+  /** Fills group_, and gives up where it is too large, or touches the border or a large one. */
+  bool collect(Cell first) {
+    group_ = {{}, first, first};
+    add(first);
+    if (size() > maxTable_) return false;
+    for (std::size_t i = 0; i < group_.cells.size(); ++i) {
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+          if (!visit({group_.cells[i].x + dx, group_.cells[i].y + dy})) return false;
+      countRim(group_.cells[i]);
+      group_.wall += grid_.at(group_.cells[i]) == State::occupied ? 1 : 0;
+    }
+    return isSmall() || isCompact();
+  }
+
+  bool isSmall() const { return size() <= maxSize_; }
+
+  bool isCompact() const {
     const double cell = grid_.frame.resolution;
-    if (double(group_.size()) * cell * cell < kTableShare * size() * size()) return false;
+    return double(group_.cells.size()) * cell * cell >= kTableShare * size() * size();
+  }
+
+  /** Whether it has a room round it. What stands in a hall splits nothing, and a row of cupboards
+   *  with doors between them has space on two sides: both stay. */
+  bool isTable() {
+    mark(Mark::inGroup);
     int walls = 0;
     for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
       walls += hasWallTowards(turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
+    mark(Mark::other);
     return 2 * walls > kLooks;
   }
 
   /** Whether another obstacle is no farther from its rim than the largest table is long. */
   bool hasWallTowards(Point direction) const {
     const GridFrame& frame = grid_.frame;
-    const Point middle = 0.5 * Point{double(low_.x + high_.x), double(low_.y + high_.y)};
+    const Point middle =
+        0.5 * Point{double(group_.low.x + group_.high.x), double(group_.low.y + group_.high.y)};
     int gap = 0;  // cells behind the rim
     for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
       const Point at = middle + double(step) * direction;
@@ -93,7 +129,7 @@ class ClutterFinder {
     if (!frame.contains(near)) return false;
     const std::size_t index = frame.index(near);
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
-    if (marks_[index] == Mark::large) return false;
+    if (marks_[index] == Mark::other) return false;
     return !add(near) || size() <= maxTable_;
   }
 
@@ -102,30 +138,31 @@ class ClutterFinder {
       return grid_.atOrUnknown({cell.x + dx, cell.y + dy}) == State::free;
     };
     if (!isFree(1, 0) && !isFree(-1, 0) && !isFree(0, 1) && !isFree(0, -1)) return;
-    ++rim_;
+    ++group_.rim;
   }
 
   /** Returns whether the box of the group has grown. */
   bool add(Cell cell) {
     marks_[grid_.frame.index(cell)] = Mark::inGroup;
-    group_.push_back(cell);
+    group_.cells.push_back(cell);
+    Cell &low = group_.low, &high = group_.high;
     const bool isWithin =
-        cell.x >= low_.x && cell.x <= high_.x && cell.y >= low_.y && cell.y <= high_.y;
-    low_ = {std::min(low_.x, cell.x), std::min(low_.y, cell.y)};
-    high_ = {std::max(high_.x, cell.x), std::max(high_.y, cell.y)};
+        cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
+    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
     return !isWithin;
   }
 
-  double size() const {
-    return grid_.frame.resolution * std::hypot(high_.x - low_.x + 1, high_.y - low_.y + 1);
+  double size() const { return sizeOf(group_); }
+  double sizeOf(const Group& group) const {
+    return grid_.frame.resolution *
+           std::hypot(group.high.x - group.low.x + 1, group.high.y - group.low.y + 1);
   }
 
   Grid& grid_;
   double maxSize_, maxTable_;  // [m]
   std::vector<Mark> marks_;
-  std::vector<Cell> group_;
-  Cell low_, high_;
-  std::size_t rim_ = 0, wall_ = 0;  // cells at free ones, and occupied cells
+  Group group_;
 };
 
 }  // namespace
@@ -140,8 +177,7 @@ void describe(ClearClutterOptions& options, FieldTable& table) {
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                         const ClearClutterOptions& options) {
   ClearedMap cleared{grid, std::vector<std::uint8_t>(obstacles.cells.size()), {}};
-  ClutterFinder finder(cleared.grid, options.maxSize);
-  for (const Cell cell : obstacles.cells) finder.clear(cell, cleared.clutter);
+  cleared.clutter = ClutterFinder(cleared.grid, options.maxSize).clear(obstacles.cells);
   // An obstacle whose cell has become free was clutter.
   for (std::size_t i = 0; i < obstacles.cells.size(); ++i)
     cleared.isClutter[i] = cleared.grid.atOrUnknown(obstacles.cells[i]) == State::free;
