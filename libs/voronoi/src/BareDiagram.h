@@ -40,28 +40,38 @@ class BareVertex {
   BareEdge* incident_ = nullptr;
 };
 
+/** Boost keeps twins side by side, so that one bit tells where the twin is. */
 class BareEdge {
  public:
   BareEdge(bool /*isLinear*/, bool /*isPrimary*/) {}
 
-  BareCell* cell() const { return cell_; }
-  void cell(BareCell* cell) { cell_ = cell; }
+  BareCell* cell() const { return reinterpret_cast<BareCell*>(cellAndSide_ & ~kSecond); }
+  void cell(BareCell* cell) {
+    cellAndSide_ = reinterpret_cast<std::uintptr_t>(cell) | (cellAndSide_ & kSecond);
+  }
   BareVertex* vertex0() const { return vertex_; }
   void vertex0(BareVertex* vertex) { vertex_ = vertex; }
-  BareVertex* vertex1() const { return twin_->vertex_; }
-  BareEdge* twin() const { return twin_; }
-  void twin(BareEdge* edge) { twin_ = edge; }
+  BareVertex* vertex1() const { return twin()->vertex_; }
+  BareEdge* twin() { return this + sideOfTwin(); }
+  const BareEdge* twin() const { return this + sideOfTwin(); }
+  void twin(const BareEdge* edge) {
+    cellAndSide_ = (cellAndSide_ & ~kSecond) | (edge < this ? kSecond : 0);
+  }
   BareEdge* next() const { return next_; }
   void next(BareEdge* edge) { next_ = edge; }
   BareEdge* prev() const { return prev_; }
   void prev(BareEdge* edge) { prev_ = edge; }
-  BareEdge* rot_next() const { return prev_->twin_; }
-  BareEdge* rot_prev() const { return twin_->next_; }
+  BareEdge* rot_next() const { return prev_->twin(); }
+  BareEdge* rot_prev() const { return twin()->next_; }
 
  private:
-  BareCell* cell_ = nullptr;
+  static constexpr std::uintptr_t kSecond = 1;  // of the two; no cell has an odd address
+
+  std::ptrdiff_t sideOfTwin() const { return cellAndSide_ & kSecond ? -1 : 1; }
+
+  std::uintptr_t cellAndSide_ = 0;
   BareVertex* vertex_ = nullptr;
-  BareEdge *twin_ = nullptr, *next_ = nullptr, *prev_ = nullptr;
+  BareEdge *next_ = nullptr, *prev_ = nullptr;
 };
 
 struct BareTraits {
