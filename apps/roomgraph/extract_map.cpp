@@ -41,9 +41,9 @@ class Extraction {
   JobReport run() {
     GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
     lap("load_grid");
-    Stages stages = extract(std::move(map), task_.options);
-    // Only the pictures of the steps show the diagram, which takes more than all else.
-    if (task_.stagesFolder.empty()) stages.voronoi = {};
+    // Only the pictures of the steps show the diagram.
+    const Stages stages = task_.stagesFolder.empty() ? extractGraph(std::move(map), task_.options)
+                                                     : extract(map, task_.options);
     laps_.end(stages.timings);
     stepDone_();
     writeResults(stages);

@@ -159,8 +159,11 @@ TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
                      s.options.deadEnds);
 }
 
+/** The diagram takes more memory than all else. */
+enum class Diagram { isKept, isDropped };
+
 /** All that comes behind the Voronoi diagram. */
-void readDiagram(Stages& s, const StepTimer& timed) {
+void readDiagram(Stages& s, const StepTimer& timed, Diagram diagram) {
   const ExtractOptions& options = s.options;
   const double resolution = s.grid.frame.resolution;
   const double minLength = shortLength(options.shortDeadEnds, resolution);
@@ -175,6 +178,7 @@ void readDiagram(Stages& s, const StepTimer& timed) {
   // III-A: the topology graph
   s.clearEdges = timed("keep_clear", keepClear, s.voronoi, s.isInside, s.clearance);
   s.topology = timed("topology_graph", topologyGraph, s.voronoi, s.clearEdges);
+  if (diagram == Diagram::isDropped) s.voronoi = {}, s.isInside = {}, s.clearEdges = {};
   s.pruned = timed("dead_ends", removeDeadEnds, s.topology, options.deadEnds, resolution);
   s.pruned = timed("pass_clutter", passedClutter, std::move(s.pruned), s);
   s.joinedUp = timed("join_vertices", joinVertices, s.pruned, options.joinVertices, resolution);
@@ -207,32 +211,32 @@ Stages binarized(const GreyMap& map, const ExtractOptions& options) {
 }
 
 /** All that comes behind it. */
-Stages extracted(Stages s) {
+Stages extracted(Stages s, Diagram diagram) {
   const StepTimer timed(s.timings);
   s.obstacles = obstaclesOf(s, timed);
   // III-A: the Voronoi diagram
   s.voronoi = timed("voronoi_graph", voronoiGraph, s.obstacles);
-  readDiagram(s, timed);
+  readDiagram(s, timed, diagram);
   return s;
 }
 
 }  // namespace
 
 Stages extract(const GreyMap& map, const ExtractOptions& options) {
-  return extracted(binarized(map, options));
+  return extracted(binarized(map, options), Diagram::isKept);
 }
 
-Stages extract(GreyMap&& map, const ExtractOptions& options) {
+Stages extractGraph(GreyMap map, const ExtractOptions& options) {
   Stages s = binarized(map, options);
   map = {};
-  return extracted(std::move(s));
+  return extracted(std::move(s), Diagram::isDropped);
 }
 
 Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options) {
   Stages s = prepared(map, options);
   s.grid = std::move(before.grid), s.obstacles = std::move(before.obstacles);
   s.voronoi = std::move(before.voronoi);
-  readDiagram(s, StepTimer(s.timings));
+  readDiagram(s, StepTimer(s.timings), Diagram::isKept);
   return s;
 }
 
