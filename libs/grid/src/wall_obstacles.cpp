@@ -15,7 +15,8 @@ constexpr std::array<Cell, 5> kPlus{{{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 class SeenEdge {
  public:
-  explicit SeenEdge(const Grid& grid) : grid_(grid) {}
+  explicit SeenEdge(const Grid& grid)
+      : grid_(grid), beyond_(std::size_t(grid.frame.width), State::unknown) {}
 
   bool isNearWall(Cell cell) const {
     const int left = std::max(cell.x - kRim, 0);
@@ -32,8 +33,9 @@ class SeenEdge {
 
   bool hasBeams() const {
     std::size_t edge = 0, thin = 0;
+    std::vector<std::uint8_t> isEdge(beyond_.size());
     for (int y = 0; y < grid_.frame.height; ++y) {
-      const std::vector<std::uint8_t> isEdge = edgeOfRow(y);
+      findEdge(y, isEdge);
       for (auto x = nextEdge(isEdge, 0); x < isEdge.size(); x = nextEdge(isEdge, x + 1)) {
         const Cell cell{int(x), y};
         if (isNearWall(cell)) continue;
@@ -46,15 +48,13 @@ class SeenEdge {
 
  private:
   /** Which cells of a row are free and touch the unknown. */
-  std::vector<std::uint8_t> edgeOfRow(int y) const {
-    const auto width = std::size_t(grid_.frame.width);
-    const std::vector<State> beyond(width, State::unknown);
+  void findEdge(int y, std::vector<std::uint8_t>& isEdge) const {
+    const std::size_t width = isEdge.size();
     const auto row = [&](int at) {
       const bool isIn = at >= 0 && at < grid_.frame.height;
-      return isIn ? grid_.cells.data() + std::size_t(at) * width : beyond.data();
+      return isIn ? grid_.cells.data() + std::size_t(at) * width : beyond_.data();
     };
     const State *below = row(y - 1), *here = row(y), *above = row(y + 1);
-    std::vector<std::uint8_t> isEdge(width);
     // No branch within, so that the compiler takes many cells at once.
     for (std::size_t x = 1; x + 1 < width; ++x) {
       const bool isAtUnknown = (below[x] == State::unknown) | (above[x] == State::unknown) |
@@ -63,7 +63,6 @@ class SeenEdge {
     }
     isEdge.front() = here[0] == State::free;
     isEdge.back() = here[width - 1] == State::free;
-    return isEdge;
   }
 
   /** The first one not before `from`; their number where there is none. Most rows have few. */
@@ -97,6 +96,7 @@ class SeenEdge {
   }
 
   const Grid& grid_;
+  std::vector<State> beyond_;  ///< the rows below and above the map
 };
 
 }  // namespace
