@@ -43,7 +43,7 @@ class ClutterFinder {
       const bool isFound = collect(cell);
       mark(Mark::other);
       if (!isFound) continue;
-      if (isSmall()) free(group_);
+      if (isSmall()) freeCells(group_);
       found.push_back(group_);
     }
     const auto stays = [&](const Group& group) {
@@ -53,7 +53,7 @@ class ClutterFinder {
     found.erase(std::remove_if(found.begin(), found.end(), stays), found.end());
     std::vector<Clutter> clutter;
     for (const Group& group : found) {
-      free(group);
+      freeCells(group);
       const GridFrame& frame = grid_.frame;
       if (2 * group.wall >= group.rim)
         clutter.push_back(
@@ -67,7 +67,7 @@ class ClutterFinder {
     for (const Cell cell : group_.cells) marks_[grid_.frame.index(cell)] = as;
   }
 
-  void free(const Group& group) {
+  void freeCells(const Group& group) {
     for (const Cell cell : group.cells) grid_.cells[grid_.frame.index(cell)] = State::free;
   }
 
