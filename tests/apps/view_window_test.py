@@ -179,8 +179,8 @@ def compare_runs(viewer):
 
 
 def write_large_map(path):
-    """Rooms of 5 m with doors, 2400 cells wide and high: it takes a while to read."""
-    side, room = 2400, 100
+    """Rooms of 5 m with doors, 4000 cells wide and high: it takes a while to read."""
+    side, room = 4000, 100
     wall = bytes(0 if 40 <= x % room < 60 else 1 for x in range(side))  # 1 where wall is, but in doors
     rows = []
     for y in range(side):
