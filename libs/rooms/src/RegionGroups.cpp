@@ -5,17 +5,11 @@
 #include <tuple>
 #include <utility>
 
+#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/voronoi/face_areas.h"
 
 namespace roomgraph {
 namespace {
-
-/** The place of the segment a–b that is nearest to `p`. */
-Point nearestOn(Point a, Point b, Point p) {
-  const Point along = b - a;
-  const double squared = squaredNorm(along);
-  return squared == 0 ? a : a + std::clamp(dot(p - a, along) / squared, 0.0, 1.0) * along;
-}
 
 std::vector<std::uint32_t> edgesByWidth(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                         double minClearance) {
@@ -79,9 +73,9 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
     // Two areas meet at the narrowest place of an edge. What lies behind the two obstacles is
     // another space.
     const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
-    const Point narrowest = edge.isInfinite()
-                                ? between
-                                : nearestOn(placeOf(edge.source), placeOf(edge.target), between);
+    const Point narrowest =
+        edge.isInfinite() ? between
+                          : nearestOnSegment(between, placeOf(edge.source), placeOf(edge.target));
     for (const std::uint32_t end : {edge.source, edge.target}) {
       if (isOutside(end)) continue;
       // Both obstacles bound the same area: the edge runs midway between them.

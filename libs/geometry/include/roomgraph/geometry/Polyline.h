@@ -15,6 +15,9 @@ double length(const Polyline& line);
  *  `line` must not be empty. O(n). */
 Point pointAt(const Polyline& line, double along);
 
+/** The place of the segment a–b that is nearest to `p`. */
+Point nearestOnSegment(Point p, Point a, Point b);
+
 /** Distance from `p` to the closed segment a–b [m]; a may equal b. */
 double distanceToSegment(Point p, Point a, Point b);
 
