@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -41,15 +42,12 @@ class ClutterFinder {
     for (const Cell cell : obstacles) {
       if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
       const bool isFound = collect(cell);
-      mark(Mark::other);
+      mark(group_, Mark::other);
       if (!isFound) continue;
-      if (isSmall()) freeCells(group_);
-      found.push_back(group_);
+      if (isSmall(group_)) freeCells(group_);
+      found.push_back(std::move(group_));
     }
-    const auto stays = [&](const Group& group) {
-      group_ = group;
-      return !isSmall() && !isTable();
-    };
+    const auto stays = [&](const Group& group) { return !isSmall(group) && !isTable(group); };
     found.erase(std::remove_if(found.begin(), found.end(), stays), found.end());
     std::vector<Clutter> clutter;
     for (const Group& group : found) {
@@ -63,8 +61,8 @@ class ClutterFinder {
   }
 
  private:
-  void mark(Mark as) {
-    for (const Cell cell : group_.cells) marks_[grid_.frame.index(cell)] = as;
+  void mark(const Group& group, Mark as) {
+    for (const Cell cell : group.cells) marks_[grid_.frame.index(cell)] = as;
   }
 
   void freeCells(const Group& group) {
@@ -75,7 +73,7 @@ class ClutterFinder {
   bool collect(Cell first) {
     group_ = {{}, first, first};
     add(first);
-    if (size() > maxTable_) return false;
+    if (sizeOf(group_) > maxTable_) return false;
     for (std::size_t i = 0; i < group_.cells.size(); ++i) {
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
@@ -83,32 +81,33 @@ class ClutterFinder {
       countRim(group_.cells[i]);
       group_.wall += grid_.at(group_.cells[i]) == State::occupied ? 1 : 0;
     }
-    return isSmall() || isCompact();
+    return isSmall(group_) || isCompact(group_);
   }
 
-  bool isSmall() const { return size() <= maxSize_; }
+  bool isSmall(const Group& group) const { return sizeOf(group) <= maxSize_; }
 
-  bool isCompact() const {
-    const double cell = grid_.frame.resolution;
-    return double(group_.cells.size()) * cell * cell >= kTableShare * size() * size();
+  bool isCompact(const Group& group) const {
+    const double cell = grid_.frame.resolution, size = sizeOf(group);
+    return double(group.cells.size()) * cell * cell >= kTableShare * size * size;
   }
 
   /** Whether it has a room round it. What stands in a hall splits nothing, and a row of cupboards
    *  with doors between them has space on two sides: both stay. */
-  bool isTable() {
-    mark(Mark::inGroup);
+  bool isTable(const Group& group) {
+    mark(group, Mark::inGroup);
+    const Point middle =
+        0.5 * Point{double(group.low.x + group.high.x), double(group.low.y + group.high.y)};
     int walls = 0;
     for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
-      walls += hasWallTowards(turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
-    mark(Mark::other);
+      walls += hasWallFrom(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
+    mark(group, Mark::other);
     return 2 * walls > kLooks;
   }
 
-  /** Whether another obstacle is no farther from its rim than the largest table is long. */
-  bool hasWallTowards(Point direction) const {
+  /** Whether another obstacle is no farther from the rim of the group round `middle` [cells] than
+   *  the largest table is long. */
+  bool hasWallFrom(Point middle, Point direction) const {
     const GridFrame& frame = grid_.frame;
-    const Point middle =
-        0.5 * Point{double(group_.low.x + group_.high.x), double(group_.low.y + group_.high.y)};
     int gap = 0;  // cells behind the rim
     for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
       const Point at = middle + double(step) * direction;
@@ -130,7 +129,7 @@ class ClutterFinder {
     const std::size_t index = frame.index(near);
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
-    return !add(near) || size() <= maxTable_;
+    return !add(near) || sizeOf(group_) <= maxTable_;
   }
 
   void countRim(Cell cell) {
@@ -153,7 +152,6 @@ class ClutterFinder {
     return !isWithin;
   }
 
-  double size() const { return sizeOf(group_); }
   double sizeOf(const Group& group) const {
     return grid_.frame.resolution *
            std::hypot(group.high.x - group.low.x + 1, group.high.y - group.low.y + 1);
