@@ -84,6 +84,36 @@ TEST(SplitAtDoors, aNarrowingDoesNotPartACorridor) {
   EXPECT_GT(split(inside, strict).count, 1u);
 }
 
+TEST(SplitAtDoors, aShortWayBetweenTwoHallsIsNoRoom) {
+  // Halls of 6 m, and 4 m of a way between them that is 2.4 or 3.2 m wide.
+  const auto halls = [](int wide) {
+    return Plan(80, 30).wall(31, 1, 20, 30).gap(31, 10, 20, wide).inside();
+  };
+  const Regions regions = split(halls(12));
+  EXPECT_EQ(regions.count, 3u);
+  EXPECT_EQ(regions.roomCount, 2u);
+  SplitAtDoorsOptions options;
+  options.maxWidth = 2.2;
+  EXPECT_EQ(split(halls(12), options).roomCount, 3u);
+}
+
+TEST(SplitAtDoors, aCorridorGoesOnThroughAWiderStretchOfItself) {
+  // A corridor of 1.8 m; in its middle 4 m of it are 2.4 m wide, behind necks of 1.2 or 1 m.
+  const auto corridor = [](int neck) {
+    return Plan(120, 12)
+        .wall(1, 1, 120, 3)
+        .gap(51, 1, 20, 12)
+        .wall(50, 1, 1, 12)
+        .gap(50, 4, 1, neck)
+        .wall(71, 1, 1, 12)
+        .gap(71, 4, 1, neck)
+        .inside();
+  };
+  EXPECT_EQ(split(corridor(6)).roomCount, 0u);
+  EXPECT_EQ(split(corridor(6)).count, 1u);
+  EXPECT_EQ(split(corridor(5)).roomCount, 1u);
+}
+
 TEST(SplitAtDoors, widthsDoNotDependOnTheResolution) {
   // 1.6 m are free on both: a room from there on.
   SplitAtDoorsOptions options;

@@ -36,6 +36,22 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
 
+bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+              std::uint32_t region) {
+  return 2 * regions.radius(region) * (1 + kSameWidth) < options.maxWidth;
+}
+
+/** Whether it is narrow and opens with nearly its whole width on two sides. */
+bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                  std::uint32_t region, const Neighbours& exits) {
+  const double open = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
+  int count = 0;
+  for (const auto& [other, passage] : exits)
+    for (const double clearance : {passage.clearance, passage.second})
+      count += clearance >= open ? 1 : 0;
+  return count > 1 && isNarrow(regions, options, region);
+}
+
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                 std::uint32_t region, const Neighbours& around, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
@@ -45,6 +61,7 @@ bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                         isBehindDoors(regions, options, region, around, exits);
   if (width < options.openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < options.minElongation) return true;
+  if (isWayThrough(regions, options, region, exits)) return true;
   int count = 0;
   for (const auto& [other, passage] : exits) count += passage.count;
   return count > 1 && regions.elongation(region) > options.maxElongation &&
@@ -106,24 +123,24 @@ class KindFinder {
   bool followCorridors() {
     std::vector<std::uint32_t> found;
     for (const auto& [region, around] : around_)
-      if (kinds_[region] == RegionKind::room && isNarrow(region) &&
+      if (kinds_[region] == RegionKind::room && isNarrow(regions_, options_, region) &&
           openCorridors(region, around) > 1)
         found.push_back(region);
     for (const std::uint32_t region : found) kinds_[region] = RegionKind::corridor;
     return !found.empty();
   }
 
-  bool isNarrow(std::uint32_t region) const {
-    return 2 * regions_.radius(region) * (1 + kSameWidth) < options_.openRoomWidth;
-  }
-
   int openCorridors(std::uint32_t region, const Neighbours& around) const {
+    const double least = options_.narrowRatio * regions_.radius(region) * (1 - kSameWidth);
+    const auto isOpen = [&](double clearance, std::uint32_t other) {
+      return clearance >= least && !isDoor(regions_, clearance, region, other,
+                                           options_.corridorRatio, options_.corridorDoor);
+    };
     int count = 0;
     for (const auto& [other, passage] : around)
       if (kinds_[other] == RegionKind::corridor)
         for (const double clearance : {passage.clearance, passage.second})
-          count += clearance > 0 && !isDoor(regions_, clearance, region, other,
-                                            options_.corridorRatio, options_.corridorDoor);
+          count += clearance > 0 && isOpen(clearance, other) ? 1 : 0;
     return count;
   }
 

@@ -124,7 +124,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
       section, "max_ratio", options.maxRatio, "", 0, 1,
       "A passage is a door where it is narrower than this share of the narrower of its two "
       "sides.");
-  table.number(section, "max_width", options.maxWidth, "m", 0, 100, "A wider passage is no door.");
+  table.number(section, "max_width", options.maxWidth, "m", 0, 100,
+               "A wider passage is no door, and a wider region no short stretch of a corridor.");
   table.number(
       section, "narrow_ratio", options.narrowRatio, "", 0, 1,
       "Two regions are kept apart where the passage between them is narrower than this share of "

@@ -7,7 +7,7 @@ namespace roomgraph {
 struct SplitAtDoorsOptions {
   /** A passage is a door where it is narrower than this share of the narrower of its two sides. */
   double maxRatio = 0.75;
-  double maxWidth = 3.0;  ///< of a door [m]
+  double maxWidth = 3.0;  ///< of a door, and of a short stretch of a corridor [m]
   /** Regions whose passage is narrower than this share of the wider one are two, door or not. */
   double narrowRatio = 0.45;
   double maxLeftoverArea = 1.1;   ///< a region with less joins a neighbour [m2]

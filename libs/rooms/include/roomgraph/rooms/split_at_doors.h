@@ -24,12 +24,13 @@ namespace roomgraph {
  *  and neither room nor corridor, where it lies nearer to the edge of the unknown than to walls
  *  (`isWall`, per obstacle), unless it alone links rooms. It is a corridor where it is too narrow
  *  for a room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
- *  sides; or narrow and a corridor goes on through it; or long (its area in squares round its
- *  largest disc is its elongation) with two ways out; to half-seen space is none. Pieces of
- *  corridor without a door between them become one. All widths are free ones, between the sides of
- *  obstacle cells of size `resolution` [m], not between their centres. `minClearance` keeps
- *  passages between neighbouring cells of a wall out [m]. Equal widths are judged together, so the
- *  order of the edges does not matter. O(n log n). */
+ *  sides; or no wider than a door may be, and a corridor goes on through it or it opens with nearly
+ *  its whole width on two sides; or long (its area in squares round its largest disc is its
+ *  elongation) with two ways out; to half-seen space is none. Pieces of corridor without a door
+ *  between them become one. All widths are free ones, between the sides of obstacle cells of size
+ *  `resolution` [m], not between their centres. `minClearance` keeps passages between neighbouring
+ *  cells of a wall out [m]. Equal widths are judged together, so the order of the edges does not
+ *  matter. O(n log n). */
 Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                      const std::vector<std::uint8_t>& isWall, double minClearance,
                      double resolution, const SplitAtDoorsOptions& options);
