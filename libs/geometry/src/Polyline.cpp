@@ -19,13 +19,6 @@ Point pointAt(const Polyline& line, double along) {
   return line.back();
 }
 
-Point nearestOnSegment(Point p, Point a, Point b) {
-  const Point direction = b - a;
-  const double squared = squaredNorm(direction);
-  if (squared == 0) return a;
-  return a + std::clamp(dot(p - a, direction) / squared, 0.0, 1.0) * direction;
-}
-
 double distanceToSegment(Point p, Point a, Point b) {
   return distance(p, nearestOnSegment(p, a, b));
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <vector>
 
 #include "roomgraph/geometry/Point.h"
@@ -16,7 +17,12 @@ double length(const Polyline& line);
 Point pointAt(const Polyline& line, double along);
 
 /** The place of the segment a–b that is nearest to `p`. */
-Point nearestOnSegment(Point p, Point a, Point b);
+inline Point nearestOnSegment(Point p, Point a, Point b) {  // here, as it is asked for all edges
+  const Point direction = b - a;
+  const double squared = squaredNorm(direction);
+  if (squared == 0) return a;
+  return a + std::clamp(dot(p - a, direction) / squared, 0.0, 1.0) * direction;
+}
 
 /** Distance from `p` to the closed segment a–b [m]; a may equal b. */
 double distanceToSegment(Point p, Point a, Point b);
