@@ -67,6 +67,27 @@ TEST(FindSlice, aBandThatIsAskedForIsTaken) {
   EXPECT_NEAR(slice.floor, 0.05, 0.06) << "counted from the floor all the same";
 }
 
+TEST(FindSlice, aCeilingIsNoFloor) {
+  Room room;
+  room.addFloor(2.55);
+  room.addWalls(0.3, 2.5);
+  room.voxels.add(1, 1, 3.95);  // a reflection from above
+  const Slice slice = findSlice(room.voxels, {});
+  EXPECT_LT(slice.floor, 0.5);
+  EXPECT_FALSE(slice.isFloorSeen);
+  EXPECT_EQ(sliceText(slice),
+            "heights 0.20 to 0.70 m above the lowest walls, as no floor was seen, at 0.35 m");
+}
+
+TEST(FindSlice, aFloorIsSeenUnderACeiling) {
+  Room room;
+  for (const double z : {0.05, 2.55}) room.addFloor(z);
+  room.addWalls(0.1, 2.5);
+  const Slice slice = findSlice(room.voxels, {});
+  EXPECT_NEAR(slice.floor, 0.05, 0.06);
+  EXPECT_TRUE(slice.isFloorSeen);
+}
+
 TEST(FindSlice, pointsOfOnePlaneAreAllTaken) {
   Room room;
   room.addWalls(0.3, 0.4);

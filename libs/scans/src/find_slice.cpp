@@ -19,23 +19,73 @@ constexpr std::size_t kMostCubes = 20'000'000;  // more memory would tell no mor
 constexpr int kBits = 24, kHeightBits = 12;
 constexpr std::int32_t kMiddle = 1 << (kBits - 1), kHeightMiddle = 1 << (kHeightBits - 1);
 
-std::size_t floorLayer(const std::vector<std::vector<Voxels::Column>>& layers) {
+using Layers = std::vector<std::vector<Voxels::Column>>;
+
+/** Of the first `count` layers, the lowest one that covers much. */
+std::size_t widestLow(const Layers& layers, std::size_t count) {
   std::size_t most = 0;
-  for (const auto& layer : layers) most = std::max(most, layer.size());
+  for (std::size_t k = 0; k < count; ++k) most = std::max(most, layers[k].size());
   std::size_t k = 0;
   while (double(layers[k].size()) < kFloorShare * double(most)) ++k;
   // A floor spreads over two layers: the fuller one is meant.
-  if (k + 1 < layers.size() && layers[k + 1].size() > 2 * layers[k].size()) ++k;
+  if (k + 1 < count && layers[k + 1].size() > 2 * layers[k].size()) ++k;
   return k;
 }
 
+/** Whether walls hang down from the layer, but none stand on it. */
+bool isCeiling(const Layers& layers, std::size_t layer) {
+  constexpr std::size_t own = 2;  // what belongs to the layer itself
+  std::size_t below = 0, above = 0;
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    if (k + own <= layer) below += layers[k].size();
+    if (k >= layer + own) above += layers[k].size();
+  }
+  return below > 4 * above;
+}
+
+std::size_t floorLayer(const Layers& layers) {
+  const std::size_t found = widestLow(layers, layers.size());
+  if (!isCeiling(layers, found)) return found;
+  return widestLow(layers, found - 1);
+}
+
+/** Whether much of what lies at this height has nothing standing on it in the layers from .. to. */
+bool seesFloor(const std::vector<Voxels::Column>& floor, const Layers& layers, std::size_t from,
+               std::size_t to) {
+  constexpr double mostUnderWalls = 0.8;
+  const auto key = [](const Voxels::Column& column) {
+    return std::uint64_t(std::uint32_t(column.x)) << 32 | std::uint32_t(column.y);
+  };
+  std::unordered_set<std::uint64_t> walls;
+  for (std::size_t k = from; k < std::min(to, layers.size()); ++k)
+    for (const Voxels::Column& column : layers[k]) walls.insert(key(column));
+  const auto under = std::count_if(floor.begin(), floor.end(), [&](const Voxels::Column& column) {
+    return walls.count(key(column)) > 0;
+  });
+  return double(under) <= mostUnderWalls * double(floor.size());
+}
+
 /** How many cells of the band's walls lie in straight pieces. */
-std::size_t straightCells(const std::vector<std::vector<Voxels::Column>>& layers, std::size_t from,
-                          std::size_t to) {
+std::size_t straightCells(const Layers& layers, std::size_t from, std::size_t to) {
   std::vector<Cell> cells;
   for (std::size_t k = from; k < std::min(to, layers.size()); ++k)
     for (const Voxels::Column& column : layers[k]) cells.push_back({column.x, column.y});
   return countStraightCells(cells);
+}
+
+std::size_t steps(double height) { return std::size_t(std::lround(height / Voxels::kCube)); }
+
+/** Sets where the band begins and ends. */
+void chooseBand(const Layers& layers, std::size_t floor, Slice& slice) {
+  std::size_t best = 0;
+  for (std::size_t low = steps(kLowestBand); low + steps(kBandHeight) <= steps(kHighestBand);
+       ++low) {
+    const std::size_t found = straightCells(layers, floor + low, floor + low + steps(kBandHeight));
+    if (slice.high > 0 && found * 20 <= best * 21) continue;
+    best = found;
+    slice.low = double(low) * Voxels::kCube;
+    slice.high = slice.low + kBandHeight;
+  }
 }
 
 }  // namespace
@@ -82,24 +132,16 @@ Slice findSlice(const Voxels& voxels, const LoadGridOptions& options) {
   const std::size_t floor = floorLayer(layers);
   slice.floor = voxels.lowest() + (double(floor) + 0.5) * Voxels::kCube;
   slice.low = options.sliceLow, slice.high = options.sliceHigh;
-  if (options.sliceHigh > 0) return slice;
-
-  const auto steps = [](double height) { return std::size_t(std::lround(height / Voxels::kCube)); };
-  std::size_t best = 0;
-  for (std::size_t low = steps(kLowestBand); low + steps(kBandHeight) <= steps(kHighestBand);
-       ++low) {
-    const std::size_t found = straightCells(layers, floor + low, floor + low + steps(kBandHeight));
-    if (slice.high > 0 && found * 20 <= best * 21) continue;
-    best = found;
-    slice.low = double(low) * Voxels::kCube;
-    slice.high = slice.low + kBandHeight;
-  }
+  if (options.sliceHigh <= 0) chooseBand(layers, floor, slice);
+  slice.isFloorSeen =
+      seesFloor(layers[floor], layers, floor + steps(kLowestBand), floor + steps(kHighestBand));
   return slice;
 }
 
 std::string sliceText(const Slice& slice) {
   if (slice.isFlat) return "all points, which lie in one plane";
-  return formatted("heights %.2f to %.2f m above the floor at %.2f m", slice.low, slice.high,
+  return formatted("heights %.2f to %.2f m above the %s at %.2f m", slice.low, slice.high,
+                   slice.isFloorSeen ? "floor" : "lowest walls, as no floor was seen,",
                    slice.floor);
 }
 

@@ -40,14 +40,15 @@ struct Slice {
   double floor = 0;          ///< its height in the frame of the points [m]
   double low = 0, high = 0;  ///< of the band, above the floor [m]
   bool isFlat = false;       ///< all points lie in one plane, without a floor
+  bool isFloorSeen = true;   ///< false: what lies lowest are the feet of walls
 
   bool contains(double z) const { return isFlat || (z - floor >= low && z - floor <= high); }
 };
 
-/** Finds the floor, the lowest height at which much of the site is covered, and the band above it
- *  in which walls have the longest straight pieces; below lintels, so that doors stay open. Bands
- *  equal within a twentieth: the lowest. options.sliceLow and .sliceHigh, where not both 0, are the
- *  band. */
+/** Finds the floor, the lowest height at which much of the site is covered and below which not most
+ *  of it lies, as it does below a ceiling; and the band above it in which walls have the longest
+ *  straight pieces; below lintels, so that doors stay open. Bands equal within a twentieth: the
+ *  lowest. options.sliceLow and .sliceHigh, where not both 0, are the band. */
 Slice findSlice(const Voxels& voxels, const LoadGridOptions& options);
 
 /** For people: "heights 0.6 to 1.1 m above the floor at -1 m". */
