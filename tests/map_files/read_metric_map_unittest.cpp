@@ -113,6 +113,28 @@ TEST_F(MetricMap, withoutGridOrFloorItSaysWhatIsMissing) {
             std::string::npos);
 }
 
+TEST_F(MetricMap, wallsWithoutFloorAreRefused) {
+  test::Points walls;
+  for (const auto& p : test::roomPoints())
+    if (p.z > -0.35f) walls.push_back(p);
+  const std::string layer = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10, walls, "");
+  const std::string text = errorOf(metricMap(5, {{"walls", layer}}));
+  EXPECT_NE(text.find("walls only: without a floor"), std::string::npos) << text;
+}
+
+TEST_F(MetricMap, layersWithShortClassNamesAreSteppedOver) {
+  const std::string ndt = "\x89mola::NDT\1" + std::string(40, '\x88');
+  const std::string text =
+      errorOf(metricMap(5, {{"local", voxels_}, {"ndt", ndt}, {"z", voxels_}}));
+  EXPECT_NE(text.find("local (CVoxelMap), ndt (NDT), z (CVoxelMap)"), std::string::npos) << text;
+}
+
+TEST_F(MetricMap, ofSeveralLayersOfPointsOneWithPointsIsRead) {
+  const std::string none = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10, {}, "");
+  EXPECT_GT(load(metricMap(5, {{"a", none}, {"b", points_}})).frame.width, 50);
+  EXPECT_NE(errorOf(metricMap(5, {{"a", none}})).find("'a' has no points"), std::string::npos);
+}
+
 TEST_F(MetricMap, cutsAndLiesAreRefused) {
   const std::string bytes = metricMap(3, {{"raw", points_}, {"gridmap", grid_}});
   for (std::size_t size = 1; size < bytes.size() - 200; size += 1 + size / 8)

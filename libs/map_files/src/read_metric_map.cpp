@@ -14,11 +14,14 @@ namespace roomgraph {
 namespace {
 
 constexpr std::uint32_t kMostMapLayers = 1000;
+// As stored, with its namespace; the shortest known is "mola::NDT".
+constexpr int kShortestStoredClass = 8;
 
 /** A layer of the map, of which only one is read. */
 struct Layer {
   std::string name, className;
   std::uint64_t at = 0;  ///< where its object begins
+  bool isEmpty = false;  ///< holds points, but none that can be used
 };
 
 bool isGrid(const Layer& layer) { return layer.className == "COccupancyGridMap2D"; }
@@ -33,9 +36,9 @@ bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
   if (bytes.size < sizeof length) return false;
   std::memcpy(&length, bytes.data, sizeof length);
   if (length > longest || bytes.size < sizeof length + length) return false;
-  const auto next =
-      peekObjectHeader({bytes.data + sizeof length + length, bytes.size - sizeof length - length});
-  return next && !next->isOldFormat && next->className.size() > 3;
+  const ByteView object{bytes.data + sizeof length + length, bytes.size - sizeof length - length};
+  const auto next = peekObjectHeader(object);
+  return next && !next->isOldFormat && (object.data[0] & 0x7f) >= kShortestStoredClass;
 }
 
 /** Steps over what is left of a layer. */
@@ -77,7 +80,7 @@ std::vector<Layer> readLayers(ByteReader& in) {
     if (isGrid(layer))
       in = object, readGridmapObject(in);
     else {
-      if (isPoints(layer)) readPoints(in);
+      if (isPoints(layer)) layer.isEmpty = readPoints(in).empty();
       skipLayer(in, i + 1 == count, map.version);
     }
     layers.push_back(layer);
@@ -92,11 +95,13 @@ std::string namesOf(const std::vector<Layer>& layers) {
   return names.empty() ? "none" : names;
 }
 
-/** The one that is asked for, else the first grid, else the points. */
+/** The one that is asked for, else the first grid, else the first points. */
 Layer chosen(const std::vector<Layer>& layers, const std::string& name, const std::string& file) {
   const auto first = [&](auto test) { return std::find_if(layers.begin(), layers.end(), test); };
   auto found = first([&](const Layer& layer) { return layer.name == name; });
   if (name.empty()) found = first(isGrid);
+  if (name.empty() && found == layers.end())
+    found = first([](const Layer& layer) { return isPoints(layer) && !layer.isEmpty; });
   if (name.empty() && found == layers.end()) found = first(isPoints);
   if (found == layers.end())
     refuse(file,
@@ -114,11 +119,11 @@ GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& o
   if (voxels.empty())
     refuse(in.file(), "its layer '" + layer.name + "' has no points", kSaveMapAgain);
   const Slice slice = findSlice(voxels, options);
-  if (slice.isFlat)
+  if (slice.isFlat || !slice.isFloorSeen)
     refuse(in.file(),
-           "its layer '" + layer.name +
-               "' has points of one height only: without a floor nothing "
-               "tells what is free",
+           "its layer '" + layer.name + "' has points of " +
+               (slice.isFlat ? "one height only" : "walls only") +
+               ": without a floor nothing tells what is free",
            "give it a layer with a grid");
   GreyMap map = gridOfPoints(points, slice, options.resolution, in.file());
   map.notes.push_back(
