@@ -22,9 +22,9 @@ struct VelodynePackets {
 
 /** What a 3D sensor saw at once. */
 struct PointCloud {
-  mrpt::poses::CPose3D sensor;  ///< robot <- sensor
-  std::string label;            ///< of the sensor; empty for a 3DRangeScan, whose label is not read
-  mrpt::Clock::time_point time{};             ///< INVALID_TIMESTAMP for none
+  mrpt::poses::CPose3D sensor;     ///< robot <- sensor
+  std::string label;               ///< of the sensor; empty for a 3DRangeScan from before MRPT 2.1
+  mrpt::Clock::time_point time{};  ///< INVALID_TIMESTAMP for none
   std::vector<mrpt::math::TPoint3Df> points;  ///< sensor frame, all of them finite [m]
   std::optional<VelodynePackets> packets;     ///< in place of points, see velodynePoints()
   /** Where the points are kept in a file beside the map that is not there: its name. */
