@@ -207,6 +207,55 @@ TEST(LoadGrid, otherObservationsAreSteppedOverAndNoted) {
   EXPECT_EQ(map.notes[0].text.substr(0, 2), "4 ");
 }
 
+/** The simplemap with scanners that look down by so many degrees. */
+std::string tiltedScans(double degrees, double roll = 0) {
+  auto simplemap = test::smallSimplemap();
+  for (std::size_t i = 0; i < simplemap.size(); ++i) {
+    auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
+        **test::entryOf(simplemap, i).sf->begin());
+    scan.sensorPose = mrpt::poses::CPose3D(0, 0, 0.3, 0, degrees * M_PI / 180, roll);
+  }
+  return test::streamed(simplemap);
+}
+
+TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
+  const TempDir dir;
+  for (const double roll : {0.0, M_PI}) {
+    const GreyMap expected = loadGrid(dir.write("a", tiltedScans(0, roll)), {});
+    const GreyMap map = loadGrid(dir.write("b", tiltedScans(2.5, roll)), {});
+    EXPECT_EQ(map.grey, expected.grey);
+    EXPECT_TRUE(expected.notes.empty());
+    ASSERT_EQ(map.notes.size(), 1u);
+    EXPECT_EQ(map.notes[0].code, "tilted_scans");
+    EXPECT_NE(map.notes[0].text.find("2.5 degrees"), std::string::npos) << map.notes[0].text;
+  }
+}
+
+TEST(LoadGrid, scansThatAreTiltedAreRefusedAsSuch) {
+  const TempDir dir;
+  const std::string file = dir.write("a", tiltedScans(4));
+  try {
+    loadGrid(file, {});
+    ADD_FAILURE();
+  } catch (const DataError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("only 3 CObservation2DRangeScan that are tilted"), std::string::npos)
+        << text;
+  }
+}
+
+TEST(LoadGrid, aSliceOfScansIsRefusedAsSuch) {
+  const TempDir dir;
+  LoadGridOptions options;
+  options.sliceLow = 0.5, options.sliceHigh = 1;
+  try {
+    loadGrid(dir.write("a", tiltedScans(0)), options);
+    ADD_FAILURE();
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("leave --slice out"), std::string::npos);
+  }
+}
+
 TEST(LoadGrid, aScanThatDoesNotSurroundItsSensorStaysInsideTheGrid) {
   const TempDir dir;
   auto simplemap = test::smallSimplemap();

@@ -2,7 +2,13 @@
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include "external_file.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/scans/read_cloud.h"
 #include "velodyne_points.h"
 
 namespace roomgraph {
@@ -10,19 +16,35 @@ namespace {
 
 /** What a simplemap holds, counted. */
 struct Contents {
-  std::size_t observations = 0, scans = 0, horizontal = 0, clouds = 0, missing = 0;
-  std::string missingFile;  ///< the first one
-  Voxels voxels;            ///< of all clouds, by height above the robot
+  std::size_t observations = 0, scans = 0, horizontal = 0, nearlyLevel = 0, clouds = 0, missing = 0;
+  double tilt = 0;                           ///< the largest of the nearly level scans [rad]
+  std::map<std::string, std::size_t> kinds;  ///< observations by class
+  std::string missingFile;                   ///< the first one
+  Voxels voxels;                             ///< of all clouds, by height above the robot
 };
+
+// Beyond this, beams that look down meet the floor within a room.
+constexpr double kMostTilt = 3.01 * M_PI / 180;  // 3 degrees, and rounding
+
+/** Between the sensor's plane and the robot's [rad]; a sensor that hangs upside down has none. */
+double tiltOf(const RangeScan& scan) {
+  return std::acos(std::min(1.0, std::abs(scan.sensor.getRotationMatrix()(2, 2))));
+}
 
 bool isHorizontal(const RangeScan& scan) {
   using Options = mrpt::maps::COccupancyGridMap2D::TInsertionOptions;
   return scan.sensor.isHorizontal(double(Options().horizontalTolerance));
 }
 
+/** The pose without its tilt. */
+mrpt::poses::CPose3D level(const mrpt::poses::CPose3D& sensor) {
+  const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
+  return {sensor.x(), sensor.y(), sensor.z(), sensor.yaw(), 0, isUpsideDown ? M_PI : 0};
+}
+
 mrpt::obs::CObservation2DRangeScan mrptScan(const RangeScan& from) {
   mrpt::obs::CObservation2DRangeScan scan;
-  scan.sensorPose = from.sensor;
+  scan.sensorPose = isHorizontal(from) ? from.sensor : level(from.sensor);
   scan.sensorLabel = from.label;
   scan.timestamp = from.time;
   scan.aperture = from.aperture;
@@ -56,12 +78,21 @@ void addCloud(const PointCloud& cloud, const mrpt::poses::CPose3D& robot, Conten
   }
 }
 
+void addScan(const RangeScan& scan, Contents& contents) {
+  ++contents.scans;
+  contents.horizontal += isHorizontal(scan);
+  const double tilt = tiltOf(scan);
+  if (tilt > kMostTilt) return;
+  ++contents.nearlyLevel;
+  contents.tilt = std::max(contents.tilt, tilt);
+}
+
 Contents contentsOf(const ByteReader& in) {
   Contents contents;
   readEntries(in, [&](const SimplemapEntry& entry) {
     contents.observations += entry.observations.size();
-    contents.scans += entry.scans.size();
-    for (const auto& scan : entry.scans) contents.horizontal += isHorizontal(scan);
+    for (const ObservationKind& kind : entry.observations) ++contents.kinds[kind.className];
+    for (const RangeScan& scan : entry.scans) addScan(scan, contents);
     for (const PointCloud& packed : entry.clouds)
       withPoints(packed, [&](const PointCloud& cloud) { addCloud(cloud, entry.robot, contents); });
   });
@@ -74,10 +105,26 @@ std::string missingText(const Contents& contents) {
          (contents.missing > 1 ? " and others" : "");
 }
 
+/** ", only 28 CObservationIMU, 3 CObservation2DRangeScan that are tilted". */
+std::string kindsText(const Contents& contents) {
+  std::string text;
+  for (const auto& [name, count] : contents.kinds) {
+    text += (text.empty() ? ", only " : ", ") + std::to_string(count) + " " + name;
+    if (name == "CObservation2DRangeScan") text += " that are tilted";
+    if (isCloudClass(name)) text += " without points that can be read";
+  }
+  return text;
+}
+
 [[noreturn]] void refuseEmpty(const std::string& file, const Contents& contents) {
   if (contents.missing > 0)
     refuse(file, missingText(contents), "put them into the folder " + externalFolder(file));
-  refuse(file, "holds no horizontal 2D range scan and no point cloud to build a grid from",
+  if (contents.horizontal > 0)
+    refuse(file, "holds no point cloud to cut to a slice, only 2D range scans",
+           "leave --slice out");
+  refuse(file,
+         "holds no horizontal 2D range scan and no point cloud to build a grid from" +
+             kindsText(contents),
          "give a simplemap with laser scans, or a gridmap");
 }
 
@@ -90,8 +137,14 @@ void addNote(ScanSource& source, const char* code, const std::string& text) {
 ScanSource findScans(const ByteReader& in, const LoadGridOptions& options) {
   const Contents contents = contentsOf(in);
   ScanSource source;
-  const bool usesScans = contents.horizontal > 0 && options.sliceHigh <= 0;
+  source.takesTilted =
+      contents.horizontal == 0 && contents.nearlyLevel > 0 && contents.voxels.empty();
+  const bool usesScans = (contents.horizontal > 0 && options.sliceHigh <= 0) || source.takesTilted;
   if (!usesScans && contents.voxels.empty()) refuseEmpty(in.file(), contents);
+  if (source.takesTilted)
+    addNote(source, "tilted_scans",
+            formatted("its 2D range scans are tilted, by up to %.1f degrees: taken for level",
+                      contents.tilt * 180 / M_PI));
   if (!usesScans) {
     source.slice = findSlice(contents.voxels, options);
     addNote(source, "slice",
@@ -116,7 +169,7 @@ void placeScans(const ByteReader& in, const ScanSource& source, const ScanVisito
       return;
     }
     for (const RangeScan& read : entry.scans) {
-      if (!isHorizontal(read)) continue;
+      if (source.takesTilted ? tiltOf(read) > kMostTilt : !isHorizontal(read)) continue;
       const mrpt::obs::CObservation2DRangeScan scan = mrptScan(read);
       visit(entry, {entry.robot, scan, rangesId(scan)});
     }

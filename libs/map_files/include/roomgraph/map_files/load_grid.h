@@ -19,8 +19,9 @@ namespace roomgraph {
  *    options.resolution just large enough for them, in the order of the file, with these
  *    options, which GreyMap::source.insertion records. Where it has none, or they ask for a slice,
  *    its point clouds (CObservationPointCloud, 3DRangeScan, VelodyneScan, RotatingScan; also those
- *    in files beside it) are cut to a horizontal band and inserted as scans are ("slice"). Other
- *    observations are stepped over and noted ("other_observations").
+ *    in files beside it) are cut to a horizontal band and inserted as scans are ("slice"). Where
+ *    there is neither, scans that are tilted by up to 3 degrees are taken for level
+ *    ("tilted_scans"). Other observations are stepped over and noted ("other_observations").
  *  - mp2p_icp::metric_map_t (`.mm`), versions 0 to 5: options.layer; else its first
  *    COccupancyGridMap2D; else a slice of its points, in which cells with floor are free ("layer").
  *  - rtabmap's database (`.db`): the 2D grid that it keeps when it is closed.
