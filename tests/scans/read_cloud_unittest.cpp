@@ -5,6 +5,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
 
 #include <cmath>
 #include <filesystem>
@@ -97,6 +98,25 @@ TEST_F(Clouds, classesThatThisMrptDoesNotHaveGiveTheRoom) {
   for (const int version : {3, 4})
     expectRoom(load(inside(pointsMapBytes("mrpt::maps::CGenericPointsMap", version, points_,
                                           test::raw<std::uint32_t>(1) + intensities))));
+}
+
+TEST_F(Clouds, cloudsOfARocking2DScannerAreTakenWhole) {
+  std::vector<std::string> entries;
+  for (const double roll : {-0.04, 0.0, 0.04}) {
+    const CPose3D robot(0, 0, roll, 0.2, 0.02, roll);
+    test::Points ring;  // on the walls, in the scanner's plane
+    for (double a = 0; a < 2 * M_PI; a += 0.01) {
+      const double range = 2 / std::max(std::abs(std::cos(a + 0.2)), std::abs(std::sin(a + 0.2)));
+      ring.emplace_back(float(range * std::cos(a)), float(range * std::sin(a)), 0.f);
+    }
+    const std::string cloud = pointsMapBytes("mrpt::maps::CSimplePointsMap", 10, ring, "");
+    entries.push_back(test::streamed(mrpt::poses::CPose3DPDFGaussian(robot)) +
+                      test::frameBytes({cloudBytes({0, 0, 0.3, 0, 0, 0}, '\0' + cloud)}) +
+                      test::twistBytes(false));
+  }
+  const GreyMap map = load(test::simplemapBytes(2, entries));
+  expectRoom(map);
+  EXPECT_NE(map.notes.at(0).text.find("one plane"), std::string::npos);
 }
 
 TEST_F(Clouds, cloudsInFilesBesideTheMapAreRead) {

@@ -20,6 +20,7 @@ struct Contents {
   double tilt = 0;                           ///< the largest of the nearly level scans [rad]
   std::map<std::string, std::size_t> kinds;  ///< observations by class
   std::string missingFile;                   ///< the first one
+  bool arePlanar = true;                     ///< all clouds are what level 2D scanners see
   Voxels voxels;                             ///< of all clouds, by height above the robot
 };
 
@@ -67,11 +68,23 @@ void withPoints(const PointCloud& cloud, const Use& use) {
   use(unpacked);
 }
 
+/** Whether a level scanner with one plane may have seen the points, as the robot rocked a little. */
+bool isPlanar(const PointCloud& cloud, const mrpt::poses::CPose3D& sensor) {
+  constexpr float thickest = 0.05f;      // [m]
+  constexpr double mostUpright = 0.985;  // 10 degrees off
+  const auto [low, high] =
+      std::minmax_element(cloud.points.begin(), cloud.points.end(),
+                          [](const auto& a, const auto& b) { return a.z < b.z; });
+  return low == cloud.points.end() || (high->z - low->z <= thickest &&
+                                       std::abs(sensor.getRotationMatrix()(2, 2)) >= mostUpright);
+}
+
 void addCloud(const PointCloud& cloud, const mrpt::poses::CPose3D& robot, Contents& contents) {
   ++contents.clouds;
   if (!cloud.missingFile.empty() && contents.missing++ == 0)
     contents.missingFile = cloud.missingFile;
   const mrpt::poses::CPose3D sensor = robot + cloud.sensor;
+  contents.arePlanar = contents.arePlanar && isPlanar(cloud, sensor);
   for (const auto& point : cloud.points) {
     const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
     contents.voxels.add(p.x, p.y, p.z - robot.z());
@@ -128,6 +141,12 @@ std::string kindsText(const Contents& contents) {
          "give a simplemap with laser scans, or a gridmap");
 }
 
+Slice wholePlane() {
+  Slice slice;
+  slice.isFlat = true;
+  return slice;
+}
+
 void addNote(ScanSource& source, const char* code, const std::string& text) {
   source.notes.push_back({code, text, std::nullopt});
 }
@@ -146,7 +165,7 @@ ScanSource findScans(const ByteReader& in, const LoadGridOptions& options) {
             formatted("its 2D range scans are tilted, by up to %.1f degrees: taken for level",
                       contents.tilt * 180 / M_PI));
   if (!usesScans) {
-    source.slice = findSlice(contents.voxels, options);
+    source.slice = contents.arePlanar ? wholePlane() : findSlice(contents.voxels, options);
     addNote(source, "slice",
             "its point clouds are cut: " + sliceText(*source.slice) + " (see --slice)");
     if (contents.missing > 0) addNote(source, "missing_clouds", missingText(contents));
