@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "roomgraph/base/Error.h"
+
 namespace roomgraph {
 namespace {
 
@@ -95,6 +97,25 @@ TEST(FindSlice, pointsOfOnePlaneAreAllTaken) {
   EXPECT_TRUE(slice.isFlat);
   EXPECT_TRUE(slice.contains(-10));
   EXPECT_EQ(sliceText(slice), "all points, which lie in one plane");
+}
+
+TEST(FindSlice, whatIsThinnerThanABandIsOnePlane) {
+  Room room;
+  room.addWalls(0.2, 0.6);  // as of a 2D scanner on a robot that rocks
+  EXPECT_TRUE(findSlice(room.voxels, {}).isFlat);
+}
+
+TEST(FindSlice, aBandWithoutPointsIsToldAndRefused) {
+  LoadGridOptions options;
+  Room room;
+  for (const double z : {0.05, 2.55}) room.addFloor(z);
+  room.addWalls(0.1, 2.5);
+  options.sliceLow = 2.2, options.sliceHigh = 2.4;
+  EXPECT_NO_THROW(refuseEmptySlice(findSlice(room.voxels, options), "run"));
+  options.sliceLow = 3, options.sliceHigh = 4;
+  const Slice slice = findSlice(room.voxels, options);
+  EXPECT_TRUE(slice.isEmpty);
+  EXPECT_THROW(refuseEmptySlice(slice, "run"), DataError);
 }
 
 TEST(Slice, containsItsBandAndBothEnds) {

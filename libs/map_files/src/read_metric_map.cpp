@@ -125,6 +125,7 @@ GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& o
                (slice.isFlat ? "one height only" : "walls only") +
                ": without a floor nothing tells what is free",
            "give it a layer with a grid");
+  refuseEmptySlice(slice, in.file());
   GreyMap map = gridOfPoints(points, slice, options.resolution, in.file());
   map.notes.push_back(
       {"slice", "its points are cut: " + sliceText(slice) + " (see --slice)", std::nullopt});

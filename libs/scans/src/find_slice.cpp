@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/files/checked_file.h"
 #include "straight_cells.h"
 
 namespace roomgraph {
@@ -88,6 +89,15 @@ void chooseBand(const Layers& layers, std::size_t floor, Slice& slice) {
   }
 }
 
+bool isEmptyBand(const Layers& layers, const Slice& slice, double lowest) {
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const double bottom = lowest + double(k) * Voxels::kCube - slice.floor;
+    if (!layers[k].empty() && bottom + Voxels::kCube >= slice.low && bottom <= slice.high)
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void Voxels::add(double x, double y, double z) {
@@ -123,7 +133,7 @@ std::vector<std::vector<Voxels::Column>> Voxels::layers() const {
 Slice findSlice(const Voxels& voxels, const LoadGridOptions& options) {
   Slice slice;
   const auto layers = voxels.layers();
-  constexpr std::size_t flatLayers = 2;
+  constexpr std::size_t flatLayers = 4;  // of a 2D scanner on a robot that rocks
   if (layers.size() <= flatLayers) {
     slice.floor = voxels.lowest();
     slice.isFlat = true;
@@ -135,7 +145,13 @@ Slice findSlice(const Voxels& voxels, const LoadGridOptions& options) {
   if (options.sliceHigh <= 0) chooseBand(layers, floor, slice);
   slice.isFloorSeen =
       seesFloor(layers[floor], layers, floor + steps(kLowestBand), floor + steps(kHighestBand));
+  slice.isEmpty = isEmptyBand(layers, slice, voxels.lowest());
   return slice;
+}
+
+void refuseEmptySlice(const Slice& slice, const std::string& file) {
+  if (slice.isEmpty)
+    refuse(file, "has no points at " + sliceText(slice), "choose other heights with --slice");
 }
 
 std::string sliceText(const Slice& slice) {

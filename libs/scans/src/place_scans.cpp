@@ -68,7 +68,7 @@ void withPoints(const PointCloud& cloud, const Use& use) {
   use(unpacked);
 }
 
-/** Whether a level scanner with one plane may have seen the points, as the robot rocked a little. */
+/** Whether a level scanner with one plane may have seen the points as the robot rocked a little. */
 bool isPlanar(const PointCloud& cloud, const mrpt::poses::CPose3D& sensor) {
   constexpr float thickest = 0.05f;      // [m]
   constexpr double mostUpright = 0.985;  // 10 degrees off
@@ -166,6 +166,7 @@ ScanSource findScans(const ByteReader& in, const LoadGridOptions& options) {
                       contents.tilt * 180 / M_PI));
   if (!usesScans) {
     source.slice = contents.arePlanar ? wholePlane() : findSlice(contents.voxels, options);
+    refuseEmptySlice(*source.slice, in.file());
     addNote(source, "slice",
             "its point clouds are cut: " + sliceText(*source.slice) + " (see --slice)");
     if (contents.missing > 0) addNote(source, "missing_clouds", missingText(contents));

@@ -41,6 +41,7 @@ struct Slice {
   double low = 0, high = 0;  ///< of the band, above the floor [m]
   bool isFlat = false;       ///< all points lie in one plane, without a floor
   bool isFloorSeen = true;   ///< false: what lies lowest are the feet of walls
+  bool isEmpty = false;      ///< no point lies in the band
 
   bool contains(double z) const { return isFlat || (z - floor >= low && z - floor <= high); }
 };
@@ -50,6 +51,9 @@ struct Slice {
  *  straight pieces; below lintels, so that doors stay open. Bands equal within a twentieth: the
  *  lowest. options.sliceLow and .sliceHigh, where not both 0, are the band. */
 Slice findSlice(const Voxels& voxels, const LoadGridOptions& options);
+
+/** Throws DataError if the slice, which is of this file, is empty. */
+void refuseEmptySlice(const Slice& slice, const std::string& file);
 
 /** For people: "heights 0.6 to 1.1 m above the floor at -1 m". */
 std::string sliceText(const Slice& slice);
