@@ -128,6 +128,13 @@ TEST_F(Clouds, cloudsInFilesBesideTheMapAreRead) {
   expectRoom(load(outside(3, "b.bin")));
 }
 
+TEST_F(Clouds, cloudsOfTheMapThatThisOneWasMadeFromAreRead) {
+  std::filesystem::create_directories(dir_.path("final_map_Images"));
+  dir_.write("final_map_Images/lidar_1700000000.5.bin", test::gzipped(simple_));
+  expectRoom(load(outside(3, "lidar_1700000000.5.bin")));
+  EXPECT_NE(errorOf(outside(3, "lidar_1700000001.5.bin")).find("run_Images"), std::string::npos);
+}
+
 TEST_F(Clouds, filesOfKittiAndTextsAreRead) {
   std::string kitti, text;
   for (const auto& p : points_) {

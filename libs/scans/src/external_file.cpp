@@ -1,5 +1,6 @@
 #include "external_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -10,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using mrpt::math::TPoint3Df;
+
+constexpr const char* kFolderEnd = "_Images";
 
 /** The map's name without what its format and compression add. */
 fs::path stemOf(const std::string& map) {
@@ -22,17 +25,37 @@ fs::path stemOf(const std::string& map) {
   return stem;
 }
 
+/** The folders of other maps' files, in the order of their names. */
+std::vector<fs::path> otherFolders(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const std::string end = kFolderEnd;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+      found.push_back(entry.path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 }  // namespace
 
-std::string externalFolder(const std::string& map) { return stemOf(map).string() + "_Images"; }
+std::string externalFolder(const std::string& map) { return stemOf(map).string() + kFolderEnd; }
 
 std::unique_ptr<CheckedFile> openExternalFile(const std::string& map, const std::string& name) {
-  const fs::path folder = fs::path(map).parent_path();
-  for (const fs::path& place : {fs::path(externalFolder(map)), folder}) {
+  const auto opened = [&](const fs::path& place) {
     const fs::path file = place / name;  // a full name stays as it is
     std::error_code error;
-    if (fs::is_regular_file(file, error)) return std::make_unique<CheckedFile>(file.string());
-  }
+    return fs::is_regular_file(file, error) ? std::make_unique<CheckedFile>(file.string())
+                                            : nullptr;
+  };
+  fs::path folder = fs::path(map).parent_path();
+  for (const fs::path& place : {fs::path(externalFolder(map)), folder})
+    if (auto file = opened(place)) return file;
+  if (folder.empty()) folder = ".";
+  for (const fs::path& place : otherFolders(folder))
+    if (auto file = opened(place)) return file;
   return nullptr;
 }
 

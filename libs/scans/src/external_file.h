@@ -13,7 +13,9 @@ namespace roomgraph {
 std::string externalFolder(const std::string& map);
 
 /** Opens a file that a map names: in the folder NAME_Images beside map NAME, where MOLA puts them,
- *  beside the map, or where its full name says. None where it is nowhere. */
+ *  beside the map, where its full name says, or in the folder of another map beside this one, which
+ *  was made from that one or had its name: the names of the files hold sensor and time. None where
+ *  it is nowhere. */
 std::unique_ptr<CheckedFile> openExternalFile(const std::string& map, const std::string& name);
 
 /** The points of a file of KITTI's: x, y, z and intensity of each as floats. */
