@@ -74,8 +74,8 @@ TEST_F(MetricMap, linesAndPlanesAreSteppedOver) {
   EXPECT_EQ(load(metricMap(3, {{"gridmap", grid_}}, features)).frame.width, 5);
 }
 
-TEST_F(MetricMap, pointsAreSlicedAndTheirFloorIsFree) {
-  const GreyMap map = load(metricMap(3, {{"raw", points_}}));
+/** The walls of the room are in the map, within a cell, and nothing else is. */
+void expectRoom(const GreyMap& map) {
   const Grid grid = binarize(map, {});
   int walls = 0;
   for (int y = 0; y < grid.frame.height; ++y)
@@ -88,6 +88,11 @@ TEST_F(MetricMap, pointsAreSlicedAndTheirFloorIsFree) {
   EXPECT_GT(walls, 250);
   EXPECT_TRUE(grid.isFree({0.5, 0.5}));
   EXPECT_FALSE(grid.isFree({2.3, 0}));
+}
+
+TEST_F(MetricMap, pointsAreSlicedAndTheirFloorIsFree) {
+  const GreyMap map = load(metricMap(3, {{"raw", points_}}));
+  expectRoom(map);
   ASSERT_EQ(map.notes.size(), 1u);
   EXPECT_EQ(map.notes[0].code, "slice");
 }
@@ -133,6 +138,41 @@ TEST_F(MetricMap, ofSeveralLayersOfPointsOneWithPointsIsRead) {
   const std::string none = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10, {}, "");
   EXPECT_GT(load(metricMap(5, {{"a", none}, {"b", points_}})).frame.width, 50);
   EXPECT_NE(errorOf(metricMap(5, {{"a", none}})).find("'a' has no points"), std::string::npos);
+}
+
+/** MOLA's map of key frames, each with its cloud; seven bytes stand for its options. */
+std::string keyframeMap(int version, const std::vector<mrpt::poses::CPose3D>& poses,
+                        const test::Points& points) {
+  std::string bytes = "\x9bmola::KeyframePointCloudMap" + std::string(1, char(version)) +
+                      std::string(7, '\x88') + raw(std::uint32_t(poses.size()));
+  std::uint64_t number = 0;
+  for (const auto& pose : poses) {
+    const auto seen = test::seenFrom(pose, points);
+    bytes += raw(number++) + raw<std::uint64_t>(1) + test::streamed(pose) + '\1' +
+             test::pointsMapBytes("mrpt::maps::CGenericPointsMap", 4, seen, std::string(9, '\x88'));
+    if (version >= 2) bytes += '\1' + text("a tree\x88");
+    if (version >= 3) bytes += '\0';
+  }
+  return bytes + "\x88";
+}
+
+TEST_F(MetricMap, cloudsOfKeyframesArePutTogether) {
+  // Number 12 and what follows it look like a name of 12 bytes and an object.
+  std::vector<mrpt::poses::CPose3D> poses;
+  for (int i = 0; i < 14; ++i) poses.emplace_back(0.5 * i, -0.25 * i, 0, 0.5 * i, 0.1, 0);
+  for (const int version : {0, 1, 2, 3}) {
+    const std::string layer = keyframeMap(version, poses, test::roomPoints());
+    SCOPED_TRACE(version);
+    expectRoom(load(metricMap(5, {{"local", layer}, {"odd", voxels_}})));
+  }
+  EXPECT_NE(errorOf(metricMap(5, {{"local", keyframeMap(3, {}, {})}})).find("no points"),
+            std::string::npos);
+}
+
+TEST_F(MetricMap, cloudsThatGrowAreReadAsThePointsInThem) {
+  const std::string layer = "\x9bmola::IncrementalPointCloud\1" + points_ + "options\x88";
+  const GreyMap map = load(metricMap(5, {{"local", layer}, {"odd", voxels_}}));
+  EXPECT_EQ(map.grey, load(metricMap(5, {{"raw", points_}})).grey);
 }
 
 TEST_F(MetricMap, cutsAndLiesAreRefused) {

@@ -5,6 +5,7 @@
 
 #include "grid_of_points.h"
 #include "read_gridmap.h"
+#include "read_layer_points.h"
 #include "roomgraph/files/remedies.h"
 #include "roomgraph/scans/find_slice.h"
 #include "roomgraph/scans/object_header.h"
@@ -25,7 +26,13 @@ struct Layer {
 };
 
 bool isGrid(const Layer& layer) { return layer.className == "COccupancyGridMap2D"; }
-bool isPoints(const Layer& layer) { return isPointsMapClass(layer.className); }
+bool isPoints(const Layer& layer) { return hasLayerPoints(layer.className); }
+
+/** What separates a name from bytes of another layer that look like one. */
+bool isPrintable(ByteView bytes) {
+  return std::all_of(bytes.data, bytes.data + bytes.size,
+                     [](std::uint8_t c) { return c >= 0x20 && c != 0x7f; });
+}
 
 /** Whether a name and an object begin at `bytes`, or what stands behind the last layer. */
 bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
@@ -36,6 +43,7 @@ bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
   if (bytes.size < sizeof length) return false;
   std::memcpy(&length, bytes.data, sizeof length);
   if (length > longest || bytes.size < sizeof length + length) return false;
+  if (!isPrintable({bytes.data + sizeof length, length})) return false;
   const ByteView object{bytes.data + sizeof length + length, bytes.size - sizeof length - length};
   const auto next = peekObjectHeader(object);
   return next && !next->isOldFormat && (object.data[0] & 0x7f) >= kShortestStoredClass;
@@ -80,7 +88,7 @@ std::vector<Layer> readLayers(ByteReader& in) {
     if (isGrid(layer))
       in = object, readGridmapObject(in);
     else {
-      if (isPoints(layer)) layer.isEmpty = readPoints(in).empty();
+      if (isPointsMapClass(layer.className)) layer.isEmpty = readPoints(in).empty();
       skipLayer(in, i + 1 == count, map.version);
     }
     layers.push_back(layer);
@@ -112,8 +120,7 @@ Layer chosen(const std::vector<Layer>& layers, const std::string& name, const st
 }
 
 GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& options) {
-  readObjectHeader(in);
-  const auto points = readPoints(in);
+  const auto points = readLayerPoints(in);
   Voxels voxels;
   for (const auto& p : points) voxels.add(double(p.x), double(p.y), double(p.z));
   if (voxels.empty())
