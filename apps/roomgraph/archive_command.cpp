@@ -152,16 +152,26 @@ void writeOutput(const ArchiveArguments& arguments, const std::string& file,
   writeFileAtomically(file, text);
 }
 
-int report(const ArchiveArguments& arguments) {
+/** One line on stderr for each robot whose maps are an alarm, or none; whether there was one. */
+bool tellAlarms(const std::vector<WatchedSite>& sites) {
   bool isAlarm = false;
+  for (const WatchedSite& site : sites)
+    for (const RobotWatch& robot : site.watch.robots) {
+      if (!robot.errors.isAlarm()) continue;
+      printError(printable(site.history.site) + ": " + printable(robot.robot) + ": " +
+                 printable(robot.sentence));
+      isAlarm = true;
+    }
+  return isAlarm;
+}
+
+int report(const ArchiveArguments& arguments) {
   const std::vector<WatchedSite> sites = sitesToTell(arguments);
-  for (const WatchedSite& site : sites) {
-    if (!arguments.isQuiet) print(historyText(site));
-    isAlarm = isAlarm || site.watch.isAlarm();
-  }
+  if (!arguments.isQuiet)
+    for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeOutput(arguments, arguments.page, historyPage(sites, arguments.watch));
-  return arguments.failsOnAlarm && isAlarm ? kStruck : kDone;
+  return arguments.failsOnAlarm && tellAlarms(sites) ? kStruck : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {
@@ -205,7 +215,8 @@ std::function<int()> archiveCommand(CLI::App& app) {
       ->type_name("FILE");
   declareQuiet(arguments->isQuiet, *arguments->report);
   arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
-                              "Exit with 3 if the maps of a robot get worse.");
+                              "Exit with 3 if the maps of a robot get worse, with a line on "
+                              "stderr for each.");
   declareSite(*arguments, *arguments->list);
   declareExport(*arguments, *arguments->exporting);
   return [arguments] {
