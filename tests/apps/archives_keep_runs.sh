@@ -94,7 +94,7 @@ expect 0 "$roomgraph" archive site.db report
 grep -q '^  anna: ' out || fail "no line on anna"
 expect 0 "$roomgraph" archive site.db report --fail-on-alarm -q -o page.html
 [ ! -s out ] || fail "-q prints"
-grep -q "<h1>No robot's map gets worse</h1>" page.html || fail "no page"
+grep -q "<h1>Too few nights to see a trend</h1>" page.html || fail "no page"
 expect 0 "$roomgraph" archive site.db export -o runs.csv
 [ "$(wc -l < runs.csv)" = 7 ] || fail "not a line per run in the csv"
 expect 0 "$roomgraph" archive site.db export --format json -o archive.json

@@ -58,6 +58,8 @@ TEST(ExportHistory, jsonHasAllOfIt) {
   EXPECT_EQ(site["runs"][0]["figures"]["map_error_m"]["value"], 0.1);
   EXPECT_EQ(site["robots"].size(), 2U);
   EXPECT_EQ(site["robots"][1]["judged_runs"], 12);
+  EXPECT_EQ(site["robots"][0]["too_few_nights"], true);
+  EXPECT_EQ(site["robots"][1]["too_few_nights"], false);
   EXPECT_EQ(site["robots"][1]["last_good"]["sha256"], "11anna");
   EXPECT_TRUE(site["robots"][0]["last_good"].is_null());
 }
@@ -88,6 +90,10 @@ TEST(ExportHistory, prometheusHasEachGaugeOnceWithItsHelp) {
             std::string::npos)
       << text;
   EXPECT_NE(text.find("roomgraph_over_limit{site=\"office \\\"A\\\"\",robot=\"anna\"} 0\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("roomgraph_too_few_nights{site=\"office \\\"A\\\"\",robot=\"anna\"} 0\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("roomgraph_too_few_nights{site=\"office \\\"A\\\"\",robot=\"=berta\"} 1\n"),
             std::string::npos);
   EXPECT_EQ(text.find("roomgraph_map_error_metres{site=\"office \\\"A\\\"\",robot=\"=berta\"}"),
             std::string::npos);

@@ -47,7 +47,7 @@ TEST(WatchSite, theRobotThatGetsWorseAlarmsAndTheOtherDoesNot) {
   EXPECT_EQ(history.runs[*watch.robots[1].lastGood].time, 30 * 86400);
   EXPECT_EQ(watch.robots[1].sentence,
             "its map is above the limit of 0.30 m; the last good one is of 1970-01-31");
-  EXPECT_TRUE(watch.isAlarm());
+  EXPECT_TRUE(watch.robots[1].errors.isAlarm());
 }
 
 TEST(WatchSite, aDoorThatIsWalledUpIsNamedWithItsNight) {
@@ -113,7 +113,6 @@ TEST(WatchSite, anEmptyHistorySaysNothing) {
   const SiteWatch watch = watchSite({}, {});
   EXPECT_TRUE(watch.robots.empty());
   EXPECT_TRUE(watch.changes.empty());
-  EXPECT_FALSE(watch.isAlarm());
 }
 
 /** Nights of one robot with these errors. */
@@ -130,6 +129,8 @@ std::string sentenceOf(const std::vector<double>& errors, const WatchOptions& op
 
 TEST(WatchSite, aSentenceSaysWhatIsWrong) {
   EXPECT_EQ(sentenceOf({0.1, 0.1}), "too few nights to see a trend");
+  EXPECT_EQ(sentenceOf(std::vector<double>(9, 0.1)), "too few nights to see a trend");
+  EXPECT_EQ(sentenceOf(std::vector<double>(10, 0.1)), "its map is as good as ever");
   EXPECT_EQ(sentenceOf(std::vector<double>(40, 0.9)),
             "its map is above the limit of 0.30 m; no good one is known");
   std::vector<double> rising, stepped;

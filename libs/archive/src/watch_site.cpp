@@ -59,7 +59,7 @@ std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
     return "its map has been worse since " + dayOf(watch.runs[errors.change->first]) + ", by " +
            formatted("%.2f m", errors.change->after - errors.change->before);
   if (watch.runs.empty()) return "no run of it can be judged yet";
-  if (watch.runs.size() < options.nights) return "too few nights to see a trend";
+  if (errors.isTooShort) return "too few nights to see a trend";
   return "its map is as good as ever";
 }
 
@@ -102,11 +102,6 @@ double toleranceOf(const std::string& what, const RoomSeries& series) {
 }
 
 }  // namespace
-
-bool SiteWatch::isAlarm() const {
-  return std::any_of(robots.begin(), robots.end(),
-                     [](const RobotWatch& robot) { return robot.errors.isAlarm(); });
-}
 
 SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
   SiteWatch watch;

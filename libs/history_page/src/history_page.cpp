@@ -31,17 +31,18 @@ std::string metres(std::optional<double> value) {
   return formatted("%.3f", *value);
 }
 
-/** The larger, the more it needs a look. */
+/** The larger, the more it needs attention. */
 int needOf(const RobotWatch& robot) {
-  if (robot.errors.isOverLimit) return 4;
-  if (robot.errors.isDeclining) return 3;
-  if (robot.errors.isChanged) return 2;
-  return robot.runs.empty() ? 1 : 0;
+  if (robot.errors.isOverLimit) return 5;
+  if (robot.errors.isDeclining) return 4;
+  if (robot.errors.isChanged) return 3;
+  if (robot.runs.empty()) return 2;
+  return robot.errors.isTooShort ? 1 : 0;
 }
 
 const char* stateOf(const RobotWatch& robot) {
-  constexpr const char* kStates[] = {"as ever", "not judged", "worse since", "gets worse",
-                                     "above limit"};
+  constexpr const char* kStates[] = {"as ever",     "too few nights", "not judged",
+                                     "worse since", "gets worse",     "above limit"};
   return kStates[needOf(robot)];
 }
 
@@ -61,20 +62,31 @@ std::vector<Row> rowsByNeed(const std::vector<WatchedSite>& sites) {
   return rows;
 }
 
+/** Where no robot alarms: says so only of those of which enough nights are known. */
+std::string calmHeadline(const std::vector<Row>& rows) {
+  const auto untold = std::size_t(std::count_if(
+      rows.begin(), rows.end(), [](const Row& row) { return row.robot->errors.isTooShort; }));
+  if (untold == 0) return "No robot's map gets worse";
+  if (untold == rows.size()) return "Too few nights to see a trend";
+  return "No alarm, but " + std::to_string(untold) + " of " +
+         counted(rows.size(), "robot", "robots") + (untold == 1 ? " has" : " have") +
+         " too few nights to see a trend";
+}
+
 std::string headline(const std::vector<Row>& rows) {
   const auto alarms = std::size_t(std::count_if(
       rows.begin(), rows.end(), [](const Row& row) { return row.robot->errors.isAlarm(); }));
   if (rows.empty()) return "No runs yet";
-  if (alarms == 0) return "No robot's map gets worse";
+  if (alarms == 0) return calmHeadline(rows);
   if (rows.size() == 1) return "Robot " + rows[0].robot->robot + ": " + rows[0].robot->sentence;
   return counted(alarms, "robot", "robots") + " of " + std::to_string(rows.size()) +
-         (alarms == 1 ? " needs a look" : " need a look");
+         (alarms == 1 ? " needs attention" : " need attention");
 }
 
 std::string rowHtml(const Row& row, const WatchOptions& options) {
   const RobotWatch& robot = *row.robot;
   const auto& runs = row.site->history.runs;
-  const char* kind = robot.errors.isAlarm() ? " bad" : robot.runs.empty() ? " unsure" : "";
+  const char* kind = robot.errors.isAlarm() ? " bad" : robot.errors.isTooShort ? " unsure" : "";
   return std::string("<tr><td class=\"state") + kind + "\">" + stateOf(robot) +
          "</td><th scope=\"row\">" + xmlText(row.site->history.site) + "</th><td>" +
          xmlText(robot.robot) + "</td><td>" + errorSparkline(*row.site, robot, options) +
@@ -87,8 +99,8 @@ std::string rowHtml(const Row& row, const WatchOptions& options) {
 std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options) {
   std::string html =
       "<section id=\"robots\" aria-labelledby=\"robots-title\">\n<h2 id=\"robots-title\">Robots"
-      "</h2>\n<p class=\"hint\">Those that need a look first. The map error is how far a map lies "
-      "from where the walls are, by all runs together; the limit is " +
+      "</h2>\n<p class=\"hint\">Robots that need attention come first. The map error is how far a "
+      "map lies from where the walls are, by all runs together; the limit is " +
       metres(options.limit) +
       " m.</p>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">State</th><th "
       "scope=\"col\">Site</th><th scope=\"col\">Robot</th><th scope=\"col\">Map error over "
@@ -131,7 +143,7 @@ std::string siteHtml(const WatchedSite& site, std::size_t number, const WatchOpt
   return html + runsHtml(site.history) + "</section>\n";
 }
 
-/** The sites in the order of the robot of each that needs a look most. */
+/** The sites in the order of the robot of each that needs attention most. */
 std::string sitesHtml(const std::vector<Row>& rows, const WatchOptions& options) {
   std::vector<const WatchedSite*> sites;
   for (const Row& row : rows)

@@ -53,7 +53,8 @@ ErrorWatch watchErrors(const Samples& errors, const WatchOptions& options) {
     if (errors[i].value <= options.limit) watch.lastGood = i;
   if (errors.size() < options.nights) return watch;
   watch.isOverLimit = medianOf(lastOf(errors, options.nights)) > options.limit;
-  if (errors.size() < 2 * options.nights) return watch;
+  watch.isTooShort = errors.size() < 2 * options.nights;
+  if (watch.isTooShort) return watch;
   findDecline(watch, errors, options);
   findChange(watch, errors, options);
   return watch;

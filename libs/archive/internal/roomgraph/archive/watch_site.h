@@ -36,8 +36,6 @@ struct RoomChange {
 struct SiteWatch {
   std::vector<RobotWatch> robots;   ///< by name
   std::vector<RoomChange> changes;  ///< by time, then by room
-
-  bool isAlarm() const;
 };
 
 /** Judges each robot by watchErrors, and says which rooms have changed and stayed so: five runs

@@ -28,6 +28,7 @@ struct ErrorWatch {
   bool isOverLimit = false;             ///< the median of the last nights is above the limit
   bool isDeclining = false;             ///< the errors rise, slowly or not, and surely
   bool isChanged = false;               ///< they have been larger since some night, and surely
+  bool isTooShort = true;               ///< too few samples to see a decline or a change
   std::optional<SlopeFit> slope;        ///< of the window
   TrendTest trend;                      ///< of the window
   std::optional<ChangePoint> change;    ///< of the history; its index is one of all samples
