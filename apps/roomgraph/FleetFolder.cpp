@@ -1,5 +1,7 @@
 #include "FleetFolder.h"
 
+#include <sstream>
+
 #include "roomgraph/files/InputFile.h"
 #include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/files/write_file.h"
@@ -7,15 +9,31 @@
 
 namespace roomgraph {
 
-void FleetFolder::write(const std::vector<FleetTask>& tasks,
-                        const CompareMapsOptions& options) const {
+std::string linesOf(const std::vector<std::string>& failures) {
+  std::string text;
+  for (const std::string& line : failures) text += line + "\n";
+  return text;
+}
+
+void FleetFolder::write(const std::vector<FleetTask>& tasks, const CompareMapsOptions& options,
+                        const std::vector<std::string>& failures) const {
   makeWritableFolder(folder_.string());
   makeWritableFolder((folder_ / "results").string());
   CompareMapsOptions written = options;
   StagedFiles staged;
   staged.add(optionsFile().string(), toIni(describe(written)));
   staged.add(taskFile().string(), taskLines(tasks));
+  staged.add(this->failures().string(), linesOf(failures));
   staged.commit();
+}
+
+std::vector<std::string> FleetFolder::failuresIn(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  std::vector<std::string> lines;
+  std::istringstream text(readFile(file.string()));
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
 }
 
 std::vector<FleetTask> FleetFolder::tasks() const {

@@ -8,8 +8,7 @@
 #include "option_arguments.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/printable.h"
-#include "roomgraph/files/InputFile.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/report/comparison_json.h"
 #include "terminal.h"
 
@@ -21,30 +20,25 @@ struct CollectArguments {
   bool isQuiet = false;
 };
 
+/** "39 of 40 tasks are done, 119 runs are new in the archive". */
+std::string summary(std::size_t done, std::size_t tasks, std::size_t news) {
+  return std::to_string(done) + " of " + counted(tasks, "task", "tasks") +
+         (done == 1 || tasks == 1 ? " is done, " : " are done, ") + counted(news, "run", "runs") +
+         (news == 1 ? " is" : " are") + " new in the archive\n";
+}
+
 /** What became of a task: runs that are new in the archive, and why some are not. */
 struct Collected {
   std::size_t runs = 0;
   std::vector<std::string> failures;
 };
 
-std::vector<std::string> failuresOf(const FleetFolder& fleet, const FleetTask& task) {
-  std::vector<std::string> lines;
-  const std::string text = readFile(fleet.failuresOf(task).string());
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
-}
-
 Collected collect(const FleetFolder& fleet, const FleetTask& task, Archive& archive) {
   Collected collected;
   std::error_code error;
   const bool isWhole = std::filesystem::exists(fleet.resultOf(task), error);
-  if (!isWhole && std::filesystem::exists(fleet.failuresOf(task), error))
-    collected.failures = failuresOf(fleet, task);
-  else if (!isWhole)
+  if (!isWhole) collected.failures = FleetFolder::failuresIn(fleet.failuresOf(task));
+  if (!isWhole && collected.failures.empty())
     collected.failures = {"has not been done: start its task again"};
   if (!isWhole && !std::filesystem::exists(fleet.partOf(task), error)) return collected;
   Addition addition;
@@ -62,6 +56,9 @@ int run(const CollectArguments& arguments) {
   const FleetFolder fleet(arguments.folder);
   Archive archive(arguments.archive, Archive::Access::existing);
   const std::vector<FleetTask> tasks = fleet.tasks();
+  // What never became a task: the call is the only one of a night whose exit code is looked at.
+  const std::vector<std::string> unplanned = FleetFolder::failuresIn(fleet.failures());
+  for (const std::string& line : unplanned) printError(line);
   std::size_t failed = 0, news = 0;
   for (const FleetTask& task : tasks) {
     Collected collected;
@@ -74,10 +71,8 @@ int run(const CollectArguments& arguments) {
     if (!collected.failures.empty()) ++failed;
     for (const std::string& line : collected.failures) printError(task.site + ": " + line);
   }
-  if (!arguments.isQuiet)
-    print(std::to_string(tasks.size() - failed) + " of " + std::to_string(tasks.size()) +
-          " tasks are done, " + std::to_string(news) + " runs are new in the archive\n");
-  return failed == 0 ? kDone : kBadData;
+  if (!arguments.isQuiet) print(summary(tasks.size() - failed, tasks.size(), news));
+  return failed == 0 && unplanned.empty() ? kDone : kBadData;
 }
 
 }  // namespace

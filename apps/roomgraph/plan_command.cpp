@@ -6,6 +6,7 @@
 #include "FleetFolder.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/files/InputFile.h"
 #include "roomgraph/fleet/plan_fleet.h"
 #include "roomgraph/fleet/read_run_list.h"
@@ -25,10 +26,10 @@ int run(const PlanArguments& arguments) {
   PlanFleetOptions options;
   options.most = arguments.most;
   options.compare = toCompareOptions(arguments.options);
-  std::size_t unread = 0;
+  std::vector<std::string> unread;
   options.onUnread = [&](const std::string& line) {
     printError(line);
-    ++unread;
+    unread.push_back(line);
   };
   options.onMissing = [](const KnownRun& run) {
     printError(run.file + ": note: is gone or another file now: not compared with");
@@ -39,13 +40,13 @@ int run(const PlanArguments& arguments) {
   const Archive archive(arguments.archive, Archive::Access::orNew);
   const std::vector<FleetTask> tasks = planFleet(listed, archive, options);
   const FleetFolder fleet(arguments.folder);
-  fleet.write(tasks, options.compare);
+  fleet.write(tasks, options.compare, unread);
   std::size_t news = 0;
   for (const FleetTask& task : tasks) news += task.newRuns;
   if (!arguments.isQuiet)
-    print(std::to_string(tasks.size()) + " tasks for " + std::to_string(news) + " new of " +
-          std::to_string(listed.size()) + " runs\n");
-  return unread == 0 ? kDone : kBadData;
+    print(counted(tasks.size(), "task", "tasks") + " for " + counted(news, "new run", "new runs") +
+          " (of " + std::to_string(listed.size()) + " listed)\n");
+  return unread.empty() ? kDone : kBadData;
 }
 
 }  // namespace

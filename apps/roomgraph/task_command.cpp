@@ -21,12 +21,6 @@ struct TaskArguments {
   unsigned threads = 1;  // engines give each core a task of its own
 };
 
-std::string linesOf(const std::vector<std::string>& failures) {
-  std::string text;
-  for (const std::string& line : failures) text += line + "\n";
-  return text;
-}
-
 /** Keeps what came out, and says whether all maps could be used. */
 bool keep(const FleetFolder& fleet, const FleetTask& task, const TaskResult& result) {
   const std::string document = comparisonJson(result.comparison);

@@ -25,7 +25,7 @@ damage() { grep -q "site40: .*s40-3.pgm: .*cut short" "$1" || { cat "$1"; fail "
 
 # One after the other.
 expect 0 "$roomgraph" plan list.csv --archive serial.db -o serial --resolution 0.05
-grep -qx '40 tasks for 120 new of 120 runs' out || { cat out; fail "another plan"; }
+grep -qx '40 tasks for 120 new runs (of 120 listed)' out || { cat out; fail "another plan"; }
 expect 1 "$roomgraph" task serial 1 40
 one_line err s40-3.pgm
 expect 2 "$roomgraph" task serial 41
@@ -46,7 +46,7 @@ runs serial.db | cmp - serial.runs
 { printf 'P5\n# site 3 night 4\n'; rooms room.pgm 163; tail -n +2 room.pgm; } > maps/s3-4.pgm
 echo "site3,maps/s3-4.pgm,anna,2026-11-04" >> list.csv
 expect 0 "$roomgraph" plan list.csv --archive serial.db -o second --resolution 0.05
-grep -qx '2 tasks for 2 new of 121 runs' out || { cat out; fail "another plan"; }
+grep -qx '2 tasks for 2 new runs (of 121 listed)' out || { cat out; fail "another plan"; }
 grep -q '"site":"site3".*"new":1.*s3-4.*s3-1.*s3-2.*s3-3' second/tasks.jsonl || fail "another task"
 sed -i '$d' list.csv
 # A plan of other options, or of files that have changed since, is not done.
@@ -54,9 +54,36 @@ sed -i 's/^resolution = .*/resolution = 0.06/' second/options.ini
 expect 1 "$roomgraph" task second 1
 one_line err "other options"
 
-# With GNU parallel.
 ln -s "$roomgraph" bin/roomgraph
 PATH=$PWD/bin:$PATH
+
+# A file that cannot even be read is in no task: what ends the night names it, and does the rest. Its
+# name comes back each night until the file is there or off the list.
+head -n 4 list.csv > short.csv
+for night in 4 5; do
+  { printf 'P5\n# site 1 night %d\n' $night; rooms room.pgm 161; tail -n +2 room.pgm; } > maps/s1-$night.pgm
+  echo "site1,maps/s1-$night.pgm,anna,2026-11-0$night" >> short.csv
+done
+echo site1,maps/none.pgm,anna,2026-11-06 >> short.csv
+expect 1 "$roomgraph" plan short.csv --archive short.db -o short --resolution 0.05
+grep -qx '1 task for 5 new runs (of 6 listed)' out || { cat out; fail "another plan"; }
+one_line err "site1: " maps/none.pgm "no such file"
+cp err plan.err
+expect 0 "$roomgraph" task short 1
+expect 1 "$roomgraph" collect short --archive short.db
+grep -qx '1 of 1 task is done, 5 runs are new in the archive' out || { cat out; fail "collected"; }
+cmp err plan.err
+expect 1 "$share/parallel/night" short.csv short.db short --resolution 0.05
+grep -q "site1: .*maps/none.pgm: " err || { cat err; fail "the night does not name the file"; }
+sed -i '$d' short.csv
+expect 0 "$share/parallel/night" short.csv short.db short --resolution 0.05
+[ ! -s err ] || { cat err; fail "a good night complains"; }
+# An alarm ends the night with another code: here by hand, as if five nights had been bad.
+sqlite3 short.db "UPDATE figure SET value = 2 WHERE name = 'map_error_m'"
+expect 3 "$share/parallel/night" short.csv short.db short --resolution 0.05
+one_line err "site1: anna: its map is above the limit"
+
+# With GNU parallel.
 expect 1 "$share/parallel/night" list.csv parallel.db parallel --resolution 0.05
 damage err
 results parallel | cmp - serial.results

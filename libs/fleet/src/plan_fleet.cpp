@@ -7,6 +7,7 @@
 
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/files/checked_file.h"
 #include "roomgraph/map_files/map_sha256.h"
@@ -27,7 +28,7 @@ std::map<std::string, NewRuns> newRunsOf(const std::vector<ListedRun>& listed,
       const double time = run.time ? *run.time : runTime(run.file);
       sites[run.site].insert({sha256, {sha256, run.robot, run.file, time}});
     } catch (const DataError& error) {
-      options.onUnread(error.what());
+      options.onUnread(printable(run.site) + ": " + error.what());
     }
   }
   return sites;

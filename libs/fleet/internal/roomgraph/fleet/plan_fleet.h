@@ -16,7 +16,8 @@ namespace roomgraph {
 struct PlanFleetOptions {
   std::size_t most = 8;        ///< runs of the archive that those of a site are compared with
   CompareMapsOptions compare;  ///< what the tasks are done with
-  /** Told of each listed run whose file cannot be read, with a line that names it. */
+  /** Told of each listed run whose file cannot be read, with a line that names site, file and
+   *  problem. */
   std::function<void(const std::string& line)> onUnread = [](const std::string&) {};
   /** Told of each run of the archive whose file is gone or another one. */
   std::function<void(const KnownRun&)> onMissing = [](const KnownRun&) {};
