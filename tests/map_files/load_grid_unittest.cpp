@@ -231,6 +231,24 @@ TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
   }
 }
 
+TEST(LoadGrid, aNegativeFieldOfViewRunsTheOtherWay) {
+  const TempDir dir;
+  const auto bytes = [](float aperture, bool rightToLeft) {
+    auto simplemap = test::smallSimplemap();
+    for (std::size_t i = 0; i < simplemap.size(); ++i) {
+      auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
+          **test::entryOf(simplemap, i).sf->begin());
+      scan.aperture = aperture;
+      scan.rightToLeft = rightToLeft;
+    }
+    return test::streamed(simplemap);
+  };
+  const GreyMap expected = loadGrid(dir.write("a", bytes(2.5f, false)), {});
+  EXPECT_EQ(loadGrid(dir.write("b", bytes(-2.5f, true)), {}).grey, expected.grey);
+  EXPECT_NE(loadGrid(dir.write("c", bytes(2.5f, true)), {}).grey, expected.grey);
+  EXPECT_THROW(loadGrid(dir.write("d", bytes(-7.5f, true)), {}), DataError);
+}
+
 TEST(LoadGrid, scansThatAreTiltedAreRefusedAsSuch) {
   const TempDir dir;
   const std::string file = dir.write("a", tiltedScans(4));

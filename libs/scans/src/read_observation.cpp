@@ -50,6 +50,10 @@ void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan) {
   scan.aperture = in.get<float>();
   scan.rightToLeft = in.getFlag();
   scan.maxRange = in.get<float>();
+  if (scan.aperture < 0) {  // of a ROS scan whose angles decrease
+    scan.aperture = -scan.aperture;
+    scan.rightToLeft = !scan.rightToLeft;
+  }
   if (!(scan.aperture >= 0 && scan.aperture < 7))
     refuse(in.file(), "it is damaged: a scan in it has an absurd field of view", kSaveMapAgain);
   scan.sensor = readPose3D(in);
