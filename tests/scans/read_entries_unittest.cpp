@@ -4,6 +4,8 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
+#include <cmath>
+
 #include "map_files.h"
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
@@ -94,6 +96,25 @@ TEST_F(NewerSimplemap, keyframesKeepOdometryWhereThereIsSome) {
   EXPECT_EQ(frames[0].odometry->y, 2);
   EXPECT_EQ(frames[0].odometry->phi, 0.5);
   EXPECT_FALSE(frames[1].odometry);
+}
+
+TEST_F(NewerSimplemap, odometryThatCannotBeReadIsLeftOut) {
+  mrpt::obs::CObservationOdometry odometry;
+  std::string newer = test::streamed(odometry);
+  newer[newer.find("Odometry") + 8] = 3;  // its version
+  odometry.odometry.x(NAN);
+  for (const std::string& bytes : {newer, test::streamed(odometry)}) {
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < simplemap_.size(); ++i) {
+      const auto [pose, frame] = test::entryOf(simplemap_, i);
+      entries.push_back(test::streamed(*pose) +
+                        test::frameBytes({bytes, test::streamed(**frame->begin())}) +
+                        test::twistBytes(false));
+    }
+    const std::string map = test::simplemapBytes(2, entries);
+    expectSameGrid(map);
+    EXPECT_FALSE(loadKeyframes(dir_.write("map", map), 30).at(0).odometry);
+  }
 }
 
 TEST_F(NewerSimplemap, scansKeepTheirIdentityInEveryVersion) {

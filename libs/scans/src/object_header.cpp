@@ -64,7 +64,8 @@ void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest) 
   if (header.version < 0 || header.version > newest)
     refuse(in.file(),
            "holds version " + std::to_string(header.version) + " of " + header.className +
-               ", and only 0 to " + std::to_string(newest) + " are known here",
+               ", and only " + (newest == 0 ? "0 is" : "0 to " + std::to_string(newest) + " are") +
+               " known here",
            "get a newer roomgraph, or give the map's grid as a ROS map (yaml with png)");
 }
 

@@ -72,7 +72,8 @@ void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int map
     entry.clouds.push_back(readCloud(in, header));
     kind.label = entry.clouds.back().label;
   }
-  if (header.className == "CObservationOdometry") entry.odometry = readOdometry(in, header);
+  if (header.className == "CObservationOdometry")
+    if (const auto odometry = readOdometry(in, header)) entry.odometry = odometry;
   skipObservation(in, header, isLast, mapVersion);
 }
 

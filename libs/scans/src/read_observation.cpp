@@ -63,11 +63,12 @@ void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan) {
   readObjectEnd(in, header);
 }
 
-mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header) {
-  checkVersion(in, header, 2);
-  mrpt::poses::CPose2D pose = readPose2D(in);
+std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& in, const ObjectHeader& header) {
+  constexpr int newest = 2;
+  if (header.version > newest) return std::nullopt;
+  const mrpt::poses::CPose2D pose = readPose2D(in);
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
-    refuse(in.file(), "it is damaged: an odometry in it is not valid", kSaveMapAgain);
+    return std::nullopt;
   return pose;
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "roomgraph/scans/RangeScan.h"
 #include "roomgraph/scans/mrpt_object.h"
 
@@ -10,7 +12,7 @@ namespace roomgraph {
 void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan);
 
 /** Reads the pose that follows the header of a CObservationOdometry, versions 0 to 2, and leaves
- *  the rest. */
-mrpt::poses::CPose2D readOdometry(ByteReader& in, const ObjectHeader& header);
+ *  the rest. None where it is not finite, or the version is another: a map can do without. */
+std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& in, const ObjectHeader& header);
 
 }  // namespace roomgraph
