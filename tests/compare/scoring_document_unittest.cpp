@@ -49,6 +49,8 @@ TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
   expectSaid("width %g for the deviations", error.deviationWidth);
   expectSaid("(pseudo-Huber, width %g)", error.below);
   expectSaid("Errors are at most %g m", error.mostError);
+  expectSaid("√(%g² · *k* + %g²)", error.spread, error.leastSpread);
+  expectSaid("Its upper end is at least %g m", error.bendNoise);
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {
@@ -66,8 +68,8 @@ TEST(ScoringDocument, saysWhenAScaleIsFound) {
   expectSaid("Every %g %%, the picture", 100 * scale.step);
 }
 
-TEST(ScoringDocument, saysWhereTheGateStrikes) {
-  expectSaid("`--fail-on coverage` strikes below %g %%", 100 * kPartialCoverage);
+TEST(ScoringDocument, saysWhereTheGateFails) {
+  expectSaid("`--fail-on coverage` fails below %g %%", 100 * kPartialCoverage);
 }
 
 }  // namespace
