@@ -102,7 +102,7 @@ manual() {
     manual_of "$work/all"
   fi
   printf '.SH EXIT STATUS\n.TP\n0\ndone\n.TP\n1\ndata that cannot be used\n.TP\n2\na wrong command line\n'
-  ! grep -qs 'Exit with 3' "$work"/*.help || printf '.TP\n3\na gate strikes\n'
+  ! grep -qs 'Exit with 3' "$work"/*.help || printf '.TP\n3\na gate fails, or an alarm is raised\n'
 }
 
 # words: the options of stdin as a completion offers them.

@@ -4,8 +4,9 @@
 
 namespace roomgraph {
 
-/** What the program ends with; kStruck where a gate such as --fail-below strikes. */
-enum ExitCode { kDone = 0, kBadData = 1, kBadUsage = 2, kStruck = 3 };
+/** What the program ends with; kGateFailed where a gate such as --fail-below fails, or there is an
+ *  alarm. */
+enum ExitCode { kDone = 0, kBadData = 1, kBadUsage = 2, kGateFailed = 3 };
 
 /** A subcommand: declares its arguments and returns what to do once they are parsed. That returns
  *  an exit code, and throws UsageError or DataError. */

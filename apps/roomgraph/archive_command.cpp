@@ -171,7 +171,7 @@ int report(const ArchiveArguments& arguments) {
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeOutput(arguments, arguments.page, historyPage(sites, arguments.watch));
-  return arguments.failsOnAlarm && tellAlarms(sites) ? kStruck : kDone;
+  return arguments.failsOnAlarm && tellAlarms(sites) ? kGateFailed : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {

@@ -68,7 +68,7 @@ void declareResults(CompareArguments& arguments, CLI::App& app) {
   app.add_option(
          "--names", arguments.names,
          "JSON file that keeps the ids and names of the site's rooms from call to call. It is "
-         "created if missing, and updated unless the gate strikes. Names in it may be edited.")
+         "created if missing, and updated unless the gate fails. Names in it may be edited.")
       ->type_name("FILE");
   app.add_option(
          "--cache", arguments.cache,
@@ -262,17 +262,17 @@ int run(const CompareArguments& arguments) {
   }
   StagedFiles staged;
   gate.candidates = candidatesOf(arguments, comparison);
-  const bool isStruck = addGate(comparison, gate);
+  const bool gateFails = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
-  if (site && !isStruck) staged.add(arguments.names, siteJson(*site));
+  if (site && !gateFails) staged.add(arguments.names, siteJson(*site));
   addGateFiles(comparison, arguments.gate, staged);
   const bool isUnread = printLeftOut(comparison);
   writeResults(comparison, read.runs, arguments, arguments.folder, staged);
   if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
   laps.end("write_files");
   if (arguments.running.showsTimings) std::fputs(laps.table("compare").c_str(), stderr);
-  const int exitCode = exitCodeOf(comparison, isStruck);
-  if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
+  const int exitCode = exitCodeOf(comparison, gateFails);
+  if (site && gateFails) printError(arguments.names + ": left as it was, as the gate fails");
   return exitCode == kDone && isUnread ? kBadData : exitCode;
 }
 

@@ -166,10 +166,10 @@ void printComplaints(const Comparison& comparison) {
   for (const std::string& line : comparison.gate->complaints) printError(line);
 }
 
-int exitCodeOf(const Comparison& comparison, bool isStruck) {
-  if (isStruck) {
+int exitCodeOf(const Comparison& comparison, bool gateFails) {
+  if (gateFails) {
     printComplaints(comparison);
-    return kStruck;
+    return kGateFailed;
   }
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });

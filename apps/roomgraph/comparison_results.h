@@ -49,7 +49,7 @@ GateOptions gateOf(const GateArguments& arguments);
 void addGateFiles(const Comparison& comparison, const GateArguments& arguments,
                   StagedFiles& staged);
 
-/** Adds the verdict of a gate that asks for anything; whether it strikes. */
+/** Adds the verdict of a gate that asks for anything; whether it fails. */
 bool addGate(Comparison& comparison, const GateOptions& gate);
 
 /** All results of a comparison. `runs` are those whose maps are drawn, `more` the names of files
@@ -62,9 +62,9 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);
 void printComplaints(const Comparison& comparison);
 
-/** What a call ends with that is struck by its gate or not: kBadData where nothing was compared,
+/** What a call ends with whose gate fails or not: kBadData where nothing was compared,
  *  which is said. */
-int exitCodeOf(const Comparison& comparison, bool isStruck);
+int exitCodeOf(const Comparison& comparison, bool gateFails);
 void printError(const std::string& text);
 
 }  // namespace roomgraph

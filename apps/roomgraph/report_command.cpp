@@ -51,14 +51,14 @@ int run(const ReportArguments& arguments) {
   Comparison comparison = readComparison(arguments.comparison);
   checkCandidates(arguments, comparison);
   const std::vector<Run> runs = readMapsOf(comparison, arguments.maps);
-  const bool isStruck = addGate(comparison, gate);
+  const bool gateFails = addGate(comparison, gate);
   makeWritableFolder(folderOf(arguments).string());
   StagedFiles staged;
   addResults(comparison, runs, files, {}, staged);
   addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   if (!arguments.isQuiet) printResults(comparison, files, {});
-  return exitCodeOf(comparison, isStruck);
+  return exitCodeOf(comparison, gateFails);
 }
 
 }  // namespace

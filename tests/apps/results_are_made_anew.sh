@@ -15,7 +15,7 @@ expect 0 "$roomgraph" report again/comparison.json
 grep -q 'office_run1' out || fail "no ranking"
 cmp first/comparison.runs.csv again/comparison.runs.csv
 
-# The gate strikes, and its verdict is kept.
+# The gate fails, and its verdict is kept.
 expect 3 "$roomgraph" report again/comparison.json --fail-below 100
 grep -q '"gate": {"passed":false' again/comparison.json || fail "the verdict is not saved"
 grep -q 'office_run2: its score is below --fail-below' err || fail "no line on stderr"

@@ -31,7 +31,7 @@ cmp site.json edited.json
 grep -q '^R3,Kitchen,room,' o2/comparison.rooms.csv || fail "the name is not used"
 ls -A | grep -q part && fail "a part of a file is left"
 
-# Where the gate strikes the results have the names, but the file is left as it was, or not made.
+# Where the gate fails the results have the names, but the file is left as it was, or not made.
 rooms other.pgm
 grep -v '"id":"R4"' edited.json > site.json   # a room less than there is
 cp site.json before.json

@@ -52,7 +52,7 @@ TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
   Comparison comparison = twoRuns();
   comparison.gate = GateVerdict{{"b <&\"|*>\n: is torn"}, {}, {"no break"}};
   const std::string text = gateMarkdown(comparison);
-  EXPECT_TRUE(has(text, "## a is the best\n\n**The gate strikes**: asked was no break.\n")) << text;
+  EXPECT_TRUE(has(text, "## a is the best\n\n**The gate fails**: asked was no break.\n")) << text;
   EXPECT_TRUE(has(text, "| 1 | a | 0.050 | 0.000 to 0.000 | 100 | passes |\n")) << text;
   EXPECT_TRUE(has(text, "| - | b \\<\\&\"\\|\\*\\>? |")) << text;
   EXPECT_TRUE(has(text, "left out: ends too early |\n")) << text;

@@ -97,7 +97,7 @@ std::string gateMarkdown(const Comparison& comparison) {
   const std::vector<JudgedRun> judged = judgedRuns(comparison);
   std::string text = "## " + markdownText(comparison.verdict) + "\n\n";
   if (comparison.gate) {
-    text += comparison.gate->isPassed() ? "The gate passes" : "**The gate strikes**";
+    text += comparison.gate->isPassed() ? "The gate passes" : "**The gate fails**";
     const std::string asked = joined(comparison.gate->asked);
     text += (asked.empty() ? "" : ": asked was " + markdownText(asked)) + ".\n\n";
     for (const std::string& line : comparison.gate->complaints)
