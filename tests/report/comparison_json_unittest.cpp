@@ -4,6 +4,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/report/comparison_csv.h"
+#include "roomgraph/report/gate_report.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {
@@ -67,6 +68,17 @@ TEST(ComparisonText, aNameStaysOnItsLine) {
             std::count(before.begin(), before.end(), '\n'));
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
   EXPECT_NE(text.find("a?b?[31m"), std::string::npos);
+}
+
+TEST(ComparisonText, isTheSameOfTheFile) {
+  Comparison comparison = sample();
+  comparison.runs[0].score->mapError = 0.08148;  // 0.0815 in the file
+  comparison.runs[0].score->score = 84.94996;
+  comparison.runs[0].measures.assign(1, {"coverage", 0.91496, "1", 1, {}, {}, true});
+  const Comparison again = parseComparisonJson(comparisonJson(comparison), "comparison.json");
+  EXPECT_EQ(comparisonText(again), comparisonText(comparison));
+  EXPECT_EQ(gateMarkdown(again), gateMarkdown(comparison));
+  EXPECT_NE(comparisonText(comparison).find(" 0.082 "), std::string::npos);
 }
 
 TEST(ParseComparisonJson, knowsWhatAnOptionIs) {

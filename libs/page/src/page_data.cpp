@@ -106,11 +106,11 @@ std::string colourText(std::size_t run) {
 std::string fixedText(std::optional<double> value, int digits) {
   if (!value || !std::isfinite(*value)) return "–";
   char text[60];
-  std::snprintf(text, sizeof text, "%.*f", digits, *value + 0.0);
+  std::snprintf(text, sizeof text, "%.*f", digits, rounded(*value));
   return text;
 }
 
-std::string percentText(double share) { return fixedText(100 * share, 0) + " %"; }
+std::string percentText(double share) { return fixedText(100 * rounded(share), 0) + " %"; }
 
 std::string pageDocument(const Comparison& comparison) {
   return safeInScript(comparisonJson(comparison));

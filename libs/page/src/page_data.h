@@ -23,7 +23,8 @@ std::string colourText(std::size_t run);
 /** Shares of 0.1, for instance, as "10 %". */
 std::string percentText(double share);
 
-/** With so many digits behind the point; "–" for nothing. */
+/** With so many digits behind the point, of the value as comparison.json holds it; "–" for
+ *  nothing. */
 std::string fixedText(std::optional<double> value, int digits);
 
 }  // namespace roomgraph

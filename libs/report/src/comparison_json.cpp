@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "as_written.h"
 #include "comparison_words.h"
 #include "json_places.h"
 #include "roomgraph/base/printable.h"
@@ -169,6 +170,13 @@ std::string lines(const char* name, const Things& things, const ToJson& toJson) 
   return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
+/** What comparisonText says of a run that has a score. */
+std::string scoreText(const RunScore& score, const std::string& coverage) {
+  return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", score.score, score.low,
+                   score.high, score.mapError, score.errorLow, score.errorHigh, coverage.c_str(),
+                   score.isMeaningful ? "" : "  too little to judge by");
+}
+
 }  // namespace
 
 std::string comparisonJson(const Comparison& comparison) {
@@ -201,15 +209,12 @@ std::string comparisonText(const Comparison& comparison) {
                      "  score         (80 %)  map error [m]          (80 %)  coverage\n";
   for (const ComparedRun& run : comparison.runs) {
     const Measure* coverage = find(run.measures, "coverage");
-    const double seen = coverage ? coverage->value.value_or(-1) : -1;
+    const double seen = coverage ? rounded(coverage->value.value_or(-1)) : -1;
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
     const std::string line =
-        run.score ? formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", run.score->score,
-                              run.score->low, run.score->high, run.score->mapError,
-                              run.score->errorLow, run.score->errorHigh, share.c_str(),
-                              run.score->isMeaningful ? "" : "  too little to judge by")
+        run.score ? scoreText(asWritten(*run.score), share)
                   : formatted("  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "", share.c_str());
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "as_written.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -58,11 +59,12 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) {
-  const std::string figures =
-      run.score ? formatted("%.3f | %.3f to %.3f | %.0f%s", run.score->mapError,
-                            run.score->errorLow, run.score->errorHigh, run.score->score,
-                            run.score->isMeaningful ? "" : " (too little to judge by)")
-                : " - | - | - ";
+  const RunScore score = asWritten(run.score.value_or(RunScore()));
+  const std::string figures = run.score
+                                  ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
+                                              score.errorLow, score.errorHigh, score.score,
+                                              score.isMeaningful ? "" : " (too little to judge by)")
+                                  : " - | - | - ";
   std::string verdict = "not judged";
   for (const JudgedRun& one : judged)
     if (one.name == run.name)
