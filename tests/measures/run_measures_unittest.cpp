@@ -18,11 +18,21 @@ roomgraph::Run square(double seen) {
 }
 
 std::vector<MeasuredValue> coverage(const std::vector<roomgraph::Run>& runs,
-                                    const std::vector<Transform2D>& poses, const PairBends& bends) {
+                                    const std::vector<Transform2D>& poses, const PairBends& bends,
+                                    Trust trust = {}) {
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
   site.poses = poses;
-  return coverageOf(site, DistinctMaps(bends));
+  if (trust.empty()) trust.assign(runs.size(), 1);
+  return coverageOf(site, DistinctMaps(bends), trust);
+}
+
+TEST(RunMeasures, whatHardlyTrustedRunsHaveSeenNobodyHasMissed) {
+  const std::vector<roomgraph::Run> runs{square(5), square(5), square(10), square(10)};
+  const PairBends bends(4);
+  EXPECT_DOUBLE_EQ(*coverage(runs, {{}, {}, {}, {}}, bends)[0].value, 0.5);
+  EXPECT_DOUBLE_EQ(*coverage(runs, {{}, {}, {}, {}}, bends, {1, 0.9, 1e-4, 1e-5})[0].value, 1);
+  EXPECT_DOUBLE_EQ(*coverage(runs, {{}, {}, {}, {}}, bends, {1, 1e-4, 1e-4, 1e-4})[0].value, 0.5);
 }
 
 TEST(RunMeasures, coverageIsTheShareOfWhatTwoHaveSeen) {

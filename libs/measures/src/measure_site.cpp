@@ -26,7 +26,7 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                               maps,
                               trust,
                               breaks,
-                              coverageOf(site, maps),
+                              coverageOf(site, maps, trust),
                               distancesOf(site, pairs.pairs(), forEach),
                               roomCounts(site, pairs.pairs(), forEach),
                               comparedGraphs(site, pairs, forEach)};

@@ -12,6 +12,9 @@ namespace roomgraph {
 namespace {
 
 constexpr double kMinArea = 10;  // of the site, for a coverage that means something [m2]
+/** A run that is trusted less than this share of the second best is so torn or bent that it tells
+ *  of places that are not there. */
+constexpr double kLeastTrust = 1e-3;
 
 /** Cells by who has seen them free. */
 struct SeenCells {
@@ -23,7 +26,20 @@ struct SeenCells {
   std::vector<std::vector<bool>> by;
 };
 
-SeenCells seenCells(const Site& site, const GridFrame& frame, const DistinctMaps& maps) {
+/** Whose word counts on what there is to be seen: the two best, and who is not far behind. */
+std::vector<bool> witnessesOf(const DistinctMaps& maps, const Trust& trust) {
+  std::vector<double> sorted;
+  for (std::size_t i = 0; i < trust.size(); ++i)
+    if (maps.isFirst(i)) sorted.push_back(trust[i]);
+  std::sort(sorted.rbegin(), sorted.rend());
+  const double least = sorted.size() > 1 ? kLeastTrust * sorted[1] : 0;
+  std::vector<bool> isWitness;
+  for (std::size_t i = 0; i < trust.size(); ++i)
+    isWitness.push_back(maps.isFirst(i) && trust[i] >= least);
+  return isWitness;
+}
+
+SeenCells seenCells(const Site& site, const GridFrame& frame, const std::vector<bool>& isWitness) {
   SeenCells seen{std::vector<SeenCells::Witnesses>(frame.cellCount()), {}};
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     std::vector<bool> by(frame.cellCount());
@@ -33,7 +49,7 @@ SeenCells seenCells(const Site& site, const GridFrame& frame, const DistinctMaps
         if (!isFreeIn(site.runs[i]->map, back(frame.center({x, y})))) continue;
         const std::size_t cell = frame.index({x, y});
         by[cell] = true;
-        if (!maps.isFirst(i)) continue;
+        if (!isWitness[i]) continue;
         SeenCells::Witnesses& witnesses = seen.witnesses[cell];
         if (witnesses.count++ == 0) witnesses.first = std::uint32_t(i);
         witnesses.last = std::uint32_t(i);
@@ -83,10 +99,12 @@ MeasuredValue measuredIn(const WallDistances& both, double value) {
 
 }  // namespace
 
-std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps) {
+std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps,
+                                      const Trust& trust) {
   const GridFrame frame = siteFrame(site);
   const std::size_t n = site.runs.size();
-  const CountedCells cells(seenCells(site, frame, maps), n, std::min<std::size_t>(2, maps.count()));
+  const CountedCells cells(seenCells(site, frame, witnessesOf(maps, trust)), n,
+                           std::min<std::size_t>(2, maps.count()));
   std::vector<MeasuredValue> coverage(n);
   if (cells.all == 0) return coverage;
   for (std::size_t i = 0; i < n; ++i) {

@@ -17,9 +17,10 @@ namespace roomgraph {
 // Next: measureSite
 
 /** Per run: `coverage`, of all places that two runs have seen free the share that this one has seen
- *  free. Of runs with the same map one counts. Meaningful with three maps and 10 m2. Support in
- *  cells. O(runs * cells of the site). */
-std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps);
+ *  free. Of runs with the same map one counts, and none that is hardly trusted beside the two
+ *  best. Meaningful with three maps and 10 m2. Support in cells. O(runs * cells of the site). */
+std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps,
+                                      const Trust& trust);
 
 /** Of one run: `bend`, its mean bend against the others, weighted by trust [m]; copies of its map
  *  are no others, unless there are no more. Support in wall points. */
