@@ -219,22 +219,22 @@ void number(std::vector<SiteRoom>& rooms) {
   }
 }
 
-/** "; 3 gone in run07, 1 in run02", or "; 12 gone in 5 runs" where that would be long. */
+/** "; 3 gone in run07, 1 in run02", or "; 8 gone in some of 5 runs" where that would be long. */
 template <class Counts>
 std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const Counts& counts) {
   constexpr std::size_t mostNamed = 2;
   std::vector<std::pair<long, std::string>> found;
-  long sum = 0;
   for (std::size_t i = 0; i < rooms[0].runs.size(); ++i) {
     const long count = std::count_if(rooms.begin(), rooms.end(),
                                      [&](const SiteRoom& room) { return counts(room.runs[i]); });
     if (count > 0) found.push_back({count, rooms[0].runs[i].run});
-    sum += count;
   }
   if (found.empty()) return "";
+  const long any = std::count_if(rooms.begin(), rooms.end(), [&](const SiteRoom& room) {
+    return std::any_of(room.runs.begin(), room.runs.end(), counts);
+  });
   if (found.size() > mostNamed)
-    return "; " + std::to_string(sum) + " " + what + " in " + std::to_string(found.size()) +
-           " runs";
+    return formatted("; %ld %s in some of %zu runs", any, what, found.size());
   std::string text;
   for (const auto& [count, run] : found)
     text += (text.empty() ? "; " : ", ") + std::to_string(count) + " " +
