@@ -39,12 +39,8 @@ void addMap(const std::string& file, View& view, const std::string& comparison, 
 
 /** The maps of a comparison that were not named: files of their names near by. */
 void addNearby(const std::string& comparison, View& view, const Say& say) {
-  const fs::path folder = fs::path(comparison).parent_path();
-  std::error_code error;
-  for (const ComparedRun& run : view.comparison.runs)
-    for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
-      if (!view.runNamed(run.name) && fs::is_regular_file(place, error))
-        addMap(place.string(), view, comparison, say);
+  for (const std::string& file : mapsNear(view.comparison, comparison))
+    addMap(file, view, comparison, say);
 }
 
 View viewOfComparison(const std::string& name, const std::vector<std::string>& maps,

@@ -8,12 +8,15 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/files/write_file.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
 namespace {
+
+constexpr std::size_t kMostNames = 4;
 
 struct ReportArguments {
   std::string comparison;
@@ -40,6 +43,21 @@ void checkCandidates(const ReportArguments& arguments, const Comparison& compari
   }
 }
 
+/** The maps that were named, or else those near the comparison. Says which are not at hand. */
+std::vector<Run> mapsOf(const ReportArguments& arguments, const Comparison& comparison) {
+  std::vector<Run> runs =
+      readMapsOf(comparison, arguments.maps.empty() ? mapsNear(comparison, arguments.comparison)
+                                                    : arguments.maps);
+  std::vector<std::string> missing;
+  for (const ComparedRun& run : comparison.runs)
+    if (std::none_of(runs.begin(), runs.end(), [&](const Run& r) { return r.name == run.name; }))
+      missing.push_back(run.file);
+  if (!missing.empty())
+    printError(arguments.comparison + ": not drawn: " + listed(missing, kMostNames) +
+               ": name the maps behind the comparison");
+  return runs;
+}
+
 int run(const ReportArguments& arguments) {
   GateOptions gate = gateOf(arguments.gate);
   gate.candidates = arguments.candidates;
@@ -50,15 +68,15 @@ int run(const ReportArguments& arguments) {
         throw UsageError(result + ": would replace a map: choose another folder with --output");
   Comparison comparison = readComparison(arguments.comparison);
   checkCandidates(arguments, comparison);
-  const std::vector<Run> runs = readMapsOf(comparison, arguments.maps);
-  const bool gateFails = addGate(comparison, gate);
+  const std::vector<Run> runs = mapsOf(arguments, comparison);
+  addGate(comparison, gate);
   makeWritableFolder(folderOf(arguments).string());
   StagedFiles staged;
   addResults(comparison, runs, files, {}, staged);
   addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   if (!arguments.isQuiet) printResults(comparison, files, {});
-  return exitCodeOf(comparison, gateFails);
+  return exitCodeOf(comparison, gate);
 }
 
 }  // namespace
@@ -70,7 +88,8 @@ std::function<int()> reportCommand(CLI::App& app) {
       ->required();
   app.add_option("MAP", arguments->maps,
                  "Maps that were compared, or some of them, to be drawn. They are recognised by "
-                 "their content.")
+                 "their content. Without any, those of the same names beside the comparison, one "
+                 "folder above and in the current folder are drawn.")
       ->type_name("");
   app.add_option("-o,--output", arguments->folder,
                  "Folder for the results, which are those of 'roomgraph compare'. Without it, the "

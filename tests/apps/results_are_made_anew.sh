@@ -10,9 +10,17 @@ for file in comparison.json comparison.runs.csv comparison.rooms.csv comparison.
   cmp "first/$file" "again/$file" || fail "$file is another one"
 done
 
-# Without the maps all but their pictures.
+# Without the maps all but their pictures, which is said.
 expect 0 "$roomgraph" report again/comparison.json
 grep -q 'office_run1' out || fail "no ranking"
+grep -q 'not drawn: office_run1.simplemap.gz and office_run2.simplemap.gz: name the maps' err ||
+  fail "nothing of the maps on stderr"
+grep -q '"hasMaps":false' again/report.html || fail "the page does not know that walls are missing"
+# Those beside the comparison need no names.
+cp "$maps"/office_run[12].simplemap.gz again
+expect 0 "$roomgraph" report again/comparison.json -q
+cmp first/report.html again/report.html || fail "the maps beside the comparison are not drawn"
+rm again/*.simplemap.gz
 cmp first/comparison.runs.csv again/comparison.runs.csv
 
 # The gate fails, and its verdict is kept.

@@ -93,6 +93,16 @@ std::string safeInScript(const std::string& json) {
   return text;
 }
 
+/** What can be drawn without any map. */
+Box boxOfRooms(const Comparison& comparison) {
+  std::vector<Point> points;
+  for (const SiteRoom& room : comparison.rooms)
+    points.insert(points.end(), room.polygon.outer.begin(), room.polygon.outer.end());
+  for (const ComparedRun& run : comparison.runs)
+    for (const PathPose& pose : run.path) points.push_back(pose.pose.shift());
+  return points.empty() ? Box{{0, 0}, {1, 1}} : boundingBox(points);
+}
+
 }  // namespace
 
 std::string colourText(std::size_t run) {
@@ -123,7 +133,7 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
   known.erase(std::remove_if(known.begin(), known.end(),
                              [](const PlacedMap& map) { return map.map == nullptr; }),
               known.end());
-  const Box site = knownBox(known);
+  const Box site = known.empty() ? boxOfRooms(comparison) : knownBox(known);
   const double pixel =
       pixelFor(site, known, placed.size() > kManyRuns ? kMostPixelsOfMany : kMostPixels);
   const auto faint = std::uint8_t(
@@ -142,6 +152,7 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
     breaks.push_back(scansJson(comparison, tear, runs));
   const Json data = {{"turn", turn},
                      {"box", boxJson(site)},
+                     {"hasMaps", !known.empty()},
                      {"heat", pictureJson(heat)},
                      {"runs", std::move(runsJson)},
                      {"breaks", std::move(breaks)}};
