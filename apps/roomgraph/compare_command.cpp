@@ -271,8 +271,8 @@ int run(const CompareArguments& arguments) {
   if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
   laps.end("write_files");
   if (arguments.running.showsTimings) std::fputs(laps.table("compare").c_str(), stderr);
-  const int exitCode = exitCodeOf(comparison, gateFails);
-  if (site && gateFails) printError(arguments.names + ": left as it was, as the gate fails");
+  const int exitCode = exitCodeOf(comparison, gate);
+  if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
   return exitCode == kDone && isUnread ? kBadData : exitCode;
 }
 

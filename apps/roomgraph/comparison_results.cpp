@@ -166,15 +166,20 @@ void printComplaints(const Comparison& comparison) {
   for (const std::string& line : comparison.gate->complaints) printError(line);
 }
 
-int exitCodeOf(const Comparison& comparison, bool gateFails) {
-  if (gateFails) {
-    printComplaints(comparison);
-    return kGateFailed;
-  }
+int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
+  const bool isStruck = comparison.gate && !comparison.gate->isPassed();
+  if (isStruck) printComplaints(comparison);
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });
-  if (!isCompared) printError("compare: nothing was compared: no two maps lie in one site");
-  return isCompared ? kDone : kBadData;
+  const bool isOfOtherSite =
+      gate.failsOnOtherSites && std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
+                                            [](const LeftOutRun& run) { return run.isOtherSite; });
+  if (isStruck && (isCompared || isOfOtherSite)) return kStruck;
+  if (isCompared) return kDone;
+  printError(comparison.runs.size() < 2
+                 ? "compare: nothing was compared: no two maps lie in one site"
+                 : "compare: nothing was compared: no walls could be followed from map to map");
+  return kBadData;
 }
 
 void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }

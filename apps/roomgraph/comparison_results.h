@@ -62,9 +62,9 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);
 void printComplaints(const Comparison& comparison);
 
-/** What a call ends with whose gate fails or not: kBadData where nothing was compared,
- *  which is said. */
-int exitCodeOf(const Comparison& comparison, bool gateFails);
+/** What a call ends with, which is said unless all is done: kStruck where the gate failed a run,
+ *  kBadData where nothing was compared, so that no run could be judged but by its site. */
+int exitCodeOf(const Comparison& comparison, const GateOptions& gate);
 void printError(const std::string& text);
 
 }  // namespace roomgraph

@@ -87,6 +87,12 @@ TEST(SiteBreaks, thePlaceIsInTheFrameOfTheSite) {
   EXPECT_NEAR(breaks[1][0].shift, 0, 0.1);
 }
 
+TEST(SiteBreaks, aRunThatNobodyElseHasSeenIsNotTornByItself) {
+  const std::vector<Way> truth{roundTheBlock()};
+  const DrivenSite site({test::torn(truth[0], 33, 0.5, {3, -4})}, truth);
+  EXPECT_TRUE(site.breaks()[0].empty());
+}
+
 TEST(SiteBreaks, eachTearOfARunIsOne) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
   const Way once = test::torn(truth[2], 15, 1, {0, 3});

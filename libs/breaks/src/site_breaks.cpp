@@ -42,6 +42,7 @@ class BreakSearch {
 
   /** Of a run with scans: where the consensus has torn it. */
   std::vector<MapBreak> jumps() const {
+    if (consensus_.errors[run_].seen <= 0) return {};  // its own scans alone do not tell
     const Run& run = *site_.runs[run_];
     ScanTrack track;  // where each scan lies in the consensus
     for (std::size_t k = 0; k < run.scans.size(); ++k)
