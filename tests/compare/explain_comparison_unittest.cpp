@@ -39,8 +39,8 @@ TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
   torn.runs[1].score->share = 0.35, torn.runs[1].score->isMeaningful = false;
   EXPECT_NE(reasonOf(torn.runs[0], torn).find("; torn in 1 place"), std::string::npos);
   EXPECT_NE(reasonOf(torn.runs[1], torn)
-                .find("; torn in 2 places; only 35 % of them follow the other maps; too little to "
-                      "judge by"),
+                .find("; torn in 2 places; but only 35 % of them were found in the other maps; too "
+                      "little to judge by"),
             std::string::npos);
 }
 
@@ -51,7 +51,10 @@ TEST(ReasonOf, saysWhyThereIsNoScore) {
   EXPECT_EQ(reasonOf(comparison.runs[1], comparison),
             "the others are measured against it; 0.0432 m per cell, estimated");
   comparison.runs[2].name = "alone";
-  EXPECT_EQ(reasonOf(comparison.runs[2], comparison), "no other run to compare it with");
+  EXPECT_EQ(reasonOf(comparison.runs[2], comparison),
+            "none of its walls could be followed in another run");
+  Comparison single = ofRuns({{}});
+  EXPECT_EQ(reasonOf(single.runs[0], single), "no other run to compare it with");
 }
 
 TEST(VerdictOf, namesTheBestAndThoseThatMayBeAsGood) {
@@ -60,6 +63,25 @@ TEST(VerdictOf, namesTheBestAndThoseThatMayBeAsGood) {
   EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.15), scored("c", 0.5)}))
                 .find("; b may be as good."),
             std::string::npos);
+}
+
+TEST(ReasonOf, saysWherePlacesAreDoubtful) {
+  Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
+  for (const auto& [a, b, confidence] :
+       {std::tuple{"a", "b", 0.99}, {"a", "c", 0.5}, {"b", "c", 0.6}}) {
+    ComparedPair pair;
+    pair.a = a, pair.b = b, pair.isSameSite = true, pair.confidence = confidence;
+    comparison.pairs.push_back(pair);
+  }
+  const std::string doubt = "; doubtful, as most of its pairs are aligned with little confidence";
+  EXPECT_EQ(reasonOf(comparison.runs[0], comparison).find(doubt), std::string::npos);
+  EXPECT_NE(reasonOf(comparison.runs[2], comparison).find(doubt), std::string::npos);
+}
+
+TEST(VerdictOf, aRunThatMayBeTheWorstIsNotCalledTheBest) {
+  Comparison unsure = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
+  unsure.runs[0].score->low = 40;
+  EXPECT_EQ(verdictOf(unsure).rfind("a has the smallest error", 0), 0u) << verdictOf(unsure);
 }
 
 TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
@@ -74,9 +96,14 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
 
 TEST(VerdictOf, saysWhereNothingCanBeSaid) {
   EXPECT_NE(verdictOf({}).find("nothing can be compared"), std::string::npos);
-  EXPECT_NE(verdictOf(ofRuns({{}, {}})).find("share no walls"), std::string::npos);
+  EXPECT_NE(verdictOf(ofRuns({{}, {}})).find("no walls could be followed"), std::string::npos);
   EXPECT_EQ(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.4)})),
             "Two runs cannot tell for sure which is better: they bend 0.30 m apart.");
+}
+
+TEST(Notes, saysWhereDrivesAreNotKnown) {
+  EXPECT_EQ(unknownDrivesNote(2, 3).rfind(" 2 maps are without scans, so whether", 0), 0u);
+  EXPECT_EQ(unknownDrivesNote(3, 3).rfind(" All maps are without scans, so whether", 0), 0u);
 }
 
 TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {

@@ -43,7 +43,7 @@ TEST(PageSummary, pairsOfLowConfidenceAreNamed) {
   comparison.pairs[1].confidence = 0.68;
   const std::vector<std::string> said = pageSummary(comparison);
   EXPECT_EQ(std::count(said.begin(), said.end(),
-                       "1 pair is laid on each other with a confidence under 0.9: look at morning "
+                       "1 pair was aligned with a confidence below 0.9: check morning "
                        "on " +
                            std::string(kHostileName) + " (0.68)."),
             1);

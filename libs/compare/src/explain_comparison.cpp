@@ -21,8 +21,10 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
   if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
     text += formatted("; torn in %ld place%s", long(count), count == 1 ? "" : "s");
+  if (comparison.isPlaceDoubtful(run.name))
+    text += "; doubtful, as most of its pairs are aligned with little confidence";
   if (score.share < kLittle)
-    text += formatted("; only %.0f %% of them follow the other maps", 100 * score.share);
+    text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
@@ -32,12 +34,21 @@ std::optional<double> coverageOf(const ComparedRun& run) {
   return coverage && coverage->isMeaningful ? coverage->value : std::nullopt;
 }
 
+/** Whether its interval ends above the score of at least one other run. */
+bool isBetterThanAny(const ComparedRun& best, const Comparison& comparison) {
+  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+    return run.name != best.name && (!run.score || run.score->score < best.score->low);
+  });
+}
+
 }  // namespace
 
 std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
   std::string reason = run.score                          ? decisive(run, comparison)
                        : comparison.reference == run.name ? "the others are measured against it"
-                                                          : "no other run to compare it with";
+                       : comparison.runs.size() < 2
+                           ? "no other run to compare it with"
+                           : "none of its walls could be followed in another run";
   if (run.isScaleEstimated) reason += formatted("; %.4f m per cell, estimated", run.resolution);
   return reason;
 }
@@ -46,14 +57,17 @@ std::string verdictOf(const Comparison& result) {
   if (result.runs.size() < 2)
     return "Fewer than two runs of one site are left: nothing can be compared.";
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
-  if (!best.score) return "The runs share no walls: nothing can be compared.";
+  if (!best.score)
+    return "The runs lie in one site, but no walls could be followed from one to another: nothing "
+           "can be compared.";
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      best.score->bend);
   const auto coverage = coverageOf(best);
   const bool isPartial = coverage && *coverage < kPartialCoverage;
+  const bool isBest = !isPartial && isBetterThanAny(best, result);
   std::string text =
-      best.name + (isPartial ? " has the smallest error" : " is the best map") +
+      best.name + (isBest ? " is the best map" : " has the smallest error") +
       formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
                 best.score->score, best.score->low, best.score->high, best.score->mapError);
   if (next.score && next.score->high >= best.score->low)
@@ -78,6 +92,14 @@ std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t r
   return formatted(" %s%zu runs are of one drive", areAll ? "All " : "", names.size()) +
          (areAll ? "" : " (" + listed(names) + ")") +
          ": what they get wrong together does not show.";
+}
+
+std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSite) {
+  return formatted(
+      " %s without scans, so whether they are of one drive is unknown: what such runs "
+      "get wrong together does not show.",
+      runsWithoutScans == runsOfSite ? "All maps are"
+                                     : formatted("%zu maps are", runsWithoutScans).c_str());
 }
 
 }  // namespace roomgraph

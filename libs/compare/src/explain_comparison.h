@@ -20,4 +20,7 @@ std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites);
 /** The same on runs that share the scans of one drive. */
 std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t runsOfSite);
 
+/** The same on runs whose drives are not known, as they have no scans. */
+std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSite);
+
 }  // namespace roomgraph

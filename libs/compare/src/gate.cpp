@@ -84,7 +84,7 @@ class Judge {
     if (*error - *record > *options_.maxWorse)
       complain(run.name, "its map error of " + formatted("%.3f m", *error) + " is " +
                              formatted("%.3f m", *error - *record) +
-                             " more than that of the best others, so more than " +
+                             " more than the median of the three best others, so more than " +
                              formatted("%.3f m", *options_.maxWorse));
   }
 
@@ -103,7 +103,9 @@ class Judge {
     if (options_.maxError)
       lines.push_back(formatted("a map error of %.4g m at most", *options_.maxError));
     if (options_.maxWorse)
-      lines.push_back(formatted("at most %.4g m more map error than the best", *options_.maxWorse));
+      lines.push_back(
+          formatted("at most %.4g m more map error than the median of the three best others",
+                    *options_.maxWorse));
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
     if (options_.failsOnBreaks) lines.push_back("no break");
     if (options_.failsOnOtherSites) lines.push_back("the same site");

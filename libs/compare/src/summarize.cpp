@@ -105,7 +105,8 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const Site& site
 }
 
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
-std::string caveatsOf(const std::vector<Run>& runs, const Site& site) {
+std::string caveatsOf(const std::vector<Run>& runs, const Findings& found) {
+  const Site& site = found.site;
   std::string text;
   if (!site.others.empty()) {
     std::vector<std::vector<std::string>> sites{namesOf(runs, site.members)};
@@ -117,6 +118,11 @@ std::string caveatsOf(const std::vector<Run>& runs, const Site& site) {
     for (const std::size_t run : drive) members.push_back(site.members[run]);
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
+  const auto bare = std::size_t(std::count_if(site.runs.begin(), site.runs.end(),
+                                              [](const Run* r) { return r->scans.empty(); }));
+  const bool isCompared = std::any_of(found.scores.begin(), found.scores.end(),
+                                      [](const auto& score) { return score.has_value(); });
+  if (bare > 1 && isCompared) text += unknownDrivesNote(bare, site.runs.size());
   return text;
 }
 
@@ -133,11 +139,11 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   std::sort(result.core.begin(), result.core.end());
   result.runs = runsOf(found);
   rank(result.runs);
-  for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.pairs = pairsOf(runs, related, found);
+  for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);
   result.leftOut = leftOutOf(runs, found.site);
-  result.verdict = verdictOf(result) + caveatsOf(runs, found.site);
+  result.verdict = verdictOf(result) + caveatsOf(runs, found);
   return result;
 }
 

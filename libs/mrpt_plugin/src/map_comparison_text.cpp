@@ -9,13 +9,13 @@
 namespace roomgraph {
 namespace {
 
-std::string breakLine(const MapBreak& tear) {
+std::string breakLine(const MapBreak& tear, bool isDoubtful) {
   std::string line = "  " + tear.run +
                      formatted(" at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
                                tear.place.y, tear.rotation * 180 / M_PI, tear.shift);
   if (tear.keyFrame) line += ", from key frame " + std::to_string(*tear.keyFrame) + " on";
   if (tear.time) line += ", " + timeText(*tear.time);
-  return line + "\n";
+  return line + (isDoubtful ? ", doubtful\n" : "\n");
 }
 
 }  // namespace
@@ -23,7 +23,8 @@ std::string breakLine(const MapBreak& tear) {
 std::string mapComparisonText(const Comparison& comparison) {
   std::string text = comparison.verdict + "\n\n" + comparisonText(comparison);
   if (!comparison.breaks.empty()) text += "\nBreaks\n";
-  for (const MapBreak& tear : comparison.breaks) text += breakLine(tear);
+  for (const MapBreak& tear : comparison.breaks)
+    text += breakLine(tear, comparison.isPlaceDoubtful(tear.run));
   return text;
 }
 

@@ -29,10 +29,12 @@ std::string breaksSentence(const Comparison& comparison) {
   for (const MapBreak& tear : comparison.breaks) ++breaks[tear.run];
   std::vector<std::string> names;
   for (const ComparedRun& run : comparison.runs)
-    if (breaks.count(run.name))
-      names.push_back(run.name + (breaks[run.name] > 1
-                                      ? " (" + std::to_string(breaks[run.name]) + " places)"
-                                      : ""));
+    if (breaks.count(run.name)) {
+      std::vector<std::string> more;
+      if (breaks[run.name] > 1) more.push_back(std::to_string(breaks[run.name]) + " places");
+      if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
+      names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
+    }
   return counted(names.size(), "map is torn", "maps are torn") + ": " + listed(names, kMostNames) +
          "." + largestBreak(comparison);
 }
@@ -65,9 +67,8 @@ std::string doubtSentence(const Comparison& comparison) {
     if (pair.isSameSite && pair.confidence < kSureConfidence)
       names.push_back(pair.a + " on " + pair.b + " (" + fixedText(pair.confidence, 2) + ")");
   if (names.empty()) return "";
-  return counted(names.size(), "pair is", "pairs are") +
-         " laid on each other with a confidence under " + fixedText(kSureConfidence, 1) +
-         ": look at " + listed(names, kMostNames) + ".";
+  return counted(names.size(), "pair was", "pairs were") + " aligned with a confidence below " +
+         fixedText(kSureConfidence, 1) + ": check " + listed(names, kMostNames) + ".";
 }
 
 /** Not those with a run that is left out. */

@@ -6,9 +6,6 @@
 
 namespace roomgraph {
 
-/** A pair that is laid on each other with less confidence is to be looked at. */
-constexpr double kSureConfidence = 0.9;
-
 /** How many runs, pairs of them and rooms are compared: "4 runs of one site, 6 pairs, 5 rooms and
  *  corridors". */
 std::string pageCounts(const Comparison& comparison);

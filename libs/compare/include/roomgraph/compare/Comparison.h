@@ -14,6 +14,8 @@ namespace roomgraph {
 
 /** A run of less coverage is no map of the whole site. */
 constexpr double kPartialCoverage = 0.7;
+/** Pairs of less confidence are worth a look. */
+constexpr double kSureConfidence = 0.9;
 
 /** Where the robot was at a key frame, as the run's map has it. */
 struct PathPose {
@@ -83,6 +85,10 @@ struct Comparison {
   std::vector<UsedOption> options;       ///< all that were used, in the order of the work
   std::optional<GateVerdict> gate;       ///< none where nothing was asked
   std::vector<std::string> files;        ///< all that was written of it, without their folder
+
+  /** Whether the confidence of most pairs of a run is below kSureConfidence: then it may lie in the
+   *  wrong place, and its breaks and its error may be those of that place. O(pairs). */
+  bool isPlaceDoubtful(const std::string& run) const;
 };
 
 }  // namespace roomgraph
