@@ -2,6 +2,7 @@
 #include "mrpt_results.h"
 #include "roomgraph/consensus/pose_graph.h"
 #include "roomgraph/map_files/grid_of_scans.h"
+#include "roomgraph/map_files/read_keyframe_layer.h"
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
 #include "roomgraph/scans/read_keyframes.h"
 #include "roomgraph/scans/read_run_info.h"
@@ -28,6 +29,7 @@ struct WithMrpt {
 /** Of MRPT, these need no more than its poses, which are loaded in no time. */
 struct WithPoses {
   decltype(&roomgraph::readRunInfo) readRunInfo;
+  decltype(&roomgraph::readKeyframeLayer) readKeyframeLayer;
 };
 
 struct WithCeres {

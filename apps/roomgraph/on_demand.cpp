@@ -56,6 +56,10 @@ std::vector<Keyframe> readKeyframes(CheckedFile& file, const LoadGridOptions& op
 
 RunInfo readRunInfo(CheckedFile& file) { return withPoses().readRunInfo(file); }
 
+std::vector<mrpt::math::TPoint3Df> readKeyframeLayer(ByteReader& in) {
+  return withPoses().readKeyframeLayer(in);
+}
+
 PoseGraphSolution solvePoseGraph(const PoseGraph& graph, SubmapPoses start, StartIs startIs) {
   return withCeres().solvePoseGraph(graph, std::move(start), startIs);
 }
