@@ -272,7 +272,7 @@ int run(const CompareArguments& arguments) {
   laps.end("write_files");
   if (arguments.running.showsTimings) std::fputs(laps.table("compare").c_str(), stderr);
   const int exitCode = exitCodeOf(comparison, gate);
-  if (site && isStruck) printError(arguments.names + ": left as it was, as the gate strikes");
+  if (site && gateFails) printError(arguments.names + ": left as it was, as the gate fails");
   return exitCode == kDone && isUnread ? kBadData : exitCode;
 }
 

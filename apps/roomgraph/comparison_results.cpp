@@ -167,14 +167,14 @@ void printComplaints(const Comparison& comparison) {
 }
 
 int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
-  const bool isStruck = comparison.gate && !comparison.gate->isPassed();
-  if (isStruck) printComplaints(comparison);
+  const bool gateFails = comparison.gate && !comparison.gate->isPassed();
+  if (gateFails) printComplaints(comparison);
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });
   const bool isOfOtherSite =
       gate.failsOnOtherSites && std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
                                             [](const LeftOutRun& run) { return run.isOtherSite; });
-  if (isStruck && (isCompared || isOfOtherSite)) return kStruck;
+  if (gateFails && (isCompared || isOfOtherSite)) return kGateFailed;
   if (isCompared) return kDone;
   printError(comparison.runs.size() < 2
                  ? "compare: nothing was compared: no two maps lie in one site"

@@ -19,7 +19,7 @@ assert len(cases[0].findall("failure")) == 1
 P
 grep -q '^\*\*The gate fails\*\*' o/summary.md || fail "no verdict in the summary"
 [ "$(grep -c '^| ' o/summary.md)" = 5 ] || fail "not a row for each run"
-grep -q 'The gate of run3 strikes' o/report.html || fail "no verdict in the page"
+grep -q 'The gate of run3 fails' o/report.html || fail "no verdict in the page"
 
 # The same figures, another candidate: the torn run of the record is not its fault.
 expect 0 "$roomgraph" report o/comparison.json -o o2 --candidate run1 --fail-worse-by 0.2 \

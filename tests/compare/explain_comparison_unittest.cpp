@@ -76,6 +76,12 @@ TEST(ReasonOf, saysWherePlacesAreDoubtful) {
   const std::string doubt = "; doubtful, as most of its pairs are aligned with little confidence";
   EXPECT_EQ(reasonOf(comparison.runs[0], comparison).find(doubt), std::string::npos);
   EXPECT_NE(reasonOf(comparison.runs[2], comparison).find(doubt), std::string::npos);
+  EXPECT_EQ(verdictOf(comparison).rfind("a is the best map", 0), 0u);
+  comparison.pairs[0].confidence = 0.7;
+  const std::string said = verdictOf(comparison);
+  EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
+  EXPECT_NE(said.find("; but most of its pairs are aligned with little confidence"),
+            std::string::npos);
 }
 
 TEST(VerdictOf, aRunThatMayBeTheWorstIsNotCalledTheBest) {

@@ -90,7 +90,7 @@ TEST(PageSummary, aGateIsToldWithWhatWasAsked) {
   EXPECT_TRUE(isSaid(comparison, "The gate of west passes (a score of 50 at least)."));
   comparison.gate->complaints = {"west: is torn", "west: has too little"};
   EXPECT_TRUE(isSaid(comparison,
-                     "The gate of west strikes (a score of 50 at least): west: is torn and west: "
+                     "The gate of west fails (a score of 50 at least): west: is torn and west: "
                      "has too little."));
   comparison.gate = GateVerdict{{}, {}, {}};
   EXPECT_TRUE(isSaid(comparison, "The gate passes."));

@@ -65,7 +65,8 @@ std::string verdictOf(const Comparison& result) {
                      best.score->bend);
   const auto coverage = coverageOf(best);
   const bool isPartial = coverage && *coverage < kPartialCoverage;
-  const bool isBest = !isPartial && isBetterThanAny(best, result);
+  const bool isDoubtful = result.isPlaceDoubtful(best.name);
+  const bool isBest = !isPartial && !isDoubtful && isBetterThanAny(best, result);
   std::string text =
       best.name + (isBest ? " is the best map" : " has the smallest error") +
       formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
@@ -75,6 +76,7 @@ std::string verdictOf(const Comparison& result) {
   if (isPartial)
     text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
                       100 * *coverage);
+  if (isDoubtful) text += "; but most of its pairs are aligned with little confidence";
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";
 }

@@ -57,8 +57,7 @@ std::string gateSentence(const GateVerdict& gate) {
       gate.candidates.empty() ? "" : " of " + listed(gate.candidates, kMostNames);
   const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked, kMostNames) + ")";
   if (gate.isPassed()) return "The gate" + judged + " passes" + asked + ".";
-  return "The gate" + judged + " strikes" + asked + ": " + listed(gate.complaints, kMostNames) +
-         ".";
+  return "The gate" + judged + " fails" + asked + ": " + listed(gate.complaints, kMostNames) + ".";
 }
 
 std::string doubtSentence(const Comparison& comparison) {
