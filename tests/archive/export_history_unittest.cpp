@@ -104,6 +104,11 @@ TEST(ExportHistory, textHasALinePerRobot) {
   const std::string text = historyText(oneSite()[0]);
   EXPECT_NE(text.find("  anna: its map is as good as ever\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  =berta: no run of it can be judged yet\n"), std::string::npos) << text;
+  EXPECT_EQ(text.rfind("office \"A\": 13 runs\n", 0), 0u) << text;
+  WatchedSite young;
+  young.history.site = "lab";
+  young.history.runs.emplace_back();
+  EXPECT_EQ(historyText(young), "lab: 1 run\n");
 }
 
 TEST(ExportHistory, namesCannotBreakOutOfALabel) {

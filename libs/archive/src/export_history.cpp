@@ -7,6 +7,7 @@
 
 #include "read_history.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
@@ -233,7 +234,7 @@ std::string historyPrometheus(const std::vector<WatchedSite>& sites) {
 
 std::string historyText(const WatchedSite& site) {
   std::string text =
-      printable(site.history.site) + ": " + std::to_string(site.history.runs.size()) + " runs\n";
+      printable(site.history.site) + ": " + counted(site.history.runs.size(), "run", "runs") + "\n";
   for (const RobotWatch& robot : site.watch.robots)
     text += "  " + printable(robot.robot) + ": " + printable(robot.sentence) + "\n";
   for (const RoomChange& change : site.watch.changes)
