@@ -39,8 +39,9 @@ void addMap(const std::string& file, View& view, const std::string& comparison, 
 
 /** The maps of a comparison that were not named: files of their names near by. */
 void addNearby(const std::string& comparison, View& view, const Say& say) {
-  for (const std::string& file : mapsNear(view.comparison, comparison))
-    addMap(file, view, comparison, say);
+  for (const ComparedRun& run : view.comparison.runs)
+    for (const std::string& file : mapsNear(run, comparison))
+      if (!view.runNamed(run.name)) addMap(file, view, comparison, say);
 }
 
 View viewOfComparison(const std::string& name, const std::vector<std::string>& maps,

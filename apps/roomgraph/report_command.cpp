@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "Command.h"
 #include "comparison_results.h"
@@ -45,13 +46,18 @@ void checkCandidates(const ReportArguments& arguments, const Comparison& compari
 
 /** The maps that were named, or else those near the comparison. Says which are not at hand. */
 std::vector<Run> mapsOf(const ReportArguments& arguments, const Comparison& comparison) {
-  std::vector<Run> runs =
-      readMapsOf(comparison, arguments.maps.empty() ? mapsNear(comparison, arguments.comparison)
-                                                    : arguments.maps);
+  std::vector<Run> runs = readMapsOf(comparison, arguments.maps);
+  const auto isDrawn = [&](const ComparedRun& run) {
+    return std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.name == run.name; });
+  };
   std::vector<std::string> missing;
-  for (const ComparedRun& run : comparison.runs)
-    if (std::none_of(runs.begin(), runs.end(), [&](const Run& r) { return r.name == run.name; }))
-      missing.push_back(run.file);
+  for (const ComparedRun& run : comparison.runs) {
+    if (arguments.maps.empty())
+      for (const std::string& file : mapsNear(run, arguments.comparison))
+        if (!isDrawn(run))
+          for (Run& found : readMapsOf(comparison, {file})) runs.push_back(std::move(found));
+    if (!isDrawn(run)) missing.push_back(run.file);
+  }
   if (!missing.empty())
     printError(arguments.comparison + ": not drawn: " + listed(missing, kMostNames) +
                ": name the maps behind the comparison");

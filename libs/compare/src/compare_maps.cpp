@@ -15,14 +15,6 @@
 
 namespace roomgraph {
 
-namespace {
-
-bool isAmong(const std::vector<Run>& runs, const std::string& name) {
-  return std::any_of(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; });
-}
-
-}  // namespace
-
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) {
   CompareRunsOptions compare = options.compare;
   compare.reference = read.reference;
@@ -45,7 +37,7 @@ std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std:
   for (const std::string& file : files) {
     GreyMap map = loadGrid(file, options.loadGrid);
     for (const ComparedRun& compared : comparison.runs) {
-      if (compared.sha256 != map.source.sha256 || isAmong(runs, compared.name)) continue;
+      if (compared.sha256 != map.source.sha256) continue;
       if (compared.isScaleEstimated)
         map.frame = rescaled({map.frame, {}}, compared.resolution).frame;
       Run run;
@@ -58,14 +50,13 @@ std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std:
   return runs;
 }
 
-std::vector<std::string> mapsNear(const Comparison& comparison, const std::string& comparisonFile) {
+std::vector<std::string> mapsNear(const ComparedRun& run, const std::string& comparisonFile) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::path(comparisonFile).parent_path();
   std::vector<std::string> files;
   std::error_code error;
-  for (const ComparedRun& run : comparison.runs)
-    for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
-      if (fs::is_regular_file(place, error)) files.push_back(place.string());
+  for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
+    if (fs::is_regular_file(place, error)) files.push_back(place.string());
   return files;
 }
 

@@ -64,9 +64,9 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
  *  @throws DataError where a file cannot be read. */
 std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files);
 
-/** Files that are named as the maps of a comparison and may be these: beside the comparison's own
- *  file, one folder above, and in the current folder. */
-std::vector<std::string> mapsNear(const Comparison& comparison, const std::string& comparisonFile);
+/** Files that are named as the map of a run and may be it: beside the file of the comparison, one
+ *  folder above, and in the current folder. */
+std::vector<std::string> mapsNear(const ComparedRun& run, const std::string& comparisonFile);
 
 /** Both in one:
  *
