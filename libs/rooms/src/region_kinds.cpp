@@ -36,20 +36,29 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
 
-bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-              std::uint32_t region) {
+/** Whether a door may be as wide. */
+bool isWideAsDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                   std::uint32_t region) {
   return 2 * regions.radius(region) * (1 + kSameWidth) < options.maxWidth;
 }
 
-/** Whether it is narrow and opens with nearly its whole width on two sides. */
+/** Of the two widest passages to each neighbour those that `isOpen` says are, by the neighbour and
+ *  the clearance. */
+template <class IsOpen>
+int countOpen(const Neighbours& around, const IsOpen& isOpen) {
+  int count = 0;
+  for (const auto& [other, passage] : around)
+    for (const double clearance : {passage.clearance, passage.second})
+      count += clearance > 0 && isOpen(other, clearance) ? 1 : 0;
+  return count;
+}
+
+/** Whether it is no wider than a door, and opens with nearly its whole width on two sides. */
 bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                   std::uint32_t region, const Neighbours& exits) {
   const double open = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
-  int count = 0;
-  for (const auto& [other, passage] : exits)
-    for (const double clearance : {passage.clearance, passage.second})
-      count += clearance >= open ? 1 : 0;
-  return count > 1 && isNarrow(regions, options, region);
+  return isWideAsDoors(regions, options, region) &&
+         countOpen(exits, [&](std::uint32_t, double clearance) { return clearance >= open; }) > 1;
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
@@ -118,12 +127,12 @@ class KindFinder {
                : RegionKind::room;
   }
 
-  /** A corridor goes on through what is narrow and open to it on two sides. All at once, so no
+  /** A corridor goes on through what is no wider than a door and open to it on two sides. All at once, so no
    *  order matters; returns whether there was any. */
   bool followCorridors() {
     std::vector<std::uint32_t> found;
     for (const auto& [region, around] : around_)
-      if (kinds_[region] == RegionKind::room && isNarrow(regions_, options_, region) &&
+      if (kinds_[region] == RegionKind::room && isWideAsDoors(regions_, options_, region) &&
           openCorridors(region, around) > 1)
         found.push_back(region);
     for (const std::uint32_t region : found) kinds_[region] = RegionKind::corridor;
@@ -132,16 +141,11 @@ class KindFinder {
 
   int openCorridors(std::uint32_t region, const Neighbours& around) const {
     const double least = options_.narrowRatio * regions_.radius(region) * (1 - kSameWidth);
-    const auto isOpen = [&](double clearance, std::uint32_t other) {
-      return clearance >= least && !isDoor(regions_, clearance, region, other,
-                                           options_.corridorRatio, options_.corridorDoor);
-    };
-    int count = 0;
-    for (const auto& [other, passage] : around)
-      if (kinds_[other] == RegionKind::corridor)
-        for (const double clearance : {passage.clearance, passage.second})
-          count += clearance > 0 && isOpen(clearance, other) ? 1 : 0;
-    return count;
+    return countOpen(around, [&](std::uint32_t other, double clearance) {
+      return kinds_[other] == RegionKind::corridor && clearance >= least &&
+             !isDoor(regions_, clearance, region, other, options_.corridorRatio,
+                     options_.corridorDoor);
+    });
   }
 
   /** Half-seen space that alone links rooms with each other is a way between them. */
