@@ -92,7 +92,7 @@ double cpuSeconds() {
 
 /** Shares the CPU time of an extraction out by the steps' own clocks. */
 Whole timesAfterSites(const Stages& stages, double seconds) {
-  const std::set<std::string> beforeDiagram{"binarize", "thin_obstacles", "obstacle_cells"};
+  const std::set<std::string> beforeDiagram{"binarize", "obstacle_cells"};
   double all = 0, before = 0, areas = 0;
   for (const StageTiming& timing : stages.timings) {
     all += timing.seconds;

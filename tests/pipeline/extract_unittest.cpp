@@ -188,11 +188,11 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   std::vector<std::string> names;
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
-      "binarize",        "thin_obstacles",  "obstacle_cells",  "voronoi_graph", "keep_inside",
-      "clear_clutter",   "voronoi_without", "keep_inside",     "find_rooms",    "region_outlines",
-      "drop_half_seen",  "keep_clear",      "topology_graph",  "dead_ends",     "pass_clutter",
-      "join_vertices",   "keep_largest",    "border_vertices", "cut_paths",     "room_ids",
-      "short_dead_ends", "join_doors",      "room_graph",      "area_graph"};
+      "binarize",        "obstacle_cells", "voronoi_graph",   "keep_inside",    "clear_clutter",
+      "region_outlines", "drop_half_seen", "keep_clear",      "topology_graph", "dead_ends",
+      "pass_clutter",    "join_vertices",  "keep_largest",    "trace_rooms",    "border_vertices",
+      "cut_paths",       "room_ids",       "short_dead_ends", "join_doors",     "room_graph",
+      "area_graph"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());
   EXPECT_EQ(stages.isInside.size(), stages.voronoi.vertices.size());
@@ -203,21 +203,6 @@ TEST(Extract, findsNoRoomNarrowerThanAPath) {
   options.findRooms.minWidth = 0.1;
   const Stages stages = extract(greyMap(randomMap(3, 60, 40, 0.1)), options);
   EXPECT_EQ(stages.roomRadius, stages.clearance);
-}
-
-TEST(Extract, acceptsAMapWithoutCells) {
-  GreyMap map;
-  map.frame = {0, 0, 0.1, {}};
-  const Stages stages = extract(map, {});
-  EXPECT_TRUE(stages.result.graph.vertices().empty());
-  ASSERT_EQ(stages.notes.size(), 1u);
-  EXPECT_EQ(stages.notes.front().code, "no_free_cell");
-}
-
-TEST(Extract, tellsWhyNoPathWasFound) {
-  const Stages stages = extract(greyMap(drawn({"###", "#.#", "###"}, 0.1)), {});
-  ASSERT_EQ(stages.notes.size(), 1u);
-  EXPECT_EQ(stages.notes.front().code, "no_path");
 }
 
 TEST(Extract, passesTheNotesOfTheMapOn) {

@@ -1,31 +1,31 @@
 #pragma once
 #include <chrono>
-#include <functional>
-#include <utility>
-#include <vector>
 
 #include "roomgraph/pipeline/Stages.h"
 
 namespace roomgraph {
 
-/** Calls steps and notes how long each took. */
+/** Notes how long each step took that sets a member of some Stages:
+ *
+ *      step("voronoi_graph").voronoi = voronoiGraph(s.obstacles);
+ *
+ *  The right side of an assignment comes first: so the time since the last step is this one's. */
 class StepTimer {
  public:
-  explicit StepTimer(std::vector<StageTiming>& timings) : timings_(timings) {}
+  explicit StepTimer(Stages& stages) : stages_(stages) {}
 
-  /** What step(inputs...) returns. */
-  template <class Step, class... Inputs>
-  auto operator()(const char* name, const Step& step, Inputs&&... inputs) const {
-    const auto start = Clock::now();
-    auto result = std::invoke(step, std::forward<Inputs>(inputs)...);
-    timings_.push_back({name, std::chrono::duration<double>(Clock::now() - start).count()});
-    return result;
+  Stages& operator()(const char* name) {
+    const auto now = Clock::now();
+    stages_.timings.push_back({name, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+    return stages_;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  std::vector<StageTiming>& timings_;
+  Stages& stages_;
+  Clock::time_point last_ = Clock::now();
 };
 
 }  // namespace roomgraph

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "MapText.h"
+#include "roomgraph/pipeline/extract.h"
+
+namespace roomgraph::test {
+namespace {
+
+/** The codes of all notes, with a blank behind each. */
+std::string notesOf(const GreyMap& map) {
+  std::string codes;
+  for (const Note& note : extract(map, {}).notes) codes += note.code + " ";
+  return codes;
+}
+
+std::string notesOf(const std::vector<std::string>& rows) {
+  return notesOf(greyMap(drawn(rows, 0.1)));
+}
+
+TEST(ExtractionNotes, tellThatAMapWithoutCellsHasNoFreeOne) {
+  GreyMap map;
+  map.frame = {0, 0, 0.1, {}};
+  EXPECT_EQ(notesOf(map), "no_free_cell ");
+  EXPECT_EQ(notesOf({"###", "###"}), "no_free_cell ");
+}
+
+TEST(ExtractionNotes, tellThatNothingStandsInTheWay) {
+  EXPECT_EQ(notesOf({"....", "....", "...."}), "no_obstacle ");
+}
+
+TEST(ExtractionNotes, tellThatNoPathIsWideEnough) {
+  EXPECT_EQ(notesOf({"###", "#.#", "###"}), "no_path ");
+}
+
+TEST(ExtractionNotes, haveNothingToSayOfARoom) {
+  std::vector<std::string> rows(60, '#' + std::string(58, '.') + '#');
+  rows.front() = rows.back() = std::string(60, '#');
+  EXPECT_EQ(notesOf(rows), "");
+}
+
+}  // namespace
+}  // namespace roomgraph::test
