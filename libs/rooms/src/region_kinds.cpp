@@ -127,8 +127,8 @@ class KindFinder {
                : RegionKind::room;
   }
 
-  /** A corridor goes on through what is no wider than a door and open to it on two sides. All at once, so no
-   *  order matters; returns whether there was any. */
+  /** A corridor goes on through what is no wider than a door and open to it on two sides. All at
+   *  once, so no order matters; returns whether there was any. */
   bool followCorridors() {
     std::vector<std::uint32_t> found;
     for (const auto& [region, around] : around_)
