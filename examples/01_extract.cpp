@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <exception>
 
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/draw.h"
-#include "roomgraph/files/write_file.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"

@@ -2,10 +2,10 @@
 
 #include <sstream>
 
-#include "roomgraph/files/InputFile.h"
-#include "roomgraph/files/StagedFiles.h"
-#include "roomgraph/files/write_file.h"
-#include "roomgraph/fleet/task_lines.h"
+#include "roomgraph/archive/task_lines.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/write_file.h"
 
 namespace roomgraph {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/archive/FleetTask.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/fleet/FleetTask.h"
 
 namespace roomgraph {
 

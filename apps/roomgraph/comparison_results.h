@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/gate.h"
-#include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 #include "roomgraph/relate/Run.h"
 

@@ -9,9 +9,9 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
-#include "roomgraph/files/StagedFiles.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "terminal.h"
 
 namespace roomgraph {

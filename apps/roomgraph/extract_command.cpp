@@ -6,7 +6,7 @@
 #include "extract_map.h"
 #include "option_arguments.h"
 #include "output_names.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {

@@ -3,7 +3,7 @@
 #include <csignal>
 #include <thread>
 
-#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/base/StagedFiles.h"
 
 namespace roomgraph {
 

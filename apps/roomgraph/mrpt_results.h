@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/grid/LoadGridOptions.h"

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/InputFile.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/json_fault.h"
 #include "roomgraph/graph_files/read_graph_json.h"
-#include "roomgraph/json/json_fault.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

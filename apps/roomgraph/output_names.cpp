@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {

@@ -6,10 +6,10 @@
 #include "FleetFolder.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
+#include "roomgraph/archive/plan_fleet.h"
+#include "roomgraph/archive/read_run_list.h"
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/files/InputFile.h"
-#include "roomgraph/fleet/plan_fleet.h"
-#include "roomgraph/fleet/read_run_list.h"
 #include "terminal.h"
 
 namespace roomgraph {

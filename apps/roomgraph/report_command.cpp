@@ -10,8 +10,8 @@
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/files/write_file.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

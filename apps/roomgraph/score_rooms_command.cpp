@@ -4,8 +4,8 @@
 
 #include "Command.h"
 #include "roomgraph/evaluation/score_rooms.h"
+#include "roomgraph/evaluation/write_score.h"
 #include "roomgraph/images/read_labels.h"
-#include "roomgraph/report/write_score.h"
 #include "terminal.h"
 
 namespace roomgraph {

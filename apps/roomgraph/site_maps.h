@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/files/StagedFiles.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 
 namespace roomgraph {

@@ -6,7 +6,7 @@
 #include "Command.h"
 #include "option_arguments.h"
 #include "output_names.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "stability_map.h"
 #include "terminal.h"
 

@@ -6,9 +6,9 @@
 #include "FleetFolder.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
+#include "roomgraph/archive/do_task.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/write_file.h"
-#include "roomgraph/fleet/do_task.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/report/comparison_json.h"
 #include "run_in_order.h"
 

@@ -2,10 +2,10 @@
 
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/compare/run_score.h"
+#include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/estimate_scale.h"
 #include "roomgraph/relate/place_runs.h"
-#include "roomgraph/score/estimate_map_errors.h"
-#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 namespace {

@@ -7,7 +7,7 @@
 #include "TestFolder.h"
 #include "png_pixels.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "sample_stages.h"
 
 namespace roomgraph {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/report/write_score.h"
+#include "roomgraph/evaluation/write_score.h"
 
 namespace roomgraph {
 namespace {

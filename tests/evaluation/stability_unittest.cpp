@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/match/nearest_vertices.h"
-#include "roomgraph/report/write_stability.h"
+#include "roomgraph/evaluation/write_stability.h"
+#include "roomgraph/measures/nearest_vertices.h"
 #include "small_experiment.h"
 
 namespace roomgraph {

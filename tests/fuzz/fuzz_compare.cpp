@@ -7,9 +7,9 @@
 
 #include "odd_maps.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/compare/prepare_run.h"
-#include "roomgraph/files/checked_file.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/site_geojson.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "TestFolder.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/images/read_labels.h"
 #include "sample_stages.h"
 

@@ -6,7 +6,7 @@
 
 #include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "sample_stages.h"
 

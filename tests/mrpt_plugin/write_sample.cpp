@@ -4,8 +4,8 @@
 #include <exception>
 #include <iostream>
 
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/run_marks.h"
-#include "roomgraph/files/write_file.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"

@@ -2,7 +2,7 @@
 // as many runs like those of it, in a site that is turned by so much [rad].
 #include <cstdlib>
 
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/page/comparison_report.h"
 #include "sample_comparison.h"
 

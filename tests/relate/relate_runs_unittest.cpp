@@ -10,7 +10,7 @@
 #include "drawn_building.h"
 #include "pair_bytes.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/report/comparison_json.h"
 #include "sample_comparison.h"
 

@@ -6,14 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "read_history.h"
+#include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/rounded.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
-#include "roomgraph/json/rounded.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/csv_text.h"
 
 namespace roomgraph {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/files/InputFile.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/map_files/map_sha256.h"
 
 namespace roomgraph {

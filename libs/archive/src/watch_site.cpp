@@ -7,10 +7,10 @@
 #include <set>
 #include <tuple>
 
+#include "roomgraph/archive/lasting_change.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/ledger/site_rooms.h"
-#include "roomgraph/trend/lasting_change.h"
 
 namespace roomgraph {
 namespace {

@@ -7,12 +7,12 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
+#include "roomgraph/compare/run_score.h"
+#include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/place_runs.h"
-#include "roomgraph/score/estimate_map_errors.h"
-#include "roomgraph/score/run_score.h"
 #include "summarize.h"
 
 namespace roomgraph {

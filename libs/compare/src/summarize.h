@@ -2,11 +2,11 @@
 #include <vector>
 
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
-#include "roomgraph/score/run_score.h"
 
 namespace roomgraph {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/match/match_rooms.h"
-#include "roomgraph/match/nearest_vertices.h"
+#include "roomgraph/measures/match_rooms.h"
+#include "roomgraph/measures/nearest_vertices.h"
 
 namespace roomgraph {
 namespace {

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "roomgraph/json/json_text.h"
+#include "roomgraph/base/json_text.h"
+#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/topology/kind_names.h"
 #include "straight_pieces.h"
 

@@ -2,8 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "roomgraph/json/json_text.h"
-#include "roomgraph/json/rounded.h"
+#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "roomgraph/json/rounded.h"
+#include "roomgraph/base/rounded.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "number_text.h"
+#include "roomgraph/base/rounded.h"
 #include "roomgraph/geometry/thinned_line.h"
-#include "roomgraph/json/rounded.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {

@@ -9,7 +9,7 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
   if (node["kind"].text() != (area.isRoom() ? "room" : "corridor"))
     throw Broken{node.place + ".kind", "does not fit to its room"};
   area.polygon = readPolygon(node);
-  area.widestPlace = node["widest_place"].point();
+  area.widestPlace = readPoint(node["widest_place"]);
   area.inscribedRadius = node["inscribed_radius"].number();
   for (const JsonNode& passage : node["passages"].list())
     area.passages.push_back(readId<PassageId>(passage, passageCount));
@@ -19,7 +19,7 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
 Passage readPassage(const JsonNode& node, std::size_t areaCount) {
   const auto areas = node["areas"].list();
   if (areas.size() != 2) throw Broken{node.place + ".areas", "is not a pair [area, area]"};
-  const auto ends = node["ends"].points();
+  const auto ends = readPoints(node["ends"]);
   if (ends.size() != 2) throw Broken{node.place + ".ends", "is not a pair [point, point]"};
   return {readId<AreaId>(areas[0], areaCount), readId<AreaId>(areas[1], areaCount), ends[0],
           ends[1], node["width"].number()};

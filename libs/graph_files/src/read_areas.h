@@ -1,6 +1,6 @@
 #pragma once
 #include "roomgraph/areas/AreaGraph.h"
-#include "roomgraph/json/JsonNode.h"
+#include "roomgraph/geometry/point_json.h"
 
 namespace roomgraph {
 

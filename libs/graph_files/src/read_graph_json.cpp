@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "read_areas.h"
-#include "roomgraph/files/InputFile.h"
-#include "roomgraph/json/read_document.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -25,7 +25,7 @@ GraphFile::Input readInput(const JsonNode& node) {
   input.frame.width = int(size[0].countBelow(kMaxCells));
   input.frame.height = int(size[1].countBelow(kMaxCells));
   input.frame.resolution = node["resolution"].number();
-  input.frame.origin = node["origin"].point();
+  input.frame.origin = readPoint(node["origin"]);
   return input;
 }
 
@@ -69,7 +69,7 @@ Edge readEdge(const JsonNode& node, std::size_t vertexCount, std::size_t roomCou
   edge.source = readId<VertexId>(node["source"], vertexCount);
   edge.target = readId<VertexId>(node["target"], vertexCount);
   edge.room = readIdOrNone<RoomId>(node["room"], roomCount);
-  edge.path.points = node["path"].points();
+  edge.path.points = readPoints(node["path"]);
   if (edge.path.points.empty()) throw Broken{node.place + ".path", "has no point"};
   edge.path.length = node["length"].number();
   edge.path.minClearance = node["min_clearance"].numberOrInfinity();
@@ -79,9 +79,9 @@ Edge readEdge(const JsonNode& node, std::size_t vertexCount, std::size_t roomCou
 GraphRoom readRoom(const JsonNode& node, std::size_t vertexCount) {
   GraphRoom room;
   room.shape.polygon = readPolygon(node);
-  room.shape.widestPlace = node["widest_place"].point();
+  room.shape.widestPlace = readPoint(node["widest_place"]);
   room.shape.inscribedRadius = node["inscribed_radius"].number();
-  room.center = node["center"].point();
+  room.center = readPoint(node["center"]);
   room.vertex = readIdOrNone<VertexId>(node["vertex"], vertexCount);
   for (const JsonNode& border : node["border_vertices"].list())
     room.borderVertices.push_back(readId<VertexId>(border, vertexCount));

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

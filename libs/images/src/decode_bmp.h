@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 

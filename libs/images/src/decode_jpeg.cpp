@@ -6,7 +6,7 @@
 #include <jpeglib.h>
 
 #include "pixel_grey.h"
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

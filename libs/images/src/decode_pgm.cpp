@@ -4,7 +4,7 @@
 #include <cctype>
 #include <limits>
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "pixel_grey.h"
-#include "roomgraph/files/remedies.h"
-#include "roomgraph/files/whole_stream.h"
+#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/whole_stream.h"
 
 namespace roomgraph {
 namespace {

@@ -9,7 +9,7 @@
 #include "decode_png.h"
 #include "flip_rows.h"
 #include "pixel_grey.h"
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

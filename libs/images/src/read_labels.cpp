@@ -6,7 +6,7 @@
 #include "decode_pgm.h"
 #include "decode_png.h"
 #include "flip_rows.h"
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/images/read_image.h"
 
 namespace roomgraph {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/match/polygon_cells.h"
+#include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {

@@ -10,8 +10,8 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
+#include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/ledger/site_rooms.h"
-#include "roomgraph/match/polygon_cells.h"
 
 namespace roomgraph {
 namespace {

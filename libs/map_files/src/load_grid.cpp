@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/scans/object_header.h"
 

@@ -6,7 +6,7 @@
 #include <mrpt/maps/CLogOddsGridMapLUT.h>
 
 #include "decimal.h"
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {

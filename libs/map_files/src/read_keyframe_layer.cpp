@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_points.h"
 

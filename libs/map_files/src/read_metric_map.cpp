@@ -6,7 +6,7 @@
 #include "grid_of_points.h"
 #include "read_gridmap.h"
 #include "read_layer_points.h"
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/find_slice.h"
 #include "roomgraph/scans/object_header.h"
 #include "roomgraph/scans/read_points.h"

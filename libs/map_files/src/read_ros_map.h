@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 

@@ -9,8 +9,8 @@
 
 #include "decimal.h"
 #include "grey_of_percent.h"
-#include "roomgraph/files/remedies.h"
-#include "roomgraph/files/whole_stream.h"
+#include "roomgraph/base/remedies.h"
+#include "roomgraph/base/whole_stream.h"
 
 namespace roomgraph {
 namespace {

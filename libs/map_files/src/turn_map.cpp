@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -6,7 +6,7 @@
 #include "path_frechet.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/match/nearest_vertices.h"
+#include "roomgraph/measures/nearest_vertices.h"
 
 namespace roomgraph {
 namespace {

@@ -1,7 +1,7 @@
 #include "room_measures.h"
 
 #include "measure_over_others.h"
-#include "roomgraph/match/match_rooms.h"
+#include "roomgraph/measures/match_rooms.h"
 #include "site_frame.h"
 
 namespace roomgraph {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/mrpt_plugin/MappedComparison.h"
 
 namespace roomgraph {

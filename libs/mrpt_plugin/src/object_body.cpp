@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

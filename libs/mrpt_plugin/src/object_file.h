@@ -2,7 +2,7 @@
 #include <functional>
 #include <string>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 

@@ -2,7 +2,7 @@
 
 #include "graph_bytes.h"
 #include "object_bytes.h"
-#include "roomgraph/files/write_file.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/mrpt_plugin/read_room_graph.h"
 
 namespace roomgraph {

@@ -8,8 +8,8 @@
 
 #include "base64.h"
 #include "break_scans.h"
+#include "roomgraph/base/rounded.h"
 #include "roomgraph/drawing/run_marks.h"
-#include "roomgraph/json/rounded.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
 #include "upright_turn.h"

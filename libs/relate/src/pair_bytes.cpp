@@ -6,7 +6,7 @@
 #include <limits>
 #include <type_traits>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 namespace {

@@ -12,7 +12,7 @@
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/json/rounded.h"
-#include "roomgraph/score/RunScore.h"
+#include "roomgraph/base/rounded.h"
+#include "roomgraph/compare/RunScore.h"
 
 namespace roomgraph {
 

@@ -4,8 +4,8 @@
 
 #include "comparison_words.h"
 #include "json_places.h"
+#include "roomgraph/base/csv_text.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/csv_text.h"
 
 namespace roomgraph {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
-#include "roomgraph/json/rounded.h"
+#include "roomgraph/base/Json.h"
+#include "roomgraph/base/rounded.h"
 #include "roomgraph/ledger/SiteRoom.h"
-#include "stability_json.h"
 
 namespace roomgraph {
 

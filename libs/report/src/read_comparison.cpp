@@ -1,8 +1,9 @@
 #include <cmath>
 
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/files/InputFile.h"
-#include "roomgraph/json/read_document.h"
+#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {

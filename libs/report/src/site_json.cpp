@@ -4,8 +4,8 @@
 #include <set>
 
 #include "json_places.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/base/version.h"
-#include "roomgraph/json/read_document.h"
 
 namespace roomgraph {
 namespace {

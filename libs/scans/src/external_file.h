@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 
 namespace roomgraph {
 

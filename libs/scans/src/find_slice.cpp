@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/files/checked_file.h"
 #include "straight_cells.h"
 
 namespace roomgraph {

@@ -1,6 +1,6 @@
 #include "roomgraph/scans/object_header.h"
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

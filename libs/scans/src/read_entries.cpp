@@ -1,6 +1,6 @@
 #include "roomgraph/scans/read_entries.h"
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_observation.h"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "roomgraph/files/remedies.h"
+#include "roomgraph/base/remedies.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgraph/archive/SiteHistory.h"
-#include "roomgraph/trend/watch_errors.h"
+#include "roomgraph/archive/watch_errors.h"
 
 namespace roomgraph {
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/compare/RunScore.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "roomgraph/measures/Measure.h"
-#include "roomgraph/score/RunScore.h"
 
 namespace roomgraph {
 

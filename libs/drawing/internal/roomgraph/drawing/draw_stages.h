@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/files/StagedFiles.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/pipeline/Stages.h"
 
 namespace roomgraph {

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/files/checked_file.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/files/byte_reader.h"
+#include "roomgraph/base/byte_reader.h"
 
 namespace roomgraph {
 

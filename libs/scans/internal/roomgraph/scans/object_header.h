@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "roomgraph/files/byte_reader.h"
+#include "roomgraph/base/byte_reader.h"
 
 namespace roomgraph {
 

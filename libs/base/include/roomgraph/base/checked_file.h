@@ -1,0 +1,61 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/byte_reader.h"
+
+namespace roomgraph {
+
+/** A map may have at most this many cells. */
+constexpr std::uint64_t kMostCells = 400'000'000;
+
+enum class Compression { none, gzip, zstd };
+/** "none", "gzip" or "zstd". */
+std::string nameOf(Compression compression);
+
+/** A file whose bytes can be trusted to be those that were written: compressed files are inflated
+ *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more
+ *  than it is asked for, so that a file of the wrong kind costs nothing. */
+class CheckedFile {
+ public:
+  /** Opens the file and reads its first bytes. Throws DataError where that is impossible. */
+  explicit CheckedFile(const std::string& name);
+
+  const std::string& name() const { return file_.name(); }
+  /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
+  ByteView head() const { return {head_.data(), head_.size()}; }
+  Compression compression() const { return compression_; }
+  /** How long the content claims to be. */
+  std::uint64_t claimedSize() const { return claimedSize_; }
+  /** All of the content, verified; stays valid as long as this object, or until release(). */
+  ByteView content();
+  /** Gives the memory of the content back. */
+  void release() { content_.reset(), stored_.reset(); }
+  /** Of the stored bytes, lower-case hex; empty before content(). */
+  const std::string& sha256() const { return sha256_; }
+
+ private:
+  void readHead();
+  void readStored();
+  ByteView stored() const;
+  void readGzipHead();
+  void readZstdHead();
+  void inflateGzip();
+  void inflateZstd();
+
+  InputFile file_;
+  std::uint64_t claimedSize_ = 0;
+  Compression compression_ = Compression::none;
+  std::vector<std::uint8_t> head_;
+  // Plain arrays: a vector would write to every byte before the first one is read.
+  std::unique_ptr<std::uint8_t[]> stored_, content_;
+  std::string sha256_;
+};
+
+/** Lower-case hex of the SHA-256 of `first` followed by `second`. */
+std::string sha256Of(ByteView first, ByteView second = {});
+
+}  // namespace roomgraph

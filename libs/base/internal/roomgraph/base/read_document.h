@@ -1,0 +1,30 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/base/JsonNode.h"
+
+namespace roomgraph {
+
+/** The text of a file as JSON. @throws DataError, see readDocument. */
+nlohmann::ordered_json parseDocument(const std::string& text, const std::string& name,
+                                     const std::string& format, const std::string& remedy);
+
+/** @throws DataError that says what is broken. */
+[[noreturn]] void refuseDocument(const std::string& name, const Broken& broken,
+                                 const std::string& remedy);
+
+/** What a file of JSON holds: `read` makes it from the top of the file, and throws Broken where
+ *  something is wrong. `format` is that of the file, such as "roomgraph/graph".
+ *  @throws DataError with one line: `name` of the file, place, problem, remedy. */
+template <class Read>
+auto readDocument(const std::string& text, const std::string& name, const std::string& format,
+                  const std::string& remedy, const Read& read) {
+  const nlohmann::ordered_json json = parseDocument(text, name, format, remedy);
+  try {
+    return read(JsonNode{json, ""});
+  } catch (const Broken& broken) {
+    refuseDocument(name, broken, remedy);
+  }
+}
+
+}  // namespace roomgraph

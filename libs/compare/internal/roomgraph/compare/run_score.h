@@ -1,0 +1,44 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/compare/RunScore.h"
+#include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/relate/DistinctMaps.h"
+#include "roomgraph/relate/PairBend.h"
+#include "roomgraph/relate/Site.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   how far each pair of runs bends apart, and how wrong each run is
+// Out:  RunScore of each run
+// Next: compareRuns
+
+/** How an error becomes a score. */
+struct RunScoreOptions {
+  double scoreScale = kScoreScale;  ///< error at which the score is 100 / e [m]
+  double trustFloor = 0.05;         ///< error below which all runs are trusted alike [m]
+  double minWalls = kFewestWalls;   ///< wall points from which on a score is meaningful
+  std::size_t minOthers = 2;      ///< runs from which on a score is meaningful; 1 with a reference
+  double minShare = kLeastShare;  ///< of walls in common with another run, to be meaningful
+};
+
+/** Of each run of a site; none for a reference, and where no wall could be compared. */
+using RunScores = std::vector<std::optional<RunScore>>;
+
+/** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of the
+ *  consensus. With `reference`, that run is taken for the truth and gets no score itself. Trust
+ *  falls with the fourth power of trustFloor plus the map error; that of the most trusted run, or
+ *  of the reference, is 1, that of a run without minShare 0, unless all are so. Runs of which no
+ *  other has anything have no score. Meaningful with minOthers other runs (one reference), minWalls
+ *  wall points and minShare. `errors` and `maps` are by run, as `bends`. O(runs^2).
+ *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
+RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
+                    const std::vector<MapError>& errors, std::optional<std::size_t> reference,
+                    const RunScoreOptions& options);
+
+/** Whom to trust: the runs as they are scored, or a reference alone. */
+Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);
+
+}  // namespace roomgraph

@@ -1,0 +1,88 @@
+#include "roomgraph/compare/run_score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/relate/most_share.h"
+
+namespace roomgraph {
+namespace {
+
+void grade(RunScore& score, const MapError& error, const RunScoreOptions& options) {
+  const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
+  score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
+  score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
+}
+
+/** Falls with the error; runs that have little in common with any other are not asked. */
+void setTrust(RunScores& scores, const PairBends& bends, const RunScoreOptions& options) {
+  const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.minShare; };
+  bool areAllSmall = true;
+  for (std::size_t i = 0; i < scores.size(); ++i) areAllSmall = areAllSmall && isSmall(i);
+  double most = 0;
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!scores[i] || (isSmall(i) && !areAllSmall)) continue;
+    scores[i]->trust = std::pow(options.trustFloor + scores[i]->mapError, -4);
+    most = std::max(most, scores[i]->trust);
+  }
+  for (auto& score : scores)
+    if (score && most > 0) score->trust /= most;
+}
+
+/** Sets the bend of one run away from the others, as their trust weighs it. */
+void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const DistinctMaps& maps,
+           std::optional<std::size_t> reference) {
+  const auto isAsked = [&](std::size_t other) {
+    return reference ? other == *reference : maps.isMeasuredAgainst(run, other);
+  };
+  RunScore& score = *scores[run];
+  double sum = 0, weights = 0, trust = 0;
+  for (const std::size_t j : bends.othersOf(run)) {
+    if (!isAsked(j) || bends(run, j).share <= 0) continue;
+    const PairBend& pair = bends(run, j);
+    const double trustOfOther = scores[j] ? scores[j]->trust : 1;
+    sum += trustOfOther * pair.share * pair.bend, weights += trustOfOther * pair.share;
+    trust += trustOfOther;
+    score.support += pair.walls;
+    ++score.others;
+  }
+  if (weights > 0) score.bend = sum / weights, score.share = weights / trust;
+}
+
+}  // namespace
+
+RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
+                    const std::vector<MapError>& errors, std::optional<std::size_t> reference,
+                    const RunScoreOptions& options) {
+  if (reference && *reference >= bends.things())
+    throw UsageError("run_score: there is no run " + std::to_string(*reference));
+  if (errors.size() != bends.things())
+    throw UsageError("run_score: there are " + std::to_string(bends.things()) + " runs, but " +
+                     std::to_string(errors.size()) + " errors");
+  RunScores scores(bends.things());
+  for (std::size_t i = 0; i < bends.things(); ++i) {
+    if (i == reference || errors[i].seen <= 0) continue;
+    scores[i].emplace();
+    grade(*scores[i], errors[i], options);
+  }
+  setTrust(scores, bends, options);
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (scores[i]) weigh(scores, i, bends, maps, reference);
+  const std::size_t minOthers = reference ? 1 : options.minOthers;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (auto& score = scores[i])
+      score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers &&
+                            mostShare(bends, i) >= options.minShare;
+  return scores;
+}
+
+Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference) {
+  Trust trust;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    trust.push_back(reference ? double(i == *reference) : scores[i] ? scores[i]->trust : 0);
+  return trust;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,196 @@
+#include "roomgraph/evaluation/write_stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/version.h"
+#include "stability_json.h"
+
+namespace roomgraph {
+namespace {
+
+using Value = std::optional<double>;
+
+struct Column {
+  std::string name;
+  Value value;
+};
+using Columns = std::vector<Column>;
+
+Value times(Value value, double factor) { return value ? Value(factor * *value) : std::nullopt; }
+
+/** The one-to-one measures with rooms beside those without. */
+void addAgreement(Columns& columns, const VertexAgreement& room, const VertexAgreement& noRoom,
+                  double resolution) {
+  const auto both = [&](const std::string& name, double factor, Value VertexAgreement::*member) {
+    columns.push_back({"room_" + name, times(room.*member, factor)});
+    columns.push_back({"no_room_" + name, times(noRoom.*member, factor)});
+  };
+  both("median", 1 / resolution, &VertexAgreement::median);
+  both("p90", 1 / resolution, &VertexAgreement::percentile90);
+  both("unmatched_base_percent", 100, &VertexAgreement::unmatchedBase);
+  both("unmatched_other_percent", 100, &VertexAgreement::unmatchedOther);
+}
+
+Columns measuresOf(const StabilityRow& row, double resolution) {
+  Columns columns{{"room", times(row.room.nearest, 1 / resolution)},
+                  {"no_room", times(row.noRoom.nearest, 1 / resolution)},
+                  {"ratio_percent", times(row.ratio, 100)}};
+  addAgreement(columns, row.room.agreement, row.noRoom.agreement, resolution);
+  columns.push_back({"rooms_found_percent", times(row.roomsFound, 100)});
+  columns.push_back({"rooms_change", row.roomsChange});
+  return columns;
+}
+
+Columns columnsOf(const StabilityRow& row, double resolution) {
+  Columns columns{{"distance_px", row.distance}, {"percent", row.percent}};
+  for (Column& column : measuresOf(row, resolution)) columns.push_back(std::move(column));
+  return columns;
+}
+
+Columns columnsOf(const StabilityRun& run, const RunMeasures& measures, double resolution) {
+  Columns columns{{"distance_px", run.noise.maxDistance},
+                  {"percent", run.noise.percent},
+                  {"repeat", run.repeat},
+                  {"room", times(measures.room.nearest, 1 / resolution)},
+                  {"no_room", times(measures.noRoom.nearest, 1 / resolution)}};
+  addAgreement(columns, measures.room.agreement, measures.noRoom.agreement, resolution);
+  columns.push_back({"rooms_found_percent", times(measures.roomsFound, 100)});
+  columns.push_back({"rooms", measures.rooms});
+  return columns;
+}
+
+Json json(const Columns& columns) {
+  Json object = Json::object();
+  for (const Column& column : columns) {
+    if (!column.value)
+      object[column.name] = nullptr;
+    else if (*column.value == std::floor(*column.value))
+      object[column.name] = std::int64_t(*column.value);
+    else
+      object[column.name] = rounded(*column.value);
+  }
+  return object;
+}
+
+Json inputJson(const Stability& result) {
+  Json input{{"file", std::filesystem::path(result.source.file).filename().string()},
+             {"sha256", result.source.sha256},
+             {"kind", result.source.kind},
+             {"resolution", result.frame.resolution},
+             {"size", {result.frame.width, result.frame.height}}};
+  if (!result.source.insertion.empty()) input["insertion"] = result.source.insertion;
+  return input;
+}
+
+Json experimentJson(const StabilityOptions& options) {
+  return {{"distances_px", options.distances},
+          {"percents", options.percents},
+          {"repeats", options.repeats},
+          {"seed", options.seed},
+          {"base_distance_px", options.baseDistance},
+          {"base_percent", options.basePercent},
+          {"match_within_m", options.matchWithin}};
+}
+
+Json baseJson(const Stability& result) {
+  return {{"vertices_room", result.baseVerticesRoom},
+          {"vertices_no_room", result.baseVerticesNoRoom},
+          {"rooms", result.baseRooms}};
+}
+
+/** "name": value, on a line. */
+std::string member(const char* name, const Json& value) {
+  return std::string("\"") + name + "\": " + lineOf(value) + ",\n";
+}
+
+std::string valueText(const char* format, Value value, const char* missing) {
+  return value ? formatted(format, *value) : missing;
+}
+
+std::string number(Value value, int width) {
+  const std::string text = valueText("%.2f", value, "-");
+  return std::string(std::size_t(std::max(0, width - int(text.size()))), ' ') + text;
+}
+
+std::string tableLine(const std::string& first, const StabilityRow& row, double resolution) {
+  return first + number(times(row.room.nearest, 1 / resolution), 10) +
+         number(times(row.noRoom.nearest, 1 / resolution), 10) + number(times(row.ratio, 100), 10) +
+         "\n";
+}
+
+std::string soundLine(const char* name, Value room, Value noRoom) {
+  const double ratio = room && noRoom && *noRoom > 0 ? 100 * *room / *noRoom : NAN;
+  return formatted("%-38s", name) + number(room, 10) + number(noRoom, 10) +
+         (std::isnan(ratio) ? number(std::nullopt, 10) : number(ratio, 10)) + "\n";
+}
+
+std::string soundText(const Stability& result) {
+  const VertexAgreement &room = result.mean.room.agreement, &noRoom = result.mean.noRoom.agreement;
+  const double toPx = 1 / result.frame.resolution;
+  std::string text =
+      "One to one, at most " + valueText("%g", result.options.matchWithin, "") + " m apart:\n";
+  text += soundLine("median distance [px]", times(room.median, toPx), times(noRoom.median, toPx));
+  text += soundLine("90th percentile [px]", times(room.percentile90, toPx),
+                    times(noRoom.percentile90, toPx));
+  text += soundLine("unmatched of the base map [%]", times(room.unmatchedBase, 100),
+                    times(noRoom.unmatchedBase, 100));
+  text += soundLine("unmatched of the noisy map [%]", times(room.unmatchedOther, 100),
+                    times(noRoom.unmatchedOther, 100));
+  text += "Rooms found again " + valueText("%.1f %%", times(result.mean.roomsFound, 100), "-") +
+          ", change in their number " + valueText("%.2f", result.mean.roomsChange, "") + " of " +
+          std::to_string(result.baseRooms) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string stabilityCsv(const Stability& result) {
+  std::string header, lines;
+  for (const StabilityRow& row : result.rows) {
+    header.clear();
+    std::string line;
+    for (const Column& column : columnsOf(row, result.frame.resolution)) {
+      const bool isWhole = column.value && *column.value == std::floor(*column.value);
+      header += "," + column.name;
+      line += "," + valueText(isWhole ? "%.0f" : "%.4f", column.value, "");
+    }
+    lines += line.substr(1) + "\n";
+  }
+  return header.substr(1) + "\n" + lines;
+}
+
+std::string stabilityJson(const Stability& result) {
+  const double resolution = result.frame.resolution;
+  std::string text = "{\n\"format\": \"roomgraph/stability\",\n\"version\": 1,\n";
+  text += member("program", {{"name", "roomgraph"}, {"version", version()}});
+  text += member("input", inputJson(result));
+  text += member("options", optionsJson(result.extract));
+  text += member("experiment", experimentJson(result.options));
+  text += member("base", baseJson(result));
+  text += member("mean", json(measuresOf(result.mean, resolution)));
+  text += "\"rows\": [";
+  for (std::size_t i = 0; i < result.rows.size(); ++i)
+    text += (i ? ",\n" : "\n") + lineOf(json(columnsOf(result.rows[i], resolution)));
+  text += "\n],\n\"runs\": [";
+  for (std::size_t i = 0; i < result.runs.size(); ++i)
+    text += (i ? ",\n" : "\n") +
+            lineOf(json(columnsOf(result.runs[i], result.measures[i], resolution)));
+  return text + "\n]\n}\n";
+}
+
+std::string stabilityText(const Stability& result) {
+  std::string text = "distance [px]  percent  room [px]   no room ratio [%]\n";
+  for (const StabilityRow& row : result.rows)
+    text +=
+        tableLine(formatted("%13d%9g ", row.distance, row.percent), row, result.frame.resolution);
+  const std::string rows = std::to_string(result.rows.size()) + " rows";
+  return text +
+         tableLine(formatted("mean of %-15s", rows.c_str()), result.mean, result.frame.resolution) +
+         soundText(result);
+}
+
+}  // namespace roomgraph

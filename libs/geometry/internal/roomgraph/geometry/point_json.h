@@ -1,0 +1,25 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "roomgraph/base/JsonNode.h"
+#include "roomgraph/base/rounded.h"
+#include "roomgraph/geometry/Polygon.h"
+
+namespace roomgraph {
+
+/** As files hold it, see rounded(double). */
+inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
+
+/** [x, y]. Throws Broken where it is not a pair of numbers. */
+Point readPoint(const JsonNode& node);
+std::vector<Point> readPoints(const JsonNode& node);
+/** The members "polygon" and "holes" of a room or an area. */
+Polygon readPolygon(const JsonNode& node);
+
+/** [x,y], as addNumber writes numbers. */
+void addPoint(std::string& json, Point p);
+/** [[x,y],...] */
+void addPoints(std::string& json, const std::vector<Point>& points);
+
+}  // namespace roomgraph

@@ -1,0 +1,42 @@
+#include "roomgraph/geometry/point_json.h"
+
+#include "roomgraph/base/json_text.h"
+
+namespace roomgraph {
+
+Point readPoint(const JsonNode& node) {
+  const auto numbers = node.list();
+  if (numbers.size() != 2) throw Broken{node.place, "is not a pair [x, y]"};
+  return {numbers[0].number(), numbers[1].number()};
+}
+
+std::vector<Point> readPoints(const JsonNode& node) {
+  std::vector<Point> all;
+  for (const JsonNode& pair : node.list()) all.push_back(readPoint(pair));
+  return all;
+}
+
+Polygon readPolygon(const JsonNode& node) {
+  Polygon polygon{readPoints(node["polygon"]), {}};
+  for (const JsonNode& hole : node["holes"].list()) polygon.holes.push_back(readPoints(hole));
+  return polygon;
+}
+
+void addPoint(std::string& json, Point p) {
+  json += '[';
+  addNumber(json, p.x);
+  json += ',';
+  addNumber(json, p.y);
+  json += ']';
+}
+
+void addPoints(std::string& json, const std::vector<Point>& points) {
+  json += '[';
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i) json += ',';
+    addPoint(json, points[i]);
+  }
+  json += ']';
+}
+
+}  // namespace roomgraph

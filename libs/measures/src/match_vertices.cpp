@@ -1,0 +1,75 @@
+#include "roomgraph/measures/match_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/statistics.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<std::uint32_t> fromLeftToRight(const std::vector<Vertex>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(vertices[a].at.x, a) < std::tie(vertices[b].at.x, b);
+  });
+  return order;
+}
+
+std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const TopologyGraph& other,
+                                          double maxDistance) {
+  const std::vector<Vertex>&a = base.vertices(), &b = other.vertices();
+  const auto orderA = fromLeftToRight(a), orderB = fromLeftToRight(b);
+  std::vector<MatchedVertices> pairs;
+  std::size_t first = 0;
+  for (const std::uint32_t i : orderA) {
+    while (first < orderB.size() && b[orderB[first]].at.x < a[i].at.x - maxDistance) ++first;
+    for (std::size_t k = first; k < orderB.size(); ++k) {
+      const std::uint32_t j = orderB[k];
+      if (b[j].at.x > a[i].at.x + maxDistance) break;
+      const double apart = distance(a[i].at, b[j].at);
+      if (apart <= maxDistance) pairs.push_back({VertexId(i), VertexId(j), apart});
+    }
+  }
+  return pairs;
+}
+
+std::optional<double> percentile(const std::vector<MatchedVertices>& pairs, double share) {
+  if (pairs.empty()) return std::nullopt;
+  std::vector<double> distances;
+  for (const MatchedVertices& pair : pairs) distances.push_back(pair.distance);
+  return quantile(std::move(distances), share);
+}
+
+std::optional<double> unmatched(std::size_t pairs, std::size_t count) {
+  if (count == 0) return std::nullopt;
+  return double(count - pairs) / double(count);
+}
+
+}  // namespace
+
+std::vector<MatchedVertices> matchVertices(const TopologyGraph& base, const TopologyGraph& other,
+                                           double maxDistance) {
+  std::vector<MatchedVertices> pairs = pairsInReach(base, other, maxDistance);
+  std::sort(pairs.begin(), pairs.end(), [](const MatchedVertices& p, const MatchedVertices& q) {
+    return std::tie(p.distance, p.base, p.other) < std::tie(q.distance, q.base, q.other);
+  });
+  OneToOne pairing(base.vertices().size(), other.vertices().size());
+  std::vector<MatchedVertices> matched;
+  for (const MatchedVertices& pair : pairs)
+    if (pairing.take(pair.base.index(), pair.other.index())) matched.push_back(pair);
+  return matched;
+}
+
+VertexAgreement vertexAgreement(const std::vector<MatchedVertices>& pairs, std::size_t baseCount,
+                                std::size_t otherCount) {
+  return {percentile(pairs, 0.5), percentile(pairs, 0.9), unmatched(pairs.size(), baseCount),
+          unmatched(pairs.size(), otherCount)};
+}
+
+}  // namespace roomgraph

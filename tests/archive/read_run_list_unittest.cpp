@@ -1,0 +1,81 @@
+#include "roomgraph/archive/read_run_list.h"
+
+#include <gtest/gtest.h>
+
+#include "RandomNumbers.h"
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(ReadRunList, namesItsColumnsInAnyOrder) {
+  const auto runs = readRunList(
+      "file,note,site,time,robot\r\na.simplemap,x,office,2026-11-22,anna\n\n"
+      "\"b, \"\"2\"\".yaml\",,lab,,\n/maps/c.yaml,,lab\n",
+      "list.csv", "/data");
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_EQ(runs[0].site, "office");
+  EXPECT_EQ(runs[0].file, "/data/a.simplemap");
+  EXPECT_EQ(runs[0].robot, "anna");
+  EXPECT_EQ(runs[0].time, 1795305600);
+  EXPECT_EQ(runs[1].file, "/data/b, \"2\".yaml");
+  EXPECT_EQ(runs[1].robot, "robot");
+  EXPECT_FALSE(runs[1].time);
+  EXPECT_EQ(runs[2].file, "/maps/c.yaml");
+}
+
+TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
+  const auto complaint = [](const std::string& text) -> std::string {
+    try {
+      readRunList(text, "list.csv", "");
+    } catch (const DataError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(complaint("").find("list.csv: has no columns"), std::string::npos);
+  EXPECT_NE(complaint("site;file\n").find("has no columns"), std::string::npos);
+  EXPECT_NE(complaint("site,file\na,b\nc\n").find("list.csv: line 3 has no site or no file"),
+            std::string::npos);
+  EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is not a time"),
+            std::string::npos);
+  EXPECT_EQ(complaint("site,file\n"), "");
+  EXPECT_EQ(complaint("site,file\n\"open,b"),
+            "list.csv: line 2 has no site or no file: fill it in, "
+            "or take the line out");
+}
+
+TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
+  test::RandomNumbers random(3);
+  const std::string letters = "ab,\"\n\r ,,\"\"";
+  std::size_t read = 0, refused = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::string text = "site,file\n";
+    for (std::size_t i = random.below(30); i > 0; --i)
+      text += letters[random.below(letters.size())];
+    try {
+      for (const ListedRun& run : readRunList(text, "list.csv", "/data")) {
+        EXPECT_FALSE(run.site.empty());
+        EXPECT_EQ(run.file[0], '/');
+      }
+      ++read;
+    } catch (const DataError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("list.csv: line ", 0), 0u) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(read, 100u);
+  EXPECT_GT(refused, 100u);
+}
+
+TEST(ReadRunList, aFileIsInTheFolderOfTheListUnlessItSaysOtherwise) {
+  const auto fileOf = [](const std::string& file) {
+    return readRunList("site,file\na," + file + "\n", "list.csv", "/data/night")[0].file;
+  };
+  EXPECT_EQ(fileOf("m.yaml"), "/data/night/m.yaml");
+  EXPECT_EQ(fileOf("../m.yaml"), "/data/m.yaml");
+  EXPECT_EQ(fileOf("/maps/./m.yaml"), "/maps/m.yaml");
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,32 @@
+#include "roomgraph/base/csv_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace roomgraph {
+namespace {
+
+TEST(CsvField, isQuotedWhereItMustBe) {
+  EXPECT_EQ(csvField("office"), "office");
+  EXPECT_EQ(csvField(""), "");
+  EXPECT_EQ(csvField("a,b"), "\"a,b\"");
+  EXPECT_EQ(csvField("a \"b\""), "\"a \"\"b\"\"\"");
+  EXPECT_EQ(csvField("a\nb"), "\"a\nb\"");
+}
+
+TEST(CsvField, aFormulaIsText) {
+  EXPECT_EQ(csvField("=1+1"), "'=1+1");
+  EXPECT_EQ(csvField("@a,b"), "\"'@a,b\"");
+}
+
+TEST(CsvNumber, hasFourPlaces) {
+  EXPECT_EQ(csvNumber(0.12345), "0.1235");
+  EXPECT_EQ(csvNumber(-0.00001), "0.0000");
+  EXPECT_EQ(csvNumber({}), "");
+  EXPECT_EQ(csvNumber(HUGE_VAL), "") << "as in JSON, which has no word for it";
+  EXPECT_EQ(csvNumber(NAN), "");
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,33 @@
+#include "roomgraph/base/json_text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace roomgraph {
+namespace {
+
+std::string text(double value) {
+  std::string json;
+  addNumber(json, value);
+  return json;
+}
+
+TEST(AddNumber, roundsToATenthOfAMillimetreAndDropsZeros) {
+  EXPECT_EQ(text(1.5), "1.5");
+  EXPECT_EQ(text(-12.00016), "-12.0002");
+  EXPECT_EQ(text(3), "3");
+  EXPECT_EQ(text(0.0501), "0.0501");
+  EXPECT_EQ(text(100), "100");
+  EXPECT_EQ(text(-0.00001), "0");
+}
+
+TEST(AddNumber, keepsLargeNumbersAndWritesNoneForWhatIsNotFinite) {
+  EXPECT_EQ(text(1e12), "1e+12");
+  EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "null");
+  EXPECT_EQ(text(std::nan("")), "null");
+}
+
+}  // namespace
+}  // namespace roomgraph

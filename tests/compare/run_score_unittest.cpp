@@ -1,0 +1,150 @@
+#include "roomgraph/compare/run_score.h"
+
+#include <gtest/gtest.h>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+PairBends allBends(std::size_t n, double bend, double walls = 1000) {
+  PairBends bends(n);
+  for (const auto& [i, j] : bends.pairs()) bends(i, j) = {bend, 1, walls, false};
+  return bends;
+}
+
+std::vector<MapError> errorsOf(const std::vector<double>& values) {
+  std::vector<MapError> errors;
+  for (const double value : values) {
+    errors.emplace_back();
+    errors.back().error = value, errors.back().seen = 1;
+    errors.back().low = value / 2, errors.back().high = 2 * value;
+  }
+  return errors;
+}
+
+RunScores scored(const PairBends& bends, const std::vector<MapError>& errors,
+                 std::optional<std::size_t> reference, const RunScoreOptions& options) {
+  return scoreRuns(bends, DistinctMaps(bends), errors, reference, options);
+}
+
+TEST(ScoreRuns, aLargerErrorIsALowerScore) {
+  const auto scores = scored(allBends(5, 0.3), errorsOf({0, 0.05, 0.1, 0.5, 2}), {}, {});
+  double last = 100.1;
+  for (const auto& score : scores) {
+    EXPECT_LT(score->score, last);
+    EXPECT_LE(score->low, score->score);
+    EXPECT_GE(score->high, score->score);
+    last = score->score;
+  }
+  EXPECT_EQ(scores[0]->score, 100);
+  EXPECT_NEAR(scores[3]->score, 100 / M_E, 1e-9) << "half a metre";
+}
+
+TEST(ScoreRuns, aRunThatNobodyHasSeenHasNoScore) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[1].seen = 0;
+  const auto scores = scored(allBends(3, 0.3), errors, {}, {});
+  EXPECT_TRUE(scores[0]);
+  EXPECT_FALSE(scores[1]);
+}
+
+TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
+  PairBends bends = allBends(3, 0.3);
+  bends(0, 2) = {0, 1, 1000, true};
+  for (const auto& score : scored(bends, errorsOf({0.2, 0.2, 0.2}), {}, {})) {
+    EXPECT_EQ(score->others, 1u);
+    EXPECT_EQ(score->bend, 0.3);
+    EXPECT_FALSE(score->isMeaningful) << "these are two maps";
+  }
+}
+
+TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
+  PairBends bends = allBends(4, 0.35);
+  for (std::size_t i = 0; i < 3; ++i) bends(i, 3).share = 0.05;
+  const auto scores = scored(bends, errorsOf({0.2, 0.2, 0.2, 0}), {}, {});
+  EXPECT_FALSE(scores[3]->isMeaningful);
+  EXPECT_EQ(scores[3]->trust, 0);
+  EXPECT_GT(scores[3]->bend, 0);
+  EXPECT_TRUE(scores[0]->isMeaningful);
+  EXPECT_EQ(scores[0]->trust, 1);
+}
+
+TEST(ScoreRuns, aReferenceIsTheTruth) {
+  const auto scores = scored(allBends(3, 0.6), errorsOf({0.1, 0.6, 0}), 2, {});
+  EXPECT_FALSE(scores[2]);
+  EXPECT_TRUE(scores[0]->isMeaningful) << "one reference is enough";
+  EXPECT_EQ(scores[0]->others, 1u);
+  EXPECT_EQ(trustOf(scores, 2), (Trust{0, 0, 1}));
+  EXPECT_THROW(scored(allBends(3, 0.6), errorsOf({0, 0, 0}), 3, {}), UsageError);
+  EXPECT_THROW(scored(allBends(3, 0.6), errorsOf({0, 0}), {}, {}), UsageError);
+}
+
+TEST(ScoreRuns, twoRunsOrFewWallsAreNotEnough) {
+  const auto isMeaningful = [](std::size_t runs, double walls) {
+    const std::vector<double> values(runs, 0.1);
+    return scored(allBends(runs, 0.1, walls), errorsOf(values), {}, {})[0]->isMeaningful;
+  };
+  EXPECT_FALSE(isMeaningful(2, 1000));
+  EXPECT_TRUE(isMeaningful(3, 1000));
+  EXPECT_FALSE(isMeaningful(3, 20));
+}
+
+TEST(ScoreRuns, theBestRunHasTheMostTrust) {
+  PairBends bends = allBends(4, 0.1);
+  for (std::size_t i = 0; i < 3; ++i) bends(i, 3).bend = 1;
+  const auto scores = scored(bends, errorsOf({0.07, 0.08, 0.08, 1}), {}, {});
+  EXPECT_EQ(scores[0]->trust, 1);
+  EXPECT_LT(scores[3]->trust, 0.05);
+  EXPECT_NEAR(scores[0]->bend, 0.1, 0.02) << "the outlier weighs little";
+}
+
+TEST(ScoreRuns, theOrderOfTheRunsChangesNothing) {
+  PairBends bends(4), back(4);
+  for (const auto& [i, j] : bends.pairs()) {
+    bends(i, j) = {0.1 + 0.1 * double(i) + 0.03 * double(j), 0.5 + 0.1 * double(j), 500, false};
+    back(3 - i, 3 - j) = bends(i, j);
+  }
+  const auto forth = scored(bends, errorsOf({0.1, 0.2, 0.3, 0.9}), {}, {});
+  const auto other = scored(back, errorsOf({0.9, 0.3, 0.2, 0.1}), {}, {});
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(forth[i]->score, other[3 - i]->score);
+    EXPECT_NEAR(forth[i]->bend, other[3 - i]->bend, 1e-12);
+    EXPECT_NEAR(forth[i]->share, other[3 - i]->share, 1e-12);
+    EXPECT_EQ(forth[i]->trust, other[3 - i]->trust);
+    EXPECT_EQ(forth[i]->support, other[3 - i]->support);
+  }
+}
+
+TEST(ScoreRuns, theBendIsTheMeanByTrustAndShare) {
+  PairBends bends = allBends(3, 0);
+  bends(0, 1) = {0.2, 0.5, 300, false}, bends(0, 2) = {0.8, 1, 700, false};
+  const auto scores = scored(bends, errorsOf({0.1, 0.1, 0.3}), {}, {});
+  const double one = scores[1]->trust * 0.5, two = scores[2]->trust * 1;
+  EXPECT_NEAR(scores[0]->bend, (one * 0.2 + two * 0.8) / (one + two), 1e-12);
+  EXPECT_NEAR(scores[0]->share, (one + two) / (scores[1]->trust + scores[2]->trust), 1e-12);
+  EXPECT_EQ(scores[0]->support, 1000);
+}
+
+TEST(ScoreRuns, whereAllAreSmallTheyAreTrustedAllTheSame) {
+  PairBends bends = allBends(3, 0.2);
+  for (const auto& [i, j] : bends.pairs()) bends(i, j).share = 0.05;
+  for (const auto& score : scored(bends, errorsOf({0.1, 0.1, 0.1}), {}, {})) {
+    EXPECT_EQ(score->trust, 1);
+    EXPECT_FALSE(score->isMeaningful);
+  }
+}
+
+TEST(ScoreRuns, ofNoRunsThereAreNone) {
+  EXPECT_TRUE(scored(PairBends(), {}, {}, {}).empty());
+  EXPECT_TRUE(trustOf({}, {}).empty());
+}
+
+TEST(TrustOf, aRunWithoutAScoreHasNone) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[2].seen = 0;
+  EXPECT_EQ(trustOf(scored(allBends(3, 0.1), errors, {}, {}), {}), (Trust{1, 1, 0}));
+}
+
+}  // namespace
+}  // namespace roomgraph
