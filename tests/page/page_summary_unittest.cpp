@@ -117,7 +117,7 @@ TEST(PageSummary, pairsOfOtherSitesAreNotDoubtful) {
   Comparison comparison = sample().comparison;
   for (ComparedPair& pair : comparison.pairs) pair.isSameSite = false, pair.confidence = 0.1;
   for (const std::string& sentence : pageSummary(comparison))
-    EXPECT_EQ(sentence.find("confidence under"), std::string::npos) << sentence;
+    EXPECT_EQ(sentence.find("confidence below"), std::string::npos) << sentence;
 }
 
 TEST(PageCounts, oneIsNotMany) {
