@@ -25,9 +25,9 @@ class SparseIndices {
       long_ = {cells, kNone};
   }
 
-  std::size_t size() const { return areShort_ ? short_.size() : long_.size(); }
+  [[nodiscard]] std::size_t size() const { return areShort_ ? short_.size() : long_.size(); }
 
-  std::uint32_t operator[](std::size_t cell) const {
+  [[nodiscard]] std::uint32_t operator[](std::size_t cell) const {
     if (!areShort_) return long_[cell];
     const std::uint16_t index = short_[cell];
     return index == kNoShort ? kNone : index;

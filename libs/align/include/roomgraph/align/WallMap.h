@@ -34,16 +34,18 @@ struct WallMap {
   std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice
   double reach = 0;                     ///< walls farther away are not in `nearest` [m]
 
-  Point middle() const {  ///< of `frame` [m]
+  [[nodiscard]] Point middle() const {  ///< of `frame` [m]
     return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
   }
-  Point placeOf(std::size_t cell) const {  ///< the centre of a cell of `frame` [m]
+  [[nodiscard]] Point placeOf(std::size_t cell) const {  ///< the centre of a cell of `frame` [m]
     const std::size_t width = std::size_t(frame.width);
     return frame.center({int(cell % width), int(cell / width)});
   }
   /** Without `nearest` and `depths`: no walls can be looked up in it. */
-  bool isBare() const { return nearest.front().size() != states.size(); }
-  double wallSpacing() const { return frame.resolution; }  ///< of `walls` along a wall [m]
+  [[nodiscard]] bool isBare() const { return nearest.front().size() != states.size(); }
+  [[nodiscard]] double wallSpacing() const {
+    return frame.resolution;
+  }  ///< of `walls` along a wall [m]
 };
 
 }  // namespace roomgraph

@@ -24,6 +24,7 @@ struct WallPatchesOptions {
 
 /** Cuts the walls of a map into patches, by column, then row of squares. Each wall point belongs to
  *  exactly one. O(walls * walls within reach). */
-WallPatches wallPatches(const std::vector<WallPoint>& walls, const WallPatchesOptions& options);
+[[nodiscard]] WallPatches wallPatches(const std::vector<WallPoint>& walls,
+                                      const WallPatchesOptions& options);
 
 }  // namespace roomgraph

@@ -13,6 +13,6 @@ struct WallPoint {
 constexpr int kOctants = 8;
 
 /** Which of the 8 directions at multiples of 45 degrees is nearest to that of `v`. */
-int octantOf(Point v);
+[[nodiscard]] int octantOf(Point v);
 
 }  // namespace roomgraph

@@ -20,6 +20,6 @@ struct ScanAxes {
 /** The direction that most of a scan's straight walls have, up to quarter turns: the mean over
  *  straight pieces of about 1 m, by length. None where they are shorter than 2 m together, or do
  *  not agree, as in a building of slanted walls. `ends` in the order of the scan. O(ends). */
-std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends);
+[[nodiscard]] std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends);
 
 }  // namespace roomgraph

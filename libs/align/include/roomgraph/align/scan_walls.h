@@ -25,11 +25,14 @@ struct ScanWalls {
   std::optional<double> time;    ///< see Keyframe
   std::uint64_t scanId = 0;      ///< see Keyframe
 
-  Point at() const { return pose.shift(); }  ///< where the robot was [m, frame of the run]
+  [[nodiscard]] Point at() const {
+    return pose.shift();
+  }  ///< where the robot was [m, frame of the run]
 };
 
 /** At most `maxWalls` walls of each scan, evenly; beams that meet nothing near their neighbours'
  *  are left out. */
-std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWalls = 90);
+[[nodiscard]] std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames,
+                                               int maxWalls = 90);
 
 }  // namespace roomgraph

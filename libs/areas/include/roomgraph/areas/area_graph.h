@@ -19,7 +19,7 @@ namespace roomgraph {
  *  stands on are free in `grid`. Where the centre of a cell lies on the line between two areas it
  *  is in one of them. No more than kMaxLabelledAreas have labels; a note (code "too_many_areas")
  *  tells where there are more. O(cells + n log n). */
-AreaGraph areaGraph(const Grid& grid, const RegionOutlines& outlines, const RoomGraph& graph,
-                    double clearance, Notes& notes);
+[[nodiscard]] AreaGraph areaGraph(const Grid& grid, const RegionOutlines& outlines,
+                                  const RoomGraph& graph, double clearance, Notes& notes);
 
 }  // namespace roomgraph

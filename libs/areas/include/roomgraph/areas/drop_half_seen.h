@@ -11,7 +11,7 @@ namespace roomgraph {
 
 /** Clears the flags of all vertices in half-seen regions, so that no path leads into a fan of
  *  beams. O(n). */
-InsideFlags dropHalfSeen(const VoronoiGraph& voronoi, InsideFlags isInside,
-                         const RegionOutlines& outlines);
+[[nodiscard]] InsideFlags dropHalfSeen(const VoronoiGraph& voronoi, InsideFlags isInside,
+                                       const RegionOutlines& outlines);
 
 }  // namespace roomgraph

@@ -25,14 +25,14 @@ struct RegionOutlines {
   std::uint32_t seenCount = 0;        ///< how many are rooms or corridors; the others are half seen
   std::vector<RegionBorder> borders;  ///< ordered as the diagram's edges
 
-  Rooms rooms() const { return {regions.begin(), regions.begin() + roomCount}; }
-  Rooms halfSeen() const { return {regions.begin() + seenCount, regions.end()}; }
+  [[nodiscard]] Rooms rooms() const { return {regions.begin(), regions.begin() + roomCount}; }
+  [[nodiscard]] Rooms halfSeen() const { return {regions.begin() + seenCount, regions.end()}; }
 };
 
 /** Traces the regions. Delaunay faces of the inside that are in no region, because their centre
  *  lies in a wall or in the unknown, count to the region that they are open to for `borders`, so
  *  that these part all free cells; the shapes leave them out. O(n log n). */
-RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
-                              const InsideFlags& isInside, const Regions& regions);
+[[nodiscard]] RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
+                                            const InsideFlags& isInside, const Regions& regions);
 
 }  // namespace roomgraph

@@ -13,11 +13,11 @@ class Id {
   constexpr Id() = default;
   constexpr explicit Id(std::size_t index) : value_(static_cast<std::uint32_t>(index)) {}
 
-  static constexpr Id none() { return {}; }
-  constexpr bool isNone() const { return value_ == kNone; }
+  [[nodiscard]] static constexpr Id none() { return {}; }
+  [[nodiscard]] constexpr bool isNone() const { return value_ == kNone; }
   constexpr explicit operator bool() const { return !isNone(); }
   /** Must not be called on none. */
-  constexpr std::size_t index() const { return value_; }
+  [[nodiscard]] constexpr std::size_t index() const { return value_; }
 
   friend constexpr bool operator==(Id a, Id b) { return a.value_ == b.value_; }
   friend constexpr bool operator!=(Id a, Id b) { return a.value_ != b.value_; }

@@ -17,7 +17,7 @@ class InputFile {
 
   const std::string& name() const { return name_; }
   /** When it was opened. */
-  std::uint64_t size() const { return size_; }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
   /** Copies `count` bytes from `offset` on. @throws DataError where there are fewer. */
   void read(std::uint64_t offset, void* to, std::size_t count) const;
 
@@ -31,6 +31,6 @@ class InputFile {
 constexpr std::uint64_t kLargestText = 200'000'000;
 
 /** All bytes of a regular file that has at most `most`. @throws DataError like InputFile. */
-std::string readFile(const std::string& name, std::uint64_t most = kLargestText);
+[[nodiscard]] std::string readFile(const std::string& name, std::uint64_t most = kLargestText);
 
 }  // namespace roomgraph

@@ -40,12 +40,12 @@ class FieldTable {
 };
 
 /** The value as the ini file and the JSON write it: shortest text that reads back equal. */
-std::string valueText(const Field& field);
+[[nodiscard]] std::string valueText(const Field& field);
 /** For people: "0.1 to 10 m", "on or off", "a, b or c". */
-std::string rangeText(const Field& field);
+[[nodiscard]] std::string rangeText(const Field& field);
 
 /** The whole table as a commented ini file. */
-std::string toIni(const FieldTable& table);
+[[nodiscard]] std::string toIni(const FieldTable& table);
 
 /** Sets every key that the text names; the others keep their value.
  *  `name` is the file's name for messages. Throws UsageError for an unknown section or key, a

@@ -12,7 +12,7 @@ namespace roomgraph {
 using PairOfThings = std::pair<std::size_t, std::size_t>;
 
 /** Each two of several things; by the first, then by the other. */
-inline std::vector<PairOfThings> pairsOf(std::size_t things) {
+[[nodiscard]] inline std::vector<PairOfThings> pairsOf(std::size_t things) {
   std::vector<PairOfThings> all;
   for (std::size_t a = 0; a < things; ++a)
     for (std::size_t b = a + 1; b < things; ++b) all.emplace_back(a, b);
@@ -45,10 +45,10 @@ class PairTable {
     values_.resize(pairs_.size());
   }
 
-  std::size_t things() const { return others_.size(); }
+  [[nodiscard]] std::size_t things() const { return others_.size(); }
 
   /** Whether there is a value for these two. */
-  bool has(std::size_t a, std::size_t b) const {
+  [[nodiscard]] bool has(std::size_t a, std::size_t b) const {
     return std::binary_search(others_[a].begin(), others_[a].end(), b);
   }
 
@@ -71,7 +71,7 @@ class PairTable {
   const std::vector<std::size_t>& othersOf(std::size_t thing) const { return others_[thing]; }
 
  private:
-  std::size_t placeOf(std::size_t a, std::size_t b) const {
+  [[nodiscard]] std::size_t placeOf(std::size_t a, std::size_t b) const {
     const auto at = std::lower_bound(others_[a].begin(), others_[a].end(), b);
     return places_[a][std::size_t(at - others_[a].begin())];
   }

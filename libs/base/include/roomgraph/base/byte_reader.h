@@ -20,8 +20,8 @@ class ByteReader {
   ByteReader(ByteView bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   const std::string& file() const { return file_; }
-  std::size_t position() const { return position_; }
-  std::size_t left() const { return bytes_.size - position_; }
+  [[nodiscard]] std::size_t position() const { return position_; }
+  [[nodiscard]] std::size_t left() const { return bytes_.size - position_; }
 
   /** The next `count` bytes. Throws DataError where fewer are left. */
   const std::uint8_t* take(std::uint64_t count) {
@@ -30,7 +30,7 @@ class ByteReader {
     position_ += static_cast<std::size_t>(count);
     return start;
   }
-  const std::uint8_t* peek() const { return bytes_.data + position_; }
+  [[nodiscard]] const std::uint8_t* peek() const { return bytes_.data + position_; }
   void skip(std::uint64_t count) { take(count); }
 
   template <class T>

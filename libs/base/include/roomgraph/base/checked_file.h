@@ -14,7 +14,7 @@ constexpr std::uint64_t kMostCells = 400'000'000;
 
 enum class Compression { none, gzip, zstd };
 /** "none", "gzip" or "zstd". */
-std::string nameOf(Compression compression);
+[[nodiscard]] std::string nameOf(Compression compression);
 
 /** A file whose bytes can be trusted to be those that were written: compressed files are inflated
  *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more
@@ -26,10 +26,10 @@ class CheckedFile {
 
   const std::string& name() const { return file_.name(); }
   /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
-  ByteView head() const { return {head_.data(), head_.size()}; }
-  Compression compression() const { return compression_; }
+  [[nodiscard]] ByteView head() const { return {head_.data(), head_.size()}; }
+  [[nodiscard]] Compression compression() const { return compression_; }
   /** How long the content claims to be. */
-  std::uint64_t claimedSize() const { return claimedSize_; }
+  [[nodiscard]] std::uint64_t claimedSize() const { return claimedSize_; }
   /** All of the content, verified; stays valid as long as this object, or until release(). */
   ByteView content();
   /** Gives the memory of the content back. */
@@ -40,7 +40,7 @@ class CheckedFile {
  private:
   void readHead();
   void readStored();
-  ByteView stored() const;
+  [[nodiscard]] ByteView stored() const;
   void readGzipHead();
   void readZstdHead();
   void inflateGzip();
@@ -56,6 +56,6 @@ class CheckedFile {
 };
 
 /** Lower-case hex of the SHA-256 of `first` followed by `second`. */
-std::string sha256Of(ByteView first, ByteView second = {});
+[[nodiscard]] std::string sha256Of(ByteView first, ByteView second = {});
 
 }  // namespace roomgraph

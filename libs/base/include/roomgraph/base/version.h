@@ -3,6 +3,6 @@
 namespace roomgraph {
 
 /** The version of the library that is linked, as "major.minor.patch". */
-const char* version();
+[[nodiscard]] const char* version();
 
 }  // namespace roomgraph

@@ -21,7 +21,7 @@ struct TornPose {
   Transform2D drawn;   ///< as the run's map has it
   Transform2D untorn;  ///< as it would lie there if the run had not been torn
 
-  Transform2D mend() const { return untorn * drawn.inverse(); }
+  [[nodiscard]] Transform2D mend() const { return untorn * drawn.inverse(); }
 };
 
 /** A place where a map is torn: what lies on one side of it is turned and shifted as a whole. */
@@ -37,7 +37,7 @@ struct MapBreak {
   std::optional<TornPose> torn{};  ///< none of a run without scans
 
   /** By how much it moves what lies kBreakLever behind it, at most [m]. */
-  double size() const { return std::abs(shift) + kBreakLever * std::abs(rotation); }
+  [[nodiscard]] double size() const { return std::abs(shift) + kBreakLever * std::abs(rotation); }
 };
 
 }  // namespace roomgraph

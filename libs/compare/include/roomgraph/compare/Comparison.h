@@ -67,7 +67,7 @@ struct GateVerdict {
   std::vector<std::string> candidates;  ///< names of the runs that were judged; empty for all
   std::vector<std::string> asked;       ///< what was asked, a line each
 
-  bool isPassed() const { return complaints.empty(); }
+  [[nodiscard]] bool isPassed() const { return complaints.empty(); }
 };
 
 /** What is known of several runs of one site. A saved thing: comparisonJson writes all of it, and
@@ -88,7 +88,7 @@ struct Comparison {
 
   /** Whether the confidence of most pairs of a run is below kSureConfidence: then it may lie in the
    *  wrong place, and its breaks and its error may be those of that place. O(pairs). */
-  bool isPlaceDoubtful(const std::string& run) const;
+  [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
 };
 
 }  // namespace roomgraph

@@ -29,10 +29,10 @@ struct CompareMapsOptions {
 };
 
 /** What a user may set by name; points into `options`. */
-FieldTable describe(CompareMapsOptions& options);
+[[nodiscard]] FieldTable describe(CompareMapsOptions& options);
 
 /** The same as Comparison::options tells it. */
-std::vector<UsedOption> usedOptions(CompareMapsOptions options);
+[[nodiscard]] std::vector<UsedOption> usedOptions(CompareMapsOptions options);
 
 /** Sets what a comparison was made with. What the table does not know is left out.
  *  @throws UsageError for a value out of range. */
@@ -53,26 +53,30 @@ struct ReadRuns {
  *  scale.
  *  @throws UsageError where scales are to be estimated, and no map is a bare picture or all are
  *  aligned already. */
-ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOptions& options);
+[[nodiscard]] ReadRuns readRuns(const std::vector<std::string>& files,
+                                const CompareMapsOptions& options);
 
 /** Compares what was read, see compareRuns; what was left out there is left out here, too. */
-Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
+[[nodiscard]] Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
 
 /** The maps of a comparison that was read back: those of `files` that are maps of its runs, told by
  *  their content, with the names of the runs, their walls and scans. Other files are left out. They
  *  are read with the options of the comparison.
  *  @throws DataError where a file cannot be read. */
-std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files);
+[[nodiscard]] std::vector<Run> readMapsOf(const Comparison& comparison,
+                                          const std::vector<std::string>& files);
 
 /** Files that are named as the map of a run and may be it: beside the file of the comparison, one
  *  folder above, and in the current folder. */
-std::vector<std::string> mapsNear(const ComparedRun& run, const std::string& comparisonFile);
+[[nodiscard]] std::vector<std::string> mapsNear(const ComparedRun& run,
+                                                const std::string& comparisonFile);
 
 /** Both in one:
  *
  *      const Comparison comparison = compareMaps({"a.simplemap", "b.simplemap", "c.yaml"}, {});
  *      const std::string best = comparison.runs.front().name;
  */
-Comparison compareMaps(const std::vector<std::string>& files, const CompareMapsOptions& options);
+[[nodiscard]] Comparison compareMaps(const std::vector<std::string>& files,
+                                     const CompareMapsOptions& options);
 
 }  // namespace roomgraph

@@ -40,6 +40,6 @@ struct CompareRunsOptions {
  *
  *  O(runs * walls), and with the square of the runs up to `core` of them.
  *  @throws UsageError where there is no such reference, or two runs have one name. */
-Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
+[[nodiscard]] Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
 
 }  // namespace roomgraph

@@ -26,7 +26,7 @@ struct GateOptions {
    *  map error that can be trusted. Empty where all are judged. */
   std::vector<std::string> candidates;
 
-  bool asksNothing() const {
+  [[nodiscard]] bool asksNothing() const {
     return !minScore && !maxError && !maxWorse && !failsOnCoverage && !failsOnBreaks &&
            !failsOnOtherSites && candidates.empty();
   }
@@ -41,11 +41,12 @@ struct GateOptions {
  *      for (const std::string& line : gateVerdict(comparison, gate).complaints)
  *        std::puts(line.c_str());  // "tonight: its map error of 0.412 m is ..."
  */
-GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
+[[nodiscard]] GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
 /** The median of the three least map errors that can be trusted, of runs that are neither this one
  *  nor among the candidates [m]; nothing where there is none. */
-std::optional<double> recordError(const Comparison& comparison, const std::string& run,
-                                  const std::vector<std::string>& candidates);
+[[nodiscard]] std::optional<double> recordError(const Comparison& comparison,
+                                                const std::string& run,
+                                                const std::vector<std::string>& candidates);
 
 }  // namespace roomgraph

@@ -23,7 +23,7 @@ namespace roomgraph {
  *
  *  Cost: that of extract().
  *  @throws DataError where no wall stands beside free space. */
-Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Keyframe>& scans,
-               const ExtractOptions& options);
+[[nodiscard]] Run prepareRun(const std::string& name, const GreyMap& map,
+                             const std::vector<Keyframe>& scans, const ExtractOptions& options);
 
 }  // namespace roomgraph

@@ -18,7 +18,7 @@ namespace roomgraph {
  *  The map's longer side is at most 1600 px: a cell has up to 4 px each way (more where the map is
  *  tiny), or several cells share one. In the SVG the map is an embedded PNG. The same stages give
  *  the same bytes on one machine; another one may have other fonts. O(cells + path points). */
-std::string drawPng(const Stages& stages);
-std::string drawSvg(const Stages& stages);
+[[nodiscard]] std::string drawPng(const Stages& stages);
+[[nodiscard]] std::string drawSvg(const Stages& stages);
 
 }  // namespace roomgraph

@@ -15,10 +15,10 @@ class MotionFit {
     weight_ += weight;
   }
 
-  double weight() const { return weight_; }
+  [[nodiscard]] double weight() const { return weight_; }
 
   /** to <- from. Nothing where nothing was added; no turn where all places are one. */
-  Transform2D motion() const {
+  [[nodiscard]] Transform2D motion() const {
     if (weight_ <= 0) return {};
     const Point from = (1 / weight_) * from_, to = (1 / weight_) * to_;
     const double cosine = cosine_ - weight_ * dot(from, to);

@@ -36,7 +36,9 @@ class NearPlaces {
       return l.square != r.square ? l.square < r.square : l.index < r.index;
     }
   };
-  Point squareOf(Point p) const { return {std::floor(p.x / reach_), std::floor(p.y / reach_)}; }
+  [[nodiscard]] Point squareOf(Point p) const {
+    return {std::floor(p.x / reach_), std::floor(p.y / reach_)};
+  }
 
   double reach_;
   std::vector<Entry> entries_;  // sorted

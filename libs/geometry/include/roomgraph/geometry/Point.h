@@ -16,11 +16,11 @@ struct Point {
   friend bool operator<(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 };
 
-inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-inline double squaredNorm(Point a) { return dot(a, a); }
-inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }
-inline double distance(Point a, Point b) { return norm(b - a); }
-inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }
+[[nodiscard]] inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+[[nodiscard]] inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+[[nodiscard]] inline double squaredNorm(Point a) { return dot(a, a); }
+[[nodiscard]] inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }
+[[nodiscard]] inline double distance(Point a, Point b) { return norm(b - a); }
+[[nodiscard]] inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }
 
 }  // namespace roomgraph

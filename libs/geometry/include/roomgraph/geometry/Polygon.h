@@ -16,40 +16,40 @@ struct Polygon {
 };
 
 /** Area that the ring encloses [m2], positive where it runs counter-clockwise (paper III-G). */
-double signedArea(const Ring& ring);
+[[nodiscard]] double signedArea(const Ring& ring);
 
 /** Area of the polygon without its holes [m2]. */
-double area(const Polygon& polygon);
+[[nodiscard]] double area(const Polygon& polygon);
 
 /** Length of all rings [m]. */
-double perimeter(const Polygon& polygon);
+[[nodiscard]] double perimeter(const Polygon& polygon);
 
 /** Centre of mass of the polygon without its holes (paper III-G); the mean of the outer ring's
  *  points where the area is 0. Lies outside of the polygon where that is concave enough. */
-Point centroid(const Polygon& polygon);
+[[nodiscard]] Point centroid(const Polygon& polygon);
 
 /** Where a point lies to a polygon. */
 enum class Side { inside, onBoundary, outside };
 
 /** Exact for the given coordinates. O(n) in the number of ring points. */
-Side sideOf(const Polygon& polygon, Point p);
+[[nodiscard]] Side sideOf(const Polygon& polygon, Point p);
 
 /** Whether `p` lies on the closed segment a–b. Exact for the given coordinates. */
-bool isOnSegment(Point p, Point a, Point b);
+[[nodiscard]] bool isOnSegment(Point p, Point a, Point b);
 
 /** Whether the ray from `p` in +x crosses a–b. Half open in y, so that of two edges that share an
  *  end on the ray one counts. A point is inside of a ring if the number is odd. Exact. */
-bool rayCrosses(Point p, Point a, Point b);
+[[nodiscard]] bool rayCrosses(Point p, Point a, Point b);
 
 struct Box {
   Point low, high;
 
-  bool contains(Point p) const {
+  [[nodiscard]] bool contains(Point p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
 };
 
 /** The smallest upright box round the points; they must not be empty. */
-Box boundingBox(const std::vector<Point>& points);
+[[nodiscard]] Box boundingBox(const std::vector<Point>& points);
 
 }  // namespace roomgraph

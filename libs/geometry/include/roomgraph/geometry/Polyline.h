@@ -10,14 +10,15 @@ namespace roomgraph {
 using Polyline = std::vector<Point>;
 
 /** Sum of the segment lengths [m]; 0 for fewer than two points. O(n). */
-double length(const Polyline& line);
+[[nodiscard]] double length(const Polyline& line);
 
 /** The place at `along` metres from the first point, clamped to the ends.
  *  `line` must not be empty. O(n). */
-Point pointAt(const Polyline& line, double along);
+[[nodiscard]] Point pointAt(const Polyline& line, double along);
 
 /** The place of the segment a–b that is nearest to `p`. */
-inline Point nearestOnSegment(Point p, Point a, Point b) {  // here, as it is asked for all edges
+[[nodiscard]] inline Point nearestOnSegment(Point p, Point a,
+                                            Point b) {  // here, as it is asked for all edges
   const Point direction = b - a;
   const double squared = squaredNorm(direction);
   if (squared == 0) return a;
@@ -25,6 +26,6 @@ inline Point nearestOnSegment(Point p, Point a, Point b) {  // here, as it is as
 }
 
 /** Distance from `p` to the closed segment a–b [m]; a may equal b. */
-double distanceToSegment(Point p, Point a, Point b);
+[[nodiscard]] double distanceToSegment(Point p, Point a, Point b);
 
 }  // namespace roomgraph

@@ -6,13 +6,13 @@
 namespace roomgraph {
 
 /** The same angle in (-pi, pi] [rad]. */
-inline double wrappedAngle(double angle) {
+[[nodiscard]] inline double wrappedAngle(double angle) {
   const double wrapped = std::remainder(angle, 2 * M_PI);
   return wrapped <= -M_PI ? wrapped + 2 * M_PI : wrapped;
 }
 
 /** `v` turned by `angle` [rad], counter-clockwise. */
-inline Point turned(Point v, double angle) {
+[[nodiscard]] inline Point turned(Point v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
@@ -23,11 +23,11 @@ struct Transform2D {
   double x = 0, y = 0;  ///< [m]
   double phi = 0;       ///< [rad]
 
-  Point shift() const { return {x, y}; }
+  [[nodiscard]] Point shift() const { return {x, y}; }
   /** The place in a of a place in b. */
-  Point operator()(Point p) const { return turned(p, phi) + shift(); }
+  [[nodiscard]] Point operator()(Point p) const { return turned(p, phi) + shift(); }
   /** b <- a. */
-  Transform2D inverse() const {
+  [[nodiscard]] Transform2D inverse() const {
     const Point back = turned({-x, -y}, -phi);
     return {back.x, back.y, wrappedAngle(-phi)};
   }
@@ -45,9 +45,11 @@ class Motion2D {
       : cos_(std::cos(transform.phi)), sin_(std::sin(transform.phi)), shift_(transform.shift()) {}
 
   /** The direction in a of a direction in b. */
-  Point turned(Point v) const { return {cos_ * v.x - sin_ * v.y, sin_ * v.x + cos_ * v.y}; }
+  [[nodiscard]] Point turned(Point v) const {
+    return {cos_ * v.x - sin_ * v.y, sin_ * v.x + cos_ * v.y};
+  }
   /** The place in a of a place in b. */
-  Point operator()(Point p) const { return turned(p) + shift_; }
+  [[nodiscard]] Point operator()(Point p) const { return turned(p) + shift_; }
 
  private:
   double cos_, sin_;
@@ -55,7 +57,7 @@ class Motion2D {
 };
 
 /** The transform that turns by `phi` and carries `from` to `to`. */
-inline Transform2D carrying(Point from, Point to, double phi) {
+[[nodiscard]] inline Transform2D carrying(Point from, Point to, double phi) {
   const Point shift = to - turned(from, phi);
   return {shift.x, shift.y, wrappedAngle(phi)};
 }

@@ -9,6 +9,6 @@ namespace roomgraph {
  *  Empty where they do not meet, one number where they meet in a point, the two ends of the
  *  shared piece where they overlap, in increasing order. Whether they meet is decided exactly for
  *  the given coordinates (CGAL's exact kernel); the numbers are rounded once. */
-std::vector<double> intersect(Point p, Point q, Point a, Point b);
+[[nodiscard]] std::vector<double> intersect(Point p, Point q, Point a, Point b);
 
 }  // namespace roomgraph

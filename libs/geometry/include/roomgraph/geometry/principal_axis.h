@@ -11,6 +11,6 @@ struct PrincipalAxis {
 };
 
 /** Of one point or more; any direction where they lie as widely in all. O(1). */
-PrincipalAxis principalAxis(const PointSums& sums);
+[[nodiscard]] PrincipalAxis principalAxis(const PointSums& sums);
 
 }  // namespace roomgraph

@@ -5,6 +5,6 @@ namespace roomgraph {
 
 /** The line with as few of its points as a single pass can find, such that those left out lie about
  *  within `tolerance` of it. Both ends stay. O(n). */
-Polyline thinnedLine(const Polyline& line, double tolerance);
+[[nodiscard]] Polyline thinnedLine(const Polyline& line, double tolerance);
 
 }  // namespace roomgraph

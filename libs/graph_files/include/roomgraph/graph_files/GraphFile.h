@@ -33,9 +33,9 @@ struct GraphFile {
 };
 
 /** What is worth saving of an extraction, by this program. */
-GraphFile graphFile(const Stages& stages);
+[[nodiscard]] GraphFile graphFile(const Stages& stages);
 
 /** The options as an ini file without comments, to be read by fromIni(). */
-std::string optionsIni(const GraphFile& file);
+[[nodiscard]] std::string optionsIni(const GraphFile& file);
 
 }  // namespace roomgraph

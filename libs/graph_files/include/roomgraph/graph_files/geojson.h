@@ -27,6 +27,6 @@ namespace roomgraph {
  *  (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge ("room",
  *  "corridor"). nav2 refuses a graph without edges: where ours has none, each room gets two nodes
  *  in its largest disc and the way between them. Same graph, same bytes. */
-std::string geojson(const RoomGraph& graph);
+[[nodiscard]] std::string geojson(const RoomGraph& graph);
 
 }  // namespace roomgraph

@@ -20,9 +20,9 @@ namespace roomgraph {
  *      const GraphFile again = readGraphJson("office.json");  // the same graph
  *
  *  O(size of the text). */
-std::string graphJson(const GraphFile& file);
+[[nodiscard]] std::string graphJson(const GraphFile& file);
 
 /** The file of an extraction. */
-std::string graphJson(const Stages& stages);
+[[nodiscard]] std::string graphJson(const Stages& stages);
 
 }  // namespace roomgraph

@@ -14,6 +14,6 @@ namespace roomgraph {
  *  edge e5 is edge 5; parallel edges and self loops stay. Typed keys, with units in their
  *  descriptions: x, y, kind, clearance, room, area of nodes, kind, room, length, min_clearance of
  *  edges; what a thing does not have is left out. Paths are not in it. Same graph, same bytes. */
-std::string graphml(const RoomGraph& graph);
+[[nodiscard]] std::string graphml(const RoomGraph& graph);
 
 }  // namespace roomgraph

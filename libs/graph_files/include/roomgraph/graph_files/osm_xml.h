@@ -38,6 +38,6 @@ struct OsmXmlOptions {
  *  Ids are negative, as those of all that is not in OSM's data base: nodes, ways and relations each
  *  count from -1 down, areas before passages, the floor, holes. Same areas, same bytes. O(n log n)
  *  in the number of corners. */
-std::string osmXml(const AreaGraph& graph, const OsmXmlOptions& options = {});
+[[nodiscard]] std::string osmXml(const AreaGraph& graph, const OsmXmlOptions& options = {});
 
 }  // namespace roomgraph

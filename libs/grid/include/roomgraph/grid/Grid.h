@@ -13,10 +13,12 @@ struct Grid {
   GridFrame frame;
   std::vector<State> cells;  ///< row-major, row 0 lowest
 
-  State at(Cell c) const { return cells[frame.index(c)]; }
+  [[nodiscard]] State at(Cell c) const { return cells[frame.index(c)]; }
   /** What lies beyond the border is unknown. */
-  State atOrUnknown(Cell c) const { return frame.contains(c) ? at(c) : State::unknown; }
-  bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
+  [[nodiscard]] State atOrUnknown(Cell c) const {
+    return frame.contains(c) ? at(c) : State::unknown;
+  }
+  [[nodiscard]] bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
 };
 
 }  // namespace roomgraph

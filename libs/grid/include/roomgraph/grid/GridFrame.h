@@ -16,18 +16,20 @@ struct GridFrame {
   double resolution = 0;      ///< side of a cell [m]
   Point origin;               ///< outer corner of cell (0, 0): smallest x and y of the map [m]
 
-  std::size_t cellCount() const { return std::size_t(width) * std::size_t(height); }
-  bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
+  [[nodiscard]] std::size_t cellCount() const { return std::size_t(width) * std::size_t(height); }
+  [[nodiscard]] bool contains(Cell c) const {
+    return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height;
+  }
   /** Row-major index; the cell must be contained. */
-  std::size_t index(Cell c) const {
+  [[nodiscard]] std::size_t index(Cell c) const {
     return std::size_t(c.y) * std::size_t(width) + std::size_t(c.x);
   }
-  Point center(Cell c) const {
+  [[nodiscard]] Point center(Cell c) const {
     return {origin.x + (c.x + 0.5) * resolution, origin.y + (c.y + 0.5) * resolution};
   }
   /** The cell that holds `p`, which may lie outside of the grid. A point far outside of it (or NaN)
    *  gives a cell outside of it. */
-  Cell cellAt(Point p) const;
+  [[nodiscard]] Cell cellAt(Point p) const;
 };
 
 }  // namespace roomgraph

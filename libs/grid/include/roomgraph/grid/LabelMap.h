@@ -18,7 +18,7 @@ struct LabelMap {
     std::string sha256;  ///< of the file's bytes, lower-case hex
   } source;
 
-  std::size_t pixelCount() const { return std::size_t(width) * std::size_t(height); }
+  [[nodiscard]] std::size_t pixelCount() const { return std::size_t(width) * std::size_t(height); }
 };
 
 }  // namespace roomgraph

@@ -14,7 +14,7 @@ class ObstacleRows {
 
   /** Distance from the segment a–b to the nearest centre of an obstacle cell [m], or `limit` where
    *  that is farther. O(cells within `limit` of the segment). */
-  double clearance(Point a, Point b, double limit) const;
+  [[nodiscard]] double clearance(Point a, Point b, double limit) const;
 
  private:
   const ObstacleCells& obstacles_;

@@ -24,6 +24,6 @@ struct WallNoise {
  *  The same arguments give the same grid on every machine. Expected O(cells), longer where next to
  *  all cells are occupied. Throws UsageError for a share outside of 0 to 100 or a negative
  *  distance. */
-Grid addWallNoise(const Grid& grid, const WallNoise& noise);
+[[nodiscard]] Grid addWallNoise(const Grid& grid, const WallNoise& noise);
 
 }  // namespace roomgraph

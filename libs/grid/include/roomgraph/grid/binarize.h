@@ -21,6 +21,6 @@ void describe(BinarizeOptions& options, FieldTable& table);
 
 /** Decides for each cell whether it is free, occupied or unknown. A cell exactly at a threshold is
  *  decided by it, free first, as ROS's map_server does. O(cells). */
-Grid binarize(const GreyMap& map, const BinarizeOptions& options);
+[[nodiscard]] Grid binarize(const GreyMap& map, const BinarizeOptions& options);
 
 }  // namespace roomgraph

@@ -39,7 +39,7 @@ struct ClearedMap {
  *  beams have missed are cleared as well: groups with fewer occupied cells than half of the length
  *  of their rim. They are no obstacles, and so not in `clutter`. `obstacles` must be those of
  *  `grid`. O(cells). */
-ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
-                        const ClearClutterOptions& options);
+[[nodiscard]] ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
+                                      const ClearClutterOptions& options);
 
 }  // namespace roomgraph

@@ -15,6 +15,6 @@ namespace roomgraph {
  *  have a wall behind such a rim than right beside them, the rim becomes free, so that the wall has
  *  a face; none comes back for any other map. Rims are looked for along rows and columns.
  *  O(cells). */
-std::optional<Grid> clearWallRims(const Grid& grid);
+[[nodiscard]] std::optional<Grid> clearWallRims(const Grid& grid);
 
 }  // namespace roomgraph

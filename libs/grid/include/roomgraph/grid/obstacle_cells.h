@@ -20,7 +20,8 @@ struct ObstacleCells {
 
 /** `isObstacle` is thinObstacles' answer for `grid`; with `ringIsObstacle`, what lies beyond the
  *  border bounds the free cells at it. O(cells). */
-ObstacleCells obstacleCells(const Grid& grid, const std::vector<std::uint8_t>& isObstacle,
-                            bool ringIsObstacle);
+[[nodiscard]] ObstacleCells obstacleCells(const Grid& grid,
+                                          const std::vector<std::uint8_t>& isObstacle,
+                                          bool ringIsObstacle);
 
 }  // namespace roomgraph

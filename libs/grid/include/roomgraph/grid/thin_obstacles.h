@@ -23,6 +23,7 @@ void describe(ThinObstaclesOptions& options, FieldTable& table);
 /** Drops the obstacle cells whose 4 or 8 neighbours are all obstacles: they bound nothing.
  *  What lies beyond the border counts as the cell at the border. Returns one flag per cell,
  *  row-major; non-zero is an obstacle. O(cells). */
-std::vector<std::uint8_t> thinObstacles(const Grid& grid, const ThinObstaclesOptions& options);
+[[nodiscard]] std::vector<std::uint8_t> thinObstacles(const Grid& grid,
+                                                      const ThinObstaclesOptions& options);
 
 }  // namespace roomgraph

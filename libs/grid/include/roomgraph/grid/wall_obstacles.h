@@ -17,6 +17,7 @@ namespace roomgraph {
  *  drawn, not seen, all obstacles are wall. Seen maps are known by their beams: of the free cells
  *  at the unknown, away from walls, a twentieth at least are in strips one or two cells wide.
  *  O(cells). */
-std::vector<std::uint8_t> wallObstacles(const Grid& grid, const ObstacleCells& obstacles);
+[[nodiscard]] std::vector<std::uint8_t> wallObstacles(const Grid& grid,
+                                                      const ObstacleCells& obstacles);
 
 }  // namespace roomgraph

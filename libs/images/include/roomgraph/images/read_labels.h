@@ -22,6 +22,6 @@ namespace roomgraph {
  *  and nothing is allocated on the word of a header alone. O(file + pixels). Prints nothing.
  *  @throws DataError with one line (file, problem, remedy) where the file is missing, damaged, no
  *  png or pgm, or has colours of 16 bits per channel, of which two could fall on one label. */
-LabelMap readLabels(const std::string& file);
+[[nodiscard]] LabelMap readLabels(const std::string& file);
 
 }  // namespace roomgraph

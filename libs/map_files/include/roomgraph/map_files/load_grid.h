@@ -42,6 +42,6 @@ namespace roomgraph {
  *  nothing. Several threads may load at the same time.
  *  @throws DataError with one line (file, problem, remedy) where the file is missing, damaged,
  *  absurd or of no known kind. */
-GreyMap loadGrid(const std::string& file, const LoadGridOptions& options);
+[[nodiscard]] GreyMap loadGrid(const std::string& file, const LoadGridOptions& options);
 
 }  // namespace roomgraph

@@ -23,16 +23,16 @@ struct MapFormat {
 };
 
 /** All of them, in the order in which they are tried. */
-const std::vector<MapFormat>& mapFormats();
+[[nodiscard]] const std::vector<MapFormat>& mapFormats();
 
 /** For people: "MRPT grid map, ROS map or picture". */
-std::string mapFormatNames();
+[[nodiscard]] std::string mapFormatNames();
 /** For people: "MRPT grid map (.gridmap), ROS map (.yaml, .yml) or picture (.png)". */
-std::string mapFormatsText();
+[[nodiscard]] std::string mapFormatsText();
 
 /** The X of the results of a map: the file's name without its folder, ".gz" and then the extension
  *  of a format: "a.simplemap.gz" gives "a", "odd.name.gridmap" gives "odd.name", "scan.dat"
  *  stays. */
-std::string mapStem(const std::string& mapFile);
+[[nodiscard]] std::string mapStem(const std::string& mapFile);
 
 }  // namespace roomgraph

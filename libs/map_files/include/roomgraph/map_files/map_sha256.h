@@ -10,9 +10,9 @@ namespace roomgraph {
 /** GreyMap::source.sha256 of the map, without building it: of the file's bytes, and of those of the
  *  picture of a ROS map, too. It does not tell whether the file is a map at all. O(file).
  *  @throws DataError where the file, or the picture, cannot be read. */
-std::string mapSha256(const std::string& name);
+[[nodiscard]] std::string mapSha256(const std::string& name);
 
 /** The picture that a ROS map names; empty for any other map. @throws DataError like mapSha256. */
-std::string pictureOfMap(const std::string& name);
+[[nodiscard]] std::string pictureOfMap(const std::string& name);
 
 }  // namespace roomgraph

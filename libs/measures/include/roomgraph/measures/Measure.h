@@ -18,6 +18,6 @@ struct Measure {
 };
 
 /** The measure of this name; null for none. */
-const Measure* find(const std::vector<Measure>& measures, const std::string& name);
+[[nodiscard]] const Measure* find(const std::vector<Measure>& measures, const std::string& name);
 
 }  // namespace roomgraph

@@ -18,11 +18,12 @@ namespace roomgraph {
  *  its name, then "rooms", "room names", "breaks" and "legend", as CMapComparison draws them. The
  *  camera looks from above. `runs` are looked up by name: a run whose map is not among them is not
  *  drawn. O(cells). */
-MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs);
-MrptScene comparisonScene(const CMapComparison& comparison);
+[[nodiscard]] MrptScene comparisonScene(const Comparison& comparison, const std::vector<Run>& runs);
+[[nodiscard]] MrptScene comparisonScene(const CMapComparison& comparison);
 
 /** The bytes of a `.3Dscene` file; the same comparison gives the same bytes. */
-std::string comparisonSceneBytes(const Comparison& comparison, const std::vector<Run>& runs);
-std::string comparisonSceneBytes(const CMapComparison& comparison);
+[[nodiscard]] std::string comparisonSceneBytes(const Comparison& comparison,
+                                               const std::vector<Run>& runs);
+[[nodiscard]] std::string comparisonSceneBytes(const CMapComparison& comparison);
 
 }  // namespace roomgraph

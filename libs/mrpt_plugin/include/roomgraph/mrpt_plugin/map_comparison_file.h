@@ -12,11 +12,11 @@ namespace roomgraph {
 
 /** The bytes of a `.roomgraph` file: the gzipped MRPT stream of the one object, as RawLogViewer
  *  opens it with `-l libroomgraph_mrpt.so`. The same comparison gives the same bytes. */
-std::string mapComparisonBytes(const CMapComparison& comparison);
+[[nodiscard]] std::string mapComparisonBytes(const CMapComparison& comparison);
 
 /** Reads such a file back, gzipped or not. Counts and numbers are checked before they are used, and
  *  nothing may follow the object.
  *  @throws DataError with one line (file, problem, remedy). */
-CMapComparison loadMapComparison(const std::string& path);
+[[nodiscard]] CMapComparison loadMapComparison(const std::string& path);
 
 }  // namespace roomgraph

@@ -13,7 +13,7 @@ namespace roomgraph {
 /** The bytes of a `.roomgraph` file: the gzipped MRPT stream of the one object, as RawLogViewer
  *  opens it with `-l libroomgraph_mrpt.so`. The same graph gives the same bytes.
  *  @throws UsageError where the map has more or fewer cells than its frame calls for. */
-std::string roomGraphBytes(const CRoomGraph& graph);
+[[nodiscard]] std::string roomGraphBytes(const CRoomGraph& graph);
 
 /** Writes them, so that there is the old file or the whole new one at any time.
  *  @throws DataError with one line where the file cannot be written. */
@@ -22,6 +22,6 @@ void saveRoomGraph(const std::string& path, const CRoomGraph& graph);
 /** Reads a `.roomgraph` file back, gzipped or not: the very same graph. Checksum, sizes, ids and
  *  numbers are checked before they are used, and nothing may follow the object.
  *  @throws DataError with one line (file, problem, remedy). */
-CRoomGraph loadRoomGraph(const std::string& path);
+[[nodiscard]] CRoomGraph loadRoomGraph(const std::string& path);
 
 }  // namespace roomgraph

@@ -11,9 +11,9 @@ namespace roomgraph {
 // Next: writeFileAtomically
 
 /** The graph as a scene whose camera looks at all of it from above, slightly tilted. */
-MrptScene graphScene(const CRoomGraph& graph);
+[[nodiscard]] MrptScene graphScene(const CRoomGraph& graph);
 
 /** The bytes of a `.3Dscene` file for SceneViewer3D; the same graph gives the same bytes. */
-std::string sceneBytes(const CRoomGraph& graph);
+[[nodiscard]] std::string sceneBytes(const CRoomGraph& graph);
 
 }  // namespace roomgraph

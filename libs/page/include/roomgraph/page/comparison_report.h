@@ -19,6 +19,7 @@ namespace roomgraph {
  *  `runs` are looked up by name: a compared run whose map is not among them is not drawn. The
  *  picture of a run has at most 2500 pixels on a side, 1200 with more than 20 runs. The same input
  *  gives the same bytes. O(pixels of all pictures). */
-std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs);
+[[nodiscard]] std::string comparisonReport(const Comparison& comparison,
+                                           const std::vector<Run>& runs);
 
 }  // namespace roomgraph

@@ -38,10 +38,10 @@ struct ExtractOptions {
 };
 
 /** Everything that is said about the options; points into `options`. */
-FieldTable describe(ExtractOptions& options);
+[[nodiscard]] FieldTable describe(ExtractOptions& options);
 
 /** "default": metres and three cell states. "paper": the paper's numbers, in cells.
  *  Throws UsageError for any other name. */
-ExtractOptions preset(const std::string& name);
+[[nodiscard]] ExtractOptions preset(const std::string& name);
 
 }  // namespace roomgraph

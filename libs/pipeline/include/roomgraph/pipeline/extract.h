@@ -18,16 +18,16 @@ namespace roomgraph {
  *        inRooms += area(room.shape.polygon);
  *
  *  O(n log n) in the number of obstacle cells, O(cells) in the size of the map. */
-Stages extract(const GreyMap& map, const ExtractOptions& options);
+[[nodiscard]] Stages extract(const GreyMap& map, const ExtractOptions& options);
 
 /** The same in less memory, which counts for large maps: the map goes once its cells are known,
  *  and `voronoi`, `isInside` and `clearEdges`, which are empty, once the topology graph is made. */
-Stages extractGraph(GreyMap map, const ExtractOptions& options);
+[[nodiscard]] Stages extractGraph(GreyMap map, const ExtractOptions& options);
 
 /** The same, where `before` is what extract() made of this map with other options of the steps
  *  behind the Voronoi diagram: grid, obstacles and diagram, which take most of the time, are
  *  taken from it. The options of binarize and thin_obstacles must be those that it was made with.
  */
-Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options);
+[[nodiscard]] Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options);
 
 }  // namespace roomgraph

@@ -17,19 +17,19 @@ namespace roomgraph {
  *      writeFileAtomically("comparison.json", comparisonJson(compareMaps(files, {})));
  *      const Comparison again = readComparison("comparison.json");
  */
-std::string comparisonJson(const Comparison& comparison);
+[[nodiscard]] std::string comparisonJson(const Comparison& comparison);
 
 /** The comparison of such a text: comparisonJson of it is the same text again, but for the version
  *  of the program. Fields that it does not know are skipped.
  *  @throws DataError with one line (`name` of the file, place, problem, remedy) where it is no such
  *  file, or damaged. */
-Comparison parseComparisonJson(const std::string& text, const std::string& name);
+[[nodiscard]] Comparison parseComparisonJson(const std::string& text, const std::string& name);
 
 /** The same of a file. @throws DataError also where it cannot be read. */
-Comparison readComparison(const std::string& file);
+[[nodiscard]] Comparison readComparison(const std::string& file);
 
 /** The ranking, a line per run, then each scale that was estimated, and a line on the rooms, for
  *  people. */
-std::string comparisonText(const Comparison& comparison);
+[[nodiscard]] std::string comparisonText(const Comparison& comparison);
 
 }  // namespace roomgraph

@@ -19,7 +19,7 @@ struct Regions {
   /** Faces of one room are parted where less than this lies between them and an obstacle [m]. */
   double radius = 0;
 
-  std::uint32_t of(std::uint32_t vertex) const {
+  [[nodiscard]] std::uint32_t of(std::uint32_t vertex) const {
     return vertex == VoronoiEdge::kNoVertex ? kNone : regionOf[vertex];
   }
 };

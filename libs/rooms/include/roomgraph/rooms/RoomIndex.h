@@ -20,11 +20,11 @@ class RoomIndex {
   RoomIndex(const Rooms& rooms, double clearance);
 
   /** The openings whose surroundings the segment p–q touches; each once. */
-  std::vector<Opening> openingsNear(Point p, Point q) const;
+  [[nodiscard]] std::vector<Opening> openingsNear(Point p, Point q) const;
 
   /** The room whose polygon holds `p` in its inside; none elsewhere. Rooms do not overlap. About
    *  O(polygon points in the row of p). */
-  RoomId roomAt(Point p) const;
+  [[nodiscard]] RoomId roomAt(Point p) const;
 
  private:
   using Bucket = std::pair<std::int64_t, std::int64_t>;
@@ -53,8 +53,8 @@ class RoomIndex {
 
     std::size_t rowOf(double y) const;
   };
-  static Rows makeRows(const Polygon& polygon);
-  static bool isInside(const Rows& rows, Point p);
+  [[nodiscard]] static Rows makeRows(const Polygon& polygon);
+  [[nodiscard]] static bool isInside(const Rows& rows, Point p);
 
   void addRooms(const Rooms& rooms);
   void addOpenings(const Rooms& rooms, double shortest);

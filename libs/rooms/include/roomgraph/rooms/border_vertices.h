@@ -25,7 +25,7 @@ using PathStretches = std::vector<std::vector<Stretch>>;
  *  touch that does not change the room is no crossing; a stretch not longer than `epsilon` is none.
  *  `clearance` must be that of all paths: only polygon edges longer than twice of it can be
  *  crossed. O(path points * log n) where the long polygon edges are spread over the map. */
-PathStretches borderVertices(const TopologyGraph& graph, const Rooms& rooms, double clearance,
-                             double epsilon);
+[[nodiscard]] PathStretches borderVertices(const TopologyGraph& graph, const Rooms& rooms,
+                                           double clearance, double epsilon);
 
 }  // namespace roomgraph

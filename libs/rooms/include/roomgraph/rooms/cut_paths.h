@@ -13,6 +13,6 @@ namespace roomgraph {
  *  gets the room it borders, the smaller id where it borders two. Edges get the room of their
  *  stretch. The vertices of `graph` keep their ids; the paper's special cases, a crossing at the
  *  source or the target, need no cut and are left to roomIds. O(path points). */
-TopologyGraph cutPaths(TopologyGraph graph, const PathStretches& stretches);
+[[nodiscard]] TopologyGraph cutPaths(TopologyGraph graph, const PathStretches& stretches);
 
 }  // namespace roomgraph

@@ -18,7 +18,7 @@ struct FindRoomsOptions {
 void describe(FindRoomsOptions& options, FieldTable& table);
 
 /** The disc's radius [m]. */
-double roomRadius(const FindRoomsOptions& options, double resolution);
+[[nodiscard]] double roomRadius(const FindRoomsOptions& options, double resolution);
 
 /** Which places are in one room: those between which a disc of `radius` can move without touching
  *  an obstacle. Read off the Voronoi diagram: a room is a connected set of vertices with more
@@ -26,7 +26,7 @@ double roomRadius(const FindRoomsOptions& options, double resolution);
  *  the union of its Delaunay faces, and so the inner polygons of the regularised alpha shape of
  *  CGAL. What is in no room is corridor, in pieces that are joined by edges of at least
  *  `minClearance` [m]. O(n). */
-Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside, double radius,
-                  double minClearance);
+[[nodiscard]] Regions findRooms(const VoronoiGraph& voronoi, const InsideFlags& isInside,
+                                double radius, double minClearance);
 
 }  // namespace roomgraph

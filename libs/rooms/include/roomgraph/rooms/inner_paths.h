@@ -17,7 +17,8 @@ struct InnerPaths {
  *  point of a path, but no border vertex; where there is no other, halfway on the longest path. An
  *  end that they do not reach gets a straight path with clearance 0. There must be at least one
  *  edge. O(n log n). */
-InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
-                      const std::vector<VertexId>& ends, Point center, double minClearance);
+[[nodiscard]] InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
+                                    const std::vector<VertexId>& ends, Point center,
+                                    double minClearance);
 
 }  // namespace roomgraph

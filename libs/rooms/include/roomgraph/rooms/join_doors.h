@@ -19,6 +19,6 @@ void describe(JoinDoorsOptions& options, FieldTable& table);
  *  border vertices become one border vertex, in its middle, that both rooms share: it lies up to
  *  half of `maxDepth` off their rings. Whether a wall is one cell thick or two then makes no
  *  difference to the graph. O(n). */
-TopologyGraph joinDoors(TopologyGraph graph, const JoinDoorsOptions& options);
+[[nodiscard]] TopologyGraph joinDoors(TopologyGraph graph, const JoinDoorsOptions& options);
 
 }  // namespace roomgraph

@@ -25,7 +25,8 @@ void describe(RoomGraphOptions& options, FieldTable& table);
  *  its edges follow the shortest of those. A room that the graph does not enter is left out and
  *  told in `notes` (code "room_unreached"); one without a way out becomes a vertex without edges.
  *  Room ids are numbered anew, in the order of `rooms`. O(n log n). */
-RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const ObstacleRows& obstacles,
-                    double clearance, const RoomGraphOptions& options, Notes& notes);
+[[nodiscard]] RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms,
+                                  const ObstacleRows& obstacles, double clearance,
+                                  const RoomGraphOptions& options, Notes& notes);
 
 }  // namespace roomgraph

@@ -13,6 +13,6 @@ namespace roomgraph {
  *  the polygon: it becomes a border vertex (III-D, case A: the cut falls on a source or target). A
  *  dead end shorter than `minLength` that starts at a border vertex gets the id of that room, too
  *  (III-E, case B). O(n). */
-TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength);
+[[nodiscard]] TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength);
 
 }  // namespace roomgraph

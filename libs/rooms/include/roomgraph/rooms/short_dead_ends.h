@@ -16,12 +16,12 @@ struct ShortDeadEndsOptions {
 void describe(ShortDeadEndsOptions& options, FieldTable& table);
 
 /** The limit that is applied [m]. */
-double shortLength(const ShortDeadEndsOptions& options, double resolution);
+[[nodiscard]] double shortLength(const ShortDeadEndsOptions& options, double resolution);
 
 /** Removes the dead ends shorter than `minLength` that start at a border vertex, with that border
  *  vertex and what led to it inside of the room: rooms do not reach into their corners, and what is
  *  left there is no way out. Also a corridor of this length that leaves a room and comes back to
  *  it, unless it runs round an obstacle. O(n). */
-TopologyGraph removeShortDeadEnds(TopologyGraph graph, double minLength);
+[[nodiscard]] TopologyGraph removeShortDeadEnds(TopologyGraph graph, double minLength);
 
 }  // namespace roomgraph

@@ -31,8 +31,8 @@ namespace roomgraph {
  *  `resolution` [m], not between their centres. `minClearance` keeps passages between neighbouring
  *  cells of a wall out [m]. Equal widths are judged together, so the order of the edges does not
  *  matter. O(n log n). */
-Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
-                     const std::vector<std::uint8_t>& isWall, double minClearance,
-                     double resolution, const SplitAtDoorsOptions& options);
+[[nodiscard]] Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
+                                   const std::vector<std::uint8_t>& isWall, double minClearance,
+                                   double resolution, const SplitAtDoorsOptions& options);
 
 }  // namespace roomgraph

@@ -12,9 +12,9 @@ namespace roomgraph {
 /** One room per region that is one, with the union of its Delaunay faces as polygon. Rings that
  *  touch themselves are cut there; what encloses no area is dropped. O(n log n) in the number of
  *  Delaunay edges on the boundaries. */
-Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions);
+[[nodiscard]] Rooms traceRooms(const VoronoiGraph& voronoi, const Regions& regions);
 
 /** The same for all regions, pieces of corridor too. */
-Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions);
+[[nodiscard]] Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions);
 
 }  // namespace roomgraph

@@ -15,8 +15,9 @@ namespace roomgraph {
  *  clouds, in the order of the file; empty for every other kind of map. Beams without return or
  *  longer than options.maxDistanceInsertion are left out. Checks as loadGrid does. O(file).
  *  @throws DataError where the file is missing or damaged. */
-std::vector<Keyframe> loadKeyframes(const std::string& file, const LoadGridOptions& options);
+[[nodiscard]] std::vector<Keyframe> loadKeyframes(const std::string& file,
+                                                  const LoadGridOptions& options);
 /** The same with the default options but for the longest range [m]. */
-std::vector<Keyframe> loadKeyframes(const std::string& file, double maxRange);
+[[nodiscard]] std::vector<Keyframe> loadKeyframes(const std::string& file, double maxRange);
 
 }  // namespace roomgraph

@@ -12,6 +12,6 @@ namespace roomgraph {
 
 /** None for a file that is no simplemap. O(file).
  *  @throws DataError where the file is missing or damaged. */
-std::optional<RunInfo> loadRunInfo(const std::string& file);
+[[nodiscard]] std::optional<RunInfo> loadRunInfo(const std::string& file);
 
 }  // namespace roomgraph

@@ -14,6 +14,7 @@ namespace roomgraph {
 /** The scans of loadKeyframes, one for each of its key frames, with all that MRPT's programs want
  *  to know of them. Checks as loadGrid does. O(file).
  *  @throws DataError where the file is missing or damaged. */
-std::vector<RobotScan> loadScans(const std::string& file, const LoadGridOptions& options);
+[[nodiscard]] std::vector<RobotScan> loadScans(const std::string& file,
+                                               const LoadGridOptions& options);
 
 }  // namespace roomgraph

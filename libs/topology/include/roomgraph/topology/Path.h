@@ -16,18 +16,18 @@ struct Path {
 };
 
 /** A path along Voronoi edges; length and clearance are computed. */
-Path makePath(Polyline points, std::vector<Point> obstacles);
+[[nodiscard]] Path makePath(Polyline points, std::vector<Point> obstacles);
 
 /** The place at `along` metres from the source; exactly the path's end at 0 and at its length. */
-Point placeOn(const Path& path, double along);
+[[nodiscard]] Point placeOn(const Path& path, double along);
 
 /** The same way walked backwards (paper II, "twin"). */
-Path reversed(Path path);
+[[nodiscard]] Path reversed(Path path);
 
 /** First `a`, then `b`, which starts where `a` ends. */
-Path joined(Path a, const Path& b);
+[[nodiscard]] Path joined(Path a, const Path& b);
 
 /** The piece between two distances from the start [m]; 0 <= from <= to <= length. */
-Path piece(const Path& path, double from, double to);
+[[nodiscard]] Path piece(const Path& path, double from, double to);
 
 }  // namespace roomgraph

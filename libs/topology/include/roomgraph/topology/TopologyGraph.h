@@ -42,14 +42,16 @@ class TopologyGraph {
   const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }
   const Edge& edge(EdgeId e) const { return edges_[e.index()]; }
 
-  static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.index() ^ 1); }
-  static EdgeId edgeOf(HalfEdgeId h) { return EdgeId(h.index() / 2); }
-  static bool runsAsPath(HalfEdgeId h) { return h.index() % 2 == 0; }
+  [[nodiscard]] static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.index() ^ 1); }
+  [[nodiscard]] static EdgeId edgeOf(HalfEdgeId h) { return EdgeId(h.index() / 2); }
+  [[nodiscard]] static bool runsAsPath(HalfEdgeId h) { return h.index() % 2 == 0; }
   const Edge& edge(HalfEdgeId h) const { return edge(edgeOf(h)); }
-  VertexId source(HalfEdgeId h) const { return runsAsPath(h) ? edge(h).source : edge(h).target; }
-  VertexId target(HalfEdgeId h) const { return source(twin(h)); }
+  [[nodiscard]] VertexId source(HalfEdgeId h) const {
+    return runsAsPath(h) ? edge(h).source : edge(h).target;
+  }
+  [[nodiscard]] VertexId target(HalfEdgeId h) const { return source(twin(h)); }
   /** The path in the direction of the half edge (paper II, "half path"). A copy. */
-  Path halfPath(HalfEdgeId h) const;
+  [[nodiscard]] Path halfPath(HalfEdgeId h) const;
 
   /** The half edges that leave `v`, by edge number; a self loop leaves twice. */
   struct HalfEdgeRange {
@@ -60,10 +62,10 @@ class TopologyGraph {
     std::size_t size() const { return std::size_t(last - first); }
     HalfEdgeId front() const { return *first; }
   };
-  HalfEdgeRange outgoing(VertexId v) const;
-  std::size_t degree(VertexId v) const { return outgoing(v).size(); }
+  [[nodiscard]] HalfEdgeRange outgoing(VertexId v) const;
+  [[nodiscard]] std::size_t degree(VertexId v) const { return outgoing(v).size(); }
   /** An edge one of whose ends has no other edge (paper II, "dead end"). */
-  bool isDeadEnd(EdgeId e) const;
+  [[nodiscard]] bool isDeadEnd(EdgeId e) const;
 
   /** Takes the parts out, for a step that builds its own graph from them. */
   std::vector<Vertex> takeVertices() && { return std::move(vertices_); }
@@ -78,12 +80,12 @@ class TopologyGraph {
 
 /** The graph of the vertices and edges that are flagged to be kept, in their order. Edges of a
  *  vertex that goes must not be kept. */
-TopologyGraph keepOnly(TopologyGraph graph, const std::vector<bool>& keepVertex,
-                       const std::vector<bool>& keepEdge);
+[[nodiscard]] TopologyGraph keepOnly(TopologyGraph graph, const std::vector<bool>& keepVertex,
+                                     const std::vector<bool>& keepEdge);
 
 /** Joins the two edges of every junction or dead end that has exactly two ends into one, and sets
  *  the kinds of junctions and dead ends anew. A cycle of such vertices keeps its widest one, as a
  *  ring vertex. Vertices of other kinds stay. */
-TopologyGraph dissolveThrough(TopologyGraph graph);
+[[nodiscard]] TopologyGraph dissolveThrough(TopologyGraph graph);
 
 }  // namespace roomgraph

@@ -22,14 +22,15 @@ struct Chains {
   std::vector<std::size_t> starts;  ///< where each chain starts in `steps`, and one past the last
   std::vector<std::uint32_t> ringNodes;  ///< the node chosen on each closed run that had none
 
-  std::size_t count() const { return starts.size() - 1; }
+  [[nodiscard]] std::size_t count() const { return starts.size() - 1; }
 };
 
 /** Splits all links into chains whose inner vertices are no nodes. `isNode` must be true for every
  *  vertex whose number of link ends is not 2. A closed run without a node gets the one of its
  *  vertices that `isBetter(a, b)` puts before all others. Chains are ordered by their first node,
  *  then by link. O(vertices + links). */
-Chains findChains(std::size_t vertexCount, const std::vector<Link>& links, std::vector<bool> isNode,
-                  const std::function<bool(std::uint32_t, std::uint32_t)>& isBetter);
+[[nodiscard]] Chains findChains(std::size_t vertexCount, const std::vector<Link>& links,
+                                std::vector<bool> isNode,
+                                const std::function<bool(std::uint32_t, std::uint32_t)>& isBetter);
 
 }  // namespace roomgraph

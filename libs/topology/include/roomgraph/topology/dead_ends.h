@@ -24,13 +24,14 @@ void describe(DeadEndsOptions& options, FieldTable& table);
  *  none is left; so the answer does not depend on their order. A component never vanishes: its last
  *  edge stays, and a vertex that loses its last edge stays as a junction without a way.
  *  O(rounds * edges). */
-TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
-                             double resolution);
+[[nodiscard]] TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
+                                           double resolution);
 
 /** The same by the reach alone, where a junction's disc may also be that which touches only
  *  `walls`, the obstacles but the clutter: what ends between chairs lies in the hall that they
  *  stand in. O(rounds * edges) and, for each dead end, the cells of `walls` within its length. */
-TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions& options,
-                                     const ObstacleRows& walls);
+[[nodiscard]] TopologyGraph removeEndsAmongClutter(TopologyGraph graph,
+                                                   const DeadEndsOptions& options,
+                                                   const ObstacleRows& walls);
 
 }  // namespace roomgraph

@@ -12,6 +12,7 @@ namespace roomgraph {
  *  coordinate is infinite or NaN; dead ends have one way; paths do not properly cross each other
  *  (planarity; a path may touch or share a piece with another). O(segments log segments) on
  *  ordinary graphs. */
-std::vector<std::string> brokenInvariants(const TopologyGraph& graph, double clearance);
+[[nodiscard]] std::vector<std::string> brokenInvariants(const TopologyGraph& graph,
+                                                        double clearance);
 
 }  // namespace roomgraph

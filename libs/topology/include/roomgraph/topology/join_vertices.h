@@ -19,7 +19,7 @@ void describe(JoinVerticesOptions& options, FieldTable& table);
  *  nearest to their mean; the tips of dead ends stay. Paths are led on along the joined ones, so
  *  that they keep their clearance. A path round an obstacle whose ends are joined becomes a self
  *  loop. O(n log n). */
-TopologyGraph joinVertices(TopologyGraph graph, const JoinVerticesOptions& options,
-                           double resolution);
+[[nodiscard]] TopologyGraph joinVertices(TopologyGraph graph, const JoinVerticesOptions& options,
+                                         double resolution);
 
 }  // namespace roomgraph

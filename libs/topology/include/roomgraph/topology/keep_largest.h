@@ -19,6 +19,7 @@ void describe(KeepLargestOptions& options, FieldTable& table);
 /** Keeps the connected part with the largest total path length; where all are 0, the one with the
  *  widest place. With `allComponents`, keeps all from `minLength` up and the largest. What is
  *  dropped is told in `notes` (code "component_dropped"). O(n). */
-TopologyGraph keepLargest(TopologyGraph graph, const KeepLargestOptions& options, Notes& notes);
+[[nodiscard]] TopologyGraph keepLargest(TopologyGraph graph, const KeepLargestOptions& options,
+                                        Notes& notes);
 
 }  // namespace roomgraph

@@ -7,12 +7,12 @@
 namespace roomgraph {
 
 /** "junction", "dead_end", "border", "room" or "ring", as in all files. */
-const char* kindName(VertexKind kind);
+[[nodiscard]] const char* kindName(VertexKind kind);
 
 /** The kind of that name; none for any other text. */
-std::optional<VertexKind> kindOfName(const std::string& name);
+[[nodiscard]] std::optional<VertexKind> kindOfName(const std::string& name);
 
 /** "room" for a path inside of a room, "corridor" for any other. */
-const char* kindName(const Edge& edge);
+[[nodiscard]] const char* kindName(const Edge& edge);
 
 }  // namespace roomgraph

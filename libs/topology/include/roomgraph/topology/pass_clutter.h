@@ -23,8 +23,8 @@ using PlaceTest = std::function<bool(Point)>;
  *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. So do all ways
  *  round clutter that touch a place that `isInRoom`, as all paths of a room become one vertex, and
  *  a loop that begins and ends at one junction. Nothing is parted. O(rounds * n log n). */
-TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
-                          const PlaceTest& isInRoom, const ObstacleRows& walls,
-                          const DeadEndsOptions& options);
+[[nodiscard]] TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
+                                        const PlaceTest& isInRoom, const ObstacleRows& walls,
+                                        const DeadEndsOptions& options);
 
 }  // namespace roomgraph

@@ -14,6 +14,6 @@ namespace roomgraph {
  *  become vertices. A closed run without such a vertex gets a ring vertex at its widest place, so
  *  that a ring corridor is not lost. A Voronoi vertex that lost all its edges is no vertex. The
  *  room ids are none. O(n). */
-TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept);
+[[nodiscard]] TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept);
 
 }  // namespace roomgraph

@@ -23,7 +23,7 @@ struct VoronoiEdge {
   std::uint32_t left = 0, right = 0;
   double minClearance = 0;  ///< smallest distance to an obstacle along the edge [m]
 
-  bool isInfinite() const { return target == kNoVertex; }
+  [[nodiscard]] bool isInfinite() const { return target == kNoVertex; }
 };
 
 /** The Voronoi diagram of the obstacles as a graph; its dual is their Delaunay triangulation.

@@ -11,7 +11,7 @@ namespace roomgraph {
  *  area of a face is a sum over its Delaunay edges, in which the edges inside of a group cancel.
  *  O(n). */
 template <class GroupOf>
-std::vector<double> faceAreas(const VoronoiGraph& graph, const GroupOf& groupOf) {
+[[nodiscard]] std::vector<double> faceAreas(const VoronoiGraph& graph, const GroupOf& groupOf) {
   std::vector<double> area(graph.vertices.size(), 0.0);
   const auto add = [&](std::uint32_t vertex, double part) {
     const std::uint32_t group =

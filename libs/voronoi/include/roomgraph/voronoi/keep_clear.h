@@ -24,11 +24,12 @@ void describe(KeepClearOptions& options, FieldTable& table);
  *  for, so that no rounding decides on passages of just the least width. An edge that keeps this
  *  far from the centres of all obstacle cells cannot pass between two cells of a wall, nor touch
  *  one. */
-double effectiveClearance(const KeepClearOptions& options, double resolution);
+[[nodiscard]] double effectiveClearance(const KeepClearOptions& options, double resolution);
 
 /** The finite edges inside whose every place keeps at least `clearance` metres from all obstacles.
  *  Two places that a disc of this radius can move between stay connected: moving away from the
  *  nearest obstacle leads from any place to a kept edge, and never nearer to an obstacle. O(n). */
-EdgeIndices keepClear(const VoronoiGraph& graph, const InsideFlags& isInside, double clearance);
+[[nodiscard]] EdgeIndices keepClear(const VoronoiGraph& graph, const InsideFlags& isInside,
+                                    double clearance);
 
 }  // namespace roomgraph

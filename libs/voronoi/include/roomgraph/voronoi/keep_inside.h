@@ -26,7 +26,7 @@ void describe(KeepInsideOptions& options, FieldTable& table);
 /** Outside is what a disc of `outsideWidth` can reach from infinity without touching an obstacle:
  *  the complement of the alpha shape. With `freeOnly`, vertices in cells that are not free are
  *  outside, too. A vertex exactly between is outside. O(n). */
-InsideFlags keepInside(const VoronoiGraph& graph, const Grid& grid,
-                       const KeepInsideOptions& options);
+[[nodiscard]] InsideFlags keepInside(const VoronoiGraph& graph, const Grid& grid,
+                                     const KeepInsideOptions& options);
 
 }  // namespace roomgraph

@@ -11,6 +11,6 @@ namespace roomgraph {
 
 /** The Voronoi diagram of the cell centres (Boost.Polygon). The order of vertices and edges depends
  *  on the cells alone. Fewer than two obstacles give no edge. O(n log n). */
-VoronoiGraph voronoiGraph(const ObstacleCells& obstacles);
+[[nodiscard]] VoronoiGraph voronoiGraph(const ObstacleCells& obstacles);
 
 }  // namespace roomgraph

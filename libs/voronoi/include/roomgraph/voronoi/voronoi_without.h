@@ -17,7 +17,7 @@ namespace roomgraph {
  *  empty of all obstacles is empty of these, too. `graph` must be voronoiGraph(obstacles). The
  *  obstacles keep their numbers; the flagged ones stay in `obstacles` and belong to no edge.
  *  O(n + h log h) for h obstacles round the holes. */
-VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleCells& obstacles,
-                            const std::vector<std::uint8_t>& isLeftOut);
+[[nodiscard]] VoronoiGraph voronoiWithout(const VoronoiGraph& graph, const ObstacleCells& obstacles,
+                                          const std::vector<std::uint8_t>& isLeftOut);
 
 }  // namespace roomgraph
