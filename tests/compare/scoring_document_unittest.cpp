@@ -25,7 +25,7 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
   expectSaid("turned by %g degrees (root mean square)", degrees(breaks.findPieces.maxTurnBend));
   expectSaid("runs with %g %% of the votes", 100 * breaks.minVotes);
   expectSaid("have %g %% of this one's walls are consulted", 100 * kWitnessShare);
-  expectSaid("the pieces take in %g %% of the walls found, and the smaller one %g %%",
+  expectSaid("the fragments take in %g %% of the walls found, and the smaller one %g %%",
              100 * breaks.findPieces.minExplained, 100 * breaks.findPieces.minPiece);
   expectSaid("(within %g degrees and %g m)", std::round(degrees(breaks.sameTurn)),
              breaks.samePlace);
@@ -34,7 +34,7 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
 TEST(ScoringDocument, saysHowRunsArePlaced) {
   const SitePosesOptions poses;
   expectSaid("with a confidence of at least %g,", poses.minConfidence);
-  expectSaid("disagrees with the rest by more than %g m counts little", poses.width);
+  expectSaid("disagrees with the rest by more than %g m has little weight", poses.width);
   EXPECT_EQ(CompareRunsOptions().core, 12u);
   expectSaid("With more than twelve runs");
 }

@@ -32,7 +32,7 @@ TEST(MapFormats, haveEachTheirKindAndExtensions) {
 }
 
 TEST(MapFormats, areListedWherePeopleLook) {
-  for (const std::string file : {"/README.md", "/apps/roomgraph/README.md"}) {
+  for (const std::string file : {"/docs/formats.md", "/apps/roomgraph/README.md"}) {
     const std::string text = textOf(file);
     ASSERT_NE(text, "") << file;
     for (const MapFormat& format : mapFormats())

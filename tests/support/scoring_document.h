@@ -10,10 +10,11 @@
 
 namespace roomgraph::test {
 
-/** docs/scoring.md on one line. */
+/** docs/scoring.md and docs/method.md on one line. */
 inline std::string scoringDocument() {
   std::ostringstream text;
-  text << std::ifstream(ROOMGRAPH_SCORING).rdbuf();
+  for (const char* name : {"scoring.md", "method.md"})
+    text << std::ifstream(std::string(ROOMGRAPH_DOCS) + name).rdbuf();
   std::string line = text.str();
   std::replace(line.begin(), line.end(), '\n', ' ');
   line.erase(

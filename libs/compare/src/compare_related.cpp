@@ -53,7 +53,7 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
                           const CompareRunsOptions& options) {
   check(runs, related, options);
   const ForEach& forEach = options.forEach;
-  // Every function here has its section in docs/scoring.md.
+  // Every function here has its section in docs/method.md.
   const Site site = placeRuns(runs, related, {}, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);

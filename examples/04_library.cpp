@@ -1,0 +1,59 @@
+// The twenty functions that a program needs, as docs/library.md lists them: 04_library RUN RUN RUN
+// writes all that there is of the first map, and of the comparison of all, into the current folder.
+#include <roomgraph/roomgraph.h>
+
+#include <cstdio>
+#include <exception>
+
+using namespace roomgraph;  // NOLINT: a program, not a library
+
+namespace {
+
+void writeGraph(const std::string& file) {
+  ExtractOptions options = preset("default");
+  options.keepClear.minClearance = 0.25;  // of a wider robot [m]
+  const Stages stages = extract(loadGrid(file, options.loadGrid), options);
+  for (const Passage& passage : stages.areas.passages)
+    std::printf("%.2f m wide at (%.1f, %.1f)\n", passage.width, passage.middle().x,
+                passage.middle().y);
+  writeFileAtomically("graph.json", graphJson(stages));
+  const GraphFile again = readGraphJson("graph.json");
+  writeFileAtomically("graph.graphml", graphml(again.graph));
+  writeFileAtomically("graph.geojson", geojson(stages.result));
+  writeFileAtomically("graph.osm", osmXml(stages.areas));
+  writeFileAtomically("graph.png", drawPng(stages));
+  writeFileAtomically("graph.svg", drawSvg(stages));
+}
+
+/** What compareMaps does, step by step, for maps that need not be files. */
+Comparison compareOneByOne(const std::vector<std::string>& files) {
+  const ExtractOptions options;
+  std::vector<Run> runs;
+  for (const std::string& file : files)
+    runs.push_back(prepareRun(file, loadGrid(file, options.loadGrid),
+                              loadKeyframes(file, options.loadGrid), options));
+  return compareRuns(std::move(runs), {});
+}
+
+int writeComparison(const std::vector<std::string>& files) {
+  writeFileAtomically("comparison.json", comparisonJson(compareMaps(files, {})));
+  const Comparison comparison = readComparison("comparison.json");
+  writeFileAtomically("report.html", comparisonReport(comparison, readMapsOf(comparison, files)));
+  GateOptions gate;
+  gate.maxError = 0.3, gate.failsOnBreaks = true;
+  const GateVerdict verdict = gateVerdict(comparison, gate);
+  for (const std::string& complaint : verdict.complaints) std::puts(complaint.c_str());
+  return verdict.isPassed() ? 0 : 3;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  const std::vector<std::string> files(arguments + 1, arguments + count);
+  if (files.empty()) return std::fprintf(stderr, "usage: 04_library RUN...\n"), 2;
+  writeGraph(files.front());
+  std::puts(compareOneByOne(files).verdict.c_str());
+  return writeComparison(files);
+} catch (const std::exception& error) {
+  return std::fprintf(stderr, "%s\n", error.what()), 1;
+}
