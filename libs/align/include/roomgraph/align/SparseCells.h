@@ -26,7 +26,7 @@ class SparseCells {
     values_.shrink_to_fit();
   }
 
-  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t size() const { return size_; }  ///< cells of the map
 
   T operator[](std::size_t cell) const {
     const std::uint32_t place = places_[cell / kStretch];

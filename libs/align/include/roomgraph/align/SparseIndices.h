@@ -12,7 +12,7 @@ namespace roomgraph {
  *  more than 16 bits. */
 class SparseIndices {
  public:
-  static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::uint32_t kNone = UINT32_MAX;  ///< stands for no index
 
   SparseIndices() = default;
   /** O(cells). */

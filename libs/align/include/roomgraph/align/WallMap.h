@@ -15,7 +15,7 @@ namespace roomgraph {
 
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct WallMap {
-  static constexpr std::uint32_t kNoWall = SparseIndices::kNone;
+  static constexpr std::uint32_t kNoWall = SparseIndices::kNone;  ///< a cell without a wall near it
 
   std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
   GridFrame frame;               ///< around all that is known, with a margin

@@ -14,7 +14,7 @@ struct WallPatch {
   std::vector<std::uint32_t> neighbours;  ///< patches of the squares beside it, ascending
 };
 
-using WallPatches = std::vector<WallPatch>;
+using WallPatches = std::vector<WallPatch>;  ///< by column, then by row
 
 struct WallPatchesOptions {
   double side = 2;     ///< of a square [m]

@@ -10,7 +10,7 @@ struct WallPoint {
   Point normal;  ///< of length 1
 };
 
-constexpr int kOctants = 8;
+constexpr int kOctants = 8;  ///< directions that walls are sorted into
 
 /** Which of the 8 directions at multiples of 45 degrees is nearest to that of `v`. */
 [[nodiscard]] int octantOf(Point v);

@@ -7,8 +7,8 @@
 
 namespace roomgraph {
 
-using AreaId = Id<struct AreaTag>;
-using PassageId = Id<struct PassageTag>;
+using AreaId = Id<struct AreaTag>;        ///< a place in AreaGraph::areas
+using PassageId = Id<struct PassageTag>;  ///< a place in AreaGraph::passages
 
 /** A room or a piece of corridor. */
 struct Area {
@@ -18,7 +18,7 @@ struct Area {
   double inscribedRadius = 0;       ///< of that disc [m]
   std::vector<PassageId> passages;  ///< ascending
 
-  [[nodiscard]] bool isRoom() const { return bool(room); }
+  [[nodiscard]] bool isRoom() const { return bool(room); }  ///< else corridor
 };
 
 /** An opening between two obstacles in which two areas meet. */
@@ -26,7 +26,7 @@ struct Passage {
   AreaId a, b;       ///< the smaller one first
   Point from, to;    ///< its two ends, which are obstacles [m, map frame]
   double width = 0;  ///< distance of its ends [m]
-  [[nodiscard]] Point middle() const { return midpoint(from, to); }
+  [[nodiscard]] Point middle() const { return midpoint(from, to); }  ///< [m, map frame]
 };
 
 /** As many areas can be told apart in 16 bits. */

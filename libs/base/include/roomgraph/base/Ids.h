@@ -13,9 +13,9 @@ class Id {
   constexpr Id() = default;
   constexpr explicit Id(std::size_t index) : value_(static_cast<std::uint32_t>(index)) {}
 
-  [[nodiscard]] static constexpr Id none() { return {}; }
-  [[nodiscard]] constexpr bool isNone() const { return value_ == kNone; }
-  constexpr explicit operator bool() const { return !isNone(); }
+  [[nodiscard]] static constexpr Id none() { return {}; }                  ///< stands for nothing
+  [[nodiscard]] constexpr bool isNone() const { return value_ == kNone; }  ///< stands for nothing
+  constexpr explicit operator bool() const { return !isNone(); }           ///< is there
   /** Must not be called on none. */
   [[nodiscard]] constexpr std::size_t index() const { return value_; }
 
@@ -29,9 +29,9 @@ class Id {
   std::uint32_t value_ = kNone;
 };
 
-using VertexId = Id<struct VertexTag>;
-using EdgeId = Id<struct EdgeTag>;
-using HalfEdgeId = Id<struct HalfEdgeTag>;
-using RoomId = Id<struct RoomTag>;
+using VertexId = Id<struct VertexTag>;      ///< a place in TopologyGraph::vertices()
+using EdgeId = Id<struct EdgeTag>;          ///< a place in TopologyGraph::edges()
+using HalfEdgeId = Id<struct HalfEdgeTag>;  ///< 2e along edge e, 2e + 1 back
+using RoomId = Id<struct RoomTag>;          ///< a place in RoomGraph::rooms
 
 }  // namespace roomgraph

@@ -15,7 +15,7 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
   ~InputFile();
 
-  const std::string& name() const { return name_; }
+  const std::string& name() const { return name_; }  ///< as the caller gave it
   /** When it was opened. */
   [[nodiscard]] std::uint64_t size() const { return size_; }
   /** Copies `count` bytes from `offset` on. @throws DataError where there are fewer. */

@@ -13,6 +13,6 @@ struct Note {
   std::optional<std::array<double, 2>> where;  ///< x, y [m, map frame], where it has a place
 };
 
-using Notes = std::vector<Note>;
+using Notes = std::vector<Note>;  ///< in the order in which they came up
 
 }  // namespace roomgraph

@@ -14,8 +14,8 @@ struct Field {
   std::string unit;          ///< "m", "m2", "px2", "rad", "" for none
   double low = 0, high = 0;  ///< closed range of numbers; unused for switches and choices
   std::string sentence;      ///< what it does, one sentence
-  std::variant<double*, int*, bool*, std::string*> value;
-  std::vector<std::string> choices;  ///< the legal values of a string
+  std::variant<double*, int*, bool*, std::string*> value;  ///< where it is kept
+  std::vector<std::string> choices;                        ///< the legal values of a string
 };
 
 /** The settings of all steps, in pipeline order. Points into an options object that must outlive

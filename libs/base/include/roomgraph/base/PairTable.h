@@ -45,7 +45,7 @@ class PairTable {
     values_.resize(pairs_.size());
   }
 
-  [[nodiscard]] std::size_t things() const { return others_.size(); }
+  [[nodiscard]] std::size_t things() const { return others_.size(); }  ///< runs, for instance
 
   /** Whether there is a value for these two. */
   [[nodiscard]] bool has(std::size_t a, std::size_t b) const {

@@ -11,7 +11,7 @@ namespace roomgraph {
  *  a process that was killed leaves behind, X.roomgraph-part0, goes when X is written again. */
 class StagedFiles {
  public:
-  StagedFiles();
+  StagedFiles();  ///< without any file
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;
   /** Removes what was added and is not renamed. */

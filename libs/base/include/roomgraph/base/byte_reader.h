@@ -10,8 +10,8 @@ namespace roomgraph {
 
 /** Bytes that somebody else owns. */
 struct ByteView {
-  const std::uint8_t* data = nullptr;
-  std::size_t size = 0;
+  const std::uint8_t* data = nullptr;  ///< the first of them
+  std::size_t size = 0;                ///< how many there are
 };
 
 /** Reads little-endian values, as MRPT streams them, and never past the end. */
@@ -19,9 +19,9 @@ class ByteReader {
  public:
   ByteReader(ByteView bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
-  const std::string& file() const { return file_; }
-  [[nodiscard]] std::size_t position() const { return position_; }
-  [[nodiscard]] std::size_t left() const { return bytes_.size - position_; }
+  const std::string& file() const { return file_; }                 ///< its name, for messages
+  [[nodiscard]] std::size_t position() const { return position_; }  ///< bytes read
+  [[nodiscard]] std::size_t left() const { return bytes_.size - position_; }  ///< bytes to come
 
   /** The next `count` bytes. Throws DataError where fewer are left. */
   const std::uint8_t* take(std::uint64_t count) {
@@ -31,7 +31,7 @@ class ByteReader {
     return start;
   }
   [[nodiscard]] const std::uint8_t* peek() const { return bytes_.data + position_; }
-  void skip(std::uint64_t count) { take(count); }
+  void skip(std::uint64_t count) { take(count); }  ///< as take()
 
   template <class T>
   T get() {

@@ -12,7 +12,7 @@ namespace roomgraph {
 /** A map may have at most this many cells. */
 constexpr std::uint64_t kMostCells = 400'000'000;
 
-enum class Compression { none, gzip, zstd };
+enum class Compression { none, gzip, zstd };  ///< of a file
 /** "none", "gzip" or "zstd". */
 [[nodiscard]] std::string nameOf(Compression compression);
 
@@ -24,10 +24,10 @@ class CheckedFile {
   /** Opens the file and reads its first bytes. Throws DataError where that is impossible. */
   explicit CheckedFile(const std::string& name);
 
-  const std::string& name() const { return file_.name(); }
+  const std::string& name() const { return file_.name(); }  ///< as the caller gave it
   /** The first bytes of the (inflated) content, at most 64 KiB; not verified yet. */
   [[nodiscard]] ByteView head() const { return {head_.data(), head_.size()}; }
-  [[nodiscard]] Compression compression() const { return compression_; }
+  [[nodiscard]] Compression compression() const { return compression_; }  ///< of the file
   /** How long the content claims to be. */
   [[nodiscard]] std::uint64_t claimedSize() const { return claimedSize_; }
   /** All of the content, verified; stays valid as long as this object, or until release(). */

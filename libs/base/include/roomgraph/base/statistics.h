@@ -19,7 +19,7 @@ constexpr double kEightyPercent = 1.2816;
 [[nodiscard]] double median(std::vector<double> values);
 
 struct WeightedValue {
-  double value = 0;
+  double value = 0;   ///< what is weighted
   double weight = 0;  ///< at least 0
 };
 

@@ -15,7 +15,7 @@ class MotionFit {
     weight_ += weight;
   }
 
-  [[nodiscard]] double weight() const { return weight_; }
+  [[nodiscard]] double weight() const { return weight_; }  ///< of all pairs together
 
   /** to <- from. Nothing where nothing was added; no turn where all places are one. */
   [[nodiscard]] Transform2D motion() const {

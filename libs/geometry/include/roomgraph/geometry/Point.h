@@ -5,7 +5,7 @@ namespace roomgraph {
 
 /** A place or a displacement in the plane [m, map frame]. */
 struct Point {
-  double x = 0, y = 0;
+  double x = 0, y = 0;  ///< [m]
 
   friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
   friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -18,9 +18,9 @@ struct Point {
 
 [[nodiscard]] inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 [[nodiscard]] inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-[[nodiscard]] inline double squaredNorm(Point a) { return dot(a, a); }
-[[nodiscard]] inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }
-[[nodiscard]] inline double distance(Point a, Point b) { return norm(b - a); }
-[[nodiscard]] inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }
+[[nodiscard]] inline double squaredNorm(Point a) { return dot(a, a); }           ///< |a|²
+[[nodiscard]] inline double norm(Point a) { return std::sqrt(squaredNorm(a)); }  ///< length
+[[nodiscard]] inline double distance(Point a, Point b) { return norm(b - a); }   ///< |b - a|
+[[nodiscard]] inline Point midpoint(Point a, Point b) { return 0.5 * (a + b); }  ///< between both
 
 }  // namespace roomgraph

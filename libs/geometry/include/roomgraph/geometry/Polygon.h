@@ -11,8 +11,8 @@ using Ring = std::vector<Point>;
 /** A connected area with holes. The outer ring runs counter-clockwise, the holes clockwise.
  *  Rings may touch themselves and each other in single points, and never cross. */
 struct Polygon {
-  Ring outer;
-  std::vector<Ring> holes;
+  Ring outer;               ///< counter-clockwise
+  std::vector<Ring> holes;  ///< clockwise
 };
 
 /** Area that the ring encloses [m2], positive where it runs counter-clockwise (paper III-G). */
@@ -42,7 +42,7 @@ enum class Side { inside, onBoundary, outside };
 [[nodiscard]] bool rayCrosses(Point p, Point a, Point b);
 
 struct Box {
-  Point low, high;
+  Point low, high;  ///< lower left, upper right [m]
 
   [[nodiscard]] bool contains(Point p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;

@@ -23,7 +23,7 @@ struct Transform2D {
   double x = 0, y = 0;  ///< [m]
   double phi = 0;       ///< [rad]
 
-  [[nodiscard]] Point shift() const { return {x, y}; }
+  [[nodiscard]] Point shift() const { return {x, y}; }  ///< [m]
   /** The place in a of a place in b. */
   [[nodiscard]] Point operator()(Point p) const { return turned(p, phi) + shift(); }
   /** b <- a. */

@@ -10,7 +10,7 @@ namespace roomgraph {
 
 /** A map as it was read, before any decision: how light each cell is. */
 struct GreyMap {
-  GridFrame frame;
+  GridFrame frame;  ///< where its cells lie
   /** Row-major, row 0 lowest. 0 is surely occupied, 255 surely free: 255 * (1 - p(occupied)) for
    *  occupancy maps, (R + G + B + 1) / 3 for pictures. */
   std::vector<std::uint8_t> grey;
@@ -25,7 +25,7 @@ struct GreyMap {
     std::string
         insertion;  ///< how a simplemap was built into a grid, "key = value; ..."; else empty
   } source;
-  Notes notes;
+  Notes notes;  ///< on reading it
 };
 
 }  // namespace roomgraph

@@ -7,7 +7,7 @@ namespace roomgraph {
 
 /** A cell by column and row; row 0 is the lowest (smallest y). */
 struct Cell {
-  int x = 0, y = 0;
+  int x = 0, y = 0;  ///< column and row, from 0 at the lower left
 };
 
 /** How the cells of a grid lie in the map frame: the only place that knows cells and metres. */

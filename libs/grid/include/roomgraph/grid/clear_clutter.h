@@ -27,7 +27,7 @@ struct Clutter {
 
 /** The map as if the clutter were not there. */
 struct ClearedMap {
-  Grid grid;
+  Grid grid;                            ///< the map without clutter
   std::vector<std::uint8_t> isClutter;  ///< per obstacle; non-zero where it belongs to clutter
   std::vector<Clutter> clutter;  ///< by its first cell in the order of rows; without unseen specks
 };

@@ -14,8 +14,8 @@ namespace roomgraph {
 /** The cells whose centres are the obstacles of the Voronoi diagram, by row, then by column.
  *  Where unknown bounds the free space they include cells of the ring just outside of the grid. */
 struct ObstacleCells {
-  GridFrame frame;
-  std::vector<Cell> cells;
+  GridFrame frame;          ///< of the grid
+  std::vector<Cell> cells;  ///< by row, then by column
 };
 
 /** `isObstacle` is thinObstacles' answer for `grid`; with `ringIsObstacle`, what lies beyond the

@@ -18,8 +18,8 @@ enum class RoomSighting {
 /** What one run says of a room of the site. All figures are against the consensus of the runs that
  *  have seen it. */
 struct RoomInRun {
-  std::string run;  ///< name
-  RoomSighting sighting = RoomSighting::unvisited;
+  std::string run;                                  ///< name
+  RoomSighting sighting = RoomSighting::unvisited;  ///< what the run shows of it
   int pieces = 0;                           ///< areas of the run that make it up; 2 or more: split
   bool isMerged = false;                    ///< its area holds another room of the site, too
   std::optional<double> shift;              ///< of its middle [m]
@@ -41,13 +41,13 @@ struct SiteDoor {
 
 /** A room or corridor of the site, over all runs. */
 struct SiteRoom {
-  std::string id;    ///< stays the same from call to call where names are kept
-  std::string name;  ///< given by the user; else the id
-  bool isCorridor = false;
-  Point center;     ///< [m, site frame]
+  std::string id;           ///< stays the same from call to call where names are kept
+  std::string name;         ///< given by the user; else the id
+  bool isCorridor = false;  ///< else a room
+  Point center;             ///< [m, site frame]
   Polygon polygon;  ///< as that run draws it that the others agree with most [m, site frame]
   double area = 0;  ///< median over the runs that have seen it all [m2]
-  std::vector<SiteDoor> doors;
+  std::vector<SiteDoor> doors;  ///< to other rooms
   std::vector<RoomInRun> runs;  ///< in the order of Comparison::runs
 };
 

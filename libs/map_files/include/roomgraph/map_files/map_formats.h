@@ -15,11 +15,11 @@ namespace roomgraph {
 /** A kind of map file. All that knows one stands in mapFormats() and in its reader; the program's
  *  help, the names of its results and the texts of errors follow from the table. */
 struct MapFormat {
-  const char* kind;                     ///< as in GreyMap::source and in results
-  std::vector<const char*> extensions;  ///< usual ones; files are recognised by content
-  const char* name;                     ///< for people
-  bool (*looksLike)(CheckedFile& file);
-  GreyMap (*read)(CheckedFile& file, const LoadGridOptions& options);
+  const char* kind;                      ///< as in GreyMap::source and in results
+  std::vector<const char*> extensions;   ///< usual ones; files are recognised by content
+  const char* name;                      ///< for people
+  bool (*looksLike)(CheckedFile& file);  ///< by its first bytes
+  GreyMap (*read)(CheckedFile& file, const LoadGridOptions& options);  ///< throws DataError
 };
 
 /** All of them, in the order in which they are tried. */

@@ -21,20 +21,20 @@ namespace roomgraph {
 
 /** The options of all steps, in the order of the pipeline. */
 struct ExtractOptions {
-  LoadGridOptions loadGrid;
-  BinarizeOptions binarize;
-  ThinObstaclesOptions thinObstacles;
-  KeepInsideOptions keepInside;
-  KeepClearOptions keepClear;
-  DeadEndsOptions deadEnds;
-  JoinVerticesOptions joinVertices;
-  KeepLargestOptions keepLargest;
-  ClearClutterOptions clearClutter;
-  FindRoomsOptions findRooms;
-  SplitAtDoorsOptions splitAtDoors;
-  ShortDeadEndsOptions shortDeadEnds;
-  JoinDoorsOptions joinDoors;
-  RoomGraphOptions roomGraph;
+  LoadGridOptions loadGrid;            ///< reading of maps
+  BinarizeOptions binarize;            ///< IV-C
+  ThinObstaclesOptions thinObstacles;  ///< IV-C
+  KeepInsideOptions keepInside;        ///< III-A
+  KeepClearOptions keepClear;          ///< III-A
+  DeadEndsOptions deadEnds;            ///< III-A
+  JoinVerticesOptions joinVertices;    ///< III-A
+  KeepLargestOptions keepLargest;      ///< III-A
+  ClearClutterOptions clearClutter;    ///< end of IV-C
+  FindRoomsOptions findRooms;          ///< III-B
+  SplitAtDoorsOptions splitAtDoors;    ///< instead of III-B
+  ShortDeadEndsOptions shortDeadEnds;  ///< III-F
+  JoinDoorsOptions joinDoors;          ///< after III-F
+  RoomGraphOptions roomGraph;          ///< III-G
 };
 
 /** Everything that is said about the options; points into `options`. */

@@ -19,7 +19,7 @@ namespace roomgraph {
 
 /** How long a step took. */
 struct StageTiming {
-  std::string stage;
+  std::string stage;   ///< name of the step
   double seconds = 0;  ///< of wall time
 };
 
@@ -47,8 +47,8 @@ struct Stages {
   TopologyGraph doors;      ///< with doors between rooms joined to one vertex
   RoomGraph result;         ///< III-G
   AreaGraph areas;          ///< all that the graph reaches, in rooms and corridors
-  Notes notes;
-  std::vector<StageTiming> timings;
+  Notes notes;              ///< of all steps
+  std::vector<StageTiming> timings;  ///< in the order of the steps
 };
 
 }  // namespace roomgraph

@@ -11,14 +11,14 @@ namespace roomgraph {
 
 /** What the comparison needs to know of a run. */
 struct Run {
-  std::string name, file, sha256;
-  WallMap map;                    ///< must have walls
-  std::vector<GraphRoom> rooms;   ///< in the frame of the run
-  std::vector<ScanWalls> scans;   ///< of a simplemap; else empty
-  AreaGraph areas{};              ///< in the frame of the run; without labels
-  TopologyGraph graph{};          ///< that of the RoomGraph, in the frame of the run
-  double resolution = 0;          ///< side of a cell of the map as it was read [m]
-  bool isScaleEstimated = false;  ///< `resolution` is estimateScale's, not the file's
+  std::string name, file, sha256;  ///< of its map; `name` is unique
+  WallMap map;                     ///< must have walls
+  std::vector<GraphRoom> rooms;    ///< in the frame of the run
+  std::vector<ScanWalls> scans;    ///< of a simplemap; else empty
+  AreaGraph areas{};               ///< in the frame of the run; without labels
+  TopologyGraph graph{};           ///< that of the RoomGraph, in the frame of the run
+  double resolution = 0;           ///< side of a cell of the map as it was read [m]
+  bool isScaleEstimated = false;   ///< `resolution` is estimateScale's, not the file's
 };
 
 /** Brings runs into the order that all results are computed in, by content and then by name, so

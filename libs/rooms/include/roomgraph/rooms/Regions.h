@@ -10,7 +10,7 @@ namespace roomgraph {
 /** What the inside is split into, rooms, pieces of corridor and half-seen space: which Voronoi
  *  vertices, and so which Delaunay faces, make up which region. */
 struct Regions {
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();  ///< no region
 
   std::vector<std::uint32_t> regionOf;  ///< per Voronoi vertex; kNone where it is in no region
   std::uint32_t roomCount = 0;          ///< the regions below this are rooms

@@ -15,6 +15,6 @@ struct Room {
   std::uint32_t region = 0;    ///< of Regions, which it was traced from; not kept in files
 };
 
-using Rooms = std::vector<Room>;
+using Rooms = std::vector<Room>;  ///< by RoomId
 
 }  // namespace roomgraph

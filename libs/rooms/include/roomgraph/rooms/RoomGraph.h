@@ -9,7 +9,7 @@ namespace roomgraph {
 
 /** One room of the result. */
 struct GraphRoom {
-  Room shape;
+  Room shape;                            ///< its outline and area
   Point center;                          ///< where its vertex stands [m, map frame]
   VertexId vertex;                       ///< of kind room
   std::vector<VertexId> borderVertices;  ///< ascending; empty for a room without a way out
@@ -20,8 +20,8 @@ struct GraphRoom {
  *  all others are corridors. RoomIds index `rooms`; a border vertex in a door between two rooms
  *  carries the smaller id and is listed by both. */
 struct RoomGraph {
-  TopologyGraph graph;
-  std::vector<GraphRoom> rooms;
+  TopologyGraph graph;           ///< with a vertex for each room
+  std::vector<GraphRoom> rooms;  ///< by RoomId
 };
 
 }  // namespace roomgraph

@@ -11,7 +11,7 @@ namespace roomgraph {
 /** Finds the room at a place, and the polygon edges that a path can cross. */
 class RoomIndex {
  public:
-  using Opening = std::pair<Point, Point>;
+  using Opening = std::pair<Point, Point>;  ///< its two ends [m]
 
   /** For roomAt() alone: no openings. O(polygon points). */
   explicit RoomIndex(const Rooms& rooms);

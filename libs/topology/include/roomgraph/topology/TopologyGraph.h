@@ -6,26 +6,26 @@
 
 namespace roomgraph {
 
-enum class VertexKind {
-  junction,  ///< three or more ways meet; or a place with no way at all
-  deadEnd,   ///< a way ends
-  border,    ///< a way enters or leaves a room (paper II, "border vertex")
-  room,      ///< stands for a whole room
-  ring       ///< put on a closed way that has no junction
+enum class VertexKind {  ///< what stands there
+  junction,              ///< three or more ways meet; or a place with no way at all
+  deadEnd,               ///< a way ends
+  border,                ///< a way enters or leaves a room (paper II, "border vertex")
+  room,                  ///< stands for a whole room
+  ring                   ///< put on a closed way that has no junction
 };
 
 struct Vertex {
-  Point at;              ///< [m, map frame]
-  double clearance = 0;  ///< distance to the nearest obstacle [m]
-  VertexKind kind = VertexKind::junction;
+  Point at;                                ///< [m, map frame]
+  double clearance = 0;                    ///< distance to the nearest obstacle [m]
+  VertexKind kind = VertexKind::junction;  ///< what stands there
   RoomId room;  ///< the room it lies in or borders; none elsewhere (the paper's -1)
 };
 
 /** A way between two vertices, with its path from source to target. */
 struct Edge {
-  VertexId source, target;
-  Path path;
-  RoomId room;  ///< for paths inside of a room; none for corridors
+  VertexId source, target;  ///< the path leads from the one to the other
+  Path path;                ///< from source to target
+  RoomId room;              ///< for paths inside of a room; none for corridors
 };
 
 /** Vertices joined by edges (paper II). Each edge is a pair of half edges, twins of each other; the
@@ -37,19 +37,19 @@ class TopologyGraph {
   /** Every edge must join vertices of the graph. O(vertices + edges). */
   TopologyGraph(std::vector<Vertex> vertices, std::vector<Edge> edges);
 
-  const std::vector<Vertex>& vertices() const { return vertices_; }
-  const std::vector<Edge>& edges() const { return edges_; }
-  const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }
-  const Edge& edge(EdgeId e) const { return edges_[e.index()]; }
+  const std::vector<Vertex>& vertices() const { return vertices_; }        ///< by VertexId
+  const std::vector<Edge>& edges() const { return edges_; }                ///< by EdgeId
+  const Vertex& vertex(VertexId v) const { return vertices_[v.index()]; }  ///< must be there
+  const Edge& edge(EdgeId e) const { return edges_[e.index()]; }           ///< must be there
 
   [[nodiscard]] static HalfEdgeId twin(HalfEdgeId h) { return HalfEdgeId(h.index() ^ 1); }
   [[nodiscard]] static EdgeId edgeOf(HalfEdgeId h) { return EdgeId(h.index() / 2); }
   [[nodiscard]] static bool runsAsPath(HalfEdgeId h) { return h.index() % 2 == 0; }
-  const Edge& edge(HalfEdgeId h) const { return edge(edgeOf(h)); }
+  const Edge& edge(HalfEdgeId h) const { return edge(edgeOf(h)); }  ///< of which it is a half
   [[nodiscard]] VertexId source(HalfEdgeId h) const {
     return runsAsPath(h) ? edge(h).source : edge(h).target;
   }
-  [[nodiscard]] VertexId target(HalfEdgeId h) const { return source(twin(h)); }
+  [[nodiscard]] VertexId target(HalfEdgeId h) const { return source(twin(h)); }  ///< where it ends
   /** The path in the direction of the half edge (paper II, "half path"). A copy. */
   [[nodiscard]] Path halfPath(HalfEdgeId h) const;
 
@@ -62,7 +62,7 @@ class TopologyGraph {
     std::size_t size() const { return std::size_t(last - first); }
     HalfEdgeId front() const { return *first; }
   };
-  [[nodiscard]] HalfEdgeRange outgoing(VertexId v) const;
+  [[nodiscard]] HalfEdgeRange outgoing(VertexId v) const;  ///< by HalfEdgeId
   [[nodiscard]] std::size_t degree(VertexId v) const { return outgoing(v).size(); }
   /** An edge one of whose ends has no other edge (paper II, "dead end"). */
   [[nodiscard]] bool isDeadEnd(EdgeId e) const;

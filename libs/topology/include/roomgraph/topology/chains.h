@@ -7,7 +7,7 @@ namespace roomgraph {
 
 /** An edge of a plain graph as two vertex numbers. */
 struct Link {
-  std::uint32_t source = 0, target = 0;
+  std::uint32_t source = 0, target = 0;  ///< its ends
 };
 
 /** One link in a direction. */
@@ -22,7 +22,7 @@ struct Chains {
   std::vector<std::size_t> starts;  ///< where each chain starts in `steps`, and one past the last
   std::vector<std::uint32_t> ringNodes;  ///< the node chosen on each closed run that had none
 
-  [[nodiscard]] std::size_t count() const { return starts.size() - 1; }
+  [[nodiscard]] std::size_t count() const { return starts.size() - 1; }  ///< how many chains
 };
 
 /** Splits all links into chains whose inner vertices are no nodes. `isNode` must be true for every

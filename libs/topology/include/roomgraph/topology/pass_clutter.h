@@ -11,7 +11,7 @@ namespace roomgraph {
 // Out:  the same with one way past each piece of clutter
 // Next: joinVertices
 
-using PlaceTest = std::function<bool(Point)>;
+using PlaceTest = std::function<bool(Point)>;  ///< whether something is true of a place [m]
 
 /** Removes the narrowest of the ways round each piece of clutter, and the dead ends that are left;
  *  then again, with the pieces that no way parts any more as one, until each is passed on one side,

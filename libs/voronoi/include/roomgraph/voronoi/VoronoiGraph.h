@@ -23,7 +23,7 @@ struct VoronoiEdge {
   std::uint32_t left = 0, right = 0;
   double minClearance = 0;  ///< smallest distance to an obstacle along the edge [m]
 
-  [[nodiscard]] bool isInfinite() const { return target == kNoVertex; }
+  [[nodiscard]] bool isInfinite() const { return target == kNoVertex; }  ///< it has one end only
 };
 
 /** The Voronoi diagram of the obstacles as a graph; its dual is their Delaunay triangulation.
@@ -31,9 +31,9 @@ struct VoronoiEdge {
  *  not depend on the map's pose. Edges between two infinite ends (all obstacles on one line) are
  *  left out. */
 struct VoronoiGraph {
-  std::vector<Point> obstacles;  ///< [m, map frame]
-  std::vector<VoronoiVertex> vertices;
-  std::vector<VoronoiEdge> edges;
+  std::vector<Point> obstacles;         ///< [m, map frame]
+  std::vector<VoronoiVertex> vertices;  ///< places of equal distance to three obstacles or more
+  std::vector<VoronoiEdge> edges;       ///< between them
 };
 
 }  // namespace roomgraph

@@ -13,7 +13,7 @@ namespace roomgraph {
 // Out:  the indices of the edges that are kept, ascending
 // Next: topologyGraph
 
-using EdgeIndices = std::vector<std::uint32_t>;
+using EdgeIndices = std::vector<std::uint32_t>;  ///< places in VoronoiGraph::edges, ascending
 
 struct KeepClearOptions {
   double minClearance = 0.2;  ///< of every place on a kept edge [m]

@@ -13,7 +13,7 @@ namespace roomgraph {
 // Out:  one flag per VoronoiVertex: non-zero lies inside
 // Next: keepClear, findRooms
 
-using InsideFlags = std::vector<std::uint8_t>;
+using InsideFlags = std::vector<std::uint8_t>;  ///< 1 for each vertex inside, else 0
 
 struct KeepInsideOptions {
   double outsideWidth = 3.0;   ///< diameter of the disc that must not get in from outside [m]
