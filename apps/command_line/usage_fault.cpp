@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <regex>
 
-#include "nearest_word.h"
+#include "roomgraph/base/nearest_word.h"
 
 namespace roomgraph {
 namespace {

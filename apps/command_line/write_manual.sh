@@ -41,7 +41,7 @@ commands() { entries "$1" | awk -F '\t' '$1 == "Subcommands" { print $2 "\t" $3 
 # options FILE: the options that helps list: long name, letter or nothing, the first sentence.
 options() {
   entries "$1" | awk -F '\t' '
-    $1 == "Options" {
+    $2 ~ /^-/ {
       letter = $2 ~ /^-[A-Za-z],/ ? substr($2, 2, 1) : ""
       name = $2; sub(/^-[A-Za-z],/, "", name); sub(/^--/, "", name); sub(/ .*/, "", name)
       sentence = $3; sub(/[;.:] .*/, "", sentence); sub(/\.$/, "", sentence)

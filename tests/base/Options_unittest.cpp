@@ -91,6 +91,17 @@ TEST(FieldTable, tellsAnUnknownSectionFromAnUnknownKey) {
             std::string::npos);
 }
 
+TEST(FieldTable, guessesWhatWasMeant) {
+  Settings settings;
+  FieldTable table = describe(settings);
+  EXPECT_EQ(usageError([&] { table.set("dor", "width", "1"); }),
+            "there is no section [dor]: did you mean 'door'?");
+  EXPECT_EQ(usageError([&] { table.set("door", "widht", "1"); }),
+            "[door] has no key 'widht': did you mean 'width'?");
+  EXPECT_EQ(usageError([&] { table.set("chimney", "width", "1"); }),
+            "there is no section [chimney]: see 'roomgraph config'");
+}
+
 TEST(FieldTable, writesRangesForPeople) {
   Settings settings;
   const FieldTable table = describe(settings);

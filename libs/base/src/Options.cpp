@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/nearest_word.h"
 
 namespace roomgraph {
 namespace {
@@ -67,6 +68,12 @@ bool assign(const Field& field, const std::string& text) {
                     field.value);
 }
 
+/** What was meant, if that can be guessed. */
+std::string wayOut(const std::string& typed, const std::vector<std::string>& words) {
+  const std::string meant = nearestWord(typed, words);
+  return meant.empty() ? "see 'roomgraph config'" : "did you mean '" + meant + "'?";
+}
+
 }  // namespace
 
 void FieldTable::number(const char* section, const char* name, double& value, const char* unit,
@@ -89,18 +96,19 @@ void FieldTable::choice(const char* section, const char* name, std::string& valu
 }
 
 void FieldTable::set(const std::string& section, const std::string& key, const std::string& value) {
-  bool sectionIsKnown = false;
+  std::vector<std::string> sections, keys;
   for (const Field& field : fields_) {
+    sections.push_back(field.section);
     if (field.section != section) continue;
-    sectionIsKnown = true;
+    keys.push_back(field.name);
     if (field.name != key) continue;
     if (assign(field, value)) return;
     throw UsageError("[" + section + "] " + key + " = " + value + " is not allowed: use " +
                      rangeText(field));
   }
-  throw UsageError(sectionIsKnown
-                       ? "[" + section + "] has no key '" + key + "': see 'roomgraph config'"
-                       : "there is no section [" + section + "]: see 'roomgraph config'");
+  if (keys.empty())
+    throw UsageError("there is no section [" + section + "]: " + wayOut(section, sections));
+  throw UsageError("[" + section + "] has no key '" + key + "': " + wayOut(key, keys));
 }
 
 std::string valueText(const Field& field) {

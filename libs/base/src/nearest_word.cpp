@@ -1,4 +1,4 @@
-#include "nearest_word.h"
+#include "roomgraph/base/nearest_word.h"
 
 #include <algorithm>
 
