@@ -1,6 +1,6 @@
 #pragma once
 #include "mrpt_results.h"
-#include "roomgraph/consensus/pose_graph.h"
+#include "roomgraph/consensus/solve_pose_graph.h"
 #include "roomgraph/map_files/grid_of_scans.h"
 #include "roomgraph/map_files/read_keyframe_layer.h"
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
@@ -34,7 +34,6 @@ struct WithPoses {
 
 struct WithCeres {
   decltype(&roomgraph::solvePoseGraph) solvePoseGraph;
-  decltype(&roomgraph::meanStrain) meanStrain;
 };
 
 /** What such a library exports, by the name roomgraph_on_demand. */

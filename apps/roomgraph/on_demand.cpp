@@ -60,12 +60,9 @@ std::vector<mrpt::math::TPoint3Df> readKeyframeLayer(ByteReader& in) {
   return withPoses().readKeyframeLayer(in);
 }
 
-PoseGraphSolution solvePoseGraph(const PoseGraph& graph, SubmapPoses start, StartIs startIs) {
-  return withCeres().solvePoseGraph(graph, std::move(start), startIs);
-}
-
-double meanStrain(const RunSubmaps& run, const std::vector<Transform2D>& poses) {
-  return withCeres().meanStrain(run, poses);
+PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust, NodePoses start,
+                                 StartIs startIs) {
+  return withCeres().solvePoseGraph(graph, trust, std::move(start), startIs);
 }
 
 std::string gridmapBytes(const GreyMap& map, const Grid& grid) {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "drawn_building.h"
-#include "drawn_submaps.h"
+#include "drawn_pose_graph.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/find_consensus.h"
 
@@ -33,13 +33,14 @@ struct DrivenSite {
         runs.back().scans.back().pose = pose;
         runs.back().scans.back().time = 1e9 + 0.5 * double(runs.back().scans.size());
       }
-      consensus.submaps.push_back(test::drawnSubmaps(way));
+      consensus.siteRuns.add(runs.size() - 1);
+      consensus.graphRuns.emplace_back(runs.size() - 1);
     }
     for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
     site.poses.assign(runs.size(), {});
-    const auto matches = test::exactMatches(truth);
-    consensus.poses = findConsensus(consensus.submaps, matches, {}).best;
-    consensus.errors = mapErrors(consensus.submaps, matches, consensus.poses);
+    consensus.graph = test::matchedPoseGraph(drawn, truth);
+    consensus.poses = findConsensus(consensus.graph).best;
+    consensus.errors = mapErrors(consensus.graph, consensus.poses);
   }
   DrivenSite(const DrivenSite&) = delete;
 
@@ -107,7 +108,7 @@ TEST(SiteBreaks, eachTearOfARunIsOne) {
 TEST(SiteBreaks, soundAndSlowlyDriftingRunsHaveNone) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
   const DrivenSite site({truth[0], test::drifting(truth[1], 0.003), truth[2]}, truth);
-  EXPECT_GT(site.consensus.errors[1].error, 0.3) << "it does drift";
+  EXPECT_GT(site.consensus.errorOf(1).error, 0.3) << "it does drift";
   for (const auto& breaks : site.breaks()) EXPECT_TRUE(breaks.empty());
 }
 

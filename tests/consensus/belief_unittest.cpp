@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "RandomNumbers.h"
-#include "drawn_submaps.h"
+#include "drawn_pose_graph.h"
 
 namespace roomgraph {
 namespace {
@@ -13,86 +13,84 @@ namespace {
 using test::roundTheBlock;
 using test::Way;
 
-/** Two runs, and one piece. */
+/** Two runs, and one group. */
 struct TwoRuns {
   std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
-  std::vector<RunMatches> matches{test::exactMatches(truth).front()};
+  PoseGraph graph = test::withMatches(
+      test::matchedPoseGraph(truth, truth),
+      [](const MatchGroup& group, const PoseEdge&, std::size_t) { return group.to == RunId(0); });
 
-  double belief(const PoseTolerance& within = kBorneOut) const {
-    return beliefIn(matches, truth, within).front();
+  /** Makes a share of the matches wrong by so much. */
+  void shift(double by, double share = 1) {
+    test::changeMatches(graph, [&](const MatchGroup& group, PoseEdge& edge, std::size_t place) {
+      if (double(place) < share * double(group.edges.size())) edge.measured.x += by;
+    });
+  }
+  double belief(const PoseTolerance& within = kInlier) const {
+    return *beliefIn(graph, test::posesOf(truth), within).begin();
   }
 };
 
-TEST(Belief, isFullWhereThePosesBearAllOut) { EXPECT_EQ(TwoRuns().belief(), 1); }
+TEST(Belief, isFullWhereThePosesAgreeWithAll) { EXPECT_EQ(TwoRuns().belief(), 1); }
 
-TEST(Belief, fallsFasterThanTheShareThatIsBorneOut) {
+TEST(Belief, fallsFasterThanTheShareOfInliers) {
   TwoRuns two;
-  auto& matches = two.matches.front().matches;
-  for (std::size_t m = 0; m < matches.size() / 2; ++m) matches[m].pose.x += 20;
+  two.shift(20, 0.5);
   EXPECT_NEAR(two.belief(), 0.25, 0.02);
 }
 
-TEST(Belief, isNeverNothingSoThatAPieceCanComeBack) {
+TEST(Belief, isNeverNothingSoThatAGroupCanComeBack) {
   TwoRuns two;
-  for (SubmapMatch& match : two.matches.front().matches) match.pose.x += 20;
+  two.shift(20);
   EXPECT_GT(two.belief(), 0);
   EXPECT_LT(two.belief(), 0.01);
 }
 
 TEST(Belief, allowsMoreBeforeThePosesAreSolved) {
   TwoRuns two;
-  for (SubmapMatch& match : two.matches.front().matches) match.pose.x += 2;
-  EXPECT_LT(two.belief(kBorneOut), 0.01);
+  two.shift(2);
+  EXPECT_LT(two.belief(kInlier), 0.01);
   EXPECT_EQ(two.belief(kRoughly), 1);
 }
 
 TEST(Belief, isFullOfWhatBothHaveScannedAsOne) {
   TwoRuns two;
-  for (SubmapMatch& match : two.matches.front().matches)
-    match.pose.x += 20, match.isSameScan = true;
+  two.shift(20);
+  test::changeMatches(
+      two.graph, [](const MatchGroup&, PoseEdge& edge, std::size_t) { edge.isSameScan = true; });
   EXPECT_EQ(two.belief(), 1);
 }
 
+/** A group of so many matches. */
+MatchGroup groupOf(std::size_t matches, double aliasing = 0) {
+  return {RunId(0), RunId(1), {0, matches}, aliasing};
+}
+
 TEST(CostOfGivingUp, growsWithTheRootOfTheMatches) {
-  RunMatches few, many;
-  few.matches.resize(25), many.matches.resize(100);
-  EXPECT_NEAR(costOfGivingUp(many), 2 * costOfGivingUp(few), 1e-9);
+  EXPECT_NEAR(costOfGivingUp(groupOf(100)), 2 * costOfGivingUp(groupOf(25)), 1e-9);
 }
 
 TEST(CostOfGivingUp, isLessWhereTheBuildingRepeatsItself) {
-  RunMatches piece;
-  piece.matches.resize(25);
-  const double full = costOfGivingUp(piece);
-  piece.likeness = 0.3;
-  EXPECT_EQ(costOfGivingUp(piece), full) << "some likeness is everywhere";
-  piece.likeness = 0.6;
-  EXPECT_LT(costOfGivingUp(piece), 0.7 * full);
-  piece.likeness = 1;
-  EXPECT_GT(costOfGivingUp(piece), 0);
+  const double full = costOfGivingUp(groupOf(25));
+  EXPECT_EQ(costOfGivingUp(groupOf(25, 0.3)), full) << "some aliasing is everywhere";
+  EXPECT_LT(costOfGivingUp(groupOf(25, 0.6)), 0.7 * full);
+  EXPECT_GT(costOfGivingUp(groupOf(25, 1)), 0);
 }
 
 TEST(CostOfDisbelief, isThatOfWhatIsNotBelieved) {
   const TwoRuns two;
-  const double full = costOfGivingUp(two.matches.front());
-  EXPECT_EQ(costOfDisbelief(two.matches, {1}), 0);
-  EXPECT_NEAR(costOfDisbelief(two.matches, {0.25}), 0.75 * full, 1e-9);
+  const double full = costOfGivingUp(two.graph.groups[MatchGroupId(0)]);
+  const auto believed = [](double belief) { return ById<MatchGroupId, double>(1, belief); };
+  EXPECT_EQ(costOfDisbelief(two.graph, believed(1)), 0);
+  EXPECT_NEAR(costOfDisbelief(two.graph, believed(0.25)), 0.75 * full, 1e-9);
 }
 
-TEST(IsBorneOut, theFrameOfTheSiteChangesNothing) {
-  test::RandomNumbers random(4);
-  std::size_t borneOut = 0;
-  for (int i = 0; i < 200; ++i) {
-    SubmapMatch match;
-    match.pose = random.pose(3);
-    const Transform2D in = random.pose(20), motion = random.pose(50);
-    const Point off = random.place(1.2);
-    const Transform2D of = in * match.pose * Transform2D{off.x, off.y, random.between(-0.2, 0.2)};
-    const bool here = isBorneOut(match, in, of, kBorneOut);
-    borneOut += here;
-    EXPECT_EQ(isBorneOut(match, motion * in, motion * of, kBorneOut), here);
-  }
-  EXPECT_GT(borneOut, 20u);
-  EXPECT_LT(borneOut, 180u) << "else this shows nothing";
+TEST(IsInlier, whereThePosesAgreeWithinTheTolerance) {
+  const PoseEdge match = matchEdge(NodeId(0), NodeId(1), {1, 2, 3}, 1);
+  EXPECT_TRUE(isInlier(match, {1 + 0.9 * kInlier.place, 2, 3}, kInlier));
+  EXPECT_FALSE(isInlier(match, {1 + 1.1 * kInlier.place, 2, 3}, kInlier));
+  EXPECT_TRUE(isInlier(match, {1, 2, 3 + 0.9 * kInlier.turn - 2 * M_PI}, kInlier));
+  EXPECT_FALSE(isInlier(match, {1, 2, 3 - 1.1 * kInlier.turn}, kInlier));
 }
 
 TEST(BeliefOf, growsWithTheShareFromLittleToAll) {

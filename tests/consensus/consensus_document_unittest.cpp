@@ -1,7 +1,6 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/consensus/track_scans.h"
 #include "scoring_document.h"
 
 namespace roomgraph {
@@ -11,14 +10,13 @@ using namespace fitted;
 using test::expectSaid;
 
 TEST(ConsensusDocument, saysHowScansAreTracked) {
-  const TrackScansOptions track;
-  expectSaid("that lie on walls, less %g.", track.lostQuality);
+  expectSaid("that lie on walls, less %g.", kLeastQuality);
   expectSaid("is under %g m and %g rad, %g if it is larger", kSteadyTrack.place, kSteadyTrack.turn,
-             track.jumpCost);
-  expectSaid("(a break), and %g if it does not", track.farCost);
+             kJumpCost);
+  expectSaid("(a break), and %g if it does not", kFarCost);
   expectSaid("begins more than %g rad or %g m from the pose of the pair costs %g", kAsMapsBend.turn,
-             kAsMapsBend.place, 2 * track.jumpCost);
-  expectSaid("Up to %zu scans may be lost along the way", track.memory);
+             kAsMapsBend.place, 2 * kJumpCost);
+  expectSaid("Up to %zu scans may be lost along the way", kMemory);
   expectSaid("if at least %g %% of its walls lie within %g m of walls", 100 * kLeastFound,
              kSameWall);
 }

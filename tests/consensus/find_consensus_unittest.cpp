@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawn_submaps.h"
+#include "drawn_pose_graph.h"
 #include "roomgraph/consensus/map_errors.h"
 
 namespace roomgraph {
 namespace {
 
-using test::drawnSubmaps;
 using test::roundTheBlock;
 using test::Way;
 
@@ -21,34 +20,27 @@ struct ThreeRuns {
   std::vector<Way> drawn{test::moved(truth[0], {1, 2, 0.3}),
                          test::moved(test::drifting(truth[1], 0.004), {-5, 0, 2}),
                          test::moved(test::torn(truth[2], 30, M_PI / 2, {3, 4}), {0, 9, -1})};
-  std::vector<RunMatches> matches = test::exactMatches(truth);
 
-  std::vector<RunSubmaps> runs() const {
-    std::vector<RunSubmaps> runs;
-    for (const Way& way : drawn) runs.push_back(drawnSubmaps(way));
-    return runs;
-  }
+  PoseGraph graph() const { return test::matchedPoseGraph(drawn, truth); }
 };
 
 TEST(FindConsensus, allRunsLieWhereTheyReallyAre) {
   ThreeRuns three;
-  EXPECT_LT(test::misplaced(findConsensus(three.runs(), three.matches, {}).best, three.truth),
-            0.02);
+  EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.02);
   three.drawn[1] = three.truth[1];
-  EXPECT_LT(test::misplaced(findConsensus(three.runs(), three.matches, {}).best, three.truth),
-            0.002)
+  EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.002)
       << "without a drift nothing pulls at what is sound";
 }
 
 TEST(FindConsensus, theErrorOfEachRunIsThatWhichItHas) {
   const ThreeRuns three;
-  const auto runs = three.runs();
-  const auto errors = mapErrors(runs, three.matches, findConsensus(runs, three.matches, {}).best);
-  EXPECT_LT(errors[0].error, 0.02);
+  const PoseGraph graph = three.graph();
+  const auto errors = mapErrors(graph, findConsensus(graph).best);
+  EXPECT_LT(errors[RunId(0)].error, 0.02);
   for (const std::size_t r : {1u, 2u}) {
     const double really = test::displacement(three.drawn[r], three.truth[r]);
     ASSERT_GT(really, 0.3);
-    EXPECT_NEAR(errors[r].error, really, 0.05 * really) << r;
+    EXPECT_NEAR(errors[RunId(r)].error, really, 0.05 * really) << r;
   }
 }
 
@@ -56,17 +48,14 @@ TEST(FindConsensus, aRunMayBeTornByAnyTurn) {
   for (const double turn : {-0.3, 1.0, M_PI}) {
     ThreeRuns three;
     three.drawn[2] = test::torn(three.truth[2], 25, turn, {-4, 3});
-    EXPECT_LT(test::misplaced(findConsensus(three.runs(), three.matches, {}).best, three.truth),
-              0.02)
-        << turn;
+    EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.02) << turn;
   }
 }
 
 /** Seven runs, one of them torn and one that drifts: so many are first solved with few nodes. */
 struct ManyRuns {
   std::vector<Way> truth, drawn;
-  std::vector<RunSubmaps> runs;
-  std::vector<RunMatches> matches;
+  PoseGraph graph;
 
   ManyRuns() {
     for (const double offset : {0.0, 0.2, 0.4, 0.6, 0.8, 0.1, 0.5})
@@ -74,136 +63,159 @@ struct ManyRuns {
     drawn = truth;
     drawn[2] = test::moved(test::torn(truth[2], 29, 2, {-4, 3}), {0, 9, -1});
     drawn[4] = test::moved(test::drifting(truth[4], 0.004), {-5, 0, 2});
-    for (const Way& way : drawn) runs.push_back(drawnSubmaps(way));
-    matches = test::exactMatches(truth);
+    graph = test::matchedPoseGraph(drawn, truth);
   }
 };
 
 TEST(FindConsensus, manyRunsLieWhereTheyReallyAre) {
   const ManyRuns many;
-  EXPECT_LT(test::misplaced(findConsensus(many.runs, many.matches, {}).best, many.truth), 0.01);
+  EXPECT_LT(test::misplaced(findConsensus(many.graph).best, many.truth), 0.01);
+}
+
+/** Whether the second run lies exactly as it was drawn. */
+void expectToStay(const PoseGraph& graph, const NodePoses& poses, const std::vector<Way>& drawn) {
+  const Way stays = test::wayOf(graph, poses, 1);
+  for (std::size_t k = 0; k < stays.size(); ++k) {
+    EXPECT_EQ(stays[k].shift(), drawn[1][k].shift());
+    EXPECT_NEAR(wrappedAngle(stays[k].phi - drawn[1][k].phi), 0, 1e-12);
+  }
 }
 
 TEST(FindConsensus, aReferenceOfManyRunsStaysExactlyAsItIs) {
-  const ManyRuns many;
-  ConsensusOptions options;
-  options.reference = 1;
-  const SubmapPoses poses = findConsensus(many.runs, many.matches, options).best;
-  for (std::size_t k = 0; k < poses[1].size(); ++k)
-    EXPECT_EQ(poses[1][k].shift(), many.drawn[1][k].shift());
+  ManyRuns many;
+  many.graph.reference = RunId(1);
+  const NodePoses poses = findConsensus(many.graph).best;
+  expectToStay(many.graph, poses, many.drawn);
   EXPECT_LT(test::misplaced(poses, many.truth), 0.01);
 }
 
-TEST(FindConsensus, aPieceThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
+TEST(FindConsensus, aGroupThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
   // Two sound runs that were found in each other one wing off, as in a building that repeats
   // itself. Torn between that and the third, they could bend to fit both.
-  ThreeRuns three;
-  three.drawn = three.truth;
-  const auto runs = three.runs();
-  const Transform2D wingOff{0, 27, 0};
-  std::vector<RunMatches> matches = three.matches;
-  for (RunMatches& piece : matches) {
-    if (piece.of + piece.in != 1) continue;
-    for (SubmapMatch& match : piece.matches) {
-      const Transform2D wrong = wingOff * three.truth[piece.of][match.submap];
-      match.pose = three.truth[piece.in][match.in].inverse() * wrong;
-    }
+  const ThreeRuns three;
+  PoseGraph graph = test::matchedPoseGraph(three.truth, three.truth);
+  const NodePoses truth = test::posesOf(three.truth);
+  test::changeMatches(graph, [&](const MatchGroup& group, PoseEdge& edge, std::size_t) {
+    if (test::joins(group, 0, 1))
+      edge.measured = truth[edge.from].inverse() * Transform2D{0, 27, 0} * truth[edge.to];
+  });
+  const ConsensusPoses found = findConsensus(graph);
+  for (const MapError& error : mapErrors(graph, found.best)) EXPECT_LT(error.error, 0.05);
+  for (const MatchGroupId id : graph.groups.ids()) {
+    if (test::joins(graph.groups[id], 0, 1))
+      EXPECT_LT(found.trust.belief[id], 0.01);
+    else
+      EXPECT_EQ(found.trust.belief[id], 1);
   }
-  const SubmapPoses poses = findConsensus(runs, matches, {}).best;
-  for (const MapError& error : mapErrors(runs, matches, poses)) EXPECT_LT(error.error, 0.05);
 }
 
 TEST(FindConsensus, tellsOtherAnswersThatAreAboutAsGood) {
-  const ThreeRuns three;
-  EXPECT_EQ(findConsensus(three.runs(), three.matches, {}).others.size(), 3u)
-      << "all starts come to the same";
-  for (const SubmapPoses& other : findConsensus(three.runs(), three.matches, {}).others) {
-    const auto runs = three.runs();
-    EXPECT_LT(mapErrors(runs, three.matches, other)[0].error, 0.05);
-  }
+  const PoseGraph graph = ThreeRuns().graph();
+  const ConsensusPoses found = findConsensus(graph);
+  EXPECT_EQ(found.others.size(), 3u) << "all starts come to the same";
+  for (const NodePoses& other : found.others)
+    EXPECT_LT(mapErrors(graph, other)[RunId(0)].error, 0.05);
 }
 
 TEST(FindConsensus, aWrongMatchAmongManyMovesNothing) {
   const ThreeRuns three;
-  const SubmapPoses before = findConsensus(three.runs(), three.matches, {}).best;
+  const NodePoses found = findConsensus(three.graph()).best;
+  const Way before(found.begin(), found.end());
   for (const Transform2D& wrong :
        {Transform2D{3, -2, M_PI / 2}, Transform2D{0.5, 0, 0}, Transform2D{0, 0, M_PI}}) {
-    std::vector<RunMatches> matches = three.matches;
-    for (RunMatches& pair : matches) pair.matches[20].pose = wrong * pair.matches[20].pose;
-    EXPECT_LT(test::misplaced(findConsensus(three.runs(), matches, {}).best, before), 0.01);
+    PoseGraph graph = three.graph();
+    test::changeMatches(graph, [&](const MatchGroup&, PoseEdge& edge, std::size_t place) {
+      if (place == 20) edge.measured = wrong * edge.measured;
+    });
+    EXPECT_LT(test::misplaced(findConsensus(graph).best, {before}), 0.01);
   }
 }
 
 TEST(FindConsensus, theOrderOfTheRunsChangesTheFrameAtMost) {
   const ThreeRuns three;
-  const SubmapPoses before = findConsensus(three.runs(), three.matches, {}).best;
+  const PoseGraph first = three.graph();
+  const NodePoses before = findConsensus(first).best;
   std::vector<std::size_t> order{0, 1, 2};
   while (std::next_permutation(order.begin(), order.end())) {
-    std::vector<RunSubmaps> runs;
+    ThreeRuns other;
     std::vector<Way> expected;
-    for (const std::size_t r : order)
-      runs.push_back(drawnSubmaps(three.drawn[r])), expected.push_back(before[r]);
-    const auto placeOf = [&](std::size_t run) {
-      return std::size_t(std::find(order.begin(), order.end(), run) - order.begin());
-    };
-    std::vector<RunMatches> matches = three.matches;
-    for (RunMatches& pair : matches) pair.of = placeOf(pair.of), pair.in = placeOf(pair.in);
-    EXPECT_LT(test::misplaced(findConsensus(runs, matches, {}).best, expected), 0.005)
+    for (std::size_t k = 0; k < 3; ++k) {
+      other.drawn[k] = three.drawn[order[k]], other.truth[k] = three.truth[order[k]];
+      expected.push_back(test::wayOf(first, before, order[k]));
+    }
+    EXPECT_LT(test::misplaced(findConsensus(other.graph()).best, expected), 0.005)
         << order[0] << order[1] << order[2];
   }
 }
 
 TEST(FindConsensus, aReferenceStaysExactlyAsItIs) {
   const ThreeRuns three;
-  ConsensusOptions options;
-  options.reference = 1;
-  const SubmapPoses poses = findConsensus(three.runs(), three.matches, options).best;
-  for (std::size_t k = 0; k < poses[1].size(); ++k) {
-    EXPECT_EQ(poses[1][k].shift(), three.drawn[1][k].shift());
-    EXPECT_NEAR(wrappedAngle(poses[1][k].phi - three.drawn[1][k].phi), 0, 1e-12);
-  }
-  EXPECT_LT(test::displacement(poses[0], poses[1]), 2.0) << "the others follow it";
+  PoseGraph graph = three.graph();
+  graph.reference = RunId(1);
+  const NodePoses poses = findConsensus(graph).best;
+  expectToStay(graph, poses, three.drawn);
+  EXPECT_LT(test::displacement(test::wayOf(graph, poses, 0), test::wayOf(graph, poses, 1)), 2.0)
+      << "the others follow it";
 }
 
 TEST(FindConsensus, aRunThatNothingWasFoundOfKeepsItsPoses) {
-  const ThreeRuns three;
-  auto runs = three.runs();
-  const Way lonely = test::moved(test::torn(three.truth[0], 10, 1, {2, 2}), {30, 0, 1});
-  runs.push_back(drawnSubmaps(lonely));
-  const SubmapPoses poses = findConsensus(runs, three.matches, {}).best;
-  EXPECT_LT(test::misplaced({poses[3]}, {lonely}), 1e-6);
-  EXPECT_LT(test::misplaced({poses[0], poses[1], poses[2]}, three.truth), 0.02);
+  ThreeRuns three;
+  three.drawn.push_back(test::moved(test::torn(three.truth[0], 10, 1, {2, 2}), {30, 0, 1}));
+  three.truth.push_back(test::moved(roundTheBlock(), {500, 0, 0}));
+  const PoseGraph graph = three.graph();
+  const NodePoses poses = findConsensus(graph).best;
+  EXPECT_LT(test::misplaced(test::wayOf(graph, poses, 3), three.drawn[3]), 1e-6);
+  Way others;
+  for (const std::size_t run : {0u, 1u, 2u})
+    for (const Transform2D& pose : test::wayOf(graph, poses, run)) others.push_back(pose);
+  three.truth.pop_back();
+  EXPECT_LT(test::misplaced(NodePoses(others), three.truth), 0.02);
 }
 
 TEST(FindConsensus, runsThatShareTheirScansDoNotOutvoteAnother) {
   const Way truth = roundTheBlock(), bent = test::drifting(truth, 0.004);
-  std::vector<RunMatches> matches = test::exactMatches({truth, truth, truth});
-  for (RunMatches& pair : matches)
-    if (pair.of + pair.in == 3)  // 1 and 2 are of one log
-      for (SubmapMatch& match : pair.matches) match.isSameScan = true;
-  const std::vector<RunSubmaps> runs{drawnSubmaps(truth), drawnSubmaps(bent), drawnSubmaps(bent)};
-  const auto errors = mapErrors(runs, matches, findConsensus(runs, matches, {}).best);
-  EXPECT_LT(errors[0].error, 2 * errors[1].error);
+  PoseGraph graph = test::matchedPoseGraph({truth, bent, bent}, {truth, truth, truth});
+  test::changeMatches(graph, [](const MatchGroup& group, PoseEdge& edge, std::size_t) {
+    edge.isSameScan = test::joins(group, 1, 2);  // they are of one log
+  });
+  const auto errors = mapErrors(graph, findConsensus(graph).best);
+  EXPECT_LT(errors[RunId(0)].error, 2 * errors[RunId(1)].error);
+}
+
+TEST(FindConsensus, oneRunIsEnough) {
+  // It comes by twice, and drifts.
+  const Way once = roundTheBlock();
+  Way twice = once;
+  twice.insert(twice.end(), once.begin(), once.end());
+  const Way bent = test::drifting(twice, 0.002);
+  PoseGraph graph = test::drawnPoseGraph({bent});
+  std::vector<PoseEdge> matches;
+  for (std::size_t k = 0; k < once.size(); ++k)
+    matches.push_back(matchEdge(NodeId(k), NodeId(once.size() + k), {}, 1));
+  graph.addGroup({RunId(0), RunId(0), {}, 0}, matches);
+  const NodePoses poses = findConsensus(graph).best;
+  const auto gapOf = [&](auto poseAt) {
+    return distance(poseAt(5).shift(), poseAt(once.size() + 5).shift());
+  };
+  EXPECT_GT(gapOf([&](std::size_t k) { return bent[k]; }), 0.5);
+  EXPECT_LT(gapOf([&](std::size_t k) { return poses[NodeId(k)]; }), 0.2);
 }
 
 TEST(FindConsensus, anyJobOrderGivesTheSameNumbers) {
-  const ThreeRuns three;
-  ConsensusOptions backwards;
-  backwards.forEach = [](std::size_t count, const std::function<void(std::size_t)>& job) {
+  const PoseGraph graph = ThreeRuns().graph();
+  const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
     while (count > 0) job(--count);
   };
-  const SubmapPoses l = findConsensus(three.runs(), three.matches, {}).best;
-  const SubmapPoses r = findConsensus(three.runs(), three.matches, backwards).best;
-  for (std::size_t run = 0; run < l.size(); ++run)
-    for (std::size_t k = 0; k < l[run].size(); ++k) {
-      EXPECT_EQ(l[run][k].shift(), r[run][k].shift());
-      EXPECT_EQ(l[run][k].phi, r[run][k].phi);
-    }
+  const NodePoses l = findConsensus(graph).best, r = findConsensus(graph, backwards).best;
+  for (const NodeId node : l.ids()) {
+    EXPECT_EQ(l[node].shift(), r[node].shift());
+    EXPECT_EQ(l[node].phi, r[node].phi);
+  }
 }
 
 TEST(FindConsensus, ofNoRunsThereIsNone) {
-  EXPECT_TRUE(findConsensus({}, {}, {}).best.empty());
-  EXPECT_EQ(findConsensus({{}, {}}, {}, {}).best.size(), 2u) << "runs without submaps";
+  EXPECT_EQ(findConsensus({}).best.size(), 0u);
+  EXPECT_EQ(findConsensus(test::drawnPoseGraph({{}, {}})).best.size(), 0u) << "runs without nodes";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/consensus/add_run_nodes.h"
 
 namespace roomgraph {
 namespace {
@@ -22,22 +23,27 @@ class LostScans : public testing::Test {
       run.scans = scanWalls(drive);
       site.runs.push_back(&run);
       site.poses.emplace_back();
-      consensus.poses.emplace_back();
-      for (const ScanWalls& scan : run.scans) consensus.poses.back().push_back(scan.pose);
-      consensus.errors.emplace_back();
-      consensus.errors.back().isSeen.assign(run.scans.size(), true);
+      const RunId id = addRunNodes(run, consensus.graph);
+      consensus.errors.add({});
+      consensus.errors[id].isSeen.assign(run.scans.size(), true);
+      consensus.siteRuns.add(id.index());
+      consensus.graphRuns.push_back(id);
     }
+    consensus.poses = consensus.graph.ownPoses();
   }
 
   void unsee(std::size_t run, std::size_t first, std::size_t count) {
-    const auto from = consensus.errors[run].isSeen.begin() + std::ptrdiff_t(first);
+    const auto from = consensus.errors[RunId(run)].isSeen.begin() + std::ptrdiff_t(first);
     std::fill(from, from + std::ptrdiff_t(count), false);
   }
 
-  std::vector<std::vector<bool>> lost() const { return lostScans(site, pairs, counted, consensus); }
+  void move(const Transform2D& motion) {
+    for (const NodeId node : consensus.nodesOf(0))
+      consensus.poses[node] = motion * consensus.poses[node];
+  }
 
   std::vector<std::size_t> lostOf(std::size_t run) const {
-    const std::vector<bool> isLost = lost()[run];
+    const std::vector<bool> isLost = lostScans(site, pairs, consensus)[RunId(run)];
     std::vector<std::size_t> scans;
     for (std::size_t k = 0; k < isLost.size(); ++k)
       if (isLost[k]) scans.push_back(k);
@@ -47,7 +53,6 @@ class LostScans : public testing::Test {
   std::array<roomgraph::Run, 4> runs;
   Site site;
   MapPairs pairs = MapPairs(4);
-  std::vector<std::size_t> counted{0, 1, 2, 3};
   Consensus consensus;
 };
 
@@ -70,15 +75,15 @@ TEST_F(LostScans, oneOrTwoAreStray) {
 
 TEST_F(LostScans, whereNobodyElseHasBeenNoneIs) {
   unsee(0, 5, 4);
-  for (Transform2D& pose : consensus.poses[0]) pose = Transform2D{0, 500, 0} * pose;
+  move({0, 500, 0});
   EXPECT_EQ(lostOf(0), Scans{});
 }
 
 TEST_F(LostScans, theOthersKnowThePlaceWhereTheConsensusHasIt) {
   unsee(0, 5, 4);
   const Transform2D away{30, 500, 2};
-  for (Transform2D& pose : consensus.poses[0]) pose = away * pose;
-  for (const std::size_t j : {1u, 2u, 3u}) consensus.errors[j].pose = away;
+  move(away);
+  for (const std::size_t j : {1u, 2u, 3u}) consensus.errors[RunId(j)].pose = away;
   EXPECT_EQ(lostOf(0), (Scans{5, 6, 7, 8}));
 }
 
@@ -90,15 +95,15 @@ TEST_F(LostScans, twoOthersThatKnowThePlaceAreTooFew) {
 
 TEST_F(LostScans, copiesSayNothingOfEachOther) {
   unsee(0, 5, 4);
-  counted[1] = 0;
+  consensus.graphRuns[1] = RunId(0);
   EXPECT_EQ(lostOf(0), Scans{});
-  counted = {0, 1, 2, 2};
+  consensus.graphRuns = {RunId(0), RunId(1), RunId(2), RunId(2)};
   EXPECT_EQ(lostOf(0), Scans{}) << "two of the others are one";
 }
 
 TEST_F(LostScans, theReferenceHasNone) {
   unsee(0, 5, 4);
-  site.reference = 0;
+  consensus.graph.reference = RunId(0);
   EXPECT_EQ(lostOf(0), Scans{});
 }
 

@@ -5,6 +5,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/consensus/add_run_nodes.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -17,7 +18,7 @@ struct TwoRuns {
   std::vector<roomgraph::Run> runs{2};
   Site site;
   MapPairs pairs{2};
-  std::vector<RunSubmaps> submaps;
+  PoseGraph graph;
 
   TwoRuns() {
     auto frames = test::drawnDrive(test::drawnBuilding(4, {}));
@@ -29,14 +30,15 @@ struct TwoRuns {
       runs[i].scans = scanWalls(test::moved(frames, poses[i]));
       site.runs.push_back(&runs[i]);
       site.poses.push_back(poses[i].inverse());
-      submaps.push_back(runSubmaps(runs[i]));
+      addRunNodes(runs[i], graph);
     }
     follow(pairs(0, 1), runs[0].map, runs[1].map, {kThere.inverse()});
   }
   TwoRuns(const TwoRuns&) = delete;
 
-  std::vector<RunMatches> matches() const {
-    return matchRuns(site, pairs, {0, 1}, submaps, oneByOne);
+  std::vector<FoundGroup> matches() const {
+    return matchRuns(site, pairs, graph, ById<RunId, std::size_t>(std::vector<std::size_t>{0, 1}),
+                     oneByOne);
   }
 };
 
@@ -44,12 +46,13 @@ TEST(MatchRuns, eachRunIsFoundInTheOther) {
   const TwoRuns two;
   const auto matches = two.matches();
   ASSERT_EQ(matches.size(), 2u);
-  EXPECT_EQ(matches[0].of, 0u);
-  EXPECT_EQ(matches[0].in, 1u);
-  EXPECT_EQ(matches[1].of, 1u);
-  EXPECT_EQ(matches[1].in, 0u);
-  for (const RunMatches& piece : matches)
-    EXPECT_GT(double(piece.matches.size()), 0.9 * double(two.runs[piece.of].scans.size()));
+  EXPECT_EQ(matches[0].group.to, RunId(0));
+  EXPECT_EQ(matches[0].group.from, RunId(1));
+  EXPECT_EQ(matches[1].group.to, RunId(1));
+  EXPECT_EQ(matches[1].group.from, RunId(0));
+  for (const FoundGroup& found : matches)
+    EXPECT_GT(double(found.matches.size()),
+              0.9 * double(two.runs[found.group.to.index()].scans.size()));
 }
 
 TEST(MatchRuns, inABareMapItIsFoundAsInAFullOne) {
@@ -61,8 +64,8 @@ TEST(MatchRuns, inABareMapItIsFoundAsInAFullOne) {
   for (std::size_t k = 0; k < full.size(); ++k) {
     ASSERT_EQ(bare[k].matches.size(), full[k].matches.size());
     for (std::size_t m = 0; m < full[k].matches.size(); ++m) {
-      EXPECT_EQ(bare[k].matches[m].in, full[k].matches[m].in);
-      EXPECT_EQ(bare[k].matches[m].weight, full[k].matches[m].weight);
+      EXPECT_EQ(bare[k].matches[m].from, full[k].matches[m].from);
+      EXPECT_EQ(bare[k].matches[m].share, full[k].matches[m].share);
     }
   }
 }

@@ -7,7 +7,7 @@
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
-#include "drawn_submaps.h"
+#include "drawn_pose_graph.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
@@ -38,6 +38,20 @@ std::vector<Keyframe> otherLog(std::vector<Keyframe> frames, std::uint64_t first
 std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn) {
   for (std::size_t i = 1; i < frames.size(); ++i) frames = broken(frames, i, turn, {});
   return frames;
+}
+
+/** Where a run of the site lies. */
+Way wayOf(const Consensus& consensus, std::size_t run) {
+  Way way;
+  for (const NodeId node : consensus.nodesOf(run)) way.push_back(consensus.poses[node]);
+  return way;
+}
+
+/** Root mean square distance of all runs from where they should lie [m]. */
+double misplaced(const Consensus& consensus, const std::vector<Way>& truth) {
+  std::vector<Way> ways;
+  for (std::size_t run = 0; run < truth.size(); ++run) ways.push_back(wayOf(consensus, run));
+  return test::misplaced(test::posesOf(ways), truth);
 }
 
 Way wayOf(const std::vector<Keyframe>& frames) {
@@ -82,10 +96,12 @@ TEST(SiteConsensus, aTornRunIsPutTogetherAgain) {
                         {{}, {}, there.inverse()});
   const Consensus result = site.consensus();
   const Way truth = wayOf(drive());
-  EXPECT_LT(test::misplaced(result.poses, {truth, truth, truth}), 0.1);
-  for (const double error : {result.errors[0].error, result.errors[2].error}) EXPECT_LT(error, 0.1);
-  const double really = mapErrors({result.submaps[1]}, {}, {truth})[0].error;
-  EXPECT_NEAR(result.errors[1].error, really, 0.05 * really);
+  EXPECT_LT(misplaced(result, {truth, truth, truth}), 0.1);
+  for (const double error : {result.errorOf(0).error, result.errorOf(2).error})
+    EXPECT_LT(error, 0.1);
+  const double really =
+      mapErrors(test::drawnPoseGraph({wayOf(torn)}), test::posesOf({truth}))[RunId(0)].error;
+  EXPECT_NEAR(result.errorOf(1).error, really, 0.05 * really);
 }
 
 /** The drive with scans that fit nowhere: as if in a round cell. */
@@ -103,25 +119,24 @@ TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
   DrivenSite site(drives, {{}, {}, {}, {}});
   site.runs[0].scans = scanWalls(lostAt(drive(), 4, 9));
   const Consensus result = site.consensus();
-  EXPECT_GT(result.errors[0].error, 0.2);
-  EXPECT_GT(result.errors[0].high, 0.4);
-  const std::vector<double>& each = result.errors[0].errors;
+  EXPECT_GT(result.errorOf(0).error, 0.2);
+  EXPECT_GT(result.errorOf(0).high, 0.4);
+  const std::vector<double> each = result.errorOf(0).errors;
   EXPECT_GE(*std::max_element(each.begin() + 4, each.begin() + 13), 1);
   EXPECT_LT(each[20], 0.1);
-  EXPECT_LT(result.errors[1].error, 0.1) << "it is not theirs";
+  EXPECT_LT(result.errorOf(1).error, 0.1) << "it is not theirs";
 }
 
 TEST(SiteConsensus, copiesOfAMapShareOneResult) {
   const DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
   const Consensus result = site.consensus();
-  ASSERT_EQ(result.errors.size(), 3u);
-  EXPECT_EQ(result.errors[0].error, result.errors[2].error);
-  EXPECT_EQ(result.errors[0].high, result.errors[2].high);
-  ASSERT_EQ(result.poses[0].size(), result.poses[2].size());
-  for (std::size_t k = 0; k < result.poses[0].size(); ++k)
-    EXPECT_EQ(result.poses[0][k].shift(), result.poses[2][k].shift());
+  ASSERT_EQ(result.graphRuns.size(), 3u);
+  EXPECT_EQ(result.graph.runs.size(), 2u);
+  EXPECT_EQ(result.errorOf(0).error, result.errorOf(2).error);
+  EXPECT_EQ(result.errorOf(0).high, result.errorOf(2).high);
+  EXPECT_EQ(result.nodesOf(0).front(), result.nodesOf(2).front());
   const DrivenSite two({drive(), otherLog(drifting(drive(), 0.004), 2000)}, {{}, {}});
-  EXPECT_EQ(two.consensus().errors[0].error, result.errors[0].error) << "a copy has no vote";
+  EXPECT_EQ(two.consensus().errorOf(0).error, result.errorOf(0).error) << "a copy has no vote";
 }
 
 TEST(SiteConsensus, ofACopyWithoutScansTheOneWithScansCounts) {
@@ -129,16 +144,17 @@ TEST(SiteConsensus, ofACopyWithoutScansTheOneWithScansCounts) {
   const Consensus before = site.consensus();
   site.runs[0].scans.clear();
   const Consensus after = site.consensus();
-  EXPECT_EQ(after.poses[2].size(), site.runs[2].scans.size());
-  EXPECT_EQ(after.errors[2].error, before.errors[2].error);
-  EXPECT_EQ(after.errors[0].error, before.errors[0].error);
+  EXPECT_EQ(after.nodesOf(2).size(), site.runs[2].scans.size());
+  EXPECT_EQ(after.errorOf(2).error, before.errorOf(2).error);
+  EXPECT_EQ(after.errorOf(0).error, before.errorOf(0).error);
 }
 
 TEST(SiteConsensus, whereAllAreCopiesThereIsNoError) {
   const DrivenSite site({drive(), drive()}, {{}, {}});
-  for (const MapError& error : site.consensus().errors) {
-    EXPECT_LT(error.error, 0.001) << "its axes may straighten it by a hair";
-    EXPECT_EQ(error.seen, 1);
+  const Consensus result = site.consensus();
+  for (const std::size_t run : {0u, 1u}) {
+    EXPECT_LT(result.errorOf(run).error, 0.001) << "its axes may straighten it by a hair";
+    EXPECT_EQ(result.errorOf(run).seen, 1);
   }
 }
 
@@ -147,9 +163,9 @@ TEST(SiteConsensus, aReferenceStaysAsItIsAndTheOthersFollowIt) {
   site.site.reference = 1;
   const Consensus result = site.consensus();
   const Way bent = wayOf(drifting(drive(), 0.004));
-  EXPECT_LT(test::misplaced({result.poses[1]}, {bent}), 1e-6);
-  EXPECT_NEAR(result.errors[1].error, 0, 1e-6);
-  EXPECT_LT(test::misplaced(result.poses, {bent, bent}), 0.1);
+  EXPECT_LT(test::misplaced(wayOf(result, 1), bent), 1e-6);
+  EXPECT_NEAR(result.errorOf(1).error, 0, 1e-6);
+  EXPECT_LT(misplaced(result, {bent, bent}), 0.1);
 }
 
 TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
@@ -162,11 +178,11 @@ TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
   const Way truth = wayOf(drive());
   EXPECT_GT(test::displacement(wayOf(smeared), truth), 1);
   const Consensus result = bound.consensus();
-  EXPECT_LT(test::misplaced(result.poses, {truth, truth}), 0.05);
-  EXPECT_EQ(result.errors[1].seen, 1);
+  EXPECT_LT(misplaced(result, {truth, truth}), 0.05);
+  EXPECT_EQ(result.errorOf(1).seen, 1);
   const Consensus without = apart.consensus();
-  EXPECT_LT(test::misplaced({without.poses[1]}, {wayOf(smeared)}), 0.001);
-  EXPECT_EQ(without.errors[1].seen, 0) << "nobody has seen it";
+  EXPECT_LT(test::misplaced(wayOf(without, 1), wayOf(smeared)), 0.001);
+  EXPECT_EQ(without.errorOf(1).seen, 0) << "nobody has seen it";
 }
 
 TEST(SiteConsensus, whoIsNotOfTheCoreIsHeldAgainstIt) {
@@ -180,12 +196,12 @@ TEST(SiteConsensus, whoIsNotOfTheCoreIsHeldAgainstIt) {
   const Consensus some = site.consensus();
   ASSERT_EQ(some.errors.size(), 5u);
   for (const std::size_t run : {0, 2}) {
-    ASSERT_GT(all.errors[run].error, 0.15);
-    EXPECT_NEAR(some.errors[run].error, all.errors[run].error, 0.05 * all.errors[run].error);
+    ASSERT_GT(all.errorOf(run).error, 0.15);
+    EXPECT_NEAR(some.errorOf(run).error, all.errorOf(run).error, 0.05 * all.errorOf(run).error);
   }
   DrivenSite core({drives[1], drives[3], drives[4]}, {{}, {}, site.site.poses[4]});
   for (std::size_t run = 0; run < 3; ++run)
-    EXPECT_EQ(core.consensus().errors[run].error, some.errors[site.pairs.core[run]].error)
+    EXPECT_EQ(core.consensus().errorOf(run).error, some.errorOf(site.pairs.core[run]).error)
         << "the others have no say";
 }
 
@@ -195,11 +211,8 @@ TEST(SiteConsensus, theOrderOfTheJobsChangesNothing) {
     while (count > 0) job(--count);
   };
   const Consensus l = site.consensus(), r = site.consensus(backwards);
-  for (std::size_t run = 0; run < 2; ++run) {
-    EXPECT_EQ(l.errors[run].error, r.errors[run].error);
-    for (std::size_t k = 0; k < l.poses[run].size(); ++k)
-      EXPECT_EQ(l.poses[run][k].shift(), r.poses[run][k].shift());
-  }
+  for (std::size_t run = 0; run < 2; ++run) EXPECT_EQ(l.errorOf(run).error, r.errorOf(run).error);
+  for (const NodeId node : l.poses.ids()) EXPECT_EQ(l.poses[node].shift(), r.poses[node].shift());
 }
 
 TEST(SiteConsensus, ofRunsWithoutScansNothingIsFound) {
@@ -211,11 +224,9 @@ TEST(SiteConsensus, ofRunsWithoutScansNothingIsFound) {
   }
   site.poses.assign(2, {});
   const Consensus result = siteConsensus(site, MapPairs(2), DistinctMaps(PairBends(2)), oneByOne);
-  ASSERT_EQ(result.errors.size(), 2u);
-  EXPECT_EQ(result.errors[0].seen, 0);
-  ASSERT_EQ(result.submaps.size(), 2u);
-  EXPECT_TRUE(result.submaps[1].submaps.empty());
-  EXPECT_TRUE(result.poses[1].empty());
+  EXPECT_EQ(result.errorOf(1).seen, 0);
+  EXPECT_TRUE(result.nodesOf(1).isEmpty());
+  EXPECT_FALSE(result.isCounted(1));
 }
 
 }  // namespace

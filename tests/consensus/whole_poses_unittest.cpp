@@ -3,35 +3,33 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "drawn_submaps.h"
+#include "drawn_pose_graph.h"
 
 namespace roomgraph {
 namespace {
 
-using test::drawnSubmaps;
 using test::roundTheBlock;
 using test::Way;
 
 /** Three runs in frames of their own. */
 struct ThreeRuns {
   std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
-  std::vector<RunSubmaps> runs{drawnSubmaps(truth[0]),
-                               drawnSubmaps(test::moved(truth[1], {7, -3, 2})),
-                               drawnSubmaps(test::moved(truth[2], {-1, 9, -1}))};
-  std::vector<RunMatches> matches = test::exactMatches(truth);
+  std::vector<Way> drawn{truth[0], test::moved(truth[1], {7, -3, 2}),
+                         test::moved(truth[2], {-1, 9, -1})};
+  PoseGraph graph = test::matchedPoseGraph(drawn, truth);
 
-  double misplaced(std::optional<std::size_t> reference = {}) const {
-    return test::misplaced(wholePoses(runs, matches, reference), truth);
-  }
+  double misplaced() const { return test::misplaced(wholePoses(graph), truth); }
 
-  /** Some matches of a piece say that the run lies elsewhere. */
-  void mislead(RunMatches& piece, std::size_t first, std::size_t last) {
-    const Transform2D wrong{27, 5, M_PI};
-    for (std::size_t m = first; m < last; ++m) {
-      SubmapMatch& match = piece.matches[m];
-      match.pose = truth[piece.in][match.in].inverse() * wrong * truth[piece.of][match.submap];
-    }
+  /** Some matches of groups say that the run lies elsewhere. */
+  template <class Which>
+  void mislead(const Which& which) {
+    const NodePoses lies = test::posesOf(truth);
+    test::changeMatches(graph, [&](const MatchGroup& group, PoseEdge& edge, std::size_t place) {
+      if (which(group, place))
+        edge.measured = lies[edge.from].inverse() * Transform2D{27, 5, M_PI} * lies[edge.to];
+    });
   }
 };
 
@@ -39,80 +37,106 @@ TEST(WholePoses, allRunsLieWhereTheirMatchesHaveThem) { EXPECT_LT(ThreeRuns().mi
 
 TEST(WholePoses, noRunIsTorn) {
   ThreeRuns three;
-  three.runs[2] = drawnSubmaps(test::torn(three.truth[2], 40, 1, {5, 6}));
-  const SubmapPoses poses = wholePoses(three.runs, three.matches, {});
-  for (const SubmapLink& link : three.runs[2].links) {
-    const auto& submaps = three.runs[2].submaps;
-    const Transform2D drawn = submaps[link.from].pose.inverse() * submaps[link.to].pose;
-    const Transform2D now = poses[2][link.from].inverse() * poses[2][link.to];
-    EXPECT_LT(distance(drawn.shift(), now.shift()), 1e-9);
+  three.drawn[2] = test::torn(three.truth[2], 40, 1, {5, 6});
+  const PoseGraph graph = test::matchedPoseGraph(three.drawn, three.truth);
+  const NodePoses poses = wholePoses(graph);
+  for (const PoseEdgeId id : graph.runs[RunId(2)].links) {
+    const PoseEdge& link = graph.edges[id];
+    const Transform2D now = poses[link.from].inverse() * poses[link.to];
+    EXPECT_LT(distance(link.measured.shift(), now.shift()), 1e-9);
   }
-  EXPECT_LT(distance(poses[2][0].shift(), three.truth[2][0].shift()), 1e-9)
+  EXPECT_LT(distance(test::wayOf(graph, poses, 2)[0].shift(), three.truth[2][0].shift()), 1e-9)
       << "the larger part lies where it belongs";
 }
 
 TEST(WholePoses, mostMatchesOfAllRunsDecide) {
   ThreeRuns three;
-  // The pieces of the first two in each other are more than half wrong: the third tells better.
-  for (RunMatches& piece : three.matches)
-    if (piece.of + piece.in == 1) three.mislead(piece, 10, piece.matches.size());
+  // The groups of the first two in each other are more than half wrong: the third tells better.
+  three.mislead([](const MatchGroup& group, std::size_t place) {
+    return test::joins(group, 0, 1) && place >= 10;
+  });
   EXPECT_LT(three.misplaced(), 1e-9);
 }
 
 TEST(WholePoses, theReferenceStays) {
-  const ThreeRuns three;
-  const SubmapPoses poses = wholePoses(three.runs, three.matches, 1);
-  for (std::size_t k = 0; k < poses[1].size(); ++k)
-    EXPECT_LT(distance(poses[1][k].shift(), three.runs[1].submaps[k].pose.shift()), 1e-9);
-  EXPECT_LT(three.misplaced(1), 1e-9);
+  ThreeRuns three;
+  three.graph.reference = RunId(1);
+  const Way stays = test::wayOf(three.graph, wholePoses(three.graph), 1);
+  for (std::size_t k = 0; k < stays.size(); ++k)
+    EXPECT_LT(distance(stays[k].shift(), three.drawn[1][k].shift()), 1e-9);
+  EXPECT_LT(three.misplaced(), 1e-9);
 }
 
 TEST(WholePoses, aRunThatWasFoundNowhereKeepsItsPoses) {
   const ThreeRuns three;
-  const SubmapPoses poses = wholePoses({three.runs[0], three.runs[1], {}}, {}, {});
-  EXPECT_LT(distance(poses[1][5].shift(), three.runs[1].submaps[5].pose.shift()), 1e-9);
-  EXPECT_TRUE(poses[2].empty());
+  const PoseGraph graph = test::drawnPoseGraph({three.drawn[0], three.drawn[1], {}});
+  const Way stays = test::wayOf(graph, wholePoses(graph), 1);
+  EXPECT_LT(distance(stays[5].shift(), three.drawn[1][5].shift()), 1e-9);
 }
 
-TEST(WholePoses, theOrderOfRunsAndPiecesChangesTheFrameAtMost) {
-  ThreeRuns three;
-  three.mislead(three.matches[2], 0, 20);
-  const SubmapPoses before = wholePoses(three.runs, three.matches, {});
-  std::reverse(three.runs.begin(), three.runs.end());
-  std::reverse(three.matches.begin(), three.matches.end());
-  for (RunMatches& piece : three.matches) piece.of = 2 - piece.of, piece.in = 2 - piece.in;
-  const SubmapPoses after = wholePoses(three.runs, three.matches, {});
-  EXPECT_LT(test::misplaced(after, {before[2], before[1], before[0]}), 1e-9);
+TEST(WholePoses, theOrderOfRunsChangesTheFrameAtMost) {
+  const auto misleadOneOfTwo = [](ThreeRuns& three, std::size_t to, std::size_t from) {
+    three.mislead([&](const MatchGroup& group, std::size_t place) {
+      return group.to == RunId(to) && group.from == RunId(from) && place < 20;
+    });
+  };
+  ThreeRuns forth, back;
+  std::reverse(back.truth.begin(), back.truth.end());
+  std::reverse(back.drawn.begin(), back.drawn.end());
+  back.graph = test::matchedPoseGraph(back.drawn, back.truth);
+  misleadOneOfTwo(forth, 1, 0), misleadOneOfTwo(back, 1, 2);
+  const NodePoses l = wholePoses(forth.graph), r = wholePoses(back.graph);
+  EXPECT_LT(test::misplaced(r, {test::wayOf(forth.graph, l, 2), test::wayOf(forth.graph, l, 1),
+                                test::wayOf(forth.graph, l, 0)}),
+            1e-9);
 }
 
 TEST(WholePoses, theFirstRunGivesTheFrame) {
   const ThreeRuns three;
-  const SubmapPoses poses = wholePoses(three.runs, three.matches, {});
-  for (std::size_t k = 0; k < poses[0].size(); ++k)
-    EXPECT_EQ(poses[0][k].shift(), three.runs[0].submaps[k].pose.shift());
+  const Way stays = test::wayOf(three.graph, wholePoses(three.graph), 0);
+  for (std::size_t k = 0; k < stays.size(); ++k)
+    EXPECT_EQ(stays[k].shift(), three.drawn[0][k].shift());
 }
 
 TEST(WholePoses, aMatchCountsAsMuchAsOfItWasFound) {
   ThreeRuns three;
-  // Two pieces contradict each other: the smaller one was found better.
-  RunMatches wrong, right;
-  for (const RunMatches& piece : three.matches)
-    if (piece.of == 1 && piece.in == 0) wrong = right = piece;
-  three.mislead(wrong, 0, wrong.matches.size());
-  right.matches.resize(20);
-  for (SubmapMatch& match : wrong.matches) match.weight = 0.1;
-  three.matches = {wrong, right};
-  three.runs.resize(2), three.truth.resize(2);
+  three.drawn.resize(2), three.truth.resize(2);
+  three.graph = test::matchedPoseGraph(three.drawn, three.truth);
+  const MatchGroup group = three.graph.groups[MatchGroupId(1)];
+  std::vector<PoseEdge> right;
+  for (std::size_t k = 0; k < 20; ++k) right.push_back(three.graph.edges[group.edges[k]]);
+  // Two groups contradict each other: the smaller one was found better.
+  three.graph = test::withMatches(three.graph, [](const MatchGroup& one, const PoseEdge&,
+                                                  std::size_t) { return one.to == RunId(1); });
+  three.mislead([](const MatchGroup&, std::size_t) { return true; });
+  three.graph.addGroup(group, right);
+  const auto setShare = [&](double share) {
+    test::changeMatches(three.graph, [&](const MatchGroup&, PoseEdge& edge, std::size_t) {
+      if (edge.group == MatchGroupId(0)) edge.share = share;
+    });
+  };
+  setShare(0.1);
   EXPECT_LT(three.misplaced(), 1e-9);
-  for (SubmapMatch& match : three.matches.front().matches) match.weight = 1;
+  setShare(1);
   EXPECT_GT(three.misplaced(), 5) << "there are more of the others";
 }
 
 TEST(WholePoses, aRunIsPlacedThroughAnother) {
   ThreeRuns three;
-  three.matches.erase(std::remove_if(three.matches.begin(), three.matches.end(),
-                                     [](const RunMatches& m) { return m.of + m.in == 2; }),
-                      three.matches.end());  // the first and the last never met
+  three.graph =
+      test::withMatches(three.graph, [](const MatchGroup& group, const PoseEdge&, std::size_t) {
+        return !test::joins(group, 0, 2);  // they never met
+      });
+  EXPECT_LT(three.misplaced(), 1e-9);
+}
+
+TEST(WholePoses, whatARunHasOfItselfHasNoSay) {
+  ThreeRuns three;
+  const IdRange<NodeId> nodes = three.graph.runs[RunId(1)].nodes;
+  std::vector<PoseEdge> matches;
+  for (std::size_t k = 0; k + 20 < nodes.size(); ++k)
+    matches.push_back(matchEdge(nodes[k], nodes[k + 20], {}, 1));
+  three.graph.addGroup({RunId(1), RunId(1), {}, 0}, matches);
   EXPECT_LT(three.misplaced(), 1e-9);
 }
 

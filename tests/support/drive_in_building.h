@@ -17,8 +17,7 @@ struct DriveInBuilding {
 
   /** Where the scans of a drive, which may be torn, lie in the map of the building. */
   std::vector<std::optional<Transform2D>> trackOf(const std::vector<Keyframe>& driven) const {
-    return trackScans(scanWalls(driven), map.patches, followWalls(map, map, {{}}, {}), {{}}, map,
-                      {});
+    return trackScans(scanWalls(driven), map.patches, followWalls(map, map, {{}}, {}), {{}}, map);
   }
 };
 

@@ -42,25 +42,29 @@ class BreakSearch {
 
   /** Of a run with scans: where the consensus has torn it. */
   std::vector<MapBreak> jumps() const {
-    if (consensus_.errors[run_].seen <= 0) return {};  // its own scans alone do not tell
+    if (consensus_.errorOf(run_).seen <= 0) return {};  // its own scans alone do not tell
     const Run& run = *site_.runs[run_];
     ScanTrack track;  // where each scan lies in the consensus
     for (std::size_t k = 0; k < run.scans.size(); ++k)
-      track.push_back(consensus_.poses[run_][k] * run.scans[k].pose.inverse());
+      track.push_back(poseOf(k) * run.scans[k].pose.inverse());
     std::vector<MapBreak> breaks;
     for (const ScanBreak& found : findBreaks(run.scans, track, options_.findBreaks))
       breaks.push_back(breakOf(found));
     return breaks;
   }
 
+  /** Where a scan lies in the consensus. */
+  const Transform2D& poseOf(std::size_t scan) const {
+    return consensus_.poses[consensus_.nodesOf(run_)[scan]];
+  }
+
   MapBreak breakOf(const ScanBreak& found) const {
     const Run& run = *site_.runs[run_];
-    const auto& poses = consensus_.poses[run_];
     const std::size_t k = found.scan;
-    const std::size_t place = placeBreak(run.scans, consensus_.errors[run_].isSeen, k);
+    const std::size_t place = placeBreak(run.scans, consensus_.errorOf(run_).isSeen, k);
     // What would mend the run: untorn <- run, for all from the break on.
-    const Transform2D mend = run.scans[found.before].pose * poses[found.before].inverse() *
-                             poses[found.behind] * run.scans[found.behind].pose.inverse();
+    const Transform2D mend = run.scans[found.before].pose * poseOf(found.before).inverse() *
+                             poseOf(found.behind) * run.scans[found.behind].pose.inverse();
     const ScanWalls& scan = run.scans[place];
     const Transform2D& pose = site_.poses[run_];
     const TornPose torn{pose * scan.pose, pose * mend * scan.pose};

@@ -25,7 +25,7 @@ std::vector<ComparedRun> runsOf(const Findings& found) {
     compared.score = found.scores[i];
     compared.measures = found.measures.runs[i];
     compared.resolution = run.resolution, compared.isScaleEstimated = run.isScaleEstimated;
-    compared.path = runPath(run, found.site.poses[i], found.consensus.errors[i]);
+    compared.path = runPath(run, found.site.poses[i], found.consensus.errorOf(i));
     runs.push_back(std::move(compared));
   }
   return runs;

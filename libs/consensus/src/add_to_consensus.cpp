@@ -1,6 +1,6 @@
 #include "roomgraph/consensus/add_to_consensus.h"
 
-#include <map>
+#include <set>
 #include <utility>
 
 #include "roomgraph/consensus/find_consensus.h"
@@ -8,79 +8,66 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kFixed = 0, kAdded = 1;  // places in the pose graph
-
-/** Those of all matches that have the run on one side. */
-std::vector<const RunMatches*> matchesOf(std::size_t run, const std::vector<RunMatches>& all) {
-  std::vector<const RunMatches*> own;
-  for (const RunMatches& piece : all)
-    if (piece.of == run || piece.in == run) own.push_back(&piece);
-  return own;
-}
-
-/** The submaps of several runs, where they lie, as those of one run without links. */
-class FixedRun {
+/** A graph of two runs: all that is known, which stays where it lies, and the one that is added. */
+class GraphBeside {
  public:
-  void add(std::size_t run, const RunSubmaps& submaps, const std::vector<Transform2D>& poses) {
-    if (!firsts_.emplace(run, std::uint32_t(fixed_.submaps.size())).second) return;
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-      fixed_.submaps.push_back(submaps.submaps[k]);
-      fixed_.submaps.back().pose = poses[k];
+  GraphBeside(const PoseGraph& graph, RunId added, const std::vector<MatchGroupId>& groups,
+              const NodePoses& poses)
+      : all_(graph), placeOf_(graph.nodes.size()) {
+    known_ = graph_.reference = graph_.addRun(true);
+    for (const MatchGroupId group : groups)
+      for (const RunId run : {graph.groups[group].from, graph.groups[group].to})
+        if (run != added && others_.insert(run).second) addKnown(run, poses);
+    added_ = graph_.addRun(graph.runs[added].hasScans);
+    for (const NodeId id : graph.runs[added].nodes) {
+      const PoseNode& node = graph.nodes[id];
+      placeOf_[id] = graph_.addNode(node.pose, node.points, node.axes);
     }
-    fixed_.areScans = true;
+    for (const PoseEdgeId link : graph.runs[added].links)
+      graph_.addLink(placeOf_[graph.edges[link].from], placeOf_[graph.edges[link].to]);
+    for (const MatchGroupId group : groups) addGroup(graph.groups[group]);
   }
 
-  std::uint32_t placeOf(std::size_t run, std::uint32_t submap) const {
-    return firsts_.at(run) + submap;
-  }
-  RunSubmaps submaps() { return std::move(fixed_); }
+  const PoseGraph& graph() const { return graph_; }
+  RunId added() const { return added_; }
+  std::size_t others() const { return others_.size(); }
 
  private:
-  RunSubmaps fixed_;
-  std::map<std::size_t, std::uint32_t> firsts_;
-};
-
-std::vector<Transform2D> posesAmong(FixedRun& fixed, const RunSubmaps& added, std::size_t run,
-                                    const std::vector<const RunMatches*>& matches) {
-  std::vector<RunMatches> both;
-  for (const RunMatches* piece : matches) {
-    const bool isOf = piece->of == run;
-    both.push_back(
-        {isOf ? kAdded : kFixed, isOf ? kFixed : kAdded, piece->matches, piece->likeness});
-    for (SubmapMatch& match : both.back().matches) {
-      std::uint32_t& submap = isOf ? match.in : match.submap;
-      submap = fixed.placeOf(isOf ? piece->in : piece->of, submap);
-    }
+  void addKnown(RunId run, const NodePoses& poses) {
+    for (const NodeId id : all_.runs[run].nodes)
+      placeOf_[id] = graph_.addNode(poses[id], all_.nodes[id].points, all_.nodes[id].axes);
   }
-  ConsensusOptions options;
-  options.reference = kFixed;
-  return findConsensus({fixed.submaps(), added}, both, options).best[kAdded];
-}
+
+  RunId placeOf(RunId run) const { return others_.count(run) > 0 ? known_ : added_; }
+
+  void addGroup(const MatchGroup& group) {
+    std::vector<PoseEdge> matches;
+    for (const PoseEdgeId id : group.edges) {
+      matches.push_back(all_.edges[id]);
+      PoseEdge& match = matches.back();
+      match.from = placeOf_[match.from], match.to = placeOf_[match.to];
+    }
+    graph_.addGroup({placeOf(group.from), placeOf(group.to), {}, group.aliasing}, matches);
+  }
+
+  const PoseGraph& all_;
+  PoseGraph graph_;
+  RunId known_, added_;
+  std::set<RunId> others_;  // those that are known
+  ById<NodeId, NodeId> placeOf_;
+};
 
 }  // namespace
 
-AddedToConsensus addToConsensus(const std::vector<RunSubmaps>& runs, std::size_t added,
-                                const std::vector<RunMatches>& matches, const SubmapPoses& poses) {
-  const std::vector<const RunMatches*> own = matchesOf(added, matches);
-  FixedRun fixed;
-  std::map<std::size_t, std::size_t> places;  // of the runs among which the error is taken
-  std::vector<RunSubmaps> among;
-  SubmapPoses posesOfThem;
-  std::vector<RunMatches> ofThem;
-  const auto placeOf = [&](std::size_t run) { return run == added ? among.size() : places[run]; };
-  for (const RunMatches* piece : own) {
-    const std::size_t other = piece->of == added ? piece->in : piece->of;
-    fixed.add(other, runs[other], poses[other]);
-    if (!places.emplace(other, among.size()).second) continue;
-    among.push_back(runs[other]);
-    posesOfThem.push_back(poses[other]);
-  }
-  for (const RunMatches* piece : own)
-    ofThem.push_back({placeOf(piece->of), placeOf(piece->in), piece->matches});
-  AddedToConsensus result{posesAmong(fixed, runs[added], added, own), {}};
-  among.push_back(runs[added]);
-  posesOfThem.push_back(result.poses);
-  result.error = mapErrors(among, ofThem, posesOfThem).back();
+AddedToConsensus addToConsensus(const PoseGraph& graph, RunId added,
+                                const std::vector<MatchGroupId>& groups, const NodePoses& poses) {
+  const GraphBeside beside(graph, added, groups, poses);
+  const ConsensusPoses found = findConsensus(beside.graph());
+  AddedToConsensus result;
+  for (const NodeId node : beside.graph().runs[beside.added()].nodes)
+    result.poses.push_back(found.best[node]);
+  result.slack = found.trust.slack[beside.added()];
+  result.error = mapError(beside.graph(), beside.added(), found.best, beside.others());
   return result;
 }
 

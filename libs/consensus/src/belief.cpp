@@ -7,44 +7,41 @@
 
 namespace roomgraph {
 
-bool isBorneOut(const SubmapMatch& match, const Transform2D& in, const Transform2D& of,
-                const PoseTolerance& within) {
-  return isBorneOut(match, in.inverse() * of, within);
-}
-
-bool isBorneOut(const SubmapMatch& match, const Transform2D& found, const PoseTolerance& within) {
-  return match.isSameScan || (std::abs(wrappedAngle(found.phi - match.pose.phi)) < within.turn &&
-                              distance(found.shift(), match.pose.shift()) < within.place);
+bool isInlier(const PoseEdge& match, const Transform2D& found, const PoseTolerance& within) {
+  return match.isSameScan ||
+         (std::abs(wrappedAngle(found.phi - match.measured.phi)) < within.turn &&
+          distance(found.shift(), match.measured.shift()) < within.place);
 }
 
 double beliefOf(double share) {
-  constexpr double kLeast = 1e-3;  // so that a piece can come back
+  constexpr double kLeast = 1e-3;  // so that a group can come back
   return std::max(kLeast, share * share);
 }
 
-double costOfGivingUp(const RunMatches& piece) {
-  return fitted::kGivingUp * std::sqrt(double(piece.matches.size()) / fitted::kGivingUpMatches) *
-         std::clamp((fitted::kAlikeTo - piece.likeness) / (fitted::kAlikeTo - fitted::kAlikeFrom),
+double costOfGivingUp(const MatchGroup& group) {
+  return fitted::kGivingUp * std::sqrt(double(group.edges.size()) / fitted::kGivingUpMatches) *
+         std::clamp((fitted::kAlikeTo - group.aliasing) / (fitted::kAlikeTo - fitted::kAlikeFrom),
                     fitted::kLeastCost, 1.0);
 }
 
-std::vector<double> beliefIn(const std::vector<RunMatches>& matches, const SubmapPoses& poses,
-                             const PoseTolerance& within) {
-  std::vector<double> belief;
-  for (const RunMatches& piece : matches) {
-    double borneOut = 0;
-    for (const SubmapMatch& match : piece.matches)
-      borneOut +=
-          isBorneOut(match, poses[piece.in][match.in], poses[piece.of][match.submap], within);
-    belief.push_back(beliefOf(borneOut / double(piece.matches.size())));
+ById<MatchGroupId, double> beliefIn(const PoseGraph& graph, const NodePoses& poses,
+                                    const PoseTolerance& within) {
+  ById<MatchGroupId, double> belief;
+  for (const MatchGroup& group : graph.groups) {
+    double inliers = 0;
+    for (const PoseEdgeId id : group.edges) {
+      const PoseEdge& edge = graph.edges[id];
+      inliers += isInlier(edge, poses[edge.from].inverse() * poses[edge.to], within);
+    }
+    belief.add(beliefOf(inliers / double(group.edges.size())));
   }
   return belief;
 }
 
-double costOfDisbelief(const std::vector<RunMatches>& matches, const std::vector<double>& belief) {
+double costOfDisbelief(const PoseGraph& graph, const ById<MatchGroupId, double>& belief) {
   double cost = 0;
-  for (std::size_t m = 0; m < matches.size(); ++m)
-    cost += costOfGivingUp(matches[m]) * (1 - belief[m]);
+  for (const MatchGroupId id : graph.groups.ids())
+    cost += costOfGivingUp(graph.groups[id]) * (1 - belief[id]);
   return cost;
 }
 

@@ -1,99 +1,109 @@
 #include "coarse_graph.h"
 
-#include <utility>
-
 #include "roomgraph/align/near_poses.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kMostInNode = 4;  // key frames
+constexpr std::size_t kMostInNode = 4;  // key frames
 
-/** Where a piece has its run (in <- of), by one of its matches. */
-Transform2D placeBy(const RunMatches& piece, const SubmapMatch& match,
-                    const std::vector<RunSubmaps>& runs) {
-  return runs[piece.in].submaps[match.in].pose * match.pose *
-         runs[piece.of].submaps[match.submap].pose.inverse();
-}
+/** Marks before which nodes of the finer graph a coarse one has to start: a group begins there, or
+ *  has ended just before, or finds it otherwise than the node before. */
+class NodeStarts {
+ public:
+  explicit NodeStarts(const PoseGraph& graph) : graph_(graph), isStart_(graph.nodes.size() + 1) {
+    for (const MatchGroup& group : graph.groups) addGroup(group);
+  }
 
-/** For each submap of each run whether a node has to start with it: a piece begins there, or has
- *  ended just before, or finds it otherwise than the submap before. */
-std::vector<std::vector<bool>> nodeStarts(const std::vector<RunSubmaps>& runs,
-                                          const std::vector<RunMatches>& matches) {
-  std::vector<std::vector<bool>> startsNode;
-  for (const RunSubmaps& run : runs) startsNode.emplace_back(run.submaps.size() + 1);
-  for (const RunMatches& piece : matches) {
-    if (piece.matches.empty()) continue;
-    startsNode[piece.of][piece.matches.front().submap] = true;
-    startsNode[piece.of][piece.matches.back().submap + 1] = true;
-    for (std::size_t m = 1; m < piece.matches.size(); ++m) {
-      const SubmapMatch &before = piece.matches[m - 1], &now = piece.matches[m];
-      const Point at = runs[piece.of].submaps[now.submap].pose.shift();
-      if (areNear(placeBy(piece, before, runs), placeBy(piece, now, runs), at, kSameNode)) continue;
-      startsNode[piece.of][before.submap + 1] = startsNode[piece.of][now.submap] = true;
-      // Other pieces are found both ways, each by itself.
-      if (now.isSameScan) startsNode[piece.in][before.in + 1] = startsNode[piece.in][now.in] = true;
+  bool at(NodeId node) const { return isStart_[node.index()]; }
+
+ private:
+  void addGroup(const MatchGroup& group) {
+    startAt(edgeAt(group, 0).to), startBehind(edgeAt(group, group.edges.size() - 1).to);
+    for (std::size_t m = 1; m < group.edges.size(); ++m) {
+      const PoseEdge &before = edgeAt(group, m - 1), &now = edgeAt(group, m);
+      const Point at = graph_.nodes[now.to].pose.shift();
+      if (areNear(placeBy(before), placeBy(now), at, kSameNode)) continue;
+      startBehind(before.to), startAt(now.to);
+      // Other groups are found both ways, each by itself.
+      if (now.isSameScan) startBehind(before.from), startAt(now.from);
     }
   }
-  return startsNode;
-}
 
-/** What `run` is as a coarse run; tells of each of its submaps which one that is. */
-RunSubmaps coarseRun(const RunSubmaps& run, const std::vector<bool>& startsNode,
-                     std::vector<std::uint32_t>& nodeOf) {
-  RunSubmaps coarse;
-  coarse.areScans = run.areScans;
-  std::uint32_t count = 0;
-  for (std::uint32_t k = 0; k < run.submaps.size(); ++k, ++count) {
-    if (k == 0 || !run.areScans || startsNode[k] || count == kMostInNode)
-      coarse.submaps.push_back(run.submaps[k]), count = 0;
-    nodeOf.push_back(std::uint32_t(coarse.submaps.size() - 1));
+  const PoseEdge& edgeAt(const MatchGroup& group, std::size_t place) const {
+    return graph_.edges[group.edges[place]];
   }
-  for (const SubmapLink& link : run.links)
-    if (nodeOf[link.from] != nodeOf[link.to])
-      coarse.links.push_back({nodeOf[link.from], nodeOf[link.to]});
-  return coarse;
+
+  /** Where a match has its run (run of `from` <- run of `to`). */
+  Transform2D placeBy(const PoseEdge& match) const {
+    return graph_.nodes[match.from].pose * match.measured * graph_.nodes[match.to].pose.inverse();
+  }
+
+  void startAt(NodeId node) { isStart_[node.index()] = true; }
+  void startBehind(NodeId node) { isStart_[node.index() + 1] = true; }
+
+  const PoseGraph& graph_;
+  std::vector<bool> isStart_;
+};
+
+void addNodes(const GraphRun& run, const PoseGraph& graph, const NodeStarts& starts,
+              CoarseGraph& coarse) {
+  std::size_t count = 0;
+  for (const NodeId id : run.nodes) {
+    const PoseNode& node = graph.nodes[id];
+    if (id == run.nodes.front() || !run.hasScans || starts.at(id) || count == kMostInNode)
+      coarse.graph.addNode(node.pose, {}, node.axes), count = 0;
+    coarse.coarseOf.add(coarse.graph.nodes.ids().back());
+    ++count;
+  }
 }
 
 }  // namespace
 
-CoarseGraph coarseGraph(const std::vector<RunSubmaps>& runs,
-                        const std::vector<RunMatches>& matches) {
-  CoarseGraph coarse{{}, matches, std::vector<std::vector<std::uint32_t>>(runs.size())};
-  const auto startsNode = nodeStarts(runs, matches);
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    coarse.runs.push_back(coarseRun(runs[r], startsNode[r], coarse.nodeOf[r]));
-  // node <- submap, by the run's own poses
-  const auto inNode = [&](std::size_t r, std::uint32_t k) {
-    return coarse.runs[r].submaps[coarse.nodeOf[r][k]].pose.inverse() * runs[r].submaps[k].pose;
-  };
-  for (RunMatches& piece : coarse.matches)
-    for (SubmapMatch& match : piece.matches) {
-      match.pose =
-          inNode(piece.in, match.in) * match.pose * inNode(piece.of, match.submap).inverse();
-      match.in = coarse.nodeOf[piece.in][match.in];
-      match.submap = coarse.nodeOf[piece.of][match.submap];
+CoarseGraph coarseGraph(const PoseGraph& graph) {
+  CoarseGraph coarse;
+  const auto coarseOf = [&](NodeId node) { return coarse.coarseOf[node]; };
+  const NodeStarts starts(graph);
+  for (const GraphRun& run : graph.runs) {
+    coarse.graph.addRun(run.hasScans);
+    addNodes(run, graph, starts, coarse);
+    for (const PoseEdgeId link : run.links) {
+      const NodeId from = coarseOf(graph.edges[link].from), to = coarseOf(graph.edges[link].to);
+      if (from != to) coarse.graph.addLink(from, to);
     }
+  }
+  // coarse node <- node, by the run's own poses
+  const auto within = [&](NodeId node) {
+    return coarse.graph.nodes[coarseOf(node)].pose.inverse() * graph.nodes[node].pose;
+  };
+  for (const MatchGroup& group : graph.groups) {
+    std::vector<PoseEdge> matches;
+    for (const PoseEdgeId id : group.edges) {
+      PoseEdge edge = graph.edges[id];
+      edge.measured = within(edge.from) * edge.measured * within(edge.to).inverse();
+      edge.from = coarseOf(edge.from), edge.to = coarseOf(edge.to);
+      matches.push_back(edge);
+    }
+    coarse.graph.addGroup(group, matches);
+  }
+  coarse.graph.reference = graph.reference;
   return coarse;
 }
 
-SubmapPoses coarsePoses(const CoarseGraph& coarse, const SubmapPoses& poses) {
-  SubmapPoses result(poses.size());
-  for (std::size_t r = 0; r < poses.size(); ++r)
-    for (std::size_t k = 0; k < poses[r].size(); ++k)
-      if (coarse.nodeOf[r][k] == result[r].size()) result[r].push_back(poses[r][k]);
+NodePoses coarsePoses(const CoarseGraph& coarse, const NodePoses& poses) {
+  NodePoses result;
+  for (const NodeId node : poses.ids())
+    if (coarse.coarseOf[node].index() == result.size()) result.add(poses[node]);
   return result;
 }
 
-SubmapPoses finePoses(const CoarseGraph& coarse, const SubmapPoses& shape,
-                      const SubmapPoses& poses) {
-  const SubmapPoses first = coarsePoses(coarse, shape);
-  SubmapPoses result(shape.size());
-  for (std::size_t r = 0; r < shape.size(); ++r)
-    for (std::size_t k = 0; k < shape[r].size(); ++k) {
-      const std::uint32_t node = coarse.nodeOf[r][k];
-      result[r].push_back(poses[r][node] * first[r][node].inverse() * shape[r][k]);
-    }
+NodePoses finePoses(const CoarseGraph& coarse, const NodePoses& shape, const NodePoses& poses) {
+  const NodePoses first = coarsePoses(coarse, shape);
+  NodePoses result;
+  for (const NodeId node : shape.ids()) {
+    const NodeId there = coarse.coarseOf[node];
+    result.add(poses[there] * first[there].inverse() * shape[node]);
+  }
   return result;
 }
 

@@ -1,35 +1,29 @@
 #pragma once
-#include <cstdint>
-#include <vector>
-
-#include "roomgraph/consensus/RunMatches.h"
+#include "roomgraph/consensus/PoseGraph.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   RunSubmaps, RunMatches
+// In:   PoseGraph
 // Out:  CoarseGraph
 // Next: solvePoseGraph, finePoses
 
-/** The nodes of a pose graph, fewer of them: up to four key frames of a run that follow each other
- *  are one submap, that of the first, where no piece of the run begins or ends between them, or
- *  finds them differently. Patches stay as they are. */
+/** A pose graph with fewer nodes: up to four key frames of a run that follow each other are one,
+ *  that of the first, where no match group of the run begins or ends between them, or finds them
+ *  differently. Patches stay as they are. */
 struct CoarseGraph {
-  std::vector<RunSubmaps> runs;     ///< without what they drew
-  std::vector<RunMatches> matches;  ///< between the coarse submaps, as many as there were
-  std::vector<std::vector<std::uint32_t>> nodeOf;  ///< [run][submap]: a submap of `runs`
+  PoseGraph graph;                ///< without what its nodes drew; with all match groups
+  ById<NodeId, NodeId> coarseOf;  ///< of each node that of `graph`
 };
 
-/** O(submaps + matches). */
-CoarseGraph coarseGraph(const std::vector<RunSubmaps>& runs,
-                        const std::vector<RunMatches>& matches);
+/** O(nodes + edges). */
+CoarseGraph coarseGraph(const PoseGraph& graph);
 
-/** The poses of the coarse submaps: those of the first key frame of each. */
-SubmapPoses coarsePoses(const CoarseGraph& coarse, const SubmapPoses& poses);
+/** The poses of the coarse nodes: those of the first key frame of each. */
+NodePoses coarsePoses(const CoarseGraph& coarse, const NodePoses& poses);
 
-/** The poses of all submaps where their coarse ones have them: `shape` tells how those of one
- *  coarse submap lie to each other. */
-SubmapPoses finePoses(const CoarseGraph& coarse, const SubmapPoses& shape,
-                      const SubmapPoses& poses);
+/** The poses of all nodes where their coarse ones have them: `shape` tells how those of one coarse
+ *  node lie to each other. */
+NodePoses finePoses(const CoarseGraph& coarse, const NodePoses& shape, const NodePoses& poses);
 
 }  // namespace roomgraph

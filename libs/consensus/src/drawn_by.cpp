@@ -8,30 +8,32 @@
 namespace roomgraph {
 namespace {
 
-using Drawn = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // wall point, submap
+using Drawn = std::vector<std::pair<std::uint32_t, NodeId>>;  // wall point, node
 
-Drawn drawnInScans(const std::vector<ScanWalls>& scans, const WallMap& map) {
+Drawn drawnInScans(const std::vector<ScanWalls>& scans, IdRange<NodeId> nodes, const WallMap& map) {
   Drawn drawn;
-  for (std::uint32_t k = 0; k < scans.size(); ++k)
-    for (const WallPoint& point : scans[k].walls) {
+  for (const NodeId node : nodes)
+    for (const WallPoint& point : scans[nodes.placeOf(node)].walls) {
       const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
       if (wall && distance(wall->place, point.place) < kSameWall)
-        drawn.emplace_back(std::uint32_t(wall - map.walls.data()), k);
+        drawn.emplace_back(std::uint32_t(wall - map.walls.data()), node);
     }
   return drawn;
 }
 
-Drawn drawnInPatches(const WallPatches& patches) {
+Drawn drawnInPatches(const WallPatches& patches, IdRange<NodeId> nodes) {
   Drawn drawn;
-  for (std::uint32_t k = 0; k < patches.size(); ++k)
-    for (const std::uint32_t wall : patches[k].own) drawn.emplace_back(wall, k);
+  for (const NodeId node : nodes)
+    for (const std::uint32_t wall : patches[nodes.placeOf(node)].own)
+      drawn.emplace_back(wall, node);
   return drawn;
 }
 
 }  // namespace
 
-DrawnBy drawnBy(const Run& run, const WallMap& map) {
-  Drawn drawn = run.scans.empty() ? drawnInPatches(map.patches) : drawnInScans(run.scans, map);
+DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map) {
+  Drawn drawn =
+      run.scans.empty() ? drawnInPatches(map.patches, nodes) : drawnInScans(run.scans, nodes, map);
   std::sort(drawn.begin(), drawn.end());
   drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
   DrawnBy result;
@@ -39,7 +41,7 @@ DrawnBy drawnBy(const Run& run, const WallMap& map) {
     while (next < drawn.size() && drawn[next].first < wall) ++next;
     result.firsts.push_back(std::uint32_t(next));
   }
-  for (const auto& [wall, submap] : drawn) result.submaps.push_back(submap);
+  for (const auto& [wall, node] : drawn) result.nodes.push_back(node);
   return result;
 }
 

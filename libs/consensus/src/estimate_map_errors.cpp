@@ -255,7 +255,10 @@ std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const
                                  const Consensus& consensus) {
   const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
                                      [](const Run* run) { return !run->scans.empty(); });
-  return haveScans ? consensus.errors : errorsByBends(site, bends, maps);
+  if (!haveScans) return errorsByBends(site, bends, maps);
+  std::vector<MapError> errors;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
+  return errors;
 }
 
 }  // namespace roomgraph

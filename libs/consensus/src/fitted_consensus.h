@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 
 /** The figures of the consensus. docs/scoring.md tells all of them, under the same headings, and a
  *  test holds it to these. They are round numbers, set so that the map errors and their intervals
@@ -6,7 +7,17 @@
  *  change does. */
 namespace roomgraph::fitted {
 
-// A submap is matched where so much of its walls was found.
+// The track of a run's scans through another map. Quality: share of a scan's walls that lie on walls.
+constexpr double kSure = 0.75;          // from which on no other pose is tried
+constexpr double kWell = 0.6;           // a scan found less well is looked for at any turn
+constexpr double kLeastQuality = 0.45;  // of a scan that is found; what a lost one is worth
+constexpr double kJumpCost = 2;         // of a jump where the robot goes on from where it was
+constexpr double kFarCost = 20;         // of a jump to another place
+constexpr double kStride = 2.5;         // longest way from scan to scan [m]
+constexpr std::size_t kMemory = 8;      // scans that may be lost between two that are found
+constexpr std::size_t kCandidates = 4;  // poses of a scan
+
+// A node is matched where so much of its walls was found.
 constexpr double kLeastFound = 0.45;
 
 // Links: standard deviations [m, rad], the second for the root of a metre, the third of a radian.
@@ -16,16 +27,16 @@ constexpr double kLinkTurn = 0.003, kLinkTurnPerRootMetre = 0.004, kLinkTurnPerR
 constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01;
 constexpr double kSameScanPlace = 0.03, kSameScanTurn = 0.005;
 constexpr double kMatchWeight = 0.25, kSameScanWeight = 0.5;
-// Walls of a submap along the axes of the building [rad].
+// Walls of a node along the axes of the building [rad].
 constexpr double kAxesTurn = 0.03;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
 
-// Belief: what it costs to give up a piece of so many matches; half the robust squared residual of
+// Belief: what it costs to give up a group of so many matches; half the robust squared residual of
 // a link that is 20 m off.
 constexpr double kGivingUp = 45, kGivingUpMatches = 25;
-// Likeness from which on it costs less, and least: this share.
+// Aliasing from which on it costs less, and least: this share.
 constexpr double kAlikeFrom = 0.4, kAlikeTo = 0.8;
 constexpr double kLeastCost = 0.2;
 

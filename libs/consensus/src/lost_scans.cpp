@@ -32,21 +32,23 @@ void dropStray(std::vector<bool>& isLost) {
 
 }  // namespace
 
-std::vector<std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs,
-                                         const std::vector<std::size_t>& counted,
+ById<RunId, std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs,
                                          const Consensus& consensus) {
-  std::vector<std::vector<bool>> lost;
-  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+  ById<RunId, std::vector<bool>> lost;
+  for (const RunId run : consensus.graph.runs.ids()) {
+    const std::size_t i = consensus.siteRuns[run];
     const std::vector<ScanWalls>& scans = site.runs[i]->scans;
-    std::vector<bool>& isLost = lost.emplace_back(scans.size());
-    if (counted[i] != i || (site.reference && i == counted[*site.reference])) continue;
+    std::vector<bool>& isLost = lost[lost.add(std::vector<bool>(scans.size()))];
+    if (run == consensus.graph.reference) continue;
     for (std::size_t k = 0; k < scans.size(); ++k) {
-      if (consensus.errors[i].isSeen[k] || scans[k].walls.size() < kLeastWalls) continue;
-      const Transform2D there = consensus.poses[i][k] * scans[k].pose.inverse();
+      if (consensus.errors[run].isSeen[k] || scans[k].walls.size() < kLeastWalls) continue;
+      const NodeId node = consensus.graph.runs[run].nodes[k];
+      const Transform2D there = consensus.poses[node] * scans[k].pose.inverse();
       const auto& others = pairs.othersOf(i);
       const auto knowing = std::count_if(others.begin(), others.end(), [&](std::size_t j) {
-        return counted[j] == j &&
-               knows(site.runs[j]->map, scans[k], consensus.errors[j].pose.inverse() * there);
+        return consensus.isCounted(j) &&
+               knows(site.runs[j]->map, scans[k],
+                     consensus.errors[consensus.graphRuns[j]].pose.inverse() * there);
       });
       isLost[k] = knowing >= fitted::kLeastKnowing;
     }

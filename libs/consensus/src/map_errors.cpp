@@ -14,7 +14,7 @@ namespace {
  *  leaves over follow (Umeyama 1991). */
 class Displacement {
  public:
-  /** Adds points of a submap that lies at `from` in the one frame and at `to` in the other. */
+  /** Adds points of a node that lies at `from` in the one frame and at `to` in the other. */
   void add(const PointSums& points, const Transform2D& from, const Transform2D& to) {
     const Moved a(points, from), b(points, to);
     weight_ += points.count;
@@ -71,30 +71,19 @@ double restAt(const PointSums& points, const Transform2D& l, const Transform2D& 
       std::max(0.0, turned + 2 * (x * apart.x + y * apart.y) + squaredNorm(apart.shift())));
 }
 
-/** Of each submap of each run, whether it was found in another run, or another in it. */
-std::vector<std::vector<bool>> seenSubmaps(const std::vector<RunSubmaps>& runs,
-                                           const std::vector<RunMatches>& matches) {
-  std::vector<std::vector<bool>> isSeen;
-  for (const RunSubmaps& run : runs) isSeen.emplace_back(run.submaps.size());
-  for (const RunMatches& pair : matches)
-    for (const SubmapMatch& match : pair.matches)
-      isSeen[pair.of][match.submap] = isSeen[pair.in][match.in] = true;
+/** Of each node, whether it was found in another run, or another in it. */
+ById<NodeId, bool> seenNodes(const PoseGraph& graph) {
+  ById<NodeId, bool> isSeen(graph.nodes.size());
+  for (const MatchGroup& group : graph.groups)
+    if (group.from != group.to)
+      for (const PoseEdgeId edge : group.edges)
+        isSeen[graph.edges[edge].to] = isSeen[graph.edges[edge].from] = true;
   return isSeen;
 }
 
-/** The share of what a run has drawn that others have, too. */
-double seenShare(const RunSubmaps& run, const std::vector<bool>& isSeen) {
-  double seen = 0, all = 0;
-  for (std::size_t k = 0; k < isSeen.size(); ++k) {
-    const double count = run.submaps[k].points.count;
-    all += count, seen += isSeen[k] ? count : 0;
-  }
-  return all > 0 ? seen / all : 0;
-}
-
 /** e / f - p to e * f + p, see docs/scoring.md, "Map error". */
-void addInterval(MapError& error, std::size_t runs) {
-  const double others = double(std::max<std::size_t>(2, runs) - 1);
+void addInterval(MapError& error, std::size_t otherRuns) {
+  const double others = double(std::max<std::size_t>(1, otherRuns));
   // Round numbers, so that 75 to 90 % of the true errors lie in it on the sites of
   // benchmarks/README.md, with ten, five and three runs.
   const double factor =
@@ -105,33 +94,49 @@ void addInterval(MapError& error, std::size_t runs) {
   error.high = error.error * std::exp(factor) + place;
 }
 
+MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
+                 const ById<NodeId, bool>& isSeen, std::size_t others) {
+  const IdRange<NodeId>& nodes = graph.runs[run].nodes;
+  Displacement all;
+  MapError error;
+  double seen = 0;
+  for (const NodeId id : nodes) {
+    const PoseNode& node = graph.nodes[id];
+    all.add(node.points, node.pose, poses[id]);
+    seen += isSeen[id] ? node.points.count : 0;
+    error.isSeen.push_back(isSeen[id]);
+  }
+  error.error = all.rest(), error.pose = all.motion();
+  error.seen = all.weight() > 0 ? seen / all.weight() : 0;
+  for (const NodeId id : nodes) {
+    const PoseNode& node = graph.nodes[id];
+    error.errors.push_back(restAt(node.points, poses[id], error.pose * node.pose));
+  }
+  addInterval(error, others);
+  return error;
+}
+
 }  // namespace
 
-std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
-                                const std::vector<RunMatches>& matches, const SubmapPoses& poses) {
-  auto isSeen = seenSubmaps(runs, matches);
-  std::vector<MapError> errors(runs.size());
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const auto& submaps = runs[r].submaps;
-    Displacement all;
-    for (std::size_t k = 0; k < submaps.size(); ++k)
-      all.add(submaps[k].points, submaps[k].pose, poses[r][k]);
-    MapError& error = errors[r];
-    error.error = all.rest(), error.pose = all.motion();
-    error.seen = seenShare(runs[r], isSeen[r]), error.isSeen = std::move(isSeen[r]);
-    for (std::size_t k = 0; k < submaps.size(); ++k)
-      error.errors.push_back(restAt(submaps[k].points, poses[r][k], error.pose * submaps[k].pose));
-    addInterval(error, runs.size());
-  }
+ById<RunId, MapError> mapErrors(const PoseGraph& graph, const NodePoses& poses) {
+  const ById<NodeId, bool> isSeen = seenNodes(graph);
+  ById<RunId, MapError> errors;
+  for (const RunId run : graph.runs.ids())
+    errors.add(errorOf(graph, run, poses, isSeen, graph.runs.size() - 1));
   return errors;
 }
 
-void addLost(MapError& error, const RunSubmaps& run, const std::vector<bool>& isLost) {
+MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std::size_t others) {
+  return errorOf(graph, run, poses, seenNodes(graph), others);
+}
+
+void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost) {
   double lost = 0, all = 0;
   for (std::size_t k = 0; k < isLost.size(); ++k) {
-    all += run.submaps[k].points.count;
+    const double count = graph.nodes[graph.runs[run].nodes[k]].points.count;
+    all += count;
     if (!isLost[k]) continue;
-    lost += run.submaps[k].points.count;
+    lost += count;
     error.errors[k] = std::hypot(error.errors[k], fitted::kLostBy);
   }
   if (lost <= 0) return;

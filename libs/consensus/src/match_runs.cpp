@@ -6,7 +6,7 @@
 
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/match_submaps.h"
+#include "roomgraph/consensus/match_nodes.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMostWholes = 12;
 
 /** Where a run may lie in the site as a whole, site <- run, the likeliest first: as it does, and
- *  where the search for its pairs found that it fits as well. A piece of it may lie there. */
+ *  where the search for its pairs found that it fits as well. A stretch of it may lie there. */
 std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::size_t run) {
   std::vector<Transform2D> wholes{site.poses[run]};
   const Point middle = site.runs[run]->map.middle();
@@ -43,74 +43,74 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
 /** Who drew what of the maps of some runs; of bare ones only as long as this lives. */
 class DrawnMaps {
  public:
-  /** `known` is said of each place in `order`: nothing for bare maps. */
-  DrawnMaps(const Site& site, const std::vector<std::size_t>& order,
-            const std::vector<RunSubmaps>& submaps, const std::vector<DrawnBy>& known)
-      : site_(site), order_(order), submaps_(submaps), known_(known) {}
+  /** `known` is said of each run of the graph: nothing for bare maps. */
+  DrawnMaps(const Site& site, const PoseGraph& graph, const ById<RunId, std::size_t>& siteRuns,
+            const ById<RunId, DrawnBy>& known)
+      : site_(site), graph_(graph), siteRuns_(siteRuns), known_(known) {}
 
-  DrawnMap operator()(std::size_t place) {
-    const WallMap& map = site_.mapOf(order_[place]);
-    if (!map.isBare()) return {map, submaps_[place], known_[place]};
+  DrawnMap operator()(RunId run) {
+    const WallMap& map = site_.mapOf(siteRuns_[run]);
+    if (!map.isBare()) return {run, map, known_[run]};
     const WallMap& full = maps_(map);
-    const auto [made, isNew] = made_.try_emplace(place);
-    if (isNew) made->second = drawnBy(*site_.runs[order_[place]], full);
-    return {full, submaps_[place], made->second};
+    const auto [made, isNew] = made_.try_emplace(run);
+    if (isNew) made->second = drawnBy(*site_.runs[siteRuns_[run]], graph_.runs[run].nodes, full);
+    return {run, full, made->second};
   }
 
  private:
   const Site& site_;
-  const std::vector<std::size_t>& order_;
-  const std::vector<RunSubmaps>& submaps_;
-  const std::vector<DrawnBy>& known_;
+  const PoseGraph& graph_;
+  const ById<RunId, std::size_t>& siteRuns_;
+  const ById<RunId, DrawnBy>& known_;
   FullMaps maps_;
-  std::map<std::size_t, DrawnBy> made_;
+  std::map<RunId, DrawnBy> made_;
 };
 
-/** The places in `order` of each two runs that were related, both ways. */
-std::vector<PairOfThings> relatedPlaces(const MapPairs& pairs,
-                                        const std::vector<std::size_t>& order) {
+/** The runs of the graph that were related, by their indices, both ways. */
+std::vector<PairOfThings> relatedRuns(const MapPairs& pairs,
+                                      const ById<RunId, std::size_t>& siteRuns) {
   std::vector<PairOfThings> related;
-  for (std::size_t a = 0; a < order.size(); ++a)
-    for (std::size_t b = 0; b < order.size(); ++b)
-      if (a != b && pairs.has(order[a], order[b])) related.emplace_back(a, b);
+  for (const RunId a : siteRuns.ids())
+    for (const RunId b : siteRuns.ids())
+      if (a != b && pairs.has(siteRuns[a], siteRuns[b])) related.emplace_back(a.index(), b.index());
   return related;
 }
 
 }  // namespace
 
-std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
-                                  const std::vector<std::size_t>& order,
-                                  const std::vector<RunSubmaps>& submaps, const ForEach& forEach) {
-  std::vector<std::vector<Transform2D>> wholes;  // site <- run
-  for (const std::size_t run : order) wholes.push_back(wholesOf(site, pairs, run));
-  const auto isBare = [&](std::size_t a) { return site.mapOf(order[a]).isBare(); };
-  std::vector<DrawnBy> known(order.size());
-  forEach(order.size(), [&](std::size_t a) {
-    if (!isBare(a)) known[a] = drawnBy(*site.runs[order[a]], site.mapOf(order[a]));
+std::vector<FoundGroup> matchRuns(const Site& site, const MapPairs& pairs, const PoseGraph& graph,
+                                  const ById<RunId, std::size_t>& siteRuns,
+                                  const ForEach& forEach) {
+  ById<RunId, std::vector<Transform2D>> wholes;  // site <- run
+  for (const std::size_t run : siteRuns) wholes.add(wholesOf(site, pairs, run));
+  const auto isBare = [&](std::size_t run) { return site.mapOf(siteRuns[RunId(run)]).isBare(); };
+  ById<RunId, DrawnBy> known(siteRuns.size());
+  forEach(siteRuns.size(), [&](std::size_t index) {
+    const RunId run(index);
+    const std::size_t i = siteRuns[run];
+    if (!isBare(index)) known[run] = drawnBy(*site.runs[i], graph.runs[run].nodes, site.mapOf(i));
   });
-  const auto matched = [&](std::size_t a, std::size_t b, DrawnMaps& maps) {
-    const std::size_t i = order[a], j = order[b];
-    std::vector<Transform2D> wholesInJ;
-    for (const Transform2D& whole : wholes[a]) wholesInJ.push_back(site.poses[j].inverse() * whole);
-    auto pieces =
-        matchSubmaps(*site.runs[i], submaps[a], maps(b), followedIn(pairs, i, j), wholesInJ);
-    if (a < b) pieces.push_back({sameScans(*site.runs[i], *site.runs[j]), 0});
-    return pieces;
+  const auto matched = [&](RunId a, RunId b, DrawnMaps& maps) {
+    const std::size_t i = siteRuns[a], j = siteRuns[b];
+    std::vector<Transform2D> there;
+    for (const Transform2D& whole : wholes[a]) there.push_back(site.poses[j].inverse() * whole);
+    auto groups = matchNodes(graph, a, *site.runs[i], maps(b), followedIn(pairs, i, j), there);
+    if (b < a) return groups;
+    FoundGroup same = sameScans(graph, a, *site.runs[i], b, *site.runs[j]);
+    if (!same.matches.empty()) groups.push_back(std::move(same));
+    return groups;
   };
-  const std::vector<PairOfThings> related = relatedPlaces(pairs, order);
+  const std::vector<PairOfThings> related = relatedRuns(pairs, siteRuns);
   const auto jobs = pairJobs(related, isBare);
-  std::vector<std::vector<MatchedPiece>> found(related.size());
+  std::vector<std::vector<FoundGroup>> found(related.size());
   forEach(jobs.size(), [&](std::size_t job) {
-    DrawnMaps maps(site, order, submaps, known);
+    DrawnMaps maps(site, graph, siteRuns, known);
     for (const std::size_t k : jobs[job])
-      found[k] = matched(related[k].first, related[k].second, maps);
+      found[k] = matched(RunId(related[k].first), RunId(related[k].second), maps);
   });
-  std::vector<RunMatches> all;
-  for (std::size_t k = 0; k < related.size(); ++k)
-    for (MatchedPiece& piece : found[k])
-      if (!piece.matches.empty())
-        all.push_back(
-            {related[k].first, related[k].second, std::move(piece.matches), piece.likeness});
+  std::vector<FoundGroup> all;
+  for (std::vector<FoundGroup>& groups : found)
+    for (FoundGroup& group : groups) all.push_back(std::move(group));
   return all;
 }
 

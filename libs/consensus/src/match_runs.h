@@ -3,22 +3,20 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
-#include "roomgraph/consensus/RunMatches.h"
+#include "roomgraph/consensus/match_nodes.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   Site, MapPairs, RunSubmaps of each run
-// Out:  RunMatches
+// In:   Site, MapPairs, PoseGraph without matches
+// Out:  FoundGroup
 // Next: findConsensus, addToConsensus
 
-/** All matches between the runs named in `order` that were related, by their places there;
- *  `submaps` are theirs. Ordered by those places. Cost: that of matchSubmaps for each pair, both
- *  ways. */
-std::vector<RunMatches> matchRuns(const Site& site, const MapPairs& pairs,
-                                  const std::vector<std::size_t>& order,
-                                  const std::vector<RunSubmaps>& submaps, const ForEach& forEach);
+/** All matches between the runs of a graph that were related; `siteRuns` says which of the site
+ *  they are. Ordered by the runs. Cost: that of matchNodes for each pair, both ways. */
+std::vector<FoundGroup> matchRuns(const Site& site, const MapPairs& pairs, const PoseGraph& graph,
+                                  const ById<RunId, std::size_t>& siteRuns, const ForEach& forEach);
 
 }  // namespace roomgraph

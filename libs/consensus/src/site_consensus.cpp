@@ -5,8 +5,10 @@
 #include <set>
 #include <utility>
 
+#include "belief.h"
 #include "lost_scans.h"
 #include "match_runs.h"
+#include "roomgraph/consensus/add_run_nodes.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/find_consensus.h"
 
@@ -28,8 +30,8 @@ std::vector<std::size_t> standIns(const Site& site, const DistinctMaps& maps) {
   return chosen;
 }
 
-/** The runs that count, those first among which the consensus is worked out, each straightest
- *  first: the likeliest to be sound. */
+/** Which runs count, those first among which the consensus is worked out, each straightest first:
+ *  the likeliest to be sound. */
 struct CountedRuns {
   std::vector<std::size_t> order;
   std::size_t core = 0;  ///< so many of them are the core
@@ -49,92 +51,116 @@ struct CountedRuns {
   }
 };
 
-/** Lets the intervals hold what another solution has, which may be the right one. */
-void widen(std::vector<MapError>& errors, const std::vector<MapError>& others) {
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    errors[i].low = std::min(errors[i].low, others[i].low);
-    errors[i].high = std::max(errors[i].high, others[i].high);
+/** Numbers the runs that count, and makes nodes and links of them. */
+void addRuns(Consensus& consensus, const Site& site, const std::vector<std::size_t>& standIns,
+             const std::vector<std::size_t>& order) {
+  std::vector<RunId> runs(site.runs.size());
+  for (const std::size_t i : order) {
+    runs[i] = addRunNodes(*site.runs[i], consensus.graph);
+    consensus.siteRuns.add(i);
   }
+  for (std::size_t i = 0; i < site.runs.size(); ++i) consensus.graphRuns[i] = runs[standIns[i]];
+  if (site.reference) consensus.graph.reference = consensus.graphRuns[*site.reference];
 }
 
-/** What all runs that count agree on, in their order. */
+/** The first runs of a graph, and what they found of each other. Nodes and links keep their ids. */
+PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
+  PoseGraph core;
+  core.reference = graph.reference;
+  for (std::size_t r = 0; r < runs; ++r) {
+    const GraphRun& run = graph.runs[RunId(r)];
+    core.addRun(run.hasScans);
+    for (const NodeId id : run.nodes) {
+      const PoseNode& node = graph.nodes[id];
+      core.addNode(node.pose, node.points, node.axes);
+    }
+    for (const PoseEdgeId link : run.links)
+      core.addLink(graph.edges[link].from, graph.edges[link].to);
+  }
+  for (const MatchGroup& group : graph.groups) {
+    if (group.from.index() >= runs || group.to.index() >= runs) continue;
+    std::vector<PoseEdge> matches;
+    for (const PoseEdgeId edge : group.edges) matches.push_back(graph.edges[edge]);
+    core.addGroup(group, matches);
+  }
+  return core;
+}
+
+/** What all runs that count agree on, from one or another start. */
 struct Agreement {
-  SubmapPoses poses;
-  std::vector<MapError> errors;
+  NodePoses poses;
+  ById<RunId, double> slack;
+  ById<RunId, MapError> errors;
 };
 
-/** The first `core` runs agree among themselves, from one or another start. */
-std::vector<Agreement> agreementsOf(const std::vector<RunSubmaps>& submaps, std::size_t core,
-                                    const std::vector<RunMatches>& matches,
-                                    const ConsensusOptions& options) {
-  const std::vector<RunSubmaps> first(submaps.begin(), submaps.begin() + std::ptrdiff_t(core));
-  std::vector<RunMatches> among;
-  for (const RunMatches& piece : matches)
-    if (piece.of < core && piece.in < core) among.push_back(piece);
-  ConsensusPoses found = findConsensus(first, among, options);
-  std::vector<Agreement> all;
-  all.push_back({std::move(found.best), {}});
-  for (SubmapPoses& other : found.others) all.push_back({std::move(other), {}});
-  for (Agreement& one : all) one.errors = mapErrors(first, among, one.poses);
-  return all;
+/** The runs of the core agree among themselves. The best first. */
+std::vector<Agreement> agreementsOf(const PoseGraph& core, const ForEach& forEach) {
+  ConsensusPoses found = findConsensus(core, forEach);
+  std::vector<NodePoses> all{std::move(found.best)};
+  for (NodePoses& other : found.others) all.push_back(std::move(other));
+  std::vector<Agreement> agreements;
+  for (NodePoses& poses : all) {
+    ById<RunId, MapError> errors = mapErrors(core, poses);
+    agreements.push_back({std::move(poses), found.trust.slack, std::move(errors)});
+  }
+  return agreements;
 }
 
 /** Adds the other runs, each by itself. */
-void addOthers(Agreement& agreement, const std::vector<RunSubmaps>& submaps,
-               const std::vector<RunMatches>& matches, const ForEach& forEach) {
-  const std::size_t core = agreement.poses.size();
-  agreement.poses.resize(submaps.size());
-  agreement.errors.resize(submaps.size());
-  const SubmapPoses& known = agreement.poses;
-  std::vector<std::vector<const RunMatches*>> own(submaps.size());
-  for (const RunMatches& piece : matches) {
-    if (piece.of >= core && piece.in < core) own[piece.of].push_back(&piece);
-    if (piece.in >= core && piece.of < core) own[piece.in].push_back(&piece);
+void addOthers(Agreement& agreement, const PoseGraph& graph, const ForEach& forEach) {
+  const std::size_t core = agreement.errors.size(), others = graph.runs.size() - core;
+  const auto isCore = [&](RunId run) { return run.index() < core; };
+  ById<RunId, std::vector<MatchGroupId>> own(graph.runs.size());
+  for (const MatchGroupId id : graph.groups.ids()) {
+    const MatchGroup& group = graph.groups[id];
+    if (isCore(group.from) != isCore(group.to)) own[std::max(group.from, group.to)].push_back(id);
   }
-  forEach(submaps.size() - core, [&](std::size_t i) {
-    std::vector<RunMatches> matchesOfIt;
-    for (const RunMatches* piece : own[core + i]) matchesOfIt.push_back(*piece);
-    AddedToConsensus added = addToConsensus(submaps, core + i, matchesOfIt, known);
-    agreement.poses[core + i] = std::move(added.poses);
-    agreement.errors[core + i] = std::move(added.error);
+  std::vector<AddedToConsensus> added(others);
+  forEach(others, [&](std::size_t i) {
+    const RunId run(core + i);
+    added[i] = addToConsensus(graph, run, own[run], agreement.poses);
   });
+  for (AddedToConsensus& one : added) {
+    for (const Transform2D& pose : one.poses) agreement.poses.add(pose);
+    agreement.slack.add(one.slack);
+    agreement.errors.add(std::move(one.error));
+  }
+}
+
+/** Lets the intervals hold what another solution has, which may be the right one. */
+void widen(ById<RunId, MapError>& errors, const ById<RunId, MapError>& others) {
+  for (const RunId run : errors.ids()) {
+    errors[run].low = std::min(errors[run].low, others[run].low);
+    errors[run].high = std::max(errors[run].high, others[run].high);
+  }
 }
 
 }  // namespace
 
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
                         const ForEach& forEach) {
-  const std::size_t runs = site.runs.size();
+  Consensus consensus;
+  consensus.graphRuns.resize(site.runs.size());
   if (std::all_of(site.runs.begin(), site.runs.end(),
-                  [](const Run* r) { return r->scans.empty(); }))
-    return {std::vector<RunSubmaps>(runs), SubmapPoses(runs), std::vector<MapError>(runs)};
+                  [](const Run* run) { return run->scans.empty(); }))
+    return consensus;
   const std::vector<std::size_t> counted = standIns(site, maps);
-  const CountedRuns runsThatCount(site, pairs, counted);
-  const std::vector<std::size_t>& order = runsThatCount.order;
-  std::vector<RunSubmaps> submaps(order.size());
-  forEach(order.size(), [&](std::size_t a) { submaps[a] = runSubmaps(*site.runs[order[a]]); });
-  const auto matches = matchRuns(site, pairs, order, submaps, forEach);
-  const auto placeOf = [&](std::size_t run) {
-    return std::size_t(std::find(order.begin(), order.end(), counted[run]) - order.begin());
-  };
-  ConsensusOptions options;
-  if (site.reference) options.reference = placeOf(*site.reference);
-  options.forEach = forEach;
-  std::vector<Agreement> agreements = agreementsOf(submaps, runsThatCount.core, matches, options);
-  for (Agreement& one : agreements) addOthers(one, submaps, matches, forEach);
-  std::vector<MapError>& errors = agreements.front().errors;
-  for (std::size_t k = 1; k < agreements.size(); ++k) widen(errors, agreements[k].errors);
-  if (order.size() == 1 && site.runs.size() > 1) errors.front().seen = 1;  // by its copies
-  Consensus result;
-  for (std::size_t i = 0; i < site.runs.size(); ++i) {
-    result.submaps.push_back(submaps[placeOf(i)]);
-    result.poses.push_back(agreements.front().poses[placeOf(i)]);
-    result.errors.push_back(errors[placeOf(i)]);
-  }
-  const std::vector<std::vector<bool>> lost = lostScans(site, pairs, counted, result);
-  for (std::size_t i = 0; i < lost.size(); ++i)
-    addLost(result.errors[i], result.submaps[i], lost[counted[i]]);
-  return result;
+  const CountedRuns runs(site, pairs, counted);
+  PoseGraph& graph = consensus.graph;
+  addRuns(consensus, site, counted, runs.order);
+  for (const FoundGroup& found : matchRuns(site, pairs, graph, consensus.siteRuns, forEach))
+    graph.addGroup(found.group, found.matches);
+  std::vector<Agreement> agreements = agreementsOf(coreOf(graph, runs.core), forEach);
+  for (Agreement& one : agreements) addOthers(one, graph, forEach);
+  Agreement& best = agreements.front();
+  for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
+  consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
+  consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
+  if (graph.runs.size() == 1 && site.runs.size() > 1)
+    consensus.errors[RunId(0)].seen = 1;  // by its copies
+  const auto lost = lostScans(site, pairs, consensus);
+  for (const RunId run : lost.ids()) addLost(consensus.errors[run], graph, run, lost[run]);
+  return consensus;
 }
 
 }  // namespace roomgraph

@@ -1,16 +1,12 @@
 #pragma once
-#include <cstddef>
-#include <vector>
-
-#include "roomgraph/consensus/RunMatches.h"
+#include "roomgraph/consensus/PoseGraph.h"
 
 namespace roomgraph {
 
-/** First poses of all submaps in the frame of the run `pivot`: each where it was found in the
- *  pivot, else in a run that has been placed, else where the nearest submap of its own run that
- *  was found would have it. Runs are placed by how many of their submaps were found in those
- *  placed before. One that was found nowhere keeps its own poses. O(runs^2 * matches). */
-SubmapPoses startPoses(const std::vector<RunSubmaps>& runs, const std::vector<RunMatches>& matches,
-                       std::size_t pivot);
+/** First poses of all nodes in the frame of the run `pivot`: each where it was found in the pivot,
+ *  else in a run that has been placed, else where the nearest node of its own run that was found
+ *  would have it. Runs are placed by how many of their nodes were found in those placed before. One
+ *  that was found nowhere keeps its own poses. O(runs * (runs + edges)). */
+NodePoses startPoses(const PoseGraph& graph, RunId pivot);
 
 }  // namespace roomgraph

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
@@ -10,6 +11,9 @@
 namespace roomgraph {
 namespace {
 
+constexpr NarrowingBand kBand{0.6, 0.2, 6};  // around a wall, of what counts in the fit of a scan
+constexpr double kNear = 0.1;                // a wall this far from another counts half [m]
+constexpr double kReach = 6;                 // patches within this give poses to try [m]
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
@@ -21,10 +25,8 @@ constexpr double kRoughNear = 0.3;  // [m]
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose,
-                 const TrackScansOptions& options, std::size_t stride = 1,
-                 std::optional<double> width = std::nullopt) {
+                 double near = kNear, std::size_t stride = 1) {
   const Motion2D forth(pose);
-  const double near = width.value_or(options.near);
   double sum = 0, known = 0, all = 0;
   for (std::size_t i = 0; i < scan.walls.size(); i += stride, ++all) {
     const WallPoint& point = scan.walls[i];
@@ -54,21 +56,19 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in,
-          const TrackScansOptions& options)
+          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
         wholes_(wholes),
         in_(in),
-        options_(options),
         candidates_(scans.size()) {}
 
   std::vector<std::optional<Transform2D>> track() {
     for (std::size_t k = 0; k < scans_.size(); ++k) propose(k, Way::forth);
     for (std::size_t k = scans_.size(); k-- > 0;) propose(k, Way::back);
     for (std::size_t k = 0; k < candidates_.size(); ++k) {
-      if (k > options_.memory) forget(k - options_.memory - 1);
+      if (k > fitted::kMemory) forget(k - fitted::kMemory - 1);
       for (Candidate& candidate : candidates_[k]) link(candidate);
     }
     const Candidate* last = nullptr;
@@ -92,22 +92,22 @@ class Tracker {
     if (before)
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     // Other answers are wanted for a scan that fits well, too, but not for each.
-    if (way == Way::forth && (bestQuality(k) < options_.sureQuality || k % kLookAround == 0)) {
+    if (way == Way::forth && (bestQuality(k) < fitted::kSure || k % kLookAround == 0)) {
       for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
       for (const Transform2D& pose : wholes_)
-        if (roughQualityAt(k, pose) >= options_.minQuality) tryFrom(k, pose);
+        if (roughQualityAt(k, pose) >= fitted::kLeastQuality) tryFrom(k, pose);
     }
-    if (before && bestQuality(k) < options_.spinQuality && isJustLost(k, before->front()))
+    if (before && bestQuality(k) < fitted::kWell && isJustLost(k, before->front()))
       spin(k, before->front());
     auto& found = candidates_[k];
     std::stable_sort(found.begin(), found.end(),
                      [](const Candidate& l, const Candidate& r) { return l.quality > r.quality; });
-    if (found.size() > options_.candidates) found.resize(options_.candidates);
+    if (found.size() > fitted::kCandidates) found.resize(fitted::kCandidates);
   }
 
   bool isJustLost(std::size_t k, const Candidate& last) const {
     const std::size_t since = k > last.scan ? k - last.scan : last.scan - k;
-    return last.quality >= options_.spinQuality && since <= kMostSpins;
+    return last.quality >= fitted::kWell && since <= kMostSpins;
   }
 
   double bestQuality(std::size_t k) const {
@@ -120,9 +120,9 @@ class Tracker {
   const std::vector<Candidate>* lastFound(std::size_t k, Way way) const {
     const std::size_t left = way == Way::forth ? k : scans_.size() - 1 - k;
     const std::vector<Candidate>* any = nullptr;
-    for (std::size_t back = 1; back <= std::min(left, options_.memory); ++back) {
+    for (std::size_t back = 1; back <= std::min(left, fitted::kMemory); ++back) {
       const auto& found = candidates_[way == Way::forth ? k - back : k + back];
-      if (!found.empty() && found.front().quality >= options_.spinQuality) return &found;
+      if (!found.empty() && found.front().quality >= fitted::kWell) return &found;
       if (!any && !found.empty()) any = &found;
     }
     return any;
@@ -137,8 +137,8 @@ class Tracker {
   void tryFrom(std::size_t k, const Transform2D& start) {
     if (isKnown(k, start, kSameScanStart)) return;
     const Transform2D pose = fitted(scans_[k], start);
-    const double quality = qualityAt(scans_[k], in_, pose, options_);
-    if (quality < options_.minQuality || isKnown(k, pose, kSameScanAnswer)) return;
+    const double quality = qualityAt(scans_[k], in_, pose);
+    if (quality < fitted::kLeastQuality || isKnown(k, pose, kSameScanAnswer)) return;
     candidates_[k].push_back({pose, quality, 0, nullptr, k});
   }
 
@@ -161,13 +161,13 @@ class Tracker {
   /** What a pose that is some decimetres off may come to, by a part of the walls. */
   double roughQualityAt(std::size_t k, const Transform2D& pose) const {
     const std::size_t stride = std::max<std::size_t>(1, scans_[k].walls.size() / kRoughWalls);
-    return qualityAt(scans_[k], in_, pose, options_, stride, kRoughNear);
+    return qualityAt(scans_[k], in_, pose, kRoughNear, stride);
   }
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose) const {
-    return fittedPose(pose, scan.at(), options_.band, [&](WallFit& fit, int step) {
+    return fittedPose(pose, scan.at(), kBand, [&](WallFit& fit, int step) {
       // The first steps only have to come near: a part of the walls will do.
-      const std::size_t stride = step < options_.band.steps / 2 ? kRoughStride : 1;
+      const std::size_t stride = step < kBand.steps / 2 ? kRoughStride : 1;
       for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
     });
   }
@@ -176,7 +176,7 @@ class Tracker {
   std::vector<Transform2D> posesNear(Point at) const {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
-      if (distance(patches_[f.patch].middle, at) > options_.reach) continue;
+      if (distance(patches_[f.patch].middle, at) > kReach) continue;
       const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
         return areNear(pose, f.pose, at, kSameScanStart);
       });
@@ -191,10 +191,10 @@ class Tracker {
     const double moved = distance(from.pose(at), to.pose(at));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
     const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
-    if (bend < 1) return options_.jumpCost * bend * bend / 4;
+    if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
     const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
-    const bool isOnTheWay = way <= options_.stride * double(to.scan - from.scan);
-    return isOnTheWay ? options_.jumpCost : options_.farCost;
+    const bool isOnTheWay = way <= fitted::kStride * double(to.scan - from.scan);
+    return isOnTheWay ? fitted::kJumpCost : fitted::kFarCost;
   }
 
   /** Of the ways that end at a scan which is out of memory, only the best is gone on from. */
@@ -205,22 +205,22 @@ class Tracker {
 
   /** Finds the best way to a candidate. */
   void link(Candidate& to) {
-    const double gain = to.quality - options_.lostQuality;
-    to.score = gain - (to.scan > 0 && best_ ? options_.farCost : startCost(to));
+    const double gain = to.quality - fitted::kLeastQuality;
+    to.score = gain - (to.scan > 0 && best_ ? fitted::kFarCost : startCost(to));
     const auto offer = [&](const Candidate& from, double cost) {
       if (from.score - cost + gain <= to.score) return;
       to.score = from.score - cost + gain;
       to.before = &from;
     };
-    for (std::size_t back = 1; back <= std::min(to.scan, options_.memory); ++back)
+    for (std::size_t back = 1; back <= std::min(to.scan, fitted::kMemory); ++back)
       for (const Candidate& from : candidates_[to.scan - back]) offer(from, stepCost(from, to));
-    if (best_) offer(*best_, std::min(options_.farCost, stepCost(*best_, to)));
+    if (best_) offer(*best_, std::min(fitted::kFarCost, stepCost(*best_, to)));
   }
 
   /** A way starts where the maps as a whole fit. */
   double startCost(const Candidate& at) const {
     const bool isMain = areNear(at.pose, wholes_.front(), scans_[at.scan].at(), kAsMapsBend);
-    return isMain ? 0 : 2 * options_.jumpCost;
+    return isMain ? 0 : 2 * fitted::kJumpCost;
   }
 
   const std::vector<ScanWalls>& scans_;
@@ -228,17 +228,18 @@ class Tracker {
   const FollowedWalls& followed_;
   const std::vector<Transform2D>& wholes_;
   const WallMap& in_;
-  const TrackScansOptions& options_;
   std::vector<std::vector<Candidate>> candidates_;
   const Candidate* best_ = nullptr;  // of the scans that are out of memory
 };
 
 }  // namespace
 
-std::vector<std::optional<Transform2D>> trackScans(
-    const std::vector<ScanWalls>& scans, const WallPatches& patches, const FollowedWalls& followed,
-    const std::vector<Transform2D>& wholes, const WallMap& in, const TrackScansOptions& options) {
-  return Tracker(scans, patches, followed, wholes, in, options).track();
+std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
+                                                   const WallPatches& patches,
+                                                   const FollowedWalls& followed,
+                                                   const std::vector<Transform2D>& wholes,
+                                                   const WallMap& in) {
+  return Tracker(scans, patches, followed, wholes, in).track();
 }
 
 }  // namespace roomgraph

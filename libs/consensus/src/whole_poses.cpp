@@ -9,30 +9,24 @@ constexpr int kVotes = 4;
 
 class Voting {
  public:
-  Voting(const std::vector<RunSubmaps>& runs, const std::vector<RunMatches>& matches)
-      : runs_(runs), matches_(matches), wholes_(runs.size()) {}
+  explicit Voting(const PoseGraph& graph)
+      : graph_(graph), wholes_(graph.runs.size()), isPlaced_(graph.runs.size()) {}
 
   /** All runs placed, beginning with this one: always the run next for which most speaks. */
-  double placeFrom(std::size_t first) {
-    isPlaced_.assign(runs_.size(), false);
-    wholes_.assign(runs_.size(), {});
+  void placeFrom(RunId first) {
     isPlaced_[first] = true;
     while (placeNext()) {
     }
     for (int round = 0; round < kVotes; ++round) {
       bool hasMoved = false;
-      for (std::size_t r = 0; r < runs_.size(); ++r) hasMoved |= r != first && improve(r);
+      for (const RunId run : graph_.runs.ids()) hasMoved |= run != first && improve(run);
       if (!hasMoved) break;
     }
-    double support = 0;
-    for (std::size_t r = 0; r < runs_.size(); ++r) support += supportOf(r, wholes_[r]);
-    return support;
   }
 
-  SubmapPoses poses() const {
-    SubmapPoses poses(runs_.size());
-    for (std::size_t r = 0; r < runs_.size(); ++r)
-      for (const Submap& submap : runs_[r].submaps) poses[r].push_back(wholes_[r] * submap.pose);
+  NodePoses poses() const {
+    NodePoses poses;
+    for (const PoseNode& node : graph_.nodes) poses.add(wholes_[node.run] * node.pose);
     return poses;
   }
 
@@ -43,18 +37,19 @@ class Voting {
   };
 
   bool placeNext() {
-    std::size_t next = 0;
+    RunId next;
     Place best;
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-      if (isPlaced_[r]) continue;
-      if (const Place place = bestPlace(r); place.support > best.support) best = place, next = r;
+    for (const RunId run : graph_.runs.ids()) {
+      if (isPlaced_[run]) continue;
+      if (const Place place = bestPlace(run); place.support > best.support)
+        best = place, next = run;
     }
-    if (best.support <= 0) return false;
+    if (!next) return false;
     wholes_[next] = best.whole;
     return isPlaced_[next] = true;
   }
 
-  bool improve(std::size_t run) {
+  bool improve(RunId run) {
     if (!isPlaced_[run]) return false;
     const Place best = bestPlace(run);
     if (best.support <= supportOf(run, wholes_[run])) return false;
@@ -62,51 +57,57 @@ class Voting {
     return true;
   }
 
-  /** Of the places where a piece would have the run, that which the matches bear out most. */
-  Place bestPlace(std::size_t run) const {
+  /** Whether a group tells where a run lies to one that is placed. */
+  bool tellsOf(const MatchGroup& group, RunId run) const {
+    return (group.to == run && group.from != run && isPlaced_[group.from]) ||
+           (group.from == run && group.to != run && isPlaced_[group.to]);
+  }
+
+  /** Of the places where a group would have the run, that with which most matches agree. */
+  Place bestPlace(RunId run) const {
     Place best;
-    for (const RunMatches& piece : matches_) {
-      const bool isOf = piece.of == run;
-      if ((!isOf && piece.in != run) || !isPlaced_[isOf ? piece.in : piece.of]) continue;
-      const SubmapMatch& match = piece.matches[piece.matches.size() / 2];
-      const Transform2D ofInIn = runs_[piece.in].submaps[match.in].pose * match.pose *
-                                 runs_[piece.of].submaps[match.submap].pose.inverse();
-      const Transform2D whole =
-          isOf ? wholes_[piece.in] * ofInIn : wholes_[piece.of] * ofInIn.inverse();
-      if (const double support = supportOf(run, whole); support > best.support)
-        best = {whole, support};
+    for (const MatchGroup& group : graph_.groups) {
+      if (!tellsOf(group, run)) continue;
+      for (const HalfEdge& half : halvesOf(graph_.edges[group.edges[group.edges.size() / 2]])) {
+        if (graph_.runOf(half.node) != run) continue;
+        const Transform2D whole = wholes_[graph_.runOf(half.other)] *
+                                  graph_.nodes[half.other].pose * half.measured *
+                                  graph_.nodes[half.node].pose.inverse();
+        if (const double support = supportOf(run, whole); support > best.support)
+          best = {whole, support};
+      }
     }
     return best;
   }
 
-  /** The matches with placed runs that bear out where this run lies. */
-  double supportOf(std::size_t run, const Transform2D& whole) const {
+  /** The matches with placed runs that agree with where this run lies. */
+  double supportOf(RunId run, const Transform2D& whole) const {
+    const auto poseOf = [&](NodeId id) {
+      const PoseNode& node = graph_.nodes[id];
+      return (node.run == run ? whole : wholes_[node.run]) * node.pose;
+    };
     double support = 0;
-    for (const RunMatches& piece : matches_) {
-      const bool isOf = piece.of == run;
-      if ((!isOf && piece.in != run) || !isPlaced_[isOf ? piece.in : piece.of]) continue;
-      const Transform2D& in = isOf ? wholes_[piece.in] : whole;
-      const Transform2D& of = isOf ? whole : wholes_[piece.of];
-      for (const SubmapMatch& match : piece.matches)
-        if (isBorneOut(match, in * runs_[piece.in].submaps[match.in].pose,
-                       of * runs_[piece.of].submaps[match.submap].pose, kRoughly))
-          support += match.weight;
+    for (const MatchGroup& group : graph_.groups) {
+      if (!tellsOf(group, run)) continue;
+      for (const PoseEdgeId id : group.edges) {
+        const PoseEdge& edge = graph_.edges[id];
+        if (isInlier(edge, poseOf(edge.from).inverse() * poseOf(edge.to), kRoughly))
+          support += edge.share;
+      }
     }
     return support;
   }
 
-  const std::vector<RunSubmaps>& runs_;
-  const std::vector<RunMatches>& matches_;
-  std::vector<Transform2D> wholes_;  // site <- run
-  std::vector<bool> isPlaced_;
+  const PoseGraph& graph_;
+  ById<RunId, Transform2D> wholes_;  // site <- run
+  ById<RunId, bool> isPlaced_;
 };
 
 }  // namespace
 
-SubmapPoses wholePoses(const std::vector<RunSubmaps>& runs, const std::vector<RunMatches>& matches,
-                       std::optional<std::size_t> reference) {
-  Voting voting(runs, matches);
-  voting.placeFrom(reference.value_or(0));
+NodePoses wholePoses(const PoseGraph& graph) {
+  Voting voting(graph);
+  voting.placeFrom(graph.reference ? graph.reference : RunId(0));
   return voting.poses();
 }
 

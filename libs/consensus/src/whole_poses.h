@@ -1,17 +1,12 @@
 #pragma once
-#include <cstddef>
-#include <optional>
-#include <vector>
-
-#include "roomgraph/consensus/RunMatches.h"
+#include "roomgraph/consensus/PoseGraph.h"
 
 namespace roomgraph {
 
-/** First poses of all submaps where no run is torn: each run lies as a whole (site <- run) where
- *  most of all matches agree, of the places where one of its pieces would have it. The reference,
- *  if any, stays where it is. A run that nothing was found of keeps its own poses. Deterministic.
- *  O(rounds * pieces * matches of a run). */
-SubmapPoses wholePoses(const std::vector<RunSubmaps>& runs, const std::vector<RunMatches>& matches,
-                       std::optional<std::size_t> reference);
+/** First poses of all nodes where no run is torn: each run lies as a whole (site <- run) where most
+ *  of all matches with other runs agree, of the places where one of its groups would have it. The
+ *  reference, if any, stays where it is. A run that nothing was found of keeps its own poses.
+ *  Deterministic. O(rounds * groups * matches of a run). */
+NodePoses wholePoses(const PoseGraph& graph);
 
 }  // namespace roomgraph

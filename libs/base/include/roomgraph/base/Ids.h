@@ -34,4 +34,10 @@ using EdgeId = Id<struct EdgeTag>;          ///< a place in TopologyGraph::edges
 using HalfEdgeId = Id<struct HalfEdgeTag>;  ///< 2e along edge e, 2e + 1 back
 using RoomId = Id<struct RoomTag>;          ///< a place in RoomGraph::rooms
 
+// Of the pose graph of a site.
+using RunId = Id<struct RunTag>;
+using NodeId = Id<struct NodeTag>;
+using PoseEdgeId = Id<struct PoseEdgeTag>;
+using MatchGroupId = Id<struct MatchGroupTag>;
+
 }  // namespace roomgraph

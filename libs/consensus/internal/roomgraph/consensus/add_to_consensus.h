@@ -1,5 +1,4 @@
 #pragma once
-#include <cstddef>
 #include <vector>
 
 #include "roomgraph/consensus/map_errors.h"
@@ -13,16 +12,17 @@ namespace roomgraph {
 
 /** A run beside a consensus. */
 struct AddedToConsensus {
-  std::vector<Transform2D> poses;  ///< of its submaps, site <- submap
+  std::vector<Transform2D> poses;  ///< of its nodes, site <- node
+  double slack = 1;                ///< with which they were solved
   MapError error;
 };
 
-/** Where the submaps of run `added` really lie, as the runs say whose submaps lie at `poses`: what
- *  findConsensus gives where these do not move. `matches` are those of the run and of others; of
- *  them those count that have it on one side, and its map error is that among as many runs as it
- *  has matches with. So a run costs the same however many there are, and others have no say in it.
- *  Deterministic. O(submaps * matches of the run). */
-AddedToConsensus addToConsensus(const std::vector<RunSubmaps>& runs, std::size_t added,
-                                const std::vector<RunMatches>& matches, const SubmapPoses& poses);
+/** Where the nodes of run `added` really lie, as the runs say whose nodes lie at `poses`: what
+ *  findConsensus gives where these do not move. Of all matches those of `groups` count, which join
+ *  the run and others; its map error is that among as many runs as it has matches with. So a run
+ *  costs the same however many there are, and others have no say in it. Deterministic. O(nodes *
+ *  matches of the run). */
+AddedToConsensus addToConsensus(const PoseGraph& graph, RunId added,
+                                const std::vector<MatchGroupId>& groups, const NodePoses& poses);
 
 }  // namespace roomgraph

@@ -2,23 +2,24 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomgraph/base/ById.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   Run
+// In:   Run, its nodes
 // Out:  DrawnBy
-// Next: matchSubmaps
+// Next: matchNodes
 
-/** For each wall point of a map the submaps of its run that have drawn it. */
+/** For each wall point of a map the nodes of its run that have drawn it. */
 struct DrawnBy {
-  std::vector<std::uint32_t> firsts;   ///< of each wall point in `submaps`, and the end of the last
-  std::vector<std::uint32_t> submaps;  ///< ascending for each wall point
+  std::vector<std::uint32_t> firsts;  ///< of each wall point in `nodes`, and the end of the last
+  std::vector<NodeId> nodes;          ///< ascending for each wall point
 };
 
-/** `map` is that of the run, and not bare. Numbers the submaps as runSubmaps does. O(scans * walls
- *  of a scan), or O(walls). */
-DrawnBy drawnBy(const Run& run, const WallMap& map);
+/** `map` is that of the run, and not bare; `nodes` are those that addRunNodes made of the run.
+ *  O(scans * walls of a scan), or O(walls). */
+DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map);
 
 }  // namespace roomgraph

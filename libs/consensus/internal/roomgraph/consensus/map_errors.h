@@ -1,12 +1,12 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/RunMatches.h"
+#include "roomgraph/consensus/PoseGraph.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   the submaps of a run, and where they really lie
+// In:   a pose graph, and where its nodes really lie
 // Out:  MapError
 // Next: scoreRuns
 
@@ -17,19 +17,21 @@ struct MapError {
   double low = 0, high = 0;    ///< an interval that should hold the true error in 80 % of cases
   double seen = 0;             ///< share of what it has drawn that others have, too, 0 to 1
   Transform2D pose;            ///< site <- run, the best turn and shift
-  std::vector<double> errors;  ///< of each submap, root mean square [m]
-  std::vector<bool> isSeen;    ///< of each submap: whether others have it, too
+  std::vector<double> errors;  ///< of each node, root mean square [m]
+  std::vector<bool> isSeen;    ///< of each node: whether others have it, too
 };
 
-/** The map error of each run whose submaps lie at `poses` (those of findConsensus). The interval
- *  is wider for few runs and for what others have not seen. No error for a run that has drawn
- *  nothing. O(submaps + matches). */
-std::vector<MapError> mapErrors(const std::vector<RunSubmaps>& runs,
-                                const std::vector<RunMatches>& matches, const SubmapPoses& poses);
+/** The map error of each run whose nodes lie at `poses` (those of findConsensus). The interval is
+ *  wider for few runs and for what others have not seen. No error for a run that has drawn nothing.
+ *  O(nodes + edges). */
+ById<RunId, MapError> mapErrors(const PoseGraph& graph, const NodePoses& poses);
 
-/** Makes up for what fits nowhere: a lost submap (lostScans) is looked for within about a metre of
+/** The same of one run, by matches with `others` runs. */
+MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std::size_t others);
+
+/** Makes up for what fits nowhere: a lost node (lostScans) is looked for within about a metre of
  *  where the rest of its run has it, so it is taken to be that far off. Its error, that of the run
- *  and the upper end of the interval rise; nothing else changes. O(submaps). */
-void addLost(MapError& error, const RunSubmaps& run, const std::vector<bool>& isLost);
+ *  and the upper end of the interval rise; nothing else changes. O(nodes). */
+void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost);
 
 }  // namespace roomgraph

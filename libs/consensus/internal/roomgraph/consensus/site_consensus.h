@@ -12,11 +12,11 @@ namespace roomgraph {
 // Out:  Consensus
 // Next: scoreRuns, siteBreaks
 
-/** Matches the submaps of all runs of a site that were related, and finds their consensus: that of
+/** Matches the nodes of all runs of a site that were related, and finds their consensus: that of
  *  the core, to which the other runs are added one by one. Of copies of one map one counts. A
  *  reference, which is in the core, is taken for the truth. The site's poses say how each run
  *  lies in each other as a whole. Nothing is found of runs of which none has scans. The same for
- *  any order of the jobs. Cost: that of matchSubmaps for each pair, both ways, and that of
+ *  any order of the jobs. Cost: that of matchNodes for each pair, both ways, and that of
  *  findConsensus. */
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
                         const ForEach& forEach);

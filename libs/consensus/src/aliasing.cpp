@@ -1,4 +1,4 @@
-#include "likeness.h"
+#include "aliasing.h"
 
 #include <algorithm>
 #include <optional>
@@ -37,7 +37,7 @@ std::optional<double> shareFound(const WallPatch& patch, const Transform2D& moti
 
 }  // namespace
 
-double likenessUnder(const Transform2D& motion, const WallMap& map) {
+double aliasingUnder(const Transform2D& motion, const WallMap& map) {
   const std::size_t stride = std::max<std::size_t>(1, map.patches.size() / kLookedAt);
   double all = 0, known = 0, alike = 0;
   for (std::size_t p = 0; p < map.patches.size(); p += stride, ++all)

@@ -1,0 +1,105 @@
+#pragma once
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/base/ById.h"
+#include "roomgraph/geometry/Transform2D.h"
+
+namespace roomgraph {
+
+/** Standard deviations of a measured pose [m, rad]. */
+struct PoseNoise {
+  double place = 0, turn = 0;
+
+  PoseNoise times(double factor) const { return {factor * place, factor * turn}; }
+};
+
+/** A part of a run that is rigid in itself: a key frame with its scan or, of a run without scans, a
+ *  patch of its walls. */
+struct PoseNode {
+  RunId run;
+  Transform2D pose;              ///< run <- node, as the run has it
+  PointSums points;              ///< what it drew [m, frame of the node]
+  std::optional<ScanAxes> axes;  ///< of its walls [frame of the node]
+};
+
+/** Where one node was measured to lie in another: a link of two nodes of a run, which are to keep
+ *  their pose to each other, or a match, which is one of a group. */
+struct PoseEdge {
+  NodeId from, to;
+  Transform2D measured;     ///< from <- to
+  PoseNoise noise;          ///< of it
+  MatchGroupId group;       ///< none of a link
+  double share = 1;         ///< of the walls of `to` that were found; 1 of a link
+  bool isSameScan = false;  ///< both are one scan of one drive, so `measured` changes nothing
+};
+
+/** A match, `share` of whose walls were found. */
+PoseEdge matchEdge(NodeId from, NodeId to, const Transform2D& measured, double share);
+/** A match of two nodes that have one scan. */
+PoseEdge sameScanEdge(NodeId from, NodeId to);
+
+/** An edge as one of its nodes sees it. */
+struct HalfEdge {
+  NodeId node, other;
+  Transform2D measured;  ///< other <- node
+};
+
+/** What of one run was found in another in one go, or of a run in itself elsewhere: right or wrong,
+ *  it is so together. Its edges lead from the nodes of `from` to those of `to` that were found. */
+struct MatchGroup {
+  RunId from, to;
+  IdRange<PoseEdgeId> edges;  ///< ascending by `to`; at least one
+  /** How much the other map looks alike here and where a larger group was found, 0 to 1: in a
+   *  building that repeats itself, to be found elsewhere than the rest says little. */
+  double aliasing = 0;
+};
+
+/** A run in the graph. Key frames are linked each to the next, patches to those beside them. */
+struct GraphRun {
+  IdRange<NodeId> nodes;  ///< key frames in the order of the run, or patches
+  IdRange<PoseEdgeId> links;
+  bool hasScans = false;
+};
+
+/** A pose for each node of a graph, site <- node. */
+using NodePoses = ById<NodeId, Transform2D>;
+
+/** The runs of a site as nodes and edges: what each run says of itself, and what was found of one
+ *  in the other. Nodes and links stand in the order of the runs, the edges of the matches behind
+ *  them, group by group. A group may join two runs, or two places of one. */
+struct PoseGraph {
+  ById<RunId, GraphRun> runs;
+  ById<NodeId, PoseNode> nodes;
+  ById<PoseEdgeId, PoseEdge> edges;
+  ById<MatchGroupId, MatchGroup> groups;
+  RunId reference;  ///< the run that is taken for the truth and stays as it is, or none
+
+  RunId addRun(bool hasScans);
+  /** To the run that was added last. */
+  NodeId addNode(const Transform2D& pose, const PointSums& points,
+                 const std::optional<ScanAxes>& axes);
+  /** Between two nodes of the run that was added last, which keep the pose that they have. */
+  void addLink(NodeId from, NodeId to);
+  /** The edges need no `group`; once this was called, no run may be added. */
+  void addGroup(MatchGroup group, const std::vector<PoseEdge>& matches);
+
+  /** The nodes where their runs have them. */
+  NodePoses ownPoses() const;
+  RunId runOf(NodeId node) const { return nodes[node].run; }
+};
+
+/** How far the edges of a graph are trusted. */
+struct GraphTrust {
+  ById<RunId, double> slack;          ///< how far the links of a run give way, 1 at first
+  ById<MatchGroupId, double> belief;  ///< how far a group is taken for right, 0 to 1
+};
+
+/** Both views of an edge, that of `to` first. */
+inline std::array<HalfEdge, 2> halvesOf(const PoseEdge& edge) {
+  return {{{edge.to, edge.from, edge.measured}, {edge.from, edge.to, edge.measured.inverse()}}};
+}
+
+}  // namespace roomgraph

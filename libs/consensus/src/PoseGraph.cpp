@@ -1,0 +1,64 @@
+#include "roomgraph/consensus/PoseGraph.h"
+
+#include <cmath>
+
+#include "fitted_consensus.h"
+
+namespace roomgraph {
+namespace {
+
+/** How far a step of an ordinary run is off: some for each key frame, and more for way and turn. */
+PoseNoise linkNoise(const Transform2D& step) {
+  const double way = norm(step.shift());
+  const double turned = std::abs(step.phi);
+  const auto squared = [](double x) { return x * x; };
+  return {std::sqrt(squared(fitted::kLinkPlace) + squared(fitted::kLinkPlacePerRootMetre) * way),
+          std::sqrt(squared(fitted::kLinkTurn) + squared(fitted::kLinkTurnPerRootMetre) * way +
+                    squared(fitted::kLinkTurnPerRootRadian) * turned)};
+}
+
+}  // namespace
+
+PoseEdge matchEdge(NodeId from, NodeId to, const Transform2D& measured, double share) {
+  return {from, to, measured, {fitted::kMatchPlace, fitted::kMatchTurn}, {}, share};
+}
+
+PoseEdge sameScanEdge(NodeId from, NodeId to) {
+  return {from, to, {}, {fitted::kSameScanPlace, fitted::kSameScanTurn}, {}, 1, true};
+}
+
+RunId PoseGraph::addRun(bool hasScans) {
+  return runs.add({{nodes.size(), nodes.size()}, {edges.size(), edges.size()}, hasScans});
+}
+
+NodeId PoseGraph::addNode(const Transform2D& pose, const PointSums& points,
+                          const std::optional<ScanAxes>& axes) {
+  const RunId run = runs.ids().back();
+  const NodeId node = nodes.add({run, pose, points, axes});
+  runs[run].nodes = {nodes.size() - 1 - runs[run].nodes.size(), nodes.size()};
+  return node;
+}
+
+void PoseGraph::addLink(NodeId from, NodeId to) {
+  const Transform2D step = nodes[from].pose.inverse() * nodes[to].pose;
+  edges.add({from, to, step, linkNoise(step)});
+  GraphRun& run = runs[runOf(to)];
+  run.links = {edges.size() - 1 - run.links.size(), edges.size()};
+}
+
+void PoseGraph::addGroup(MatchGroup group, const std::vector<PoseEdge>& matches) {
+  group.edges = {edges.size(), edges.size() + matches.size()};
+  const MatchGroupId id = groups.add(group);
+  for (PoseEdge edge : matches) {
+    edge.group = id;
+    edges.add(edge);
+  }
+}
+
+NodePoses PoseGraph::ownPoses() const {
+  NodePoses poses;
+  for (const PoseNode& node : nodes) poses.add(node.pose);
+  return poses;
+}
+
+}  // namespace roomgraph

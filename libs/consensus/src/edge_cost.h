@@ -1,0 +1,45 @@
+#pragma once
+#include <cmath>
+
+#include "fitted_consensus.h"
+#include "roomgraph/consensus/PoseGraph.h"
+
+namespace roomgraph {
+
+// The terms of docs/scoring.md, "The cost".
+
+/** How an edge counts: residuals are in units of `noise`; beyond `width` of these the Cauchy kernel
+ *  lets go. */
+struct EdgeTerm {
+  PoseNoise noise;
+  double width = 1, weight = 1;
+
+  /** Half of the robust squared residual, as in Ceres, of nodes that lie to each other as `found`
+   *  instead of as `measured`. */
+  double cost(const Transform2D& measured, const Transform2D& found) const {
+    const double place = distance(found.shift(), measured.shift()) / noise.place;
+    const double turn = wrappedAngle(found.phi - measured.phi) / noise.turn;
+    const double squares = place * place + turn * turn, wide = width * width;
+    return weight * wide * std::log1p(squares / wide) / 2;
+  }
+};
+
+/** A link holds its nodes together as far as its run's `slack` allows. */
+inline EdgeTerm linkTerm(const PoseEdge& link, double slack) {
+  return {link.noise.times(slack), fitted::kLinkWidth, 1};
+}
+
+/** A match lays its nodes on each other as far as its group is believed. */
+inline EdgeTerm matchTerm(const PoseEdge& match, double belief) {
+  return {
+      match.noise, fitted::kMatchWidth,
+      belief * match.share * (match.isSameScan ? fitted::kSameScanWeight : fitted::kMatchWeight)};
+}
+
+/** Either, in a graph that is trusted so far. */
+inline EdgeTerm termOf(const PoseGraph& graph, const PoseEdge& edge, const GraphTrust& trust) {
+  return edge.group ? matchTerm(edge, trust.belief[edge.group])
+                    : linkTerm(edge, trust.slack[graph.runOf(edge.from)]);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,148 @@
+#include "roomgraph/consensus/match_nodes.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "aliasing.h"
+#include "fitted_consensus.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/consensus/track_scans.h"
+
+namespace roomgraph {
+namespace {
+
+/** Counts which nodes of the other run drew the walls that a node meets there. */
+class Meeting {
+ public:
+  Meeting(const DrawnMap& other, const Transform2D& pose) : other_(other), forth_(pose) {}
+
+  void add(const WallPoint& point) {
+    ++all_;
+    const Point at = forth_(point.place);
+    const WallMap& map = other_.map;
+    const WallPoint* wall =
+        nearestWall(map, cellIndexAt(map.frame, at), forth_.turned(point.normal));
+    if (!wall || distance(wall->place, at) > kSameWall) return;
+    ++found_;
+    const auto first = other_.drawnBy.firsts.begin() + (wall - map.walls.data());
+    for (std::uint32_t k = first[0]; k < first[1]; ++k) ++met_[other_.drawnBy.nodes[k]];
+  }
+
+  double share() const { return all_ > 0 ? found_ / all_ : 0; }
+
+  /** The node met most, of equal ones the first; none where nothing was met. */
+  NodeId mostMet() const {
+    NodeId most;
+    for (const auto& [node, count] : met_)
+      if (!most || count > met_.at(most)) most = node;
+    return most;
+  }
+
+ private:
+  const DrawnMap& other_;
+  Motion2D forth_;
+  double all_ = 0, found_ = 0;
+  std::map<NodeId, int> met_;
+};
+
+/** Adds the match of a node that lies at `pose` (map <- run), if enough of it is there. */
+void addMatch(const PoseGraph& graph, NodeId node, const Transform2D& pose, const Meeting& meeting,
+              std::vector<PoseEdge>& matches) {
+  const NodeId from = meeting.mostMet();
+  if (!from || meeting.share() < fitted::kLeastFound) return;
+  const Transform2D measured = graph.nodes[from].pose.inverse() * pose * graph.nodes[node].pose;
+  matches.push_back(matchEdge(from, node, measured, meeting.share()));
+}
+
+std::vector<FoundGroup> matchPatches(const PoseGraph& graph, RunId id, const WallMap& map,
+                                     const DrawnMap& other, const FollowedWalls& followed) {
+  std::map<int, FoundGroup> layers;
+  for (const FollowedPatch& patch : followed.patches) {
+    Meeting meeting(other, patch.pose);
+    for (const std::uint32_t wall : map.patches[patch.patch].own) meeting.add(map.walls[wall]);
+    addMatch(graph, graph.runs[id].nodes[patch.patch], patch.pose, meeting,
+             layers[patch.layer].matches);
+  }
+  std::vector<FoundGroup> groups;
+  for (auto& [layer, group] : layers) groups.push_back(std::move(group));
+  return groups;
+}
+
+using Track = std::vector<std::optional<Transform2D>>;  // map <- run, of each scan
+
+std::vector<FoundGroup> matchTrack(const PoseGraph& graph, IdRange<NodeId> nodes, const Run& run,
+                                   const DrawnMap& other, const Track& track) {
+  std::vector<FoundGroup> groups;
+  std::optional<std::size_t> last;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    if (!track[k]) continue;
+    const ScanWalls& scan = run.scans[k];
+    if (!last || !areNear(*track[*last], *track[k], scan.at(), kSteadyTrack))
+      groups.emplace_back();  // the track jumps
+    last = k;
+    Meeting meeting(other, *track[k]);
+    for (const WallPoint& point : scan.walls) meeting.add(point);
+    addMatch(graph, nodes[k], *track[k], meeting, groups.back().matches);
+  }
+  return groups;
+}
+
+/** Compares the map where each group was found with where the others would have it. */
+void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const Track& track,
+                  const Run& run, const WallMap& map) {
+  const auto middleOf = [&](const FoundGroup& group) {
+    return nodes.placeOf(group.matches[group.matches.size() / 2].to);
+  };
+  for (std::size_t a = 0; a < groups.size(); ++a)
+    for (std::size_t b = a + 1; b < groups.size(); ++b) {
+      if (groups[a].matches.empty() || groups[b].matches.empty()) continue;
+      const std::size_t k = middleOf(groups[a]);
+      const Transform2D &here = *track[k], &there = *track[middleOf(groups[b])];
+      if (areNear(here, there, run.scans[k].at(), kBesideItself)) continue;
+      const bool isSecondSmaller = groups[b].matches.size() <= groups[a].matches.size();
+      MatchGroup& smaller = groups[isSecondSmaller ? b : a].group;
+      smaller.aliasing = std::max(smaller.aliasing, aliasingUnder(there * here.inverse(), map));
+    }
+}
+
+}  // namespace
+
+std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& run,
+                                   const DrawnMap& other, const FollowedWalls& followed,
+                                   const std::vector<Transform2D>& wholes) {
+  if (followed.patches.empty()) return {};
+  std::vector<FoundGroup> groups;
+  if (!graph.runs[id].hasScans) {
+    groups = matchPatches(graph, id, run.map, other, followed);
+  } else {
+    const IdRange<NodeId> nodes = graph.runs[id].nodes;
+    const Track track = trackScans(run.scans, run.map.patches, followed, wholes, other.map);
+    groups = matchTrack(graph, nodes, run, other, track);
+    tellAliasing(groups, nodes, track, run, other.map);
+  }
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const FoundGroup& group) { return group.matches.empty(); }),
+               groups.end());
+  for (FoundGroup& found : groups) found.group.from = other.run, found.group.to = id;
+  return groups;
+}
+
+FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, const Run& runB) {
+  std::unordered_map<std::uint64_t, std::size_t> scansOfB;
+  for (std::size_t k = 0; k < runB.scans.size(); ++k)
+    if (runB.scans[k].ends.count > 0) scansOfB.emplace(runB.scans[k].scanId, k);
+  FoundGroup found{{b, a, {}, 0}, {}};
+  for (std::size_t k = 0; k < runA.scans.size(); ++k) {
+    const auto same = scansOfB.find(runA.scans[k].scanId);
+    if (runA.scans[k].ends.count > 0 && same != scansOfB.end())
+      found.matches.push_back(
+          sameScanEdge(graph.runs[b].nodes[same->second], graph.runs[a].nodes[k]));
+  }
+  return found;
+}
+
+}  // namespace roomgraph

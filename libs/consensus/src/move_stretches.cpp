@@ -1,0 +1,242 @@
+#include "move_stretches.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "belief.h"
+#include "edge_cost.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kGaveWay = 10;   // half the robust squared residual of a link from which on it did
+constexpr double kDoubted = 0.5;  // belief under which a group is asked where it would have its run
+constexpr int kRounds = 8;
+constexpr double kLenient = 4;  // times the noise of matches: what is left over the solver mends
+constexpr double kBetter = 1;   // by which the cost must fall, so that rounding decides nothing
+constexpr std::size_t kMostPlaces = 24;  // that are tried for a stretch
+
+/** Nodes first to last of a run. */
+struct Stretch {
+  RunId run;
+  NodeId first, last;
+
+  bool has(NodeId node) const { return !(node < first) && !(last < node); }
+  IdRange<NodeId> nodes() const { return {first.index(), last.index() + 1}; }
+  NodeId middle() const { return nodes()[(nodes().size() - 1) / 2]; }
+  bool operator==(const Stretch& o) const {
+    return run == o.run && first == o.first && last == o.last;
+  }
+};
+
+/** An edge as one of its nodes sees it. */
+struct Tie {
+  PoseEdgeId edge;
+  HalfEdge half;
+};
+
+/** What the matches of a group say. */
+struct GroupSum {
+  double cost = 0, inliers = 0;  // as if all of it were believed
+};
+
+class Mover {
+ public:
+  Mover(const PoseGraph& graph, const ById<RunId, double>& slack, NodePoses& poses)
+      : graph_(graph),
+        slack_(slack),
+        poses_(poses),
+        ties_(graph.nodes.size()),
+        states_(graph.edges.size()),
+        sums_(graph.groups.size()),
+        changes_(graph.groups.size()),
+        isTouched_(graph.groups.size()) {
+    for (const PoseEdgeId id : graph.edges.ids()) {
+      const PoseEdge& edge = graph.edges[id];
+      for (const HalfEdge& half : halvesOf(edge)) ties_[half.node].push_back({id, half});
+      states_[id] = stateAt(edge, poses_[edge.from], poses_[edge.to]);
+      if (edge.group) add(sums_[edge.group], states_[id], 1);
+    }
+  }
+
+  void move() {
+    for (int round = 0; round < kRounds; ++round) {
+      bool hasMoved = false;
+      for (const Stretch& stretch : stretches()) hasMoved |= place(stretch);
+      if (!hasMoved) return;
+    }
+  }
+
+ private:
+  struct EdgeState {
+    double cost = 0;
+    bool isInlier = false;
+  };
+
+  EdgeState stateAt(const PoseEdge& edge, const Transform2D& from, const Transform2D& to) const {
+    const Transform2D found = from.inverse() * to;
+    if (!edge.group)
+      return {linkTerm(edge, slack_[graph_.runOf(edge.from)]).cost(edge.measured, found)};
+    EdgeTerm term = matchTerm(edge, 1);
+    term.noise = term.noise.times(kLenient);
+    return {term.cost(edge.measured, found), isInlier(edge, found, kInlier)};
+  }
+
+  static void add(GroupSum& sum, const EdgeState& state, double sign) {
+    sum.cost += sign * state.cost, sum.inliers += sign * state.isInlier;
+  }
+
+  /** What a group costs, believed as far as its matches are inliers. */
+  double costOf(MatchGroupId id, const GroupSum& sum) const {
+    const MatchGroup& group = graph_.groups[id];
+    const double belief = beliefOf(sum.inliers / double(group.edges.size()));
+    return belief * sum.cost + (1 - belief) * costOfGivingUp(group);
+  }
+
+  /** The stretches that may belong elsewhere, shortest first: between links that gave way, all
+   *  before and all behind one, whole runs, and what a group that is doubted was found of. */
+  std::vector<Stretch> stretches() const {
+    std::vector<Stretch> all;
+    for (const RunId run : graph_.runs.ids()) addStretches(run, all);
+    for (const MatchGroupId id : graph_.groups.ids()) {
+      const MatchGroup& group = graph_.groups[id];
+      const double share = sums_[id].inliers / double(group.edges.size());
+      if (!isMovable(group.to) || beliefOf(share) >= kDoubted) continue;
+      addCuts({group.to, graph_.edges[group.edges.front()].to, graph_.edges[group.edges.back()].to},
+              all);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Stretch& l, const Stretch& r) {
+      return l.nodes().size() < r.nodes().size();
+    });
+    return all;
+  }
+
+  bool isMovable(RunId run) const {
+    const GraphRun& it = graph_.runs[run];
+    return it.hasScans && !it.nodes.isEmpty() && run != graph_.reference;
+  }
+
+  void addStretches(RunId id, std::vector<Stretch>& all) const {
+    if (!isMovable(id)) return;
+    const GraphRun& run = graph_.runs[id];
+    NodeId first = run.nodes.front();
+    addOnce({id, first, run.nodes.back()}, all);
+    for (const PoseEdgeId link : run.links) {
+      if (states_[link].cost <= kGaveWay) continue;
+      addCuts({id, first, graph_.edges[link].from}, all);
+      first = graph_.edges[link].to;
+    }
+    if (first != run.nodes.front()) addCuts({id, first, run.nodes.back()}, all);
+  }
+
+  /** A stretch, and all from its ends on either way. */
+  void addCuts(const Stretch& stretch, std::vector<Stretch>& all) const {
+    const IdRange<NodeId>& nodes = graph_.runs[stretch.run].nodes;
+    addOnce(stretch, all);
+    addOnce({stretch.run, nodes.front(), stretch.last}, all);
+    addOnce({stretch.run, stretch.first, nodes.back()}, all);
+  }
+
+  static void addOnce(const Stretch& stretch, std::vector<Stretch>& all) {
+    if (std::find(all.begin(), all.end(), stretch) == all.end()) all.push_back(stretch);
+  }
+
+  /** The edges that hold a stretch: those that lead out of it. */
+  template <class Do>
+  void eachTieOf(const Stretch& stretch, const Do& todo) const {
+    for (const NodeId node : stretch.nodes())
+      for (const Tie& tie : ties_[node])
+        if (!stretch.has(tie.half.other)) todo(tie);
+  }
+
+  /** The edge of a tie once its node has been moved (site <- site). */
+  EdgeState stateBy(const Tie& tie, const Transform2D& motion) const {
+    const PoseEdge& edge = graph_.edges[tie.edge];
+    const Transform2D moved = motion * poses_[tie.half.node];
+    return tie.half.node == edge.to ? stateAt(edge, poses_[edge.from], moved)
+                                    : stateAt(edge, moved, poses_[edge.to]);
+  }
+
+  /** By how much the cost changes once the stretch has been moved (site <- site). */
+  double changeBy(const Stretch& stretch, const Transform2D& motion) {
+    double change = 0;
+    eachTieOf(stretch, [&](const Tie& tie) {
+      const EdgeState &before = states_[tie.edge], after = stateBy(tie, motion);
+      const MatchGroupId group = graph_.edges[tie.edge].group;
+      if (!group) {
+        change += after.cost - before.cost;
+        return;
+      }
+      if (!isTouched_[group]) touched_.push_back(group);
+      isTouched_[group] = true;
+      add(changes_[group], after, 1);
+      add(changes_[group], before, -1);
+    });
+    for (const MatchGroupId group : touched_) {
+      const GroupSum now{sums_[group].cost + changes_[group].cost,
+                         sums_[group].inliers + changes_[group].inliers};
+      change += costOf(group, now) - costOf(group, sums_[group]);
+      changes_[group] = {}, isTouched_[group] = false;
+    }
+    touched_.clear();
+    return change;
+  }
+
+  /** Motions that bring the stretch to where one of its links or matches would have it. */
+  std::vector<Transform2D> motionsOf(const Stretch& stretch) const {
+    std::vector<Transform2D> motions;
+    const Point middle = poses_[stretch.middle()].shift();
+    const auto offer = [&](const HalfEdge& half) {
+      const Transform2D wanted = poses_[half.other] * half.measured;
+      const Transform2D motion = wanted * poses_[half.node].inverse();
+      const auto isKnown = [&](const Transform2D& known) {
+        return areNear(known, motion, middle, kSameStart);
+      };
+      if (motions.size() < kMostPlaces && !areNear({}, motion, middle, kInlier) &&
+          std::none_of(motions.begin(), motions.end(), isKnown))
+        motions.push_back(motion);
+    };
+    for (const bool isLink : {true, false})
+      eachTieOf(stretch, [&](const Tie& tie) {
+        if (!graph_.edges[tie.edge].group == isLink) offer(tie.half);
+      });
+    return motions;
+  }
+
+  bool place(const Stretch& stretch) {
+    double best = -kBetter;
+    std::optional<Transform2D> chosen;
+    for (const Transform2D& motion : motionsOf(stretch))
+      if (const double change = changeBy(stretch, motion); change < best)
+        best = change, chosen = motion;
+    if (!chosen) return false;
+    for (const NodeId node : stretch.nodes()) poses_[node] = *chosen * poses_[node];
+    eachTieOf(stretch, [&](const Tie& tie) {
+      const PoseEdge& edge = graph_.edges[tie.edge];
+      const EdgeState before = states_[tie.edge];
+      states_[tie.edge] = stateAt(edge, poses_[edge.from], poses_[edge.to]);
+      if (!edge.group) return;
+      add(sums_[edge.group], before, -1);
+      add(sums_[edge.group], states_[tie.edge], 1);
+    });
+    return true;
+  }
+
+  const PoseGraph& graph_;
+  const ById<RunId, double>& slack_;
+  NodePoses& poses_;
+  ById<NodeId, std::vector<Tie>> ties_;
+  ById<PoseEdgeId, EdgeState> states_;           // where the nodes lie now
+  ById<MatchGroupId, GroupSum> sums_, changes_;  // now, and by a motion
+  ById<MatchGroupId, bool> isTouched_;           // whether changes_ is something
+  std::vector<MatchGroupId> touched_;            // those groups
+};
+
+}  // namespace
+
+void moveStretches(const PoseGraph& graph, const ById<RunId, double>& slack, NodePoses& poses) {
+  Mover(graph, slack, poses).move();
+}
+
+}  // namespace roomgraph

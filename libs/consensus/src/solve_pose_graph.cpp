@@ -1,0 +1,176 @@
+#include "roomgraph/consensus/solve_pose_graph.h"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "edge_cost.h"
+
+namespace roomgraph {
+namespace {
+
+// From stage to stage the kernels are halved.
+constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
+
+/** The pose of one node in another is as it was measured. */
+class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
+ public:
+  RelativePose(const Transform2D& measured, const PoseNoise& noise)
+      : measured_(measured), noise_(noise) {}
+
+  bool Evaluate(double const* const* poses, double* residuals, double** jacobians) const override {
+    const double *a = poses[0], *b = poses[1];
+    const double c = std::cos(a[2]), s = std::sin(a[2]), x = b[0] - a[0], y = b[1] - a[1];
+    const double place = 1 / noise_.place, turn = 1 / noise_.turn;
+    residuals[0] = place * (c * x + s * y - measured_.x);
+    residuals[1] = place * (-s * x + c * y - measured_.y);
+    residuals[2] = turn * wrappedAngle(b[2] - a[2] - measured_.phi);
+    if (!jacobians) return true;
+    if (double* j = jacobians[0]) {
+      j[0] = -c * place, j[1] = -s * place, j[2] = (-s * x + c * y) * place;
+      j[3] = s * place, j[4] = -c * place, j[5] = (-c * x - s * y) * place;
+      j[6] = 0, j[7] = 0, j[8] = -turn;
+    }
+    if (double* j = jacobians[1]) {
+      j[0] = c * place, j[1] = s * place, j[2] = 0;
+      j[3] = -s * place, j[4] = c * place, j[5] = 0;
+      j[6] = 0, j[7] = 0, j[8] = turn;
+    }
+    return true;
+  }
+
+ private:
+  Transform2D measured_;
+  PoseNoise noise_;
+};
+
+/** The axes of a node lie along those of the building, up to quarter turns. */
+class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
+ public:
+  explicit AlongAxes(double turn) : turn_(turn) {}
+
+  bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
+    residuals[0] = wrappedAngle(4 * (values[0][2] + turn_ - values[1][0])) / 4 / fitted::kAxesTurn;
+    if (!jacobians) return true;
+    if (double* j = jacobians[0]) j[0] = 0, j[1] = 0, j[2] = 1 / fitted::kAxesTurn;
+    if (double* j = jacobians[1]) j[0] = -1 / fitted::kAxesTurn;
+    return true;
+  }
+
+ private:
+  double turn_;
+};
+
+/** The direction that the axes of most nodes have [rad]. */
+double axesOfAll(const PoseGraph& graph, const NodePoses& poses) {
+  double cosine = 0, sine = 0;
+  for (const NodeId node : poses.ids())
+    if (const auto& axes = graph.nodes[node].axes) {
+      cosine += axes->weight * std::cos(4 * (poses[node].phi + axes->turn));
+      sine += axes->weight * std::sin(4 * (poses[node].phi + axes->turn));
+    }
+  return std::atan2(sine, cosine) / 4;
+}
+
+class Solver {
+ public:
+  Solver(const PoseGraph& graph, const GraphTrust& trust, const NodePoses& start)
+      : graph_(graph), trust_(trust), axes_(axesOfAll(graph, start)) {
+    for (const Transform2D& pose : start) values_.add({pose.x, pose.y, pose.phi});
+    for (const GraphRun& run : graph.runs) {
+      for (const PoseEdgeId link : run.links) addEdge(graph.edges[link]);
+      for (const NodeId node : run.nodes) addAxes(node);
+    }
+    for (const MatchGroup& group : graph.groups)
+      for (const PoseEdgeId match : group.edges) addEdge(graph.edges[match]);
+    hold();
+  }
+
+  PoseGraphSolution solve(StartIs startIs) {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
+    options.logging_type = ceres::SILENT;
+    options.function_tolerance = 1e-4;
+    ceres::Solver::Summary summary;
+    double widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
+    for (int stage = startIs == StartIs::good ? kStages - 1 : 0; stage < kStages; ++stage) {
+      const bool isLast = stage + 1 == kStages;
+      options.max_num_iterations = isLast ? kLastSteps : kStageSteps;
+      widenKernels(isLast ? 1 : widening);
+      ceres::Solve(options, &problem_, &summary);
+      widening = std::max(1.0, widening / 2);
+    }
+    return {poses(), summary.final_cost};
+  }
+
+ private:
+  struct Kernel {
+    ceres::LossFunctionWrapper* loss;
+    double width, weight;
+  };
+
+  ceres::LossFunction* kernel(double width, double weight) {
+    auto* loss = new ceres::LossFunctionWrapper(nullptr, ceres::TAKE_OWNERSHIP);
+    kernels_.push_back({loss, width, weight});
+    return loss;  // the problem takes it
+  }
+
+  void widenKernels(double factor) {
+    for (const Kernel& kernel : kernels_)
+      kernel.loss->Reset(new ceres::ScaledLoss(new ceres::CauchyLoss(kernel.width * factor),
+                                               kernel.weight, ceres::TAKE_OWNERSHIP),
+                         ceres::TAKE_OWNERSHIP);
+  }
+
+  void addEdge(const PoseEdge& edge) {
+    if (edge.from == edge.to) return;  // of a coarse graph: one node as it was found in itself
+    const EdgeTerm term = termOf(graph_, edge, trust_);
+    problem_.AddResidualBlock(new RelativePose(edge.measured, term.noise),
+                              kernel(term.width, term.weight), values_[edge.from].data(),
+                              values_[edge.to].data());
+  }
+
+  void addAxes(NodeId node) {
+    if (const auto& axes = graph_.nodes[node].axes)
+      problem_.AddResidualBlock(new AlongAxes(axes->turn),
+                                new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth),
+                                                      axes->weight, ceres::TAKE_OWNERSHIP),
+                                values_[node].data(), &axes_);
+  }
+
+  /** Keeps in place what nothing else would. */
+  void hold() {
+    const RunId fixed = graph_.reference ? graph_.reference : RunId(0);
+    for (const NodeId node : graph_.runs[fixed].nodes) {
+      const bool isHeld = graph_.reference || node == graph_.runs[fixed].nodes.front();
+      if (isHeld && problem_.HasParameterBlock(values_[node].data()))
+        problem_.SetParameterBlockConstant(values_[node].data());
+    }
+  }
+
+  NodePoses poses() const {
+    NodePoses poses;
+    for (const auto& value : values_) poses.add({value[0], value[1], wrappedAngle(value[2])});
+    return poses;
+  }
+
+  const PoseGraph& graph_;
+  const GraphTrust& trust_;
+  ById<NodeId, std::array<double, 3>> values_;
+  double axes_ = 0;
+  std::vector<Kernel> kernels_;
+  ceres::Problem problem_;
+};
+
+}  // namespace
+
+PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust, NodePoses start,
+                                 StartIs startIs) {
+  return Solver(graph, trust, start).solve(startIs);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,196 @@
+#include "move_stretches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "RandomNumbers.h"
+#include "belief.h"
+#include "drawn_pose_graph.h"
+#include "edge_cost.h"
+
+namespace roomgraph {
+namespace {
+
+using test::roundTheBlock;
+using test::Way;
+
+/** Two sound runs round a block, and poses of which some key frames of the second lie elsewhere. */
+struct TwoRuns {
+  std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
+  PoseGraph graph = test::matchedPoseGraph(truth, truth);
+  NodePoses poses = test::posesOf(truth);
+
+  std::size_t last() const { return truth[1].size() - 1; }
+  void misplace(std::size_t from, std::size_t to, const Transform2D& wrong = {27, 0, 0},
+                std::size_t run = 1) {
+    const IdRange<NodeId> nodes = graph.runs[RunId(run)].nodes;
+    for (std::size_t k = from; k <= to; ++k) poses[nodes[k]] = wrong * poses[nodes[k]];
+  }
+  void move() { moveStretches(graph, ById<RunId, double>(graph.runs.size(), 1), poses); }
+  double misplacedAfterMoving() {
+    move();
+    return test::misplaced(poses, truth);
+  }
+};
+
+TEST(MoveStretches, bringsHomeWhatBothItsLinksHaveLetGo) {
+  for (const std::size_t last : {20u, 21u, 27u}) {
+    TwoRuns two;
+    two.misplace(20, last);
+    EXPECT_LT(two.misplacedAfterMoving(), 1e-6) << last;
+  }
+}
+
+TEST(MoveStretches, bringsHomeSeveralAndBothEnds) {
+  TwoRuns two;
+  two.misplace(0, 4);
+  two.misplace(20, 20);
+  two.misplace(30, two.last());
+  EXPECT_LT(two.misplacedAfterMoving(), 1e-6);
+}
+
+TEST(MoveStretches, bringsHomeAWholeRun) {
+  TwoRuns two;
+  two.misplace(0, two.last());
+  EXPECT_LT(two.misplacedAfterMoving(), 1e-6);
+}
+
+TEST(MoveStretches, tearsARunWhereAGroupThatIsGivenUpWouldHaveIt) {
+  TwoRuns two;
+  // Drawn torn, and laid down as one: no link has given way, but what was found of its end lies
+  // elsewhere.
+  const Way torn = test::torn(two.truth[1], 25, 0, {3, 4});
+  const PoseGraph whole = test::matchedPoseGraph({two.truth[0], torn}, two.truth);
+  two.poses = test::posesOf({two.truth[0], torn});
+  two.graph = test::withoutMatches(whole);
+  two.graph.reference = RunId(0);
+  const NodeId cut = whole.runs[RunId(1)].nodes[25];
+  for (const MatchGroup& group : whole.groups)
+    for (const bool isFront : {true, false}) {
+      std::vector<PoseEdge> matches;
+      for (const PoseEdgeId id : group.edges) {
+        const PoseEdge& edge = whole.edges[id];
+        if ((std::max(edge.from, edge.to) < cut) == isFront) matches.push_back(edge);
+      }
+      two.graph.addGroup(group, matches);
+    }
+  EXPECT_LT(two.misplacedAfterMoving(), 1e-6);
+}
+
+TEST(MoveStretches, leavesWhatLiesWhereItBelongs) {
+  TwoRuns two;
+  EXPECT_EQ(two.misplacedAfterMoving(), 0);
+  // Torn in truth: all its matches say so, against one link.
+  const Way torn = test::torn(two.truth[1], 25, 1.2, {3, 4});
+  two.graph = test::matchedPoseGraph({two.truth[0], torn}, two.truth);
+  EXPECT_EQ(two.misplacedAfterMoving(), 0);
+}
+
+TEST(MoveStretches, theReferenceStays) {
+  TwoRuns two;
+  two.misplace(20, 22);
+  two.graph = test::withoutMatches(two.graph);
+  two.graph.reference = RunId(1);
+  const Way before(two.poses.begin(), two.poses.end());
+  two.move();
+  EXPECT_EQ(test::misplaced(two.poses, {before}), 0);
+}
+
+/** What the whole graph costs, each group believed as far as its matches are inliers. */
+double costOf(const TwoRuns& two) {
+  constexpr double kLenient = 4;
+  double cost = 0;
+  const auto found = [&](const PoseEdge& edge) {
+    return two.poses[edge.from].inverse() * two.poses[edge.to];
+  };
+  for (const PoseEdge& edge : two.graph.edges)
+    if (!edge.group) cost += linkTerm(edge, 1).cost(edge.measured, found(edge));
+  for (const MatchGroup& group : two.graph.groups) {
+    double sum = 0, inliers = 0;
+    for (const PoseEdgeId id : group.edges) {
+      const PoseEdge& edge = two.graph.edges[id];
+      EdgeTerm term = matchTerm(edge, 1);
+      term.noise = term.noise.times(kLenient);
+      sum += term.cost(edge.measured, found(edge));
+      inliers += isInlier(edge, found(edge), kInlier);
+    }
+    const double belief = beliefOf(inliers / double(group.edges.size()));
+    cost += belief * sum + (1 - belief) * costOfGivingUp(group);
+  }
+  return cost;
+}
+
+TEST(MoveStretches, neverMakesTheGraphDearerWhateverLiesElsewhere) {
+  test::RandomNumbers random(5);
+  for (int i = 0; i < 30; ++i) {
+    TwoRuns two;
+    for (int stretch = 0; stretch < 3; ++stretch) {
+      const std::size_t run = random.below(2), nodes = two.truth[run].size();
+      const std::size_t first = random.below(nodes), last = first + random.below(nodes - first);
+      two.misplace(first, last, random.pose(20), run);
+    }
+    const double before = costOf(two);
+    two.move();
+    const double after = costOf(two);
+    EXPECT_LE(after, before + 1e-9) << i;
+    const Way once(two.poses.begin(), two.poses.end());
+    two.move();
+    EXPECT_LE(costOf(two), after + 1e-9) << i;
+    if (after < 1) {
+      EXPECT_EQ(test::misplaced(two.poses, {once}), 0) << "what is home stays";
+    }
+  }
+}
+
+TEST(MoveStretches, theFrameOfTheSiteChangesNothing) {
+  TwoRuns here;
+  here.misplace(10, 17);
+  TwoRuns there = here;
+  const Transform2D motion{-40, 13, 2.5};
+  for (Transform2D& pose : there.poses) pose = motion * pose;
+  here.move(), there.move();
+  for (const NodeId node : here.poses.ids())
+    EXPECT_LT(distance((motion * here.poses[node]).shift(), there.poses[node].shift()), 1e-9);
+}
+
+TEST(MoveStretches, patchesAreNotMoved) {
+  TwoRuns two;
+  two.misplace(20, 24);
+  two.graph.runs[RunId(1)].hasScans = false;
+  two.graph.reference = RunId(0);
+  const Way before(two.poses.begin(), two.poses.end());
+  two.move();
+  EXPECT_EQ(test::misplaced(two.poses, {before}), 0);
+}
+
+TEST(MoveStretches, whatARunHasOfItselfHoldsItTogether) {
+  Way way = roundTheBlock();
+  const Way again = roundTheBlock();
+  way.insert(way.end(), again.begin(), again.end());
+  TwoRuns one;
+  one.truth = {{}, way};
+  one.graph = test::drawnPoseGraph({{}, way});
+  one.poses = test::posesOf({way});
+  for (const bool isBack : {false, true}) {
+    std::vector<PoseEdge> matches;
+    for (std::size_t k = 0; k < again.size(); ++k)
+      matches.push_back(matchEdge(NodeId(isBack ? again.size() + k : k),
+                                  NodeId(isBack ? k : again.size() + k), {}, 1));
+    one.graph.addGroup({RunId(1), RunId(1), {}, 0}, matches);
+  }
+  EXPECT_EQ(one.misplacedAfterMoving(), 0);
+  one.misplace(70, 75);
+  EXPECT_LT(one.misplacedAfterMoving(), 1e-6);
+}
+
+TEST(MoveStretches, ofNothingNothingMoves) {
+  NodePoses none;
+  moveStretches({}, {}, none);
+  EXPECT_EQ(none.size(), 0u);
+  moveStretches(test::drawnPoseGraph({{}, {}}), ById<RunId, double>(2, 1), none);
+  EXPECT_EQ(none.size(), 0u);
+}
+
+}  // namespace
+}  // namespace roomgraph
