@@ -14,6 +14,12 @@ namespace {
 
 using Json = nlohmann::json;
 
+std::string geojsonOf(const Stages& stages) {
+  return geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance);
+}
+
+const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
+
 struct Features {
   std::vector<Json> nodes, edges, polygons;
 };
@@ -33,7 +39,7 @@ Features features(const std::string& text) {
 }
 
 TEST(Geojson, idsAreUniqueOverNodesAndEdges) {
-  const Features all = features(geojson(sampleStages().result));
+  const Features all = features(geojsonOf(sampleStages()));
   std::set<unsigned> ids;
   for (const auto& list : {all.nodes, all.edges})
     for (const Json& feature : list) {
@@ -44,8 +50,9 @@ TEST(Geojson, idsAreUniqueOverNodesAndEdges) {
 }
 
 TEST(Geojson, verticesComeFirstUnderTheirOwnIds) {
-  const RoomGraph graph = sampleStages().result;
-  const Features all = features(geojson(graph));
+  const Stages stages = sampleStages();
+  const RoomGraph& graph = stages.result;
+  const Features all = features(geojsonOf(stages));
   ASSERT_GE(all.nodes.size(), graph.graph.vertices().size());
   for (std::size_t v = 0; v < graph.graph.vertices().size(); ++v) {
     EXPECT_EQ(all.nodes[v]["properties"]["id"], v);
@@ -57,7 +64,7 @@ TEST(Geojson, verticesComeFirstUnderTheirOwnIds) {
 }
 
 TEST(Geojson, everyPieceIsThereBothWaysBetweenKnownNodes) {
-  const Features all = features(geojson(sampleStages().result));
+  const Features all = features(geojsonOf(sampleStages()));
   std::map<unsigned, Json> place;
   for (const Json& node : all.nodes)
     place[node["properties"]["id"].get<unsigned>()] = node["geometry"]["coordinates"];
@@ -73,9 +80,10 @@ TEST(Geojson, everyPieceIsThereBothWaysBetweenKnownNodes) {
 }
 
 TEST(Geojson, aRobotThatDrivesStraightFromNodeToNodeFollowsThePath) {
-  const RoomGraph graph = sampleStages().result;
+  const Stages stages = sampleStages();
+  const RoomGraph& graph = stages.result;
   std::vector<double> driven(graph.graph.edges().size());
-  for (const Json& edge : features(geojson(graph)).edges)
+  for (const Json& edge : features(geojsonOf(stages)).edges)
     driven[edge["properties"]["metadata"]["edge"].get<std::size_t>()] +=
         edge["properties"]["cost"].get<double>() / 2;  // forth and back
   for (std::size_t e = 0; e < driven.size(); ++e)
@@ -83,7 +91,7 @@ TEST(Geojson, aRobotThatDrivesStraightFromNodeToNodeFollowsThePath) {
 }
 
 TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
-  const Features all = features(geojson(sampleStages().result));
+  const Features all = features(geojsonOf(sampleStages()));
   ASSERT_EQ(all.polygons.size(), 2u);
   EXPECT_EQ(all.polygons[0]["geometry"]["type"], "Polygon");
   const Json rings = all.polygons[0]["geometry"]["coordinates"];
@@ -94,13 +102,13 @@ TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
 
 /** nav2's loader throws at null, wherever in the properties it is. */
 TEST(Geojson, holdsNoNull) {
-  EXPECT_EQ(geojson(sampleStages().result).find("null"), std::string::npos);
-  EXPECT_EQ(geojson(extractedStages().result).find("null"), std::string::npos);
+  EXPECT_EQ(geojsonOf(sampleStages()).find("null"), std::string::npos);
+  EXPECT_EQ(geojsonOf(extractedStages()).find("null"), std::string::npos);
 }
 
 /** The keys that nav2's scorers and operations read by default. */
 TEST(Geojson, edgesHaveAClassASpeedLimitAndAPenalty) {
-  const Features all = features(geojson(sampleStages().result));
+  const Features all = features(geojsonOf(sampleStages()));
   ASSERT_FALSE(all.edges.empty());
   for (const Json& edge : all.edges) {
     const Json metadata = edge["properties"]["metadata"];
@@ -114,20 +122,34 @@ TEST(Geojson, edgesHaveAClassASpeedLimitAndAPenalty) {
 }
 
 /** nav2's loader refuses a graph without nodes or edges. */
-TEST(Geojson, aRoomWithoutAWayOutHasOneInside) {
+TEST(Geojson, aPlaceWithoutAWayGetsOneWithinItsDisc) {
   RoomGraph graph;
-  graph.rooms.resize(1);
-  graph.rooms[0].shape.widestPlace = {3, 4};
-  graph.rooms[0].shape.inscribedRadius = 2;
-  const Features all = features(geojson(graph));
+  graph.graph = TopologyGraph({{{3, 4}, 2, VertexKind::room, RoomId(0)}}, {});
+  const Features all = features(geojson(graph, ObstacleRows(kNoObstacle), 0.1));
   ASSERT_EQ(all.nodes.size(), 2u);
   ASSERT_EQ(all.edges.size(), 2u);
-  EXPECT_EQ(all.edges[0]["properties"]["cost"], 2);
+  EXPECT_EQ(all.edges[0]["properties"]["startid"], 0);
+  EXPECT_EQ(all.edges[0]["properties"]["cost"], 1);
+  EXPECT_EQ(all.edges[0]["properties"]["metadata"]["min_clearance"], 1);
   EXPECT_EQ(all.edges[0]["properties"]["startid"], all.edges[1]["properties"]["endid"]);
 }
 
+TEST(Geojson, aStraightPieceStatesItsOwnClearance) {
+  // The bend of 0.08 m past a post at (2, 0.3) is cut off.
+  RoomGraph graph;
+  const Polyline points{{0, 0}, {2, -0.08}, {4, 0}};
+  graph.graph =
+      TopologyGraph({{{0, 0}, 1, VertexKind::deadEnd, {}}, {{4, 0}, 1, VertexKind::deadEnd, {}}},
+                    {{VertexId(0), VertexId(1), {points, {}, length(points), 0.38}, {}}});
+  const ObstacleCells post{{40, 40, 0.1, {-0.05, -0.95}}, {{20, 12}}};
+  const Features all = features(geojson(graph, ObstacleRows(post), 0.1));
+  ASSERT_EQ(all.edges.size(), 2u);
+  EXPECT_NEAR(all.edges[0]["properties"]["metadata"]["min_clearance"].get<double>(), 0.3, 1e-9);
+  EXPECT_EQ(features(geojson(graph, ObstacleRows(post), 0.35)).edges.size(), 4u) << "too near";
+}
+
 TEST(Geojson, ofAnEmptyGraphHasNoFeature) {
-  EXPECT_TRUE(Json::parse(geojson({}))["features"].empty());
+  EXPECT_TRUE(Json::parse(geojson({}, ObstacleRows(kNoObstacle), 0.1))["features"].empty());
 }
 
 }  // namespace

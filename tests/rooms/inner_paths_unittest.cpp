@@ -62,17 +62,6 @@ TEST(InnerPaths, takeTheShortestWay) {
   EXPECT_DOUBLE_EQ(inner.paths[1].length, 1);
 }
 
-TEST(InnerPaths, goStraightToWhatTheEdgesDoNotReach) {
-  const TopologyGraph graph({{{0, 0}, 1, VertexKind::deadEnd, RoomId(0)},
-                             {{8, 0}, 1, VertexKind::deadEnd, RoomId(0)},
-                             {{4, 3}, 1, VertexKind::border, RoomId(0)}},
-                            {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}, {8, 0}}), {}}});
-  const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(2)}, {4, 1}, 0.5);
-  ASSERT_EQ(inner.paths.size(), 1u);
-  EXPECT_EQ(inner.paths[0].points, (Polyline{{4, 0}, {4, 3}}));
-  EXPECT_EQ(inner.paths[0].minClearance, 0);
-}
-
 TEST(InnerPaths, startWhereThereIsRoomIfThereIsAny) {
   // The obstacles of straight() are 1 m from the middles: nearer ones at the point next to p.
   const TopologyGraph graph(

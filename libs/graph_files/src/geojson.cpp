@@ -61,7 +61,8 @@ std::string closedRing(Ring ring) {
 
 class Writer {
  public:
-  explicit Writer(const RoomGraph& graph) : graph_(graph) {}
+  Writer(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance)
+      : graph_(graph), obstacles_(obstacles), clearance_(clearance) {}
 
   std::string write() {
     for (std::size_t r = 0; r < graph_.rooms.size(); ++r) addRoomPolygon(r);
@@ -70,9 +71,11 @@ class Writer {
                              .quoted("class", kindName(vertex.kind))
                              .number("clearance", vertex.clearance)
                              .room(vertex.room));
-    if (graph_.graph.edges().empty()) addLoneRooms();
     addBends();
+    const auto loneWays = addLoneWays();
     for (std::size_t e = 0; e < chains_.size(); ++e) addPieces(e);
+    for (const auto& [from, to] : loneWays)
+      addBothWays(from, to, Members().quoted("class", "room"), distance(from.at, to.at));
     return "{\n\"type\": \"FeatureCollection\",\n\"name\": \"roomgraph\",\n\"crs\": {\"type\": "
            "\"name\", \"properties\": {\"name\": \"urn:ogc:def:crs:EPSG::3857\"}},\n"
            "\"features\": [" +
@@ -116,7 +119,7 @@ class Writer {
   void addBends() {
     for (const Edge& edge : graph_.graph.edges()) {
       std::vector<Node> chain{{edge.source.index(), edge.path.points.front()}};
-      const auto kept = straightPieces(edge.path);
+      const auto kept = straightPieces(edge.path, obstacles_, clearance_);
       for (std::size_t i = 1; i + 1 < kept.size(); ++i) {
         const Point at = edge.path.points[kept[i]];
         chain.push_back({addNode(at, Members().quoted("class", "bend").room(edge.room)), at});
@@ -132,35 +135,31 @@ class Writer {
                                  .add("edge", e)
                                  .quoted("class", kindName(edge))
                                  .room(edge.room)
-                                 .number("length", edge.path.length)
-                                 .number("min_clearance", edge.path.minClearance);
-    for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i)
-      addBothWays(chains_[e][i], chains_[e][i + 1], metadata, edge.path.minClearance);
+                                 .number("length", edge.path.length);
+    for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
+      const Node &from = chains_[e][i], &to = chains_[e][i + 1];
+      addBothWays(from, to, metadata, obstacles_.clearance(from.at, to.at, edge.path.minClearance));
+    }
   }
 
-  /** The loader refuses a graph without edges: a room without a way out gets one inside of it. */
-  void addLoneRooms() {
+  /** The loader refuses a graph without edges, and a place without a way is none: it gets one
+   *  within its own disc, to a place half as far away as the nearest obstacle. */
+  std::vector<std::pair<Node, Node>> addLoneWays() {
     std::vector<std::pair<Node, Node>> ways;
-    for (std::size_t r = 0; r < graph_.rooms.size(); ++r) {
-      const Room& room = graph_.rooms[r].shape;
-      const Point aside{room.inscribedRadius / 2, 0};
-      const Members inside = Members().quoted("class", "room").room(RoomId(r));
-      const Point ends[] = {room.widestPlace - aside, room.widestPlace + aside};
-      const std::size_t from = addNode(ends[0], inside), to = addNode(ends[1], inside);
-      ways.push_back({{from, ends[0]}, {to, ends[1]}});
+    const auto& vertices = graph_.graph.vertices();
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      if (graph_.graph.degree(VertexId(v)) > 0) continue;
+      const Point aside = vertices[v].at + Point{vertices[v].clearance / 2, 0};
+      const Members bend = Members().quoted("class", "bend").room(vertices[v].room);
+      ways.push_back({{v, vertices[v].at}, {addNode(aside, bend), aside}});
     }
-    for (std::size_t r = 0; r < ways.size(); ++r) {
-      const double clearance = graph_.rooms[r].shape.inscribedRadius / 2;
-      addBothWays(
-          ways[r].first, ways[r].second,
-          Members().quoted("class", "room").room(RoomId(r)).number("min_clearance", clearance),
-          clearance);
-    }
+    return ways;
   }
 
   void addBothWays(const Node& a, const Node& b, Members metadata, double clearance) {
     const double speed = speedPercent(clearance);
-    metadata.number("speed_limit", speed)
+    metadata.number("min_clearance", clearance)
+        .number("speed_limit", speed)
         .number("penalty", distance(a.at, b.at) * (100 / speed - 1));
     addPiece(a, b, metadata);
     addPiece(b, a, metadata);
@@ -178,6 +177,8 @@ class Writer {
   }
 
   const RoomGraph& graph_;
+  const ObstacleRows& obstacles_;
+  double clearance_;
   std::string features_;
   std::size_t nextId_ = 0;
   std::vector<std::vector<Node>> chains_;  // per edge, from its source to its target
@@ -185,6 +186,8 @@ class Writer {
 
 }  // namespace
 
-std::string geojson(const RoomGraph& graph) { return Writer(graph).write(); }
+std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance) {
+  return Writer(graph, obstacles, clearance).write();
+}
 
 }  // namespace roomgraph

@@ -1,8 +1,8 @@
 #include "roomgraph/graph_files/graphml.h"
 
-#include <charconv>
 #include <cmath>
 
+#include "number_text.h"
 #include "roomgraph/base/rounded.h"
 #include "roomgraph/topology/kind_names.h"
 
@@ -25,6 +25,7 @@ constexpr Key kKeys[] = {
     {"length", "edge", "length", "double", "of the path [m]"},
     {"min_clearance", "edge", "min_clearance", "double",
      "smallest distance to an obstacle along the path [m]"},
+    {"path", "edge", "path", "string", "the points of the path, map frame, as WKT [m]"},
 };
 
 void data(std::string& xml, const char* key, const std::string& value) {
@@ -34,8 +35,15 @@ void data(std::string& xml, const char* key, const std::string& value) {
 /** Left out where nothing bounds the number. */
 void data(std::string& xml, const char* key, double value) {
   if (!std::isfinite(value)) return;
-  char buffer[32];
-  data(xml, key, {buffer, std::to_chars(buffer, buffer + sizeof buffer, rounded(value)).ptr});
+  data(xml, key, numberText(rounded(value)));
+}
+
+/** As well-known text: LINESTRING(0 0,1.5 2). */
+std::string lineText(const Polyline& points) {
+  std::string text;
+  for (const Point p : points)
+    text += (text.empty() ? "" : ",") + numberText(rounded(p.x)) + " " + numberText(rounded(p.y));
+  return "LINESTRING(" + text + ")";
 }
 
 void data(std::string& xml, const char* key, RoomId room) {
@@ -64,6 +72,7 @@ void addEdge(std::string& xml, const RoomGraph& graph, std::size_t e) {
   data(xml, "edge_room", edge.room);
   data(xml, "length", edge.path.length);
   data(xml, "min_clearance", edge.path.minClearance);
+  data(xml, "path", lineText(edge.path.points));
   xml += "</edge>\n";
 }
 

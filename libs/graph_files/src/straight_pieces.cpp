@@ -20,7 +20,8 @@ std::pair<std::size_t, double> farthest(const Polyline& line, std::size_t from, 
 
 }  // namespace
 
-std::vector<std::size_t> straightPieces(const Path& path) {
+std::vector<std::size_t> straightPieces(const Path& path, const ObstacleRows& obstacles,
+                                        double clearance) {
   const Polyline& line = path.points;
   if (line.size() < 3)
     return line.size() == 2 ? std::vector<std::size_t>{0, 1}
@@ -41,7 +42,10 @@ std::vector<std::size_t> straightPieces(const Path& path) {
     const auto [from, to] = open.back();
     open.pop_back();
     const auto [bend, deviation] = farthest(line, from, to);
-    if (deviation <= tolerance) continue;
+    const auto isClear = [&, from = from, to = to] {
+      return obstacles.clearance(line[from], line[to], clearance) >= clearance;
+    };
+    if (bend == from || (deviation <= tolerance && isClear())) continue;
     isKept[bend] = true;
     open.push_back({from, bend});
     open.push_back({bend, to});

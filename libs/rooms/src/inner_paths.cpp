@@ -79,8 +79,6 @@ class ShortestWays {
     run();
   }
 
-  bool reaches(VertexId v) const { return best_.count(v) > 0; }
-
   Path pathTo(VertexId v) const {
     const Way& way = best_.at(v);
     if (!way.last) return way.first;
@@ -130,16 +128,7 @@ InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edg
   InnerPaths result;
   result.center = placeOn(startPath, start.along);
   result.clearance = clearanceAt(startPath, start.along);
-  for (const VertexId end : ends) {
-    Path path;
-    if (ways.reaches(end)) {
-      path = ways.pathTo(end);
-    } else {
-      path.points = {result.center, graph.vertex(end).at};
-      path.length = length(path.points);
-    }
-    result.paths.push_back(std::move(path));
-  }
+  for (const VertexId end : ends) result.paths.push_back(ways.pathTo(end));
   return result;
 }
 

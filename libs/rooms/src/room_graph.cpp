@@ -13,29 +13,27 @@ namespace {
 struct RoomParts {
   std::vector<EdgeId> innerEdges;
   std::vector<VertexId> borderVertices;
-  bool isEntered = false;
+  VertexId widest;  ///< none where nothing of the graph is in the room
 };
 
 std::vector<RoomParts> collectParts(const TopologyGraph& graph, std::size_t roomCount) {
   std::vector<RoomParts> parts(roomCount);
-  const auto addBorder = [&](RoomId room, VertexId v) {
+  const auto addVertex = [&](RoomId room, VertexId v) {
+    const Vertex& vertex = graph.vertex(v);
+    VertexId& widest = parts[room.index()].widest;
+    if (!widest || vertex.clearance > graph.vertex(widest).clearance) widest = v;
     auto& borders = parts[room.index()].borderVertices;
-    if (std::find(borders.begin(), borders.end(), v) == borders.end()) borders.push_back(v);
+    if (vertex.kind == VertexKind::border &&
+        std::find(borders.begin(), borders.end(), v) == borders.end())
+      borders.push_back(v);
   };
-  for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
-    const Vertex& vertex = graph.vertices()[v];
-    if (!vertex.room) continue;
-    parts[vertex.room.index()].isEntered = true;
-    if (vertex.kind == VertexKind::border) addBorder(vertex.room, VertexId(v));
-  }
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v)
+    if (graph.vertices()[v].room) addVertex(graph.vertices()[v].room, VertexId(v));
   for (std::size_t e = 0; e < graph.edges().size(); ++e) {
     const Edge& edge = graph.edges()[e];
     if (!edge.room) continue;
-    RoomParts& room = parts[edge.room.index()];
-    room.isEntered = true;
-    room.innerEdges.push_back(EdgeId(e));
-    for (const VertexId end : {edge.source, edge.target})
-      if (graph.vertex(end).kind == VertexKind::border) addBorder(edge.room, end);
+    parts[edge.room.index()].innerEdges.push_back(EdgeId(e));
+    for (const VertexId end : {edge.source, edge.target}) addVertex(edge.room, end);
   }
   for (RoomParts& room : parts) std::sort(room.borderVertices.begin(), room.borderVertices.end());
   return parts;
@@ -87,7 +85,7 @@ class RoomBuilder {
       // Half as wide as the room gets: not in a door, nor in a corner.
       return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
                         room.inscribedRadius / 2);
-    return straightPaths(room, parts, room.widestPlace);
+    return straightPaths(room, parts, graph_.vertex(parts.widest).at);
   }
 
  private:
@@ -192,7 +190,7 @@ RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const Obstac
   std::vector<RoomId> newRoom(rooms.size());
   std::size_t count = 0;
   for (std::size_t r = 0; r < rooms.size(); ++r) {
-    if (parts[r].isEntered)
+    if (parts[r].widest)
       newRoom[r] = RoomId(count++);
     else
       notes.push_back(unreachedNote(rooms[r]));

@@ -1,12 +1,13 @@
 #pragma once
 #include <string>
 
+#include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   RoomGraph
+// In:   RoomGraph, the obstacles of its map, and the clearance that its paths keep
 // Out:  the text of a GeoJSON file
 // Next: writeFileAtomically
 
@@ -19,14 +20,16 @@ namespace roomgraph {
  *  pieces by edge, each one forth and then back.
  *
  *  Points have properties id, frame ("map") and metadata {class, clearance, room}; MultiLineStrings
- *  id, startid, endid, cost (length [m], overridable) and metadata {edge, class, room, length,
- *  min_clearance}, the numbers being those of our edge, and of this piece speed_limit
- *  (AdjustSpeedLimit [% of the highest speed]: 100 from 1 m of clearance on, less in proportion, at
- *  least 20) and penalty (PenaltyScorer [m]: what the robot could drive in the time that this speed
- *  costs); rooms are Polygons with room, area and inscribed_radius, which nav2 skips. class
- *  (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge ("room",
- *  "corridor"). nav2 refuses a graph without edges: where ours has none, each room gets two nodes
- *  in its largest disc and the way between them. Same graph, same bytes. */
-[[nodiscard]] std::string geojson(const RoomGraph& graph);
+ *  id, startid, endid, cost (length [m], overridable) and metadata {edge, class, room, length:
+ *  those of our edge; min_clearance: that of our edge, or less where the straight piece comes
+ *  nearer to an obstacle, but no less than `clearance` [m]; speed_limit: for AdjustSpeedLimit [% of
+ *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
+ *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
+ *  Polygons with room, area and inscribed_radius, which nav2 skips. class (SemanticScorer) is that
+ *  of the vertex ("border", "room", ...), "bend", or of the edge ("room", "corridor"). nav2 refuses
+ *  a graph without edges, and a node without one is none: a vertex without a way gets one within
+ *  its disc of clearance, to a node of class "bend". Same graph, same bytes. */
+[[nodiscard]] std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles,
+                                  double clearance);
 
 }  // namespace roomgraph

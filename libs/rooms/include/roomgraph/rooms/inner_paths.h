@@ -14,9 +14,8 @@ struct InnerPaths {
 
 /** Starts at the place nearest to `center` on the given edges with at least `minClearance`, or with
  *  any where there is none, and follows them on the shortest way to each of `ends`. That place is a
- *  point of a path, but no border vertex; where there is no other, halfway on the longest path. An
- *  end that they do not reach gets a straight path with clearance 0. There must be at least one
- *  edge. O(n log n). */
+ *  point of a path, but no border vertex; where there is no other, halfway on the longest path.
+ *  There must be at least one edge, and the edges must reach all ends. O(n log n). */
 [[nodiscard]] InnerPaths innerPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                                     const std::vector<VertexId>& ends, Point center,
                                     double minClearance);
