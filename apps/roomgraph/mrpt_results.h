@@ -15,9 +15,7 @@
 
 namespace roomgraph {
 
-// What the program writes and reads with MRPT's scenes and observations. None of their classes
-// stands here, so that a command that needs none of this starts without MRPT's large libraries: see
-// OnDemand.h.
+// What the program writes with MRPT's scenes and observations.
 
 /** The bytes of X.3Dscene and X.roomgraph. */
 std::string graphSceneFile(const Stages& stages);
