@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "map_metrics.h"
-#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "simulated_site.h"
 #include "spearman.h"
 
@@ -21,7 +21,7 @@ using Figures = std::array<double, kNames.size()>;
 
 std::vector<Point> scanPoints(const std::string& file) {
   std::vector<Point> points;
-  for (const Keyframe& frame : loadKeyframes(file, LoadGridOptions{}))
+  for (const Keyframe& frame : loadMap(file, {}).keyframes)
     for (const Point end : frame.ends) points.push_back(frame.pose(end));
   return points;
 }

@@ -10,7 +10,6 @@
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 namespace {
@@ -25,13 +24,10 @@ bool isComparison(const std::string& file) { return fs::path(file).extension() =
 /** Adds the runs of a map file to the view; says why where there is none. */
 void addMap(const std::string& file, View& view, const std::string& comparison, const Say& say) {
   try {
-    std::vector<Run> runs = readMapsOf(view.comparison, {file});
+    std::vector<Run> runs = readMapsOf(view.comparison, {file}, kWallsOfScan);
     if (runs.empty()) say(file + ": is none of the maps of " + comparison + ": not drawn");
-    for (Run& run : runs) {
-      if (view.runNamed(run.name)) continue;
-      run.scans = scanWalls(loadKeyframes(file, LoadGridOptions()), kWallsOfScan);
-      view.runs.push_back(std::move(run));
-    }
+    for (Run& run : runs)
+      if (!view.runNamed(run.name)) view.runs.push_back(std::move(run));
   } catch (const DataError& error) {
     say(error.what());  // the others can be looked at
   }
@@ -73,10 +69,11 @@ View viewOfRuns(const std::vector<std::string>& files, const ExtractOptions& opt
 View viewOfMap(const std::string& file, const ExtractOptions& options) {
   View view;
   view.options = options;
-  view.map = loadGrid(file, options.loadGrid);
+  LoadedMap read = loadMap(file, options.loadGrid);
+  view.map = std::move(read.map);
   Run run;
   run.name = mapStem(file), run.file = file;
-  run.scans = scanWalls(loadKeyframes(file, options.loadGrid), kWallsOfScan);
+  run.scans = scanWalls(read.keyframes, kWallsOfScan);
   ComparedRun alone;
   alone.name = run.name, alone.file = file;
   for (const ScanWalls& scan : run.scans)

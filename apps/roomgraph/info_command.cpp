@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -15,13 +16,15 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/grid/binarize.h"
+#include "roomgraph/map_files/grid_of_scans.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/read_recording.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
 #include "roomgraph/mrpt_plugin/map_comparison_text.h"
 #include "roomgraph/mrpt_plugin/read_map_comparison.h"
 #include "roomgraph/mrpt_plugin/read_room_graph.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/scans/load_run_info.h"
+#include "roomgraph/scans/place_scans.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -65,17 +68,19 @@ std::string mapText(const std::string& file, const ExtractOptions& options) {
          gridText(map, options);
 }
 
-std::string runText(const RunInfo& info) {
-  std::string text = "kind        simplemap\nsha256      " + info.sha256 + "\n";
+std::string runText(const Recording& run) {
+  std::string text = "kind        simplemap\nsha256      " + run.sha256 + "\n";
   text += formatted("key frames  %zu, %zu of them without scans\npath        %.1f m\n",
-                    info.keyframes, info.keyframesWithoutScans, info.pathLength);
-  if (info.start)
-    text += formatted("duration    %.1f s, from %.3f s after 1970 (UTC)\n", *info.end - *info.start,
-                      *info.start);
-  for (const auto& [sensor, count] : info.sensors)
+                    run.frames.size(), run.framesWithoutScans(), run.pathLength());
+  if (const auto times = run.times())
+    text += formatted("duration    %.1f s, from %.3f s after 1970 (UTC)\n",
+                      times->second - times->first, times->first);
+  std::map<std::string, std::size_t> sensors;
+  for (const auto& [sensor, count] : run.sensors) sensors[sensor.name()] += count;
+  for (const auto& [sensor, count] : sensors)
     text += "sensor      " + printable(sensor) + ": " + std::to_string(count) + "\n";
-  return text + "version     CSimpleMap " + std::to_string(info.version) + ", compression " +
-         nameOf(info.compression) + "\n";
+  return text + "version     CSimpleMap " + std::to_string(run.version) + ", compression " +
+         nameOf(run.compression) + "\n";
 }
 
 /** Of X.json or comparison.json. */
@@ -101,11 +106,13 @@ int run(const InfoArguments& arguments) {
   return doEach(arguments.files, [&](const std::string& file) {
     std::string heading = &file == &arguments.files.front() ? "" : "\n";
     heading += printable(file) + ":\n";
-    const auto info = loadRunInfo(file);
-    if (!info) return print(heading + infoText(file, options));
+    auto recording = readRecording(file);
+    if (!recording) return print(heading + infoText(file, options));
     // What is known of a run is worth telling even where no grid can be built from it.
-    print(heading + runText(*info));
-    if (arguments.buildsGrid) print(gridText(loadGrid(file, options.loadGrid), options));
+    print(heading + runText(*recording));
+    if (!arguments.buildsGrid) return;
+    const PlacedScans scans = placeScans(std::move(*recording), options.loadGrid);
+    print(gridText(gridOfScans(scans, options.loadGrid), options));
   });
 }
 

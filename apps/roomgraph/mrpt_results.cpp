@@ -4,15 +4,25 @@
 #include <map>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/map_files/read_recording.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
-#include "roomgraph/scans/load_scans.h"
+#include "roomgraph/scans/place_scans.h"
 
 namespace roomgraph {
+namespace {
+
+std::vector<PlacedScan> scansOf(const std::string& file, const LoadGridOptions& reading) {
+  auto recording = readRecording(file);
+  if (!recording) return {};
+  return placeScans(std::move(*recording), reading).scans;
+}
+
+}  // namespace
 
 std::string graphSceneFile(const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }
 std::string graphObjectFile(const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }
@@ -32,16 +42,16 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
     names.push_back((folder / name).string());
     staged.add(names.back(), bytes);
   };
-  std::map<std::string, std::vector<RobotScan>> scansOf;  // by run
+  std::map<std::string, std::vector<PlacedScan>> read;  // by run
   for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
     const MapBreak& tear = comparison.breaks[i];
     const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
     const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
     const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
     if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
-    const auto [known, isNew] = scansOf.try_emplace(tear.run);
-    if (isNew) known->second = loadScans(run->file, reading);
-    const std::vector<RobotScan>& scans = known->second;
+    const auto [known, isNew] = read.try_emplace(tear.run);
+    if (isNew) known->second = scansOf(run->file, reading);
+    const std::vector<PlacedScan>& scans = known->second;
     const std::string stem = "comparison.break" + std::to_string(i + 1);
     for (const bool isUntorn : {false, true})
       add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
@@ -53,14 +63,14 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
 
 std::string scanLog(const std::string& file, const LoadGridOptions& reading,
                     const KeyFrameStretch& stretch) {
-  std::vector<RobotScan> scans = loadScans(file, reading);
+  std::vector<PlacedScan> scans = scansOf(file, reading);
   if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
   const std::size_t last = scans.back().keyFrame, to = stretch.to.value_or(last);
   if (std::max(stretch.from, to) > last)
     throw DataError(file + ": its last key frame is " + std::to_string(last) +
                     ": choose --from and --to up to that");
   scans.erase(std::remove_if(scans.begin(), scans.end(),
-                             [&](const RobotScan& scan) {
+                             [&](const PlacedScan& scan) {
                                return scan.keyFrame < stretch.from || scan.keyFrame > to;
                              }),
               scans.end());

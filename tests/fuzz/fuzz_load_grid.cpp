@@ -4,7 +4,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/map_files/read_recording.h"
 
 namespace {
 
@@ -28,8 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (wrapping == 1) content = test::inGzip(content);
   if (wrapping == 2) content = test::withPngChecksums(std::move(content));
   const std::string& file = test::asFile(content);
-  orRefused([&] { loadGrid(file, {}); });
+  orRefused([&] { loadMap(file, {}); });
   orRefused([&] { readLabels(file); });
-  orRefused([&] { loadKeyframes(file, 30); });
+  orRefused([&] { readRecording(file); });
   return 0;
 }

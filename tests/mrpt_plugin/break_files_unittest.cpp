@@ -78,7 +78,7 @@ TEST(BreakScene, withoutMapsItHoldsNothing) {
 }
 
 TEST(ScansAtBreak, thoseBehindItLieWhereTheyWouldWithoutIt) {
-  const std::vector<RobotScan> drive = test::sampleDrive(30);
+  const std::vector<PlacedScan> drive = test::sampleDrive(30);
   const MapBreak tear = tearAt(12);
   const auto drawn = scansAtBreak(tear, {}, drive, false),
              untorn = scansAtBreak(tear, {}, drive, true);
@@ -86,18 +86,18 @@ TEST(ScansAtBreak, thoseBehindItLieWhereTheyWouldWithoutIt) {
   ASSERT_EQ(untorn.size(), 20u);
   const Transform2D motion = tear.torn->untorn * tear.torn->drawn.inverse();
   for (std::size_t k = 0; k < 20; ++k) {
-    const auto& robot = drive[k + 2].robot;
-    EXPECT_NEAR(drawn[k].robot.x(), robot.x(), 1e-9);
+    const auto& robot = drive[k + 2].from;
+    EXPECT_NEAR(drawn[k].from.x(), robot.x(), 1e-9);
     const Point at{robot.x(), robot.y()}, expected = k < 10 ? at : motion(at);
-    EXPECT_NEAR(untorn[k].robot.x(), expected.x, 1e-9) << k;
-    EXPECT_NEAR(untorn[k].robot.y(), expected.y, 1e-9) << k;
+    EXPECT_NEAR(untorn[k].from.x(), expected.x, 1e-9) << k;
+    EXPECT_NEAR(untorn[k].from.y(), expected.y, 1e-9) << k;
   }
 }
 
 TEST(ScansAtBreak, lieInTheFrameOfTheSite) {
-  const std::vector<RobotScan> drive = test::sampleDrive(30);
+  const std::vector<PlacedScan> drive = test::sampleDrive(30);
   const auto scans = scansAtBreak(tearAt(12), {10, 20, 0}, drive, false);
-  EXPECT_NEAR(scans[0].robot.x(), drive[2].robot.x() + 10, 1e-9);
+  EXPECT_NEAR(scans[0].from.x(), drive[2].from.x() + 10, 1e-9);
   EXPECT_TRUE(scansAtBreak(tearAt({}), {}, drive, true).empty());
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
@@ -30,7 +31,7 @@ mrpt::obs::CRawlog readBack(const std::string& bytes) {
 }
 
 TEST(RawlogBytes, theActionsAddUpToThePosesOfTheScans) {
-  const std::vector<RobotScan> drive = test::sampleDrive(12);
+  const std::vector<PlacedScan> drive = test::sampleDrive(12);
   const mrpt::obs::CRawlog log = readBack(rawlogBytes(drive));
   ASSERT_EQ(log.size(), 24u);
   mrpt::poses::CPose2D pose;
@@ -38,28 +39,28 @@ TEST(RawlogBytes, theActionsAddUpToThePosesOfTheScans) {
     mrpt::poses::CPose3D way;
     ASSERT_TRUE(log.getAsAction(2 * k)->getFirstMovementEstimationMean(way)) << k;
     pose = pose + mrpt::poses::CPose2D(way);
-    EXPECT_NEAR(pose.x(), drive[k].robot.x(), 1e-9) << k;
-    EXPECT_NEAR(pose.y(), drive[k].robot.y(), 1e-9) << k;
-    EXPECT_NEAR(std::remainder(pose.phi() - drive[k].robot.yaw(), 2 * M_PI), 0, 1e-9) << k;
+    EXPECT_NEAR(pose.x(), drive[k].from.x(), 1e-9) << k;
+    EXPECT_NEAR(pose.y(), drive[k].from.y(), 1e-9) << k;
+    EXPECT_NEAR(std::remainder(pose.phi() - drive[k].from.yaw(), 2 * M_PI), 0, 1e-9) << k;
   }
 }
 
 TEST(RawlogBytes, eachScanComesBackWhole) {
-  const std::vector<RobotScan> drive = test::sampleDrive(3);
+  const std::vector<PlacedScan> drive = test::sampleDrive(3);
   const mrpt::obs::CRawlog log = readBack(rawlogBytes(drive));
   ASSERT_EQ(log.size(), 6u);
   for (std::size_t k = 0; k < drive.size(); ++k) {
     const auto scan = log.getAsObservations(2 * k + 1)
                           ->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
     ASSERT_TRUE(scan) << k;
-    EXPECT_EQ(scan->timestamp, drive[k].scan.timestamp);
-    EXPECT_EQ(scan->sensorLabel, drive[k].scan.sensorLabel);
+    EXPECT_EQ(scan->timestamp, drive[k].scan.time);
+    EXPECT_EQ(scan->sensorLabel, drive[k].scan.label);
     EXPECT_EQ(scan->aperture, drive[k].scan.aperture);
-    EXPECT_EQ(scan->sensorPose, drive[k].scan.sensorPose);
-    ASSERT_EQ(scan->getScanSize(), drive[k].scan.getScanSize());
+    EXPECT_EQ(scan->sensorPose, drive[k].scan.sensor);
+    ASSERT_EQ(scan->getScanSize(), drive[k].scan.ranges.size());
     for (std::size_t i = 0; i < scan->getScanSize(); ++i) {
-      EXPECT_EQ(scan->getScanRange(i), drive[k].scan.getScanRange(i));
-      EXPECT_EQ(scan->getScanRangeValidity(i), drive[k].scan.getScanRangeValidity(i));
+      EXPECT_EQ(scan->getScanRange(i), drive[k].scan.ranges[i]);
+      EXPECT_EQ(scan->getScanRangeValidity(i), drive[k].scan.isValid[i] != 0);
     }
   }
 }
@@ -70,12 +71,12 @@ TEST(RawlogBytes, theSameScansGiveTheSameBytes) {
 }
 
 TEST(Moved, movesAllPosesAndNoScan) {
-  const std::vector<RobotScan> before = test::sampleDrive(4);
-  const std::vector<RobotScan> after = moved(before, {10, 0, M_PI / 2});
+  const std::vector<PlacedScan> before = test::sampleDrive(4);
+  const std::vector<PlacedScan> after = moved(before, {10, 0, M_PI / 2});
   for (std::size_t k = 0; k < before.size(); ++k) {
-    EXPECT_NEAR(after[k].robot.x(), 10 - before[k].robot.y(), 1e-9);
-    EXPECT_NEAR(after[k].robot.y(), before[k].robot.x(), 1e-9);
-    EXPECT_EQ(after[k].scan.sensorPose, before[k].scan.sensorPose);
+    EXPECT_NEAR(after[k].from.x(), 10 - before[k].from.y(), 1e-9);
+    EXPECT_NEAR(after[k].from.y(), before[k].from.x(), 1e-9);
+    EXPECT_EQ(after[k].scan.sensor, before[k].scan.sensor);
   }
 }
 

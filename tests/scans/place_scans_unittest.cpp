@@ -7,7 +7,6 @@
 #include "clouds.h"
 #include "newer_simplemap.h"
 #include "roomgraph/grid/binarize.h"
-#include "roomgraph/scans/load_keyframes.h"
 #include "simplemap_entry.h"
 
 namespace roomgraph {
@@ -77,7 +76,7 @@ TEST_F(PlaceScans, scansGoBeforeCloudsUnlessASliceIsAskedFor) {
 }
 
 TEST_F(PlaceScans, keyframesOfCloudsAreTheirSlices) {
-  const auto frames = loadKeyframes(dir_.write("run.simplemap", inside(simple_)), 30);
+  const auto frames = loadMap(dir_.write("run.simplemap", inside(simple_)), {}).keyframes;
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_GT(frames[0].ends.size(), 300u);
   EXPECT_NEAR(*frames[0].time, 132e15 / 1e7 - 11644473600.0, 1e-3);

@@ -6,7 +6,7 @@
 
 #include "clouds.h"
 #include "roomgraph/grid/binarize.h"
-#include "roomgraph/scans/load_run_info.h"
+#include "roomgraph/map_files/read_recording.h"
 
 namespace roomgraph {
 namespace {
@@ -75,11 +75,11 @@ TEST_F(ReadDepthScan, of3DRangeScansTimeAndLabelAreKnown) {
   for (const bool hasPoints : {false, true}) {
     scan.hasPoints3D = hasPoints;
     if (hasPoints) scan.resizePoints3DVectors(7);
-    const auto info =
-        loadRunInfo(dir_.write("run.simplemap", oneObservation(test::streamed(scan))));
-    ASSERT_TRUE(info && info->start);
-    EXPECT_NEAR(*info->start, 1.7e9, 1e-6);
-    EXPECT_EQ(info->sensors.count("camera (CObservation3DRangeScan 10)"), 1u);
+    const auto run =
+        readRecording(dir_.write("run.simplemap", oneObservation(test::streamed(scan))));
+    ASSERT_TRUE(run && run->times());
+    EXPECT_NEAR(run->times()->first, 1.7e9, 1e-6);
+    EXPECT_EQ(run->sensors.count({"CObservation3DRangeScan", 10, "camera"}), 1u);
   }
 }
 

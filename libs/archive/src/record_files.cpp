@@ -6,7 +6,7 @@
 #include "roomgraph/archive/choose_record.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/map_sha256.h"
-#include "roomgraph/scans/load_run_info.h"
+#include "roomgraph/map_files/read_recording.h"
 
 namespace roomgraph {
 namespace {
@@ -35,7 +35,8 @@ std::vector<KnownRun> recordRuns(const std::vector<KnownRun>& runs, std::size_t 
 
 double runTime(const std::string& file) {
   namespace fs = std::filesystem;
-  if (const auto info = loadRunInfo(file); info && info->start) return *info->start;
+  if (const auto recording = readRecording(file))
+    if (const auto times = recording->times()) return times->first;
   // C++17 has no clock in common with that of files, so the distance to now is taken.
   const auto age = fs::file_time_type::clock::now() - fs::last_write_time(file);
   const auto written = std::chrono::system_clock::now() -

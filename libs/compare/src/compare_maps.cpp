@@ -11,7 +11,6 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
-#include "roomgraph/scans/load_keyframes.h"
 
 namespace roomgraph {
 
@@ -28,14 +27,15 @@ Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) 
   return result;
 }
 
-std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files) {
+std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std::string>& files,
+                            int wallsPerScan) {
   CompareMapsOptions used;
   FieldTable table = describe(used);
   setUsed(comparison, table);
   const ExtractOptions& options = used.extract;
   std::vector<Run> runs;
   for (const std::string& file : files) {
-    GreyMap map = loadGrid(file, options.loadGrid);
+    auto [map, keyframes] = loadMap(file, options.loadGrid);
     for (const ComparedRun& compared : comparison.runs) {
       if (compared.sha256 != map.source.sha256) continue;
       if (compared.isScaleEstimated)
@@ -43,7 +43,7 @@ std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std:
       Run run;
       run.name = compared.name, run.file = compared.file, run.sha256 = compared.sha256;
       run.map = wallMap(binarize(map, options.binarize), {});
-      run.scans = scanWalls(loadKeyframes(file, options.loadGrid));
+      run.scans = scanWalls(keyframes, wallsPerScan);
       runs.push_back(std::move(run));
     }
   }

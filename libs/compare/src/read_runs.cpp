@@ -13,7 +13,6 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/relate/estimate_scale.h"
-#include "roomgraph/scans/load_keyframes.h"
 #include "run_names.h"
 
 namespace roomgraph {
@@ -91,20 +90,20 @@ class Reader {
   }
 
   void open(MapFile& file) const {
-    GreyMap map = loadGrid(file.file, options_.extract.loadGrid);
+    LoadedMap read = loadMap(file.file, options_.extract.loadGrid);
+    GreyMap& map = read.map;
     const bool isBare = map.source.kind == "image";
     if (!isBare || !options_.estimatesScale) {
       file.notes = map.notes;
-      return prepare(file, map);
+      return prepare(file, map, read.keyframes);
     }
     if (bareWallMap(binarize(map, options_.extract.binarize), {}).walls.empty())
       throw DataError("has no wall beside free space: a run must have some");
     file.picture = std::move(map);
   }
 
-  void prepare(MapFile& file, const GreyMap& map) const {
-    const ExtractOptions& extract = options_.extract;
-    file.run = prepareRun(file.name, map, loadKeyframes(file.file, extract.loadGrid), extract);
+  void prepare(MapFile& file, const GreyMap& map, const std::vector<Keyframe>& scans) const {
+    file.run = prepareRun(file.name, map, scans, options_.extract);
     const bool isOneOfMany = std::size_t(&file - files_.data()) >= kMostFullMaps;
     if (isOneOfMany && !options_.estimatesScale) dropLookUp(file.run->map);
   }
@@ -123,7 +122,7 @@ class Reader {
     }
     for (Run& run : tellers) giveBack(std::move(run));
     forEachFile([this](MapFile& file) {
-      prepare(file, *file.picture);
+      prepare(file, *file.picture, {});
       file.run->isScaleEstimated = true;
     });
   }

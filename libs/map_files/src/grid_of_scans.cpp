@@ -8,14 +8,13 @@
 
 #include "read_gridmap.h"
 #include "roomgraph/base/Options.h"
-#include "roomgraph/scans/mrpt_object.h"
-#include "roomgraph/scans/place_scans.h"
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/scans/mrpt_scan.h"
 
 namespace roomgraph {
 namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
-using mrpt::obs::CObservation2DRangeScan;
 using mrpt::poses::CPose3D;
 
 // Beyond this, MRPT's single precision no longer tells neighbouring cells apart.
@@ -33,38 +32,42 @@ struct Extent {
     yMin = std::min(yMin, y);
     yMax = std::max(yMax, y);
   }
+  /** Whether nothing that is as near to (x, y) adds to it. */
+  bool holds(double x, double y, double reach) const {
+    return x - reach >= xMin && x + reach <= xMax && y - reach >= yMin && y + reach <= yMax;
+  }
 };
 
 /** Adds the sensor and the ends of its beams as MRPT draws them: it runs those without return half
  *  as far as the last one with a return. */
-void addScan(Extent& extent, const CPose3D& sensor, const CObservation2DRangeScan& scan,
+void addScan(Extent& extent, const CPose3D& sensor, const RangeScan& scan,
              const LoadGridOptions& options) {
   extent.add(sensor.x(), sensor.y());
   const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
   const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;
   const double start = sensor.yaw() - turn * double(scan.aperture) / 2;
   double last = options.maxDistanceInsertion;
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i) {
-    const bool isValid = scan.getScanRangeValidity(i);
-    if (isValid) last = double(scan.getScanRange(i));
-    if (!isValid && !options.considerInvalidRangesAsFreeSpace) continue;
-    const double reach = std::min(isValid ? last : last / 2, options.maxDistanceInsertion);
-    const double angle =
-        start + turn * double(scan.aperture) * double(i) / double(scan.getScanSize());
-    extent.add(sensor.x() + std::cos(angle) * reach, sensor.y() + std::sin(angle) * reach);
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i) {
+    if (scan.isValid[i]) last = double(scan.ranges[i]);
+    if (!scan.isValid[i] && !options.considerInvalidRangesAsFreeSpace) continue;
+    const double reach = std::min(scan.isValid[i] ? last : last / 2, options.maxDistanceInsertion);
     extent.longest = std::max(extent.longest, reach);
+    if (extent.holds(sensor.x(), sensor.y(), reach)) continue;
+    const double angle =
+        start + turn * double(scan.aperture) * double(i) / double(scan.ranges.size());
+    extent.add(sensor.x() + std::cos(angle) * reach, sensor.y() + std::sin(angle) * reach);
   }
 }
 
-Extent extentOf(const ByteReader& in, const ScanSource& source, const LoadGridOptions& options) {
+Extent extentOf(const PlacedScans& scans, const LoadGridOptions& options) {
   Extent extent;
-  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
-    const CPose3D sensor = placed.robot + placed.scan.sensorPose;
+  for (const PlacedScan& placed : scans.scans) {
+    const CPose3D sensor = placed.from + placed.scan.sensor;
     if (!(std::abs(sensor.x()) < kFarthestPose && std::abs(sensor.y()) < kFarthestPose))
-      refuse(in.file(), "has a scan farther than 100 km from the origin",
+      refuse(scans.file, "has a scan farther than 100 km from the origin",
              "shift the map to near (0, 0)");
     addScan(extent, sensor, placed.scan, options);
-  });
+  }
   return extent;
 }
 
@@ -124,28 +127,19 @@ GreyMap toGreyMap(const COccupancyGridMap2D& grid, double resolution) {
 
 }  // namespace
 
-GreyMap gridOfScans(CheckedFile& file, const LoadGridOptions& options) {
-  constexpr std::uint64_t mostBytes = 1'000'000'000;
-  checkSimplemapHead(ByteReader(file.head(), file.name()), file.claimedSize());
-  if (file.claimedSize() > mostBytes)
-    refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
-
-  const ByteReader in(file.content(), file.name());
-  ScanSource source = findScans(in, options);
+GreyMap gridOfScans(const PlacedScans& scans, const LoadGridOptions& options) {
   LoadGridOptions insertion = options;
   // A cloud has no points where its rings see above or below the slice: that is not free.
-  if (source.slice) insertion.considerInvalidRangesAsFreeSpace = false;
+  if (scans.areSlices) insertion.considerInvalidRangesAsFreeSpace = false;
   COccupancyGridMap2D grid;
-  setSize(grid, extentOf(in, source, insertion), file.name(), options.resolution);
+  setSize(grid, extentOf(scans, insertion), scans.file, options.resolution);
   setInsertion(grid, insertion);
-  placeScans(in, source, [&](const SimplemapEntry&, const PlacedScan& placed) {
-    grid.insertObservation(placed.scan, placed.robot);
-  });
-  file.release();
+  for (const PlacedScan& placed : scans.scans)
+    grid.insertObservation(mrptScan(placed.scan), placed.from);
 
   GreyMap map = toGreyMap(grid, options.resolution);
   map.source.insertion = insertionText(insertion);
-  map.notes = std::move(source.notes);
+  map.notes = scans.notes;
   return map;
 }
 

@@ -1,9 +1,12 @@
 #include "roomgraph/map_files/load_grid.h"
 
 #include <new>
+#include <optional>
 
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/map_files/grid_of_scans.h"
 #include "roomgraph/map_files/map_formats.h"
+#include "roomgraph/scans/make_keyframes.h"
 #include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
@@ -23,25 +26,33 @@ bool isRegisteredName(const std::string& className) {
   refuse(file.name(), "is not a map of a known kind", remedy);
 }
 
-GreyMap readByContent(CheckedFile& file, const LoadGridOptions& options) {
-  for (const MapFormat& format : mapFormats()) {
-    if (!format.looksLike(file)) continue;
-    GreyMap map = format.read(file, options);
-    map.source.kind = format.kind;
-    return map;
-  }
+const MapFormat& formatOf(CheckedFile& file) {
+  for (const MapFormat& format : mapFormats())
+    if (format.looksLike(file)) return format;
   refuseUnknown(file);
 }
 
-}  // namespace
+/** `wantsKeyframes` tells whether the map is to have them. */
+LoadedMap readMap(const std::string& name, const LoadGridOptions& options, bool wantsKeyframes) {
+  CheckedFile file(name);
+  const MapFormat& format = formatOf(file);
+  LoadedMap result;
+  std::optional<PlacedScans> scans;
+  if (format.readRecording) scans = placeScans(format.readRecording(file), options);
+  result.map = format.readGrid ? format.readGrid(file, options) : gridOfScans(*scans, options);
+  if (scans && wantsKeyframes)
+    result.keyframes = makeKeyframes(*scans, options.maxDistanceInsertion);
+  result.map.source.kind = format.kind;
+  result.map.source.file = name;
+  if (result.map.source.sha256.empty()) result.map.source.sha256 = file.sha256();
+  return result;
+}
 
-GreyMap loadGrid(const std::string& name, const LoadGridOptions& options) {
+/** Tells in one line why a map cannot be read. */
+LoadedMap readOrRefuse(const std::string& name, const LoadGridOptions& options,
+                       bool wantsKeyframes) {
   try {
-    CheckedFile file(name);
-    GreyMap map = readByContent(file, options);
-    map.source.file = name;
-    if (map.source.sha256.empty()) map.source.sha256 = file.sha256();
-    return map;
+    return readMap(name, options, wantsKeyframes);
   } catch (const DataError&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -50,6 +61,16 @@ GreyMap loadGrid(const std::string& name, const LoadGridOptions& options) {
     // MRPT's texts run over many lines and name its source files.
     refuse(name, "it cannot be read as a map", "copy or save the map again");
   }
+}
+
+}  // namespace
+
+GreyMap loadGrid(const std::string& file, const LoadGridOptions& options) {
+  return readOrRefuse(file, options, false).map;
+}
+
+LoadedMap loadMap(const std::string& file, const LoadGridOptions& options) {
+  return readOrRefuse(file, options, true);
 }
 
 }  // namespace roomgraph

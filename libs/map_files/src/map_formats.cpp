@@ -9,7 +9,7 @@
 #include "read_metric_map.h"
 #include "read_ros_map.h"
 #include "read_rtabmap.h"
-#include "read_simplemap.h"
+#include "roomgraph/scans/read_simplemap.h"
 
 namespace roomgraph {
 namespace {
@@ -36,12 +36,17 @@ bool endsWith(const std::string& name, const std::string& end) {
 
 const std::vector<MapFormat>& mapFormats() {
   static const std::vector<MapFormat> formats = {
-      {"gridmap", {".gridmap"}, "MRPT grid map", isGridmap, readGridmap},
-      {"simplemap", {".simplemap"}, "MRPT simplemap", isSimplemap, readSimplemap},
-      {"metric_map", {".mm"}, "MOLA metric map", isMetricMap, readMetricMap},
-      {"rtabmap", {".db"}, "rtabmap database", isRtabmap, readRtabmap},
-      {"ros_map", {".yaml", ".yml"}, "ROS map", isRosMap, readRosMap},
-      {"image", {".png", ".pgm", ".bmp", ".jpg", ".jpeg"}, "picture", isBareImage, readBareImage},
+      {"gridmap", {".gridmap"}, "MRPT grid map", isGridmap, readGridmap, nullptr},
+      {"simplemap", {".simplemap"}, "MRPT simplemap", isSimplemap, nullptr, readSimplemap},
+      {"metric_map", {".mm"}, "MOLA metric map", isMetricMap, readMetricMap, nullptr},
+      {"rtabmap", {".db"}, "rtabmap database", isRtabmap, readRtabmap, nullptr},
+      {"ros_map", {".yaml", ".yml"}, "ROS map", isRosMap, readRosMap, nullptr},
+      {"image",
+       {".png", ".pgm", ".bmp", ".jpg", ".jpeg"},
+       "picture",
+       isBareImage,
+       readBareImage,
+       nullptr},
   };
   return formats;
 }

@@ -1,6 +1,9 @@
 #include "read_layer_points.h"
 
-#include "roomgraph/map_files/read_keyframe_layer.h"
+#include <algorithm>
+#include <optional>
+
+#include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/read_points.h"
 
@@ -10,6 +13,51 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 constexpr char kKeyframes[] = "KeyframePointCloudMap", kIncremental[] = "IncrementalPointCloud";
+constexpr std::uint64_t kLongestOptions = 4096;  // before the first key frame
+constexpr std::uint64_t kBeforePose = 8 + 8;     // number and time of a key frame
+constexpr std::uint64_t kSmallestKeyframe = 100;
+
+/** Steps to the next pose that is announced within so many bytes. Returns how far that was. */
+std::optional<std::uint64_t> seekPose(ByteReader& in, std::uint64_t most) {
+  constexpr std::size_t header = 32;
+  for (std::uint64_t step = 0; step <= most && in.left() > 0; ++step, in.skip(1)) {
+    const auto object = peekObjectHeader({in.peek(), std::min(in.left(), header)});
+    if (object && !object->isOldFormat && object->className == "CPose3D") return step;
+  }
+  return std::nullopt;
+}
+
+/** The number of key frames, which stands behind options whose layout is not known here. Without
+ *  any, what is taken for the first may be a pose behind the layer. */
+std::uint32_t readKeyframeCount(ByteReader& in) {
+  ByteReader ahead = in;
+  const auto distance = seekPose(ahead, kLongestOptions);
+  if (!distance || *distance < kBeforePose + 4) return 0;
+  in.skip(*distance - kBeforePose - 4);
+  const auto count = in.get<std::uint32_t>();
+  return count > in.left() / kSmallestKeyframe ? 0 : count;
+}
+
+void addPoints(ByteReader& in, const mrpt::poses::CPose3D& pose, CloudPoints& points) {
+  if (!isPointsMapClass(readObjectHeader(in).className))
+    refuse(in.file(), "it is damaged: a key frame in it has no points", kSaveMapAgain);
+  for (const TPoint3Df& local : readPoints(in)) {
+    const auto p = pose.composePoint(mrpt::math::TPoint3D(local));
+    points.emplace_back(float(p.x), float(p.y), float(p.z));
+  }
+}
+
+/** Reads the body of a layer of MOLA's KeyframePointCloudMap: the clouds of all key frames. Each
+ *  may be followed by what is not known here. */
+CloudPoints readKeyframeLayer(ByteReader& in) {
+  CloudPoints points;
+  for (std::uint32_t n = readKeyframeCount(in); n > 0; --n) {
+    if (!seekPose(in, in.left())) refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
+    const auto pose = readPose3D(in);
+    if (in.getFlag()) addPoints(in, pose, points);
+  }
+  return points;
+}
 
 }  // namespace
 
@@ -17,7 +65,7 @@ bool hasLayerPoints(const std::string& className) {
   return isPointsMapClass(className) || className == kKeyframes || className == kIncremental;
 }
 
-std::vector<TPoint3Df> readLayerPoints(ByteReader& in) {
+CloudPoints readLayerPoints(ByteReader& in) {
   const std::string className = readObjectHeader(in).className;
   if (className == kKeyframes) return readKeyframeLayer(in);
   if (className == kIncremental) readObjectHeader(in);  // it is kept as one of MRPT's point maps

@@ -1,10 +1,8 @@
 #pragma once
-#include <mrpt/math/TPoint3D.h>
-
 #include <string>
-#include <vector>
 
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/scans/PointCloud.h"
 
 namespace roomgraph {
 
@@ -14,6 +12,6 @@ bool hasLayerPoints(const std::string& className);
 
 /** Reads the points of the layer whose object begins here, in the frame of the map. What follows
  *  its last point is left. */
-std::vector<mrpt::math::TPoint3Df> readLayerPoints(ByteReader& in);
+CloudPoints readLayerPoints(ByteReader& in);
 
 }  // namespace roomgraph

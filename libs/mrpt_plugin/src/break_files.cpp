@@ -145,15 +145,15 @@ std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
   return gzippedObject(breakScene(comparison, tear, runs));
 }
 
-std::vector<RobotScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
-                                    const std::vector<RobotScan>& all, bool isUntorn) {
+std::vector<PlacedScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
+                                     const std::vector<PlacedScan>& all, bool isUntorn) {
   const FramesAtBreak frames = framesAtBreak(tear, all);
   const auto from = [&](std::size_t k) { return all.begin() + std::ptrdiff_t(k); };
-  std::vector<RobotScan> scans(from(frames.first), from(frames.end));
+  std::vector<PlacedScan> scans(from(frames.first), from(frames.end));
   scans = moved(std::move(scans), pose);
   if (!isUntorn || scans.empty()) return scans;
   const std::size_t behind = frames.behind - frames.first;
-  std::vector<RobotScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
+  std::vector<PlacedScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
   torn = moved(std::move(torn), mendOf(tear));
   std::move(torn.begin(), torn.end(), scans.begin() + std::ptrdiff_t(behind));
   return scans;

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include "object_bytes.h"
+#include "roomgraph/scans/mrpt_scan.h"
 
 namespace roomgraph {
 namespace {
@@ -23,23 +24,23 @@ mrpt::obs::CActionCollection actionOf(const mrpt::poses::CPose2D& way,
 
 }  // namespace
 
-std::string rawlogBytes(const std::vector<RobotScan>& scans) {
+std::string rawlogBytes(const std::vector<PlacedScan>& scans) {
   std::string bytes;
   mrpt::poses::CPose2D before;
-  for (const RobotScan& one : scans) {
-    const mrpt::poses::CPose2D pose(one.robot);
-    bytes += objectBytes(actionOf(pose - before, one.scan.timestamp));
+  for (const PlacedScan& one : scans) {
+    const mrpt::poses::CPose2D pose(one.from);
+    bytes += objectBytes(actionOf(pose - before, one.scan.time));
     mrpt::obs::CSensoryFrame frame;
-    frame.insert(mrpt::obs::CObservation2DRangeScan::Create(one.scan));
+    frame.insert(mrpt::obs::CObservation2DRangeScan::Create(mrptScan(one.scan)));
     bytes += objectBytes(frame);
     before = pose;
   }
   return gzipped(bytes);
 }
 
-std::vector<RobotScan> moved(std::vector<RobotScan> scans, const Transform2D& motion) {
+std::vector<PlacedScan> moved(std::vector<PlacedScan> scans, const Transform2D& motion) {
   const mrpt::poses::CPose3D change(motion.x, motion.y, 0, motion.phi, 0, 0);
-  for (RobotScan& one : scans) one.robot = change + one.robot;
+  for (PlacedScan& one : scans) one.from = change + one.from;
   return scans;
 }
 

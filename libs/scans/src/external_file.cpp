@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "point_bytes.h"
 
@@ -43,24 +45,21 @@ std::vector<fs::path> otherFolders(const fs::path& folder) {
 
 std::string externalFolder(const std::string& map) { return stemOf(map).string() + kFolderEnd; }
 
-std::unique_ptr<CheckedFile> openExternalFile(const std::string& map, const std::string& name) {
-  const auto opened = [&](const fs::path& place) {
+std::string findExternalFile(const std::string& map, const std::string& name) {
+  fs::path folder = fs::path(map).parent_path();
+  std::vector<fs::path> places{externalFolder(map), folder};
+  if (folder.empty()) folder = ".";
+  for (fs::path& place : otherFolders(folder)) places.push_back(std::move(place));
+  for (const fs::path& place : places) {
     const fs::path file = place / name;  // a full name stays as it is
     std::error_code error;
-    return fs::is_regular_file(file, error) ? std::make_unique<CheckedFile>(file.string())
-                                            : nullptr;
-  };
-  fs::path folder = fs::path(map).parent_path();
-  for (const fs::path& place : {fs::path(externalFolder(map)), folder})
-    if (auto file = opened(place)) return file;
-  if (folder.empty()) folder = ".";
-  for (const fs::path& place : otherFolders(folder))
-    if (auto file = opened(place)) return file;
-  return nullptr;
+    if (fs::is_regular_file(file, error)) return file.string();
+  }
+  return "";
 }
 
-std::vector<TPoint3Df> kittiPoints(const ByteReader& bytes) {
-  std::vector<TPoint3Df> points;
+CloudPoints kittiPoints(const ByteReader& bytes) {
+  CloudPoints points;
   for (std::size_t i = 0; i + 4 <= bytes.left() / sizeof(float); i += 4) {
     const TPoint3Df p(floatAt(bytes.peek(), i), floatAt(bytes.peek(), i + 1),
                       floatAt(bytes.peek(), i + 2));
@@ -69,9 +68,9 @@ std::vector<TPoint3Df> kittiPoints(const ByteReader& bytes) {
   return points;
 }
 
-std::vector<TPoint3Df> textPoints(const ByteReader& bytes) {
+CloudPoints textPoints(const ByteReader& bytes) {
   std::istringstream text(std::string(reinterpret_cast<const char*>(bytes.peek()), bytes.left()));
-  std::vector<TPoint3Df> points;
+  CloudPoints points;
   for (std::string line; std::getline(text, line);) {
     std::istringstream numbers(line);
     TPoint3Df p;

@@ -35,12 +35,6 @@ std::optional<ObjectHeader> peekObjectHeader(ByteView bytes) {
   return header;
 }
 
-bool announcesSimplemap(ByteView head) {
-  const auto object = peekObjectHeader(head);
-  return object &&
-         (object->className == "CSimpleMap" || object->className == "CSensFrameProbSequence");
-}
-
 ObjectHeader readObjectHeader(ByteReader& in) {
   auto header = peekObjectHeader({in.peek(), in.left()});
   if (!header) {

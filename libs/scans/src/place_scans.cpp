@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "external_file.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/scans/read_cloud.h"
-#include "velodyne_points.h"
+#include "roomgraph/scans/slice_scan.h"
 
 namespace roomgraph {
 namespace {
@@ -20,8 +22,13 @@ struct Contents {
   double tilt = 0;                           ///< the largest of the nearly level scans [rad]
   std::map<std::string, std::size_t> kinds;  ///< observations by class
   std::string missingFile;                   ///< the first one
-  bool arePlanar = true;                     ///< all clouds are what level 2D scanners see
-  Voxels voxels;                             ///< of all clouds, by height above the robot
+};
+
+/** The clouds of a recording, decoded. */
+struct Decoded {
+  bool arePlanar = true;                         ///< all are what level 2D scanners see
+  Voxels voxels;                                 ///< of all, by height above the robot
+  std::vector<std::optional<CloudPoints>> kept;  ///< those that there was room for, by index
 };
 
 // Beyond this, beams that look down meet the floor within a room.
@@ -33,8 +40,8 @@ double tiltOf(const RangeScan& scan) {
 }
 
 bool isHorizontal(const RangeScan& scan) {
-  using Options = mrpt::maps::COccupancyGridMap2D::TInsertionOptions;
-  return scan.sensor.isHorizontal(double(Options().horizontalTolerance));
+  static const mrpt::maps::COccupancyGridMap2D::TInsertionOptions options;
+  return scan.sensor.isHorizontal(double(options.horizontalTolerance));
 }
 
 /** The pose without its tilt. */
@@ -43,52 +50,37 @@ mrpt::poses::CPose3D level(const mrpt::poses::CPose3D& sensor) {
   return {sensor.x(), sensor.y(), sensor.z(), sensor.yaw(), 0, isUpsideDown ? M_PI : 0};
 }
 
-mrpt::obs::CObservation2DRangeScan mrptScan(const RangeScan& from) {
-  mrpt::obs::CObservation2DRangeScan scan;
-  scan.sensorPose = isHorizontal(from) ? from.sensor : level(from.sensor);
-  scan.sensorLabel = from.label;
-  scan.timestamp = from.time;
-  scan.aperture = from.aperture;
-  scan.maxRange = from.maxRange;
-  scan.rightToLeft = from.rightToLeft;
-  scan.resizeScan(from.ranges.size());
-  for (std::size_t i = 0; i < from.ranges.size(); ++i) {
-    scan.setScanRange(i, from.ranges[i]);
-    scan.setScanRangeValidity(i, from.isValid[i] != 0);
-  }
-  return scan;
-}
-
-/** Calls `use` with the cloud and its points, even where these still are packets. */
-template <class Use>
-void withPoints(const PointCloud& cloud, const Use& use) {
-  if (!cloud.packets) return use(cloud);
-  PointCloud unpacked = cloud;
-  unpacked.points = velodynePoints(*cloud.packets);
-  use(unpacked);
-}
-
 /** Whether a level scanner with one plane may have seen the points as the robot rocked a little. */
-bool isPlanar(const PointCloud& cloud, const mrpt::poses::CPose3D& sensor) {
+bool isPlanar(const CloudPoints& points, const mrpt::poses::CPose3D& sensor) {
   constexpr float thickest = 0.05f;      // [m]
   constexpr double mostUpright = 0.985;  // 10 degrees off
-  const auto [low, high] =
-      std::minmax_element(cloud.points.begin(), cloud.points.end(),
-                          [](const auto& a, const auto& b) { return a.z < b.z; });
-  return low == cloud.points.end() || (high->z - low->z <= thickest &&
-                                       std::abs(sensor.getRotationMatrix()(2, 2)) >= mostUpright);
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(), [](const auto& a, const auto& b) { return a.z < b.z; });
+  return low == points.end() || (high->z - low->z <= thickest &&
+                                 std::abs(sensor.getRotationMatrix()(2, 2)) >= mostUpright);
 }
 
-void addCloud(const PointCloud& cloud, const mrpt::poses::CPose3D& robot, Contents& contents) {
-  ++contents.clouds;
-  if (!cloud.missingFile.empty() && contents.missing++ == 0)
-    contents.missingFile = cloud.missingFile;
-  const mrpt::poses::CPose3D sensor = robot + cloud.sensor;
-  contents.arePlanar = contents.arePlanar && isPlanar(cloud, sensor);
-  for (const auto& point : cloud.points) {
+void addPoints(const CloudPoints& points, const mrpt::poses::CPose3D& sensor, double ground,
+               Decoded& decoded) {
+  decoded.arePlanar = decoded.arePlanar && isPlanar(points, sensor);
+  for (const auto& point : points) {
     const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
-    contents.voxels.add(p.x, p.y, p.z - robot.z());
+    decoded.voxels.add(p.x, p.y, p.z - ground);
   }
+}
+
+Decoded decode(const Recording& recording, std::uint64_t mostKept) {
+  Decoded decoded;
+  std::uint64_t bytes = 0;
+  for (const Recording::Frame& frame : recording.frames)
+    for (const PointCloud& cloud : frame.clouds) {
+      CloudPoints points = cloud.points();
+      addPoints(points, frame.robot + cloud.sensor, frame.robot.z(), decoded);
+      bytes += points.size() * sizeof points[0];
+      decoded.kept.emplace_back();
+      if (bytes <= mostKept) decoded.kept.back() = std::move(points);
+    }
+  return decoded;
 }
 
 void addScan(const RangeScan& scan, Contents& contents) {
@@ -100,15 +92,19 @@ void addScan(const RangeScan& scan, Contents& contents) {
   contents.tilt = std::max(contents.tilt, tilt);
 }
 
-Contents contentsOf(const ByteReader& in) {
+Contents contentsOf(const Recording& recording) {
   Contents contents;
-  readEntries(in, [&](const SimplemapEntry& entry) {
-    contents.observations += entry.observations.size();
-    for (const ObservationKind& kind : entry.observations) ++contents.kinds[kind.className];
-    for (const RangeScan& scan : entry.scans) addScan(scan, contents);
-    for (const PointCloud& packed : entry.clouds)
-      withPoints(packed, [&](const PointCloud& cloud) { addCloud(cloud, entry.robot, contents); });
-  });
+  for (const auto& [sensor, count] : recording.sensors) {
+    contents.observations += count;
+    contents.kinds[sensor.className] += count;
+  }
+  for (const Recording::Frame& frame : recording.frames) {
+    for (const RangeScan& scan : frame.scans) addScan(scan, contents);
+    contents.clouds += frame.clouds.size();
+    for (const PointCloud& cloud : frame.clouds)
+      if (!cloud.missingFile.empty() && contents.missing++ == 0)
+        contents.missingFile = cloud.missingFile;
+  }
   return contents;
 }
 
@@ -147,53 +143,87 @@ Slice wholePlane() {
   return slice;
 }
 
-void addNote(ScanSource& source, const char* code, const std::string& text) {
-  source.notes.push_back({code, text, std::nullopt});
+void addNote(PlacedScans& placed, const char* code, const std::string& text) {
+  placed.notes.push_back({code, text, std::nullopt});
+}
+
+PlacedScan& addPlaced(PlacedScans& placed, const Recording& recording, std::size_t keyFrame,
+                      PlacedScan scan) {
+  scan.keyFrame = keyFrame;
+  scan.robot = recording.frames[keyFrame].robot;
+  scan.odometry = recording.frames[keyFrame].odometry;
+  return placed.scans.emplace_back(std::move(scan));
+}
+
+/** Takes the scans that lie level, or nearly. */
+void addScans(Recording& recording, bool takesTilted, PlacedScans& placed) {
+  for (std::size_t k = 0; k < recording.frames.size(); ++k)
+    for (RangeScan& scan : recording.frames[k].scans) {
+      const bool isLevel = isHorizontal(scan);
+      if (takesTilted ? tiltOf(scan) > kMostTilt : !isLevel) continue;
+      PlacedScan& added = addPlaced(placed, recording, k, {});
+      added.from = added.robot;
+      added.scan = std::move(scan);
+      if (!isLevel) added.scan.sensor = level(added.scan.sensor);
+      added.id = rangesId(added.scan);
+    }
+}
+
+void addSlices(const Recording& recording, Decoded decoded, const Slice& slice,
+               PlacedScans& placed) {
+  placed.areSlices = true;
+  auto kept = decoded.kept.begin();
+  for (std::size_t k = 0; k < recording.frames.size(); ++k) {
+    const mrpt::poses::CPose3D& robot = recording.frames[k].robot;
+    for (const PointCloud& cloud : recording.frames[k].clouds) {
+      auto one = std::exchange(*kept++, std::nullopt);
+      const CloudPoints points = one ? std::move(*one) : cloud.points();
+      if (points.empty()) continue;
+      PlacedScan& added = addPlaced(placed, recording, k,
+                                    sliceScan(points, robot + cloud.sensor, robot.z(), slice));
+      added.scan.time = cloud.time;
+    }
+  }
+}
+
+/** Cuts the clouds to slices, and notes how. */
+void cutClouds(const Recording& recording, Decoded decoded, const Contents& contents,
+               const LoadGridOptions& options, PlacedScans& placed) {
+  const Slice slice = decoded.arePlanar ? wholePlane() : findSlice(decoded.voxels, options);
+  refuseEmptySlice(slice, recording.file);
+  addNote(placed, "slice", "its point clouds are cut: " + sliceText(slice) + " (see --slice)");
+  if (contents.missing > 0) addNote(placed, "missing_clouds", missingText(contents));
+  addSlices(recording, std::move(decoded), slice, placed);
 }
 
 }  // namespace
 
-ScanSource findScans(const ByteReader& in, const LoadGridOptions& options) {
-  const Contents contents = contentsOf(in);
-  ScanSource source;
-  source.takesTilted =
-      contents.horizontal == 0 && contents.nearlyLevel > 0 && contents.voxels.empty();
-  const bool usesScans = (contents.horizontal > 0 && options.sliceHigh <= 0) || source.takesTilted;
-  if (!usesScans && contents.voxels.empty()) refuseEmpty(in.file(), contents);
-  if (source.takesTilted)
-    addNote(source, "tilted_scans",
+PlacedScans placeScans(Recording recording, const LoadGridOptions& options,
+                       std::uint64_t mostKept) {
+  const Contents contents = contentsOf(recording);
+  PlacedScans placed;
+  placed.file = recording.file;
+  bool usesScans = contents.horizontal > 0 && options.sliceHigh <= 0;
+  Decoded decoded;
+  if (!usesScans) decoded = decode(recording, mostKept);
+  const bool hasPoints = !decoded.voxels.empty();
+  const bool takesTilted = contents.horizontal == 0 && contents.nearlyLevel > 0 && !hasPoints;
+  usesScans = usesScans || takesTilted;
+  if (!usesScans && !hasPoints) refuseEmpty(recording.file, contents);
+  if (takesTilted)
+    addNote(placed, "tilted_scans",
             formatted("its 2D range scans are tilted, by up to %.1f degrees: taken for level",
                       contents.tilt * 180 / M_PI));
-  if (!usesScans) {
-    source.slice = contents.arePlanar ? wholePlane() : findSlice(contents.voxels, options);
-    refuseEmptySlice(*source.slice, in.file());
-    addNote(source, "slice",
-            "its point clouds are cut: " + sliceText(*source.slice) + " (see --slice)");
-    if (contents.missing > 0) addNote(source, "missing_clouds", missingText(contents));
-  }
+  if (usesScans)
+    addScans(recording, takesTilted, placed);
+  else
+    cutClouds(recording, std::move(decoded), contents, options, placed);
   const std::size_t used = usesScans ? contents.scans : contents.clouds;
   if (contents.observations > used)
-    addNote(source, "other_observations",
+    addNote(placed, "other_observations",
             std::to_string(contents.observations - used) + " observations that are no " +
                 (usesScans ? "2D range scans" : "point clouds") + " are not used");
-  return source;
-}
-
-void placeScans(const ByteReader& in, const ScanSource& source, const ScanVisitor& visit) {
-  readEntries(in, [&](const SimplemapEntry& entry) {
-    if (source.slice) {
-      for (const PointCloud& packed : entry.clouds)
-        withPoints(packed, [&](const PointCloud& cloud) {
-          if (!cloud.points.empty()) visit(entry, sliceScan(cloud, entry.robot, *source.slice));
-        });
-      return;
-    }
-    for (const RangeScan& read : entry.scans) {
-      if (source.takesTilted ? tiltOf(read) > kMostTilt : !isHorizontal(read)) continue;
-      const mrpt::obs::CObservation2DRangeScan scan = mrptScan(read);
-      visit(entry, {entry.robot, scan, rangesId(scan)});
-    }
-  });
+  return placed;
 }
 
 }  // namespace roomgraph

@@ -17,9 +17,9 @@ float floatAt(const std::uint8_t* bytes, std::size_t index) {
   return value;
 }
 
-std::vector<TPoint3Df> pointsOf(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
-                                std::size_t count) {
-  std::vector<TPoint3Df> points;
+CloudPoints pointsOf(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
+                     std::size_t count) {
+  CloudPoints points;
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const TPoint3Df p(floatAt(x, i), floatAt(y, i), floatAt(z, i));

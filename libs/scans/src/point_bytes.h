@@ -1,9 +1,6 @@
 #pragma once
-#include <mrpt/math/TPoint3D.h>
-
-#include <vector>
-
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/scans/PointCloud.h"
 
 namespace roomgraph {
 
@@ -13,7 +10,7 @@ bool isFinite(const mrpt::math::TPoint3Df& p);
 float floatAt(const std::uint8_t* bytes, std::size_t index);
 
 /** The points of three arrays of floats, but for those that are not finite. */
-std::vector<mrpt::math::TPoint3Df> pointsOf(const std::uint8_t* x, const std::uint8_t* y,
-                                            const std::uint8_t* z, std::size_t count);
+CloudPoints pointsOf(const std::uint8_t* x, const std::uint8_t* y, const std::uint8_t* z,
+                     std::size_t count);
 
 }  // namespace roomgraph

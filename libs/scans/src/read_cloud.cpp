@@ -6,6 +6,7 @@
 #include "point_bytes.h"
 #include "read_depth_scan.h"
 #include "read_velodyne.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/read_observation.h"
 #include "roomgraph/scans/read_points.h"
 
@@ -15,38 +16,39 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 /** The object that a CObservationPointCloud holds, or keeps in a file of its own. */
-std::vector<TPoint3Df> readPointsMap(ByteReader& in) {
+std::function<CloudPoints()> readPointsMap(ByteReader& in) {
   const ObjectHeader header = readObjectHeader(in);
-  if (header.className == "nullptr") return {};
+  if (header.className == "nullptr") return PointCloud().points;
   if (!isPointsMapClass(header.className))
     refuse(in.file(), "keeps a point cloud as " + header.className,
            "save it with one of MRPT's classes of points");
-  return readPoints(in);
+  return skipPoints(in);
+}
+
+enum Storage : std::uint8_t { kInside = 0, kKitti = 1, kText = 2, kObject = 3 };
+
+CloudPoints readExternalPoints(const std::string& name, std::uint8_t storage) {
+  CheckedFile file(name);
+  ByteReader bytes(file.content(), name);
+  if (storage == kKitti) return kittiPoints(bytes);
+  if (storage == kText) return textPoints(bytes);
+  return readPointsMap(bytes)();
 }
 
 void readPointCloud(ByteReader& in, PointCloud& cloud) {
   cloud.label = readText(in);
   cloud.time = readTime(in);
   cloud.sensor = readPose3D(in);
-  enum Storage : std::uint8_t { kInside = 0, kKitti = 1, kText = 2, kObject = 3 };
   const auto storage = in.get<std::uint8_t>();
   if (storage == kInside) {
     cloud.points = readPointsMap(in);
     return;
   }
-  const std::string name = readText(in);
-  auto file = openExternalFile(in.file(), name);
-  if (!file) {
+  const std::string name = readText(in), file = findExternalFile(in.file(), name);
+  if (file.empty())
     cloud.missingFile = name;
-    return;
-  }
-  ByteReader bytes(file->content(), file->name());
-  if (storage == kKitti)
-    cloud.points = kittiPoints(bytes);
-  else if (storage == kText)
-    cloud.points = textPoints(bytes);
   else
-    cloud.points = readPointsMap(bytes);
+    cloud.points = [=] { return readExternalPoints(file, storage); };
 }
 
 /** The layout of MRPT 2.11 on first tells where the matrices are kept; earlier ones begin with the
@@ -57,9 +59,9 @@ bool saysWhereMatricesAre(ByteReader in, std::uint16_t rows, std::uint16_t colum
 }
 
 /** Ranges of a scanner with one ring, which are in the sensor's plane. */
-std::vector<TPoint3Df> pointsOfRing(const std::uint8_t* ranges, std::size_t count, double unit,
-                                    double start, double span) {
-  std::vector<TPoint3Df> points;
+CloudPoints pointsOfRing(const std::uint8_t* ranges, std::size_t count, double unit, double start,
+                         double span) {
+  CloudPoints points;
   for (std::size_t i = 0; i < count; ++i) {
     std::uint16_t stored;
     std::memcpy(&stored, ranges + 2 * i, 2);
@@ -72,17 +74,21 @@ std::vector<TPoint3Df> pointsOfRing(const std::uint8_t* ranges, std::size_t coun
 }
 
 /** Points in rows and columns, in the frame of the robot; those at its origin are none. */
-std::vector<TPoint3Df> readOrganizedPoints(ByteReader& in) {
-  const auto columns = in.get<std::uint16_t>(), rows = in.get<std::uint16_t>();
-  const std::size_t count = std::size_t(columns) * rows;
-  const std::uint8_t* bytes = in.take(count * 3 * sizeof(float));
-  std::vector<TPoint3Df> points;
+CloudPoints organizedPoints(const std::uint8_t* bytes, std::size_t count) {
+  CloudPoints points;
   for (std::size_t i = 0; i < count; ++i) {
     const TPoint3Df p(floatAt(bytes, 3 * i), floatAt(bytes, 3 * i + 1), floatAt(bytes, 3 * i + 2));
     // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult): as in isFinite()
     if (isFinite(p) && (p.x != 0 || p.y != 0 || p.z != 0)) points.push_back(p);
   }
   return points;
+}
+
+std::function<CloudPoints()> readOrganizedPoints(ByteReader& in) {
+  const auto columns = in.get<std::uint16_t>(), rows = in.get<std::uint16_t>();
+  const std::size_t count = std::size_t(columns) * rows;
+  const std::uint8_t* bytes = in.take(count * 3 * sizeof(float));
+  return [=] { return organizedPoints(bytes, count); };
 }
 
 void readRotatingScan(ByteReader& in, PointCloud& cloud) {
@@ -103,7 +109,8 @@ void readRotatingScan(ByteReader& in, PointCloud& cloud) {
   }
   const auto storedColumns = in.get<std::uint16_t>(), storedRows = in.get<std::uint16_t>();
   const std::uint8_t* ranges = in.take(std::uint64_t(storedColumns) * storedRows * 2);
-  if (storedRows == 1) cloud.points = pointsOfRing(ranges, storedColumns, unit, start, span);
+  if (storedRows == 1)
+    cloud.points = [=] { return pointsOfRing(ranges, storedColumns, unit, start, span); };
   if (!isNewer || storedRows == 1) return;
   const auto width = in.get<std::uint16_t>();
   in.skip(std::uint64_t(width) * in.get<std::uint16_t>());  // intensities

@@ -80,8 +80,8 @@ void readDepthImage(ByteReader& in, DepthImage& image) {
 }
 
 /** MRPT's cameras look along x, with y to the left and z up. */
-std::vector<TPoint3Df> pointsOf(const DepthImage& image, const DepthCamera& camera, bool isDepth) {
-  std::vector<TPoint3Df> points;
+CloudPoints pointsOf(const DepthImage& image, const DepthCamera& camera, bool isDepth) {
+  CloudPoints points;
   for (std::size_t i = 0; i < std::size_t(image.rows) * image.columns; ++i) {
     std::uint16_t stored;
     std::memcpy(&stored, image.depths + 2 * i, 2);
@@ -104,7 +104,7 @@ void readDepthScan(ByteReader& in, const ObjectHeader& header, PointCloud& cloud
   cloud.sensor = readPose3D(in);
   const bool hasPoints = header.version == 0 || in.getFlag();
   const std::uint64_t count = hasPoints ? ByteReader(in).get<std::uint32_t>() : 0;
-  if (hasPoints) cloud.points = readPoints(in);
+  if (hasPoints) cloud.points = skipPoints(in);
   // The rest is laid out in another way before MRPT 2.1, where depths are a matrix of metres.
   if (header.version < 9) return;
   in.skip(count * 2 * sizeof(std::uint16_t));  // the pixels of the points
@@ -116,7 +116,8 @@ void readDepthScan(ByteReader& in, const ObjectHeader& header, PointCloud& cloud
   if (!found || found->version < kOldestCamera) return;
   const DepthCamera camera = readCamera(in);
   const bool isDepth = readRest(in, *found, cloud);
-  if (!hasPoints && camera.fx > 0 && camera.fy > 0) cloud.points = pointsOf(image, camera, isDepth);
+  if (!hasPoints && camera.fx > 0 && camera.fy > 0)
+    cloud.points = [=] { return pointsOf(image, camera, isDepth); };
 }
 
 }  // namespace roomgraph

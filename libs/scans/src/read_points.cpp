@@ -4,12 +4,12 @@
 
 namespace roomgraph {
 
-std::vector<mrpt::math::TPoint3Df> readPoints(ByteReader& in) {
+std::function<CloudPoints()> skipPoints(ByteReader& in) {
   const std::uint64_t count = in.get<std::uint32_t>();
   const std::uint8_t* x = in.take(count * sizeof(float));
   const std::uint8_t* y = in.take(count * sizeof(float));
   const std::uint8_t* z = in.take(count * sizeof(float));
-  return pointsOf(x, y, z, count);
+  return [=] { return pointsOf(x, y, z, count); };
 }
 
 bool isPointsMapClass(const std::string& className) {

@@ -2,6 +2,7 @@
 
 #include "point_bytes.h"
 #include "roomgraph/scans/read_observation.h"
+#include "velodyne_points.h"
 
 namespace roomgraph {
 namespace {
@@ -36,9 +37,9 @@ void readVelodyne(ByteReader& in, PointCloud& cloud) {
     refuse(in.file(), "it is damaged: a point cloud in it has fewer y or z than x",
            "copy or save the map again");
   if (x.count > 0)
-    cloud.points = pointsOf(x.bytes, y.bytes, z.bytes, x.count);
+    cloud.points = [=] { return pointsOf(x.bytes, y.bytes, z.bytes, x.count); };
   else
-    cloud.packets = packets;
+    cloud.points = [=] { return velodynePoints(packets); };
 }
 
 }  // namespace roomgraph

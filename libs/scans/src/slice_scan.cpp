@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace roomgraph {
 namespace {
@@ -11,6 +12,7 @@ namespace {
 constexpr std::size_t kBeams = 3600;
 constexpr double kNearestSeen = 0.2;  // what is nearer is the robot itself [m]
 constexpr float kNothing = HUGE_VALF;
+constexpr float kMrptMaxRange = 80;  // what MRPT takes for granted where nobody says it [m]
 
 /** FNV-1a. */
 class Hash {
@@ -26,9 +28,9 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325;
 };
 
-std::uint64_t pointsId(const PointCloud& cloud) {
+std::uint64_t pointsId(const CloudPoints& points) {
   Hash hash;
-  for (const auto& point : cloud.points) hash.add(point.x), hash.add(point.y), hash.add(point.z);
+  for (const auto& point : points) hash.add(point.x), hash.add(point.y), hash.add(point.z);
   return hash.value();
 }
 
@@ -49,38 +51,37 @@ void bridgeGaps(std::vector<float>& ranges) {
 
 }  // namespace
 
-std::uint64_t rangesId(const mrpt::obs::CObservation2DRangeScan& scan) {
+std::uint64_t rangesId(const RangeScan& scan) {
   Hash hash;
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    hash.add(scan.getScanRangeValidity(i) ? scan.getScanRange(i) : -1);
+  for (std::size_t i = 0; i < scan.ranges.size(); ++i)
+    hash.add(scan.isValid[i] ? scan.ranges[i] : -1);
   return hash.value();
 }
 
-PlacedScan sliceScan(const PointCloud& cloud, const mrpt::poses::CPose3D& robot,
+PlacedScan sliceScan(const CloudPoints& points, const mrpt::poses::CPose3D& sensor, double ground,
                      const Slice& slice) {
-  const mrpt::poses::CPose3D sensor = robot + cloud.sensor;
   std::vector<float> ranges(kBeams, kNothing);
-  for (const auto& point : cloud.points) {
+  for (const auto& point : points) {
     const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
     const double dx = p.x - sensor.x(), dy = p.y - sensor.y(), range = std::hypot(dx, dy);
-    if (range < kNearestSeen || !slice.contains(p.z - robot.z())) continue;
+    if (range < kNearestSeen || !slice.contains(p.z - ground)) continue;
     const double turns = std::atan2(dy, dx) / (2 * M_PI) + 0.5;
     auto& nearest = ranges[std::size_t(std::lround(turns * kBeams)) % kBeams];
     nearest = std::min(nearest, float(range));
   }
   bridgeGaps(ranges);
   PlacedScan placed;
-  placed.robot = mrpt::poses::CPose3D(sensor.x(), sensor.y(), 0);
-  auto& scan = placed.scan;
-  scan.timestamp = cloud.time;
-  placed.id = pointsId(cloud);
+  placed.from = mrpt::poses::CPose3D(sensor.x(), sensor.y(), 0);
+  placed.id = pointsId(points);
+  RangeScan& scan = placed.scan;
   scan.aperture = float(2 * M_PI);
-  scan.rightToLeft = true;
-  scan.resizeScan(kBeams);
+  scan.maxRange = kMrptMaxRange;
+  scan.isValid.resize(kBeams);
   for (std::size_t i = 0; i < kBeams; ++i) {
-    scan.setScanRange(i, ranges[i] == kNothing ? 0 : ranges[i]);
-    scan.setScanRangeValidity(i, ranges[i] != kNothing);
+    scan.isValid[i] = ranges[i] != kNothing;
+    if (!scan.isValid[i]) ranges[i] = 0;
   }
+  scan.ranges = std::move(ranges);
   return placed;
 }
 

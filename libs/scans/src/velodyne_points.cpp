@@ -36,7 +36,7 @@ bool areKnown(const CObservationVelodyneScan& scan) {
 
 }  // namespace
 
-std::vector<TPoint3Df> velodynePoints(const VelodynePackets& from) {
+CloudPoints velodynePoints(const VelodynePackets& from) {
   CObservationVelodyneScan scan;
   scan.timestamp = mrpt::Clock::now();  // any: points are placed from the packets alone
   scan.minRange = from.minRange, scan.maxRange = from.maxRange;
@@ -44,7 +44,7 @@ std::vector<TPoint3Df> velodynePoints(const VelodynePackets& from) {
   copyInto(scan.calibration.laser_corrections, from.lasers);
   if (!areKnown(scan)) return {};
   scan.generatePointCloud();
-  std::vector<TPoint3Df> points;
+  CloudPoints points;
   for (std::size_t i = 0; i < scan.point_cloud.x.size(); ++i)
     points.emplace_back(scan.point_cloud.x[i], scan.point_cloud.y[i], scan.point_cloud.z[i]);
   points.erase(

@@ -1,14 +1,19 @@
 #pragma once
-#include <mrpt/math/TPoint3D.h>
-
-#include <vector>
-
+#include "roomgraph/base/byte_reader.h"
 #include "roomgraph/scans/PointCloud.h"
 
 namespace roomgraph {
 
+/** The packets of a laser scanner as it sends them, in the bytes of the file that they are from. */
+struct VelodynePackets {
+  static constexpr std::size_t kPacketSize = 1206, kLaserSize = 72;  ///< of one [bytes]
+
+  ByteView packets, lasers;           ///< what was sent, and how each laser is mounted
+  double minRange = 0, maxRange = 0;  ///< [m]
+};
+
 /** The points that the packets of a laser scanner mean [m, sensor frame]; MRPT knows its geometry.
  *  None where a packet or the number of lasers is not one that MRPT knows. */
-std::vector<mrpt::math::TPoint3Df> velodynePoints(const VelodynePackets& from);
+CloudPoints velodynePoints(const VelodynePackets& from);
 
 }  // namespace roomgraph

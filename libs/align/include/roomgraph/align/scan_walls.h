@@ -6,7 +6,7 @@
 #include "roomgraph/align/WallPoint.h"
 #include "roomgraph/align/scan_axes.h"
 #include "roomgraph/geometry/PointSums.h"
-#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
 
@@ -30,9 +30,12 @@ struct ScanWalls {
   }  ///< where the robot was [m, frame of the run]
 };
 
+/** Of a scan that is compared with maps; more would tell no more. */
+constexpr int kWallsPerScan = 90;
+
 /** At most `maxWalls` walls of each scan, evenly; beams that meet nothing near their neighbours'
  *  are left out. */
 [[nodiscard]] std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames,
-                                               int maxWalls = 90);
+                                               int maxWalls = kWallsPerScan);
 
 }  // namespace roomgraph

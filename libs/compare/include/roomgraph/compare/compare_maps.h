@@ -60,11 +60,12 @@ struct ReadRuns {
 [[nodiscard]] Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
 
 /** The maps of a comparison that was read back: those of `files` that are maps of its runs, told by
- *  their content, with the names of the runs, their walls and scans. Other files are left out. They
- *  are read with the options of the comparison.
+ *  their content, with the names of the runs, their walls, and up to `wallsPerScan` of each of
+ *  their scans. Other files are left out. They are read with the options of the comparison.
  *  @throws DataError where a file cannot be read. */
 [[nodiscard]] std::vector<Run> readMapsOf(const Comparison& comparison,
-                                          const std::vector<std::string>& files);
+                                          const std::vector<std::string>& files,
+                                          int wallsPerScan = kWallsPerScan);
 
 /** Files that are named as the map of a run and may be it: beside the file of the comparison, one
  *  folder above, and in the current folder. */

@@ -4,7 +4,7 @@
 
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "roomgraph/relate/Run.h"
-#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
 
@@ -14,12 +14,12 @@ namespace roomgraph {
 // Next: compareRuns
 
 /** All that the comparison needs to know of a map: its graph and areas by extract(), its walls
- *  and its scans. `scans` are what loadKeyframes gives for a simplemap, else empty: without them
- *  breaks are told from the walls alone. `name` is to be another one for each run.
+ *  and its scans. `scans` are what loadMap gives; without them breaks are told from the walls
+ *  alone. `name` is to be another one for each run.
  *
  *      const ExtractOptions options;
- *      const Run monday = prepareRun("monday", loadGrid("monday.simplemap", options.loadGrid),
- *                                    loadKeyframes("monday.simplemap", options.loadGrid), options);
+ *      const LoadedMap read = loadMap("monday.simplemap", options.loadGrid);
+ *      const Run monday = prepareRun("monday", read.map, read.keyframes, options);
  *
  *  Cost: that of extract().
  *  @throws DataError where no wall stands beside free space. */

@@ -1,8 +1,10 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/LoadGridOptions.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
 
@@ -43,5 +45,16 @@ namespace roomgraph {
  *  @throws DataError with one line (file, problem, remedy) where the file is missing, damaged,
  *  absurd or of no known kind. */
 [[nodiscard]] GreyMap loadGrid(const std::string& file, const LoadGridOptions& options);
+
+/** A map, and what was seen where it was made. */
+struct LoadedMap {
+  GreyMap map;
+  /** One for each scan, or slice, that the grid is made of, in the order of the file; empty for a
+   *  map that holds none. Beams without return or longer than options.maxDistanceInsertion are
+   *  left out. */
+  std::vector<Keyframe> keyframes;
+};
+/** The same with its key frames: the file is opened, inflated and decoded once for both. */
+[[nodiscard]] LoadedMap loadMap(const std::string& file, const LoadGridOptions& options);
 
 }  // namespace roomgraph

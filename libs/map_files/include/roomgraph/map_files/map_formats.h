@@ -8,6 +8,8 @@
 
 namespace roomgraph {
 
+struct Recording;
+
 // In:   a map file
 // Out:  the entry of its format
 // Next: loadGrid
@@ -19,7 +21,10 @@ struct MapFormat {
   std::vector<const char*> extensions;   ///< usual ones; files are recognised by content
   const char* name;                      ///< for people
   bool (*looksLike)(CheckedFile& file);  ///< by its first bytes
-  GreyMap (*read)(CheckedFile& file, const LoadGridOptions& options);  ///< throws DataError
+  /** Reads its grid; null where it has none, and one is made of its scans. */
+  GreyMap (*readGrid)(CheckedFile& file, const LoadGridOptions& options);
+  /** Reads its scans; null where it has none. One of the two is there. */
+  Recording (*readRecording)(CheckedFile& file);
 };
 
 /** All of them, in the order in which they are tried. */

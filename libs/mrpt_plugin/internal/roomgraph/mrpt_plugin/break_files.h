@@ -6,7 +6,7 @@
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
-#include "roomgraph/scans/load_scans.h"
+#include "roomgraph/scans/PlacedScan.h"
 
 namespace roomgraph {
 
@@ -28,7 +28,7 @@ std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
 /** The scans at a break, whose run lies at `pose` (site <- run), in the frame of the site: as the
  *  run has them, or with those behind the break where they would lie without it. `all` are those
  *  of the run. */
-std::vector<RobotScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
-                                    const std::vector<RobotScan>& all, bool isUntorn);
+std::vector<PlacedScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
+                                     const std::vector<PlacedScan>& all, bool isUntorn);
 
 }  // namespace roomgraph

@@ -3,12 +3,12 @@
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
-#include "roomgraph/scans/load_scans.h"
+#include "roomgraph/scans/PlacedScan.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   RobotScan
+// In:   PlacedScans
 // Out:  the bytes of a .rawlog file
 // Next: a file
 
@@ -16,9 +16,9 @@ namespace roomgraph {
  *  observation, the scan. The first action leads from the origin, so a program that adds them up
  *  draws the map as the run has it, in its frame. Of robots in 3D the ways are those on the floor.
  *  Gzipped; the same scans give the same bytes. */
-std::string rawlogBytes(const std::vector<RobotScan>& scans);
+std::string rawlogBytes(const std::vector<PlacedScan>& scans);
 
-/** The same with all poses moved by `motion`. */
-std::vector<RobotScan> moved(std::vector<RobotScan> scans, const Transform2D& motion);
+/** The same seen from poses that are moved by `motion`. */
+std::vector<PlacedScan> moved(std::vector<PlacedScan> scans, const Transform2D& motion);
 
 }  // namespace roomgraph

@@ -19,8 +19,6 @@ bool startsWithOptional(ByteView bytes);
 
 /** The header at `bytes`, if it looks like one. Moves nothing. */
 std::optional<ObjectHeader> peekObjectHeader(ByteView bytes);
-/** Whether a file that begins so announces a CSimpleMap, under one of its names. */
-bool announcesSimplemap(ByteView head);
 /** Reads the header. Throws DataError where there is none. */
 ObjectHeader readObjectHeader(ByteReader& in);
 /** The mark at an object's end. */

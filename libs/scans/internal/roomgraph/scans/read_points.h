@@ -1,16 +1,17 @@
 #pragma once
-#include <mrpt/math/TPoint3D.h>
-
+#include <functional>
 #include <string>
-#include <vector>
 
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/scans/PointCloud.h"
 
 namespace roomgraph {
 
-/** Reads what all classes of point maps begin with: a count, then all x, all y, all z. Points that
- *  are not finite are left out. */
-std::vector<mrpt::math::TPoint3Df> readPoints(ByteReader& in);
+/** Steps over what all classes of point maps begin with: a count, then all x, all y, all z. What
+ *  comes back decodes it, from the same bytes. Points that are not finite are left out. */
+std::function<CloudPoints()> skipPoints(ByteReader& in);
+/** Decodes them at once. */
+inline CloudPoints readPoints(ByteReader& in) { return skipPoints(in)(); }
 
 /** Whether it is one of MRPT's classes of point maps. */
 bool isPointsMapClass(const std::string& className);

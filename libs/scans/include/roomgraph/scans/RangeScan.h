@@ -8,8 +8,8 @@
 
 namespace roomgraph {
 
-/** A 2D scan as a file has it: what is used of MRPT's CObservation2DRangeScan. That class itself
- *  loads MRPT's scenes and OpenCV with it, which telling what a run holds can do without. */
+/** A 2D scan as a file has it: what is used of MRPT's CObservation2DRangeScan, which takes several
+ *  times the memory and a call for each beam. */
 struct RangeScan {
   mrpt::poses::CPose3D sensor;     ///< robot <- sensor
   std::string label;               ///< of the sensor

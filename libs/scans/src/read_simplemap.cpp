@@ -1,7 +1,10 @@
-#include "roomgraph/scans/read_entries.h"
+#include "roomgraph/scans/read_simplemap.h"
+
+#include <algorithm>
 
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/mrpt_object.h"
+#include "roomgraph/scans/read_cloud.h"
 #include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
@@ -59,25 +62,26 @@ void skipObservation(ByteReader& in, const ObjectHeader& header, bool isLast, in
 }
 
 /** One observation of those that are known, or the step over it. */
-void readObservation(ByteReader& in, SimplemapEntry& entry, bool isLast, int mapVersion) {
+void readObservation(ByteReader& in, Recording& recording, bool isLast) {
   const ObjectHeader header = readObjectHeader(in);
-  ObservationKind& kind = entry.observations.emplace_back();
-  kind.className = header.className, kind.version = header.version;
+  Recording::Frame& frame = recording.frames.back();
+  std::string label;
   if (header.className == "CObservation2DRangeScan") {
-    readScan(in, header, entry.scans.emplace_back());
-    kind.label = entry.scans.back().label;
-    return;
+    readScan(in, header, frame.scans.emplace_back());
+    label = frame.scans.back().label;
+  } else {
+    if (isCloudClass(header.className)) {
+      frame.clouds.push_back(readCloud(in, header));
+      label = frame.clouds.back().label;
+    }
+    if (header.className == "CObservationOdometry")
+      if (const auto odometry = readOdometry(in, header)) frame.odometry = odometry;
+    skipObservation(in, header, isLast, recording.version);
   }
-  if (isCloudClass(header.className)) {
-    entry.clouds.push_back(readCloud(in, header));
-    kind.label = entry.clouds.back().label;
-  }
-  if (header.className == "CObservationOdometry")
-    if (const auto odometry = readOdometry(in, header)) entry.odometry = odometry;
-  skipObservation(in, header, isLast, mapVersion);
+  ++recording.sensors[{header.className, header.version, label}];
 }
 
-void readFrame(ByteReader& in, SimplemapEntry& entry, int mapVersion) {
+void readFrame(ByteReader& in, Recording& recording) {
   const ObjectHeader frame = readObjectHeader(in);
   if (frame.className != "CSensoryFrame" && frame.className != "CSensorialFrame")
     refuse(in.file(), "it is damaged: an entry in it has no observations", kSaveMapAgain);
@@ -88,7 +92,7 @@ void readFrame(ByteReader& in, SimplemapEntry& entry, int mapVersion) {
   if (count > in.left() / kSmallestObservation)
     refuse(in.file(), "it is damaged: an entry claims " + std::to_string(count) + " observations",
            kSaveMapAgain);
-  for (std::uint32_t i = 0; i < count; ++i) readObservation(in, entry, i + 1 == count, mapVersion);
+  for (std::uint32_t i = 0; i < count; ++i) readObservation(in, recording, i + 1 == count);
   readObjectEnd(in, frame);
 }
 
@@ -106,27 +110,48 @@ ObjectHeader readMapHeader(ByteReader& in) {
   return header;
 }
 
-}  // namespace
-
-void checkSimplemapHead(ByteReader head, std::uint64_t size) {
+/** Compares what the first bytes claim with the size of the whole, which is not inflated yet. */
+void checkHead(const CheckedFile& file) {
+  constexpr std::uint64_t mostBytes = 1'000'000'000;
+  ByteReader head(file.head(), file.name());
   readMapHeader(head);
-  readCount(head, size);
+  readCount(head, file.claimedSize());
+  if (file.claimedSize() > mostBytes)
+    refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
 }
 
-void readEntries(ByteReader in, const EntryVisitor& visit) {
+void readEntries(ByteReader in, Recording& recording) {
   const ObjectHeader map = readMapHeader(in);
-  const std::uint32_t count = readCount(in, in.left());
-  for (std::uint32_t k = 0; k < count; ++k) {
-    SimplemapEntry entry;
-    entry.number = k;
-    entry.robot = readPoseMean(in);
-    readFrame(in, entry, map.version);
+  recording.version = map.version;
+  for (std::uint32_t left = readCount(in, in.left()); left > 0; --left) {
+    recording.frames.emplace_back().robot = readPoseMean(in);
+    readFrame(in, recording);
     if (map.version >= 2) skipTwist(in);
-    visit(entry);
   }
   readObjectEnd(in, map);
   if (in.left() > 0)
     refuse(in.file(), "something follows the map in it", "remove what was appended");
+}
+
+}  // namespace
+
+bool isSimplemap(CheckedFile& file) {
+  const auto object = peekObjectHeader(file.head());
+  return object &&
+         (object->className == "CSimpleMap" || object->className == "CSensFrameProbSequence");
+}
+
+Recording readSimplemap(CheckedFile& file) {
+  checkHead(file);
+  Recording recording;
+  recording.file = file.name();
+  recording.compression = file.compression();
+  readEntries(ByteReader(file.content(), file.name()), recording);
+  recording.sha256 = file.sha256();
+  if (std::all_of(recording.frames.begin(), recording.frames.end(),
+                  [](const Recording::Frame& frame) { return frame.clouds.empty(); }))
+    file.release();
+  return recording;
 }
 
 }  // namespace roomgraph

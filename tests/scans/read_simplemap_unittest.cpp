@@ -10,7 +10,6 @@
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/scans/load_keyframes.h"
 #include "simplemap_entry.h"
 
 namespace roomgraph {
@@ -89,7 +88,7 @@ TEST_F(NewerSimplemap, keyframesKeepOdometryWhereThereIsSome) {
   const auto bytes = test::simplemapBytes(
       2, {at + test::frameBytes({scan, test::streamed(odometry)}) + test::twistBytes(false),
           at + test::frameBytes({scan}) + test::twistBytes(false)});
-  const auto frames = loadKeyframes(dir_.write("map", bytes), 30);
+  const auto frames = loadMap(dir_.write("map", bytes), {}).keyframes;
   ASSERT_EQ(frames.size(), 2u);
   ASSERT_TRUE(frames[0].odometry);
   EXPECT_EQ(frames[0].odometry->x, 1);
@@ -113,13 +112,13 @@ TEST_F(NewerSimplemap, odometryThatCannotBeReadIsLeftOut) {
     }
     const std::string map = test::simplemapBytes(2, entries);
     expectSameGrid(map);
-    EXPECT_FALSE(loadKeyframes(dir_.write("map", map), 30).at(0).odometry);
+    EXPECT_FALSE(loadMap(dir_.write("map", map), {}).keyframes.at(0).odometry);
   }
 }
 
 TEST_F(NewerSimplemap, scansKeepTheirIdentityInEveryVersion) {
-  const auto before = loadKeyframes(dir_.write("old", test::streamed(simplemap_)), 30);
-  const auto after = loadKeyframes(dir_.write("new", test::asNewer(simplemap_, {})), 30);
+  const auto before = loadMap(dir_.write("old", test::streamed(simplemap_)), {}).keyframes;
+  const auto after = loadMap(dir_.write("new", test::asNewer(simplemap_, {})), {}).keyframes;
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].scanId, after[i].scanId);

@@ -1,0 +1,23 @@
+#pragma once
+#include <mrpt/poses/CPose2D.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "roomgraph/scans/RangeScan.h"
+
+namespace roomgraph {
+
+/** A level scan of a run, and the place that it is seen from. */
+struct PlacedScan {
+  std::size_t keyFrame = 0;    ///< number of its frame in the Recording
+  mrpt::poses::CPose3D robot;  ///< map <- robot
+  mrpt::poses::CPose3D from;   ///< map <- what the scan's sensor counts from: mostly the robot
+  std::optional<mrpt::poses::CPose2D> odometry;  ///< see Recording
+  RangeScan scan;
+  std::uint64_t id = 0;  ///< see Keyframe::scanId
+};
+
+}  // namespace roomgraph
