@@ -10,15 +10,9 @@ namespace {
 
 const char* const kRemedy = "compare the maps again";
 
-std::string readText(ByteReader& in) {
-  const auto size = in.get<std::uint32_t>();
-  const auto* from = in.take(size);
-  return {reinterpret_cast<const char*>(from), size};
-}
-
 RunWalls readWalls(ByteReader& in) {
   RunWalls run;
-  run.run = readText(in);
+  run.run = in.getText();
   const auto count = in.get<std::uint32_t>();
   if (count > in.left() / (2 * sizeof(float)))
     refuse(in.file(), "it is cut short or damaged", kRemedy);
@@ -50,7 +44,7 @@ std::string comparisonBytes(const MappedComparison& comparison) {
 
 void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparison& comparison) {
   ByteReader in(bytes, name);
-  comparison.comparison = parseComparisonJson(readText(in), name);
+  comparison.comparison = parseComparisonJson(in.getText(), name);
   comparison.walls.clear();
   const auto count = in.get<std::uint32_t>();
   for (std::uint32_t i = 0; i < count; ++i) comparison.walls.push_back(readWalls(in));

@@ -42,6 +42,11 @@ class ByteReader {
   }
   /** A stored bool is any byte, of which only 0 is false. */
   bool getFlag() { return get<std::uint8_t>() != 0; }
+  /** A text behind its length. */
+  std::string getText() {
+    const auto size = get<std::uint32_t>();
+    return {reinterpret_cast<const char*>(take(size)), size};
+  }
 
  private:
   ByteView bytes_;
