@@ -11,8 +11,7 @@
 namespace roomgraph {
 namespace {
 
-/** To be raised whenever what is related of two maps changes, in form or in value. */
-constexpr std::string_view kVersion = "roomgraph/pair 2\n";
+constexpr std::string_view kHead = "roomgraph/pair\n";
 constexpr std::size_t kChecksum = 64;  // hex digits
 
 // Both archives take every number as a double, which holds all of them exactly.
@@ -205,12 +204,12 @@ std::string pairBytes(const MapPair& pair) {
   Writer writer;
   visitPair(writer, pair);
   const std::string body = writer.bytes();
-  return std::string(kVersion) + sha256Of(viewOf(body)) + body;
+  return std::string(kHead) + sha256Of(viewOf(body)) + body;
 }
 
 std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b) {
-  if (bytes.substr(0, kVersion.size()) != kVersion) return {};
-  bytes.remove_prefix(kVersion.size());
+  if (bytes.substr(0, kHead.size()) != kHead) return {};
+  bytes.remove_prefix(kHead.size());
   if (bytes.size() < kChecksum) return {};
   const std::string_view body = bytes.substr(kChecksum);
   if (bytes.substr(0, kChecksum) != sha256Of(viewOf(body))) return {};

@@ -5,15 +5,11 @@
 #include <tuple>
 #include <utility>
 
+#include "RelatedPairs.h"
 #include "by_straightness.h"
 #include "choose_core.h"
 #include "choose_judges.h"
-#include "pair_bytes.h"
-#include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/are_identical.h"
-#include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/checked_file.h"
-#include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -28,107 +24,10 @@ constexpr std::size_t kJudges = 4;  // runs of the core that any other run is re
 constexpr std::size_t kSeekers =
     3;  // runs of the core in which is looked for what is not in the hub
 
-/** Two runs, and one that both have been related to. */
-struct PairOver {
-  std::size_t hub = 0, a = 0, b = 0;
-};
-
-/** The pairs of some runs, worked out or taken from where they are kept. */
-class Relating {
- public:
-  Relating(const std::vector<Run>& runs, const RelateRunsOptions& options, const ForEach& forEach,
-           const KeptPairs& kept)
-      : runs_(runs), areAligned_(options.areAligned), forEach_(forEach), kept_(kept) {
-    if (!kept.read) return;
-    for (const Run& run : runs) prints_.push_back(fingerprint(run.map));
-  }
-
-  /** Completes maps in which others will be looked for again and again. */
-  void complete(const std::vector<std::size_t>& runs) {
-    std::vector<const WallMap*> maps;
-    for (const std::size_t run : runs) maps.push_back(&runs_[run].map);
-    full_.complete(maps, forEach_);
-  }
-  /** Relates each of `others` to the hub. */
-  void search(std::size_t hub, const std::vector<std::size_t>& others) {
-    std::vector<PairOver> pairs;
-    for (const std::size_t other : others) pairs.push_back({hub, hub, other});
-    relate(pairs);
-  }
-  /** Relates pairs over their hubs, to which both have been related; without one where it is one
-   *  of both. */
-  void relate(std::vector<PairOver> pairs) {
-    for (PairOver& pair : pairs)
-      if (pair.a > pair.b) std::swap(pair.a, pair.b);
-    pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
-                               [&](const PairOver& p) {
-                                 return p.a == p.b || !found_.try_emplace({p.a, p.b}).second;
-                               }),
-                pairs.end());
-    std::vector<PairOfThings> runs;
-    for (const PairOver& pair : pairs) runs.emplace_back(pair.a, pair.b);
-    const auto jobs = pairJobs(runs, [&](std::size_t run) { return isBare(run); });
-    forEach_(jobs.size(), [&](std::size_t job) {
-      FullMaps maps;
-      for (const std::size_t i : jobs[job]) found_.at(runs[i]) = related(pairs[i], maps);
-    });
-  }
-
-  MapPair between(std::size_t hub, std::size_t run) const {
-    return hub < run ? found_.at({hub, run}) : swapped(found_.at({run, hub}));
-  }
-
-  MapPairs all() {
-    std::vector<PairOfThings> pairs;
-    for (const auto& [runs, pair] : found_) pairs.push_back(runs);
-    MapPairs all(runs_.size(), pairs);
-    for (auto& [runs, pair] : found_) all(runs.first, runs.second) = std::move(pair);
-    return all;
-  }
-
- private:
-  const WallMap& mapOf(std::size_t run) const { return full_.known(runs_[run].map); }
-
-  bool isBare(std::size_t run) const { return mapOf(run).isBare(); }
-
-  MapPair related(const PairOver& pair, FullMaps& maps) const {
-    const auto a = [&]() -> const WallMap& { return maps(mapOf(pair.a)); };
-    const auto b = [&]() -> const WallMap& { return maps(mapOf(pair.b)); };
-    if (areAligned_) return keptOr({pair.a, pair.b}, [&] { return relateAlignedMaps(a(), b()); });
-    if (pair.hub == pair.a || pair.hub == pair.b)
-      return keptOr({pair.a, pair.b}, [&] { return relateMaps(a(), b()); });
-    return keptOr({pair.a, pair.b, pair.hub}, [&] {
-      return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a(), b());
-    });
-  }
-
-  MapPair keptOr(const std::vector<std::size_t>& maps, const std::function<MapPair()>& work) const {
-    if (!kept_.read) return work();
-    std::string all = areAligned_ ? "aligned" : "searched";
-    for (const std::size_t map : maps) all += ' ' + prints_[map];
-    const std::string name =
-        sha256Of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()});
-    if (const auto bytes = kept_.read(name))
-      if (std::optional<MapPair> pair = pairOfBytes(*bytes, mapOf(maps[0]), mapOf(maps[1])))
-        return std::move(*pair);
-    MapPair pair = work();
-    kept_.write(name, pairBytes(pair));
-    return pair;
-  }
-
-  const std::vector<Run>& runs_;
-  bool areAligned_;
-  const ForEach& forEach_;
-  const KeptPairs& kept_;
-  std::vector<std::string> prints_;
-  FullMaps full_;
-  std::map<PairOfThings, MapPair> found_;
-};
-
 /** Relates runs in sets that may be sites: each to a hub, and to a choice of the others. */
 class SiteBySite {
  public:
-  SiteBySite(const std::vector<Run>& runs, const RelateRunsOptions& options, Relating& relating)
+  SiteBySite(const std::vector<Run>& runs, const RelateRunsOptions& options, RelatedPairs& relating)
       : runs_(runs), options_(options), relating_(relating), order_(byStraightness(runs)) {}
 
   /** The runs of all cores, ascending. */
@@ -270,7 +169,7 @@ class SiteBySite {
 
   const std::vector<Run>& runs_;
   const RelateRunsOptions& options_;
-  Relating& relating_;
+  RelatedPairs& relating_;
   std::vector<std::size_t> order_;  // those that are left, the straightest first
   std::vector<std::size_t> core_;
 };
@@ -279,7 +178,7 @@ class SiteBySite {
 
 MapPairs relateRuns(const std::vector<Run>& runs, const RelateRunsOptions& options,
                     const ForEach& forEach, const KeptPairs& kept) {
-  Relating relating(runs, options, forEach, kept);
+  RelatedPairs relating(runs, options, forEach, kept);
   std::vector<std::size_t> core = SiteBySite(runs, options, relating).relate();
   MapPairs related = relating.all();
   if (core.size() < runs.size()) related.core = std::move(core);

@@ -1,0 +1,34 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "roomgraph/align/FullMaps.h"
+#include "roomgraph/relate/KeptPairs.h"
+#include "roomgraph/relate/Run.h"
+#include "roomgraph/relate/relate_maps.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   a function that relates two runs
+// Out:  the same, which remembers
+// Next: RelatedPairs
+
+/** Two runs, and one that both have been related to: itself one of both for a pair that is searched
+ *  for. */
+struct PairOver {
+  std::size_t hub = 0, a = 0, b = 0;
+};
+
+/** Relates the maps of two runs, both of which are completed in the second argument. */
+using RelatePair = std::function<MapPair(const PairOver&, FullMaps&)>;
+
+/** The same function, but what it gave for the same maps before is read from where it is kept, and
+ *  what is new is written there; `relate` itself where nothing is kept. `how`: what else the answer
+ *  hangs on. The names under which pairs are kept stand for the maps, the version of the program
+ *  and the sources that relate maps, so that an answer of other ones is never taken. */
+RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
+                     const KeptPairs& kept);
+
+}  // namespace roomgraph
