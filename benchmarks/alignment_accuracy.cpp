@@ -55,7 +55,7 @@ class Maps {
       maps_[i] = std::make_unique<PreparedMap>();
       maps_[i]->grid = binarize(loadGrid(sources_[i].file, load), {});
       const double start = cpuSeconds();
-      maps_[i]->prepared = wallMap(maps_[i]->grid, {});
+      maps_[i]->prepared = wallMap(maps_[i]->grid);
       seconds_ += cpuSeconds() - start;
       ++count_;
     }
@@ -95,12 +95,12 @@ Outcome run(const AlignmentCase& what, Maps& maps) {
     const CutPair pair = cutStrip(a.grid, b.grid, *what.truth, *what.cut);
     if (pair.places.empty()) return {};
     places = pair.places;
-    cutA = wallMap(pair.a, {}), cutB = wallMap(pair.b, {});
+    cutA = wallMap(pair.a), cutB = wallMap(pair.b);
   } else if (places.empty()) {
     for (const WallPoint& wall : b.prepared.walls) places.push_back(wall.place);
   }
   const double start = cpuSeconds();
-  outcome.found = alignMaps(what.cut ? cutA : a.prepared, what.cut ? cutB : b.prepared, {});
+  outcome.found = alignMaps(what.cut ? cutA : a.prepared, what.cut ? cutB : b.prepared);
   outcome.seconds = cpuSeconds() - start;
   const PoseError error = errorOf(outcome.found.pose, what, places);
   outcome.angleError = error.angle, outcome.placeError = error.place;

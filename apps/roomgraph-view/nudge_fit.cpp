@@ -30,8 +30,7 @@ std::optional<TwoMaps> twoMaps(const View& view, const ViewState& state) {
 std::optional<NudgeFit> nudgeFit(const View& view, const ViewState& state) {
   const auto maps = twoMaps(view, state);
   if (!maps) return std::nullopt;
-  const AlignmentEvidence evidence =
-      verifyAlignment(*maps->other, *maps->moved, maps->pose, VerifyAlignmentOptions());
+  const AlignmentEvidence evidence = verifyAlignment(*maps->other, *maps->moved, maps->pose);
   const double known = std::max(1e-9, evidence.known);
   return NudgeFit{evidence.overlap, std::min(1.0, evidence.loose / known),
                   std::min(1.0, evidence.contradicted / known), alignmentScore(evidence)};
@@ -40,8 +39,7 @@ std::optional<NudgeFit> nudgeFit(const View& view, const ViewState& state) {
 void fitNudge(const View& view, ViewState& state) {
   const auto maps = twoMaps(view, state);
   if (state.mode != Mode::nudge || !maps) return;
-  const Transform2D pose =
-      refineAlignment(*maps->other, *maps->moved, maps->pose, RefineAlignmentOptions());
+  const Transform2D pose = refineAlignment(*maps->other, *maps->moved, maps->pose);
   state.nudge = maps->otherPose * pose * view.comparison.runs[state.run].pose.inverse();
 }
 

@@ -31,6 +31,16 @@ void declareExperiment(StabilityOptions& options, CLI::App& app) {
       ->delimiter(',')
       ->type_name("LIST")
       ->capture_default_str();
+  app.add_option("--base-distance", options.baseDistance,
+                 "How far new cells may lie in the map that all others are compared with.")
+      ->type_name("CELLS")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--base-percent", options.basePercent,
+                 "Percentage of the occupied cells that move in that map.")
+      ->type_name("P")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
   app.add_option("--repeats", options.repeats,
                  "Number of noisy maps for each distance and percentage.")
       ->type_name("N")

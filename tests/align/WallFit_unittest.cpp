@@ -10,13 +10,13 @@ namespace {
 
 /** Lays the walls of a hall that lies off by `pose` onto those of the hall itself. */
 Transform2D laidFrom(const Transform2D& pose, int steps) {
-  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0));
   Transform2D at = pose;
   for (int i = 0; i < steps; ++i) {
     WallFit fit(at, {4, 3}, 0.6);
     for (const WallPoint& wall : map.walls) fit.add(wall, map);
     EXPECT_TRUE(fit.isEnough());
-    at = fit.improved();
+    at = fit.improved(0.08);
   }
   return at;
 }
@@ -40,18 +40,18 @@ TEST(WallFit, wallsThatLieRightStay) {
 
 TEST(WallFit, whatNoWallHoldsStaysAsItIs) {
   // South walls alone hold neither x nor, much, the turn.
-  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0));
   WallFit fit({0.3, 0.2, 0}, {4, 3}, 0.6);
   for (const WallPoint& wall : map.walls)
     if (wall.normal.y > 0.99) fit.add(wall, map);
   ASSERT_TRUE(fit.isEnough());
-  const Transform2D found = fit.improved();
+  const Transform2D found = fit.improved(0.08);
   EXPECT_NEAR(found({4, 3}).x, 4.3, 0.01);
   EXPECT_LT(std::abs(found({4, 3}).y - 3), 0.1);
 }
 
 TEST(WallFit, withoutWallsThereIsNotEnough) {
-  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0));
   WallFit fit({100, 0, 0}, {}, 0.6);
   for (const WallPoint& wall : map.walls) fit.add(wall, map);
   EXPECT_FALSE(fit.isEnough());
@@ -67,7 +67,7 @@ TEST(NarrowingBand, goesFromItsFirstWidthToItsLastByOneFactor) {
 }
 
 TEST(FittedPose, isWhatItsStepsComeTo) {
-  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0));
   const NarrowingBand band{0.8, 0.2, 5};
   const Transform2D start{0.3, -0.2, 0.02};
   const auto all = [&](WallFit& fit, int) {
@@ -77,7 +77,7 @@ TEST(FittedPose, isWhatItsStepsComeTo) {
   for (int step = 0; step < band.steps; ++step) {
     WallFit fit(at, {4, 3}, band.widthAt(step));
     all(fit, step);
-    at = fit.improved();
+    at = fit.improved(0.08);
   }
   const Transform2D found = fittedPose(start, {4, 3}, band, all);
   EXPECT_EQ(found.x, at.x);
@@ -87,7 +87,7 @@ TEST(FittedPose, isWhatItsStepsComeTo) {
 }
 
 TEST(FittedPose, staysWhereTooFewWallsAreInReach) {
-  const WallMap map = wallMap(test::drawnHall(0.1, 0), {});
+  const WallMap map = wallMap(test::drawnHall(0.1, 0));
   int steps = 0;
   const Transform2D found =
       fittedPose({100, 0, 0.5}, {}, {0.8, 0.2, 5}, [&](WallFit& fit, int step) {

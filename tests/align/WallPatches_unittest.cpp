@@ -11,30 +11,28 @@ namespace roomgraph {
 namespace {
 
 const std::vector<WallPoint>& buildingWalls() {
-  static const std::vector<WallPoint> walls =
-      wallMap(test::drawnBuilding(3, {1, 2, 0.3}), {}).walls;
+  static const std::vector<WallPoint> walls = wallMap(test::drawnBuilding(3, {1, 2, 0.3})).walls;
   return walls;
 }
 
 TEST(WallPatches, eachWallPointBelongsToOnePatch) {
   std::vector<int> count(buildingWalls().size());
-  for (const WallPatch& patch : wallPatches(buildingWalls(), {}))
+  for (const WallPatch& patch : wallPatches(buildingWalls()))
     for (const std::uint32_t i : patch.own) ++count[i];
   EXPECT_EQ(std::count(count.begin(), count.end(), 1), long(count.size()));
 }
 
 TEST(WallPatches, whatIsAroundIsInReachAndNotTooMuch) {
-  const WallPatchesOptions options;
-  for (const WallPatch& patch : wallPatches(buildingWalls(), options)) {
-    EXPECT_LE(patch.around.size(), std::size_t(options.maxAround));
+  for (const WallPatch& patch : wallPatches(buildingWalls())) {
+    EXPECT_LE(patch.around.size(), std::size_t(kMaxAround));
     EXPECT_FALSE(patch.around.empty());
     for (const std::uint32_t i : patch.around)
-      EXPECT_LE(distance(buildingWalls()[i].place, patch.middle), options.reach);
+      EXPECT_LE(distance(buildingWalls()[i].place, patch.middle), kPatchReach);
   }
 }
 
 TEST(WallPatches, neighboursKnowEachOther) {
-  const WallPatches patches = wallPatches(buildingWalls(), {});
+  const WallPatches patches = wallPatches(buildingWalls());
   for (std::uint32_t i = 0; i < patches.size(); ++i)
     for (const std::uint32_t j : patches[i].neighbours) {
       const auto& back = patches[j].neighbours;
@@ -43,7 +41,7 @@ TEST(WallPatches, neighboursKnowEachOther) {
     }
 }
 
-TEST(WallPatches, noWallsMakeNoPatches) { EXPECT_TRUE(wallPatches({}, {}).empty()); }
+TEST(WallPatches, noWallsMakeNoPatches) { EXPECT_TRUE(wallPatches({}).empty()); }
 
 }  // namespace
 }  // namespace roomgraph

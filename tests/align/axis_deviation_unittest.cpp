@@ -9,7 +9,7 @@ namespace roomgraph {
 namespace {
 
 double deviationOf(const Grid& grid) {
-  const auto deviation = axisDeviation(wallMap(grid, {}).walls);
+  const auto deviation = axisDeviation(wallMap(grid).walls);
   EXPECT_TRUE(deviation);
   return deviation.value_or(-1);
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr double kCell = 0.25;
 
 const WallMap& building() {
-  static const WallMap the = wallMap(test::drawnBuilding(5, {}), {});
+  static const WallMap the = wallMap(test::drawnBuilding(5, {}));
   return the;
 }
 

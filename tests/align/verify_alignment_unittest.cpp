@@ -12,13 +12,13 @@ namespace {
 const Transform2D kBFromA{2, 1, 0.6};
 
 struct Pair {
-  WallMap a = wallMap(test::drawnBuilding(5, {}), {});
-  WallMap b = wallMap(test::drawnBuilding(5, kBFromA), {});
+  WallMap a = wallMap(test::drawnBuilding(5, {}));
+  WallMap b = wallMap(test::drawnBuilding(5, kBFromA));
 };
 
 TEST(VerifyAlignment, theTruePoseIsNotContradicted) {
   const Pair pair;
-  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, kBFromA.inverse(), {});
+  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, kBFromA.inverse());
   EXPECT_GT(e.loose, 0.9 * e.all);
   EXPECT_LT(e.contradicted, 0.01 * e.all);
   EXPECT_GT(e.overlap, 0.95);
@@ -28,8 +28,8 @@ TEST(VerifyAlignment, theTruePoseIsNotContradicted) {
 TEST(VerifyAlignment, aShiftedPoseIsContradicted) {
   const Pair pair;
   const Transform2D off = Transform2D{1.2, 0.9, 0} * kBFromA.inverse();
-  const AlignmentEvidence right = verifyAlignment(pair.a, pair.b, kBFromA.inverse(), {});
-  const AlignmentEvidence wrong = verifyAlignment(pair.a, pair.b, off, {});
+  const AlignmentEvidence right = verifyAlignment(pair.a, pair.b, kBFromA.inverse());
+  const AlignmentEvidence wrong = verifyAlignment(pair.a, pair.b, off);
   EXPECT_GT(wrong.contradicted, 0.2 * wrong.all);
   EXPECT_GT(wrong.freeOnWall, right.freeOnWall);
   EXPECT_GT(alignmentScore(right), alignmentScore(wrong));
@@ -38,7 +38,7 @@ TEST(VerifyAlignment, aShiftedPoseIsContradicted) {
 
 TEST(VerifyAlignment, mapsThatDoNotTouchSayNothing) {
   const Pair pair;
-  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, {1000, 0, 0}, {});
+  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, {1000, 0, 0});
   EXPECT_EQ(e.known, 0);
   EXPECT_EQ(e.loose, 0);
   EXPECT_EQ(e.contradicted, 0);
@@ -62,23 +62,23 @@ void expectSame(const AlignmentEvidence& l, const AlignmentEvidence& r, double s
 TEST(VerifyAlignment, swappingTheMapsChangesNothing) {
   const Pair pair;
   for (const Transform2D& pose : {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}})
-    expectSame(verifyAlignment(pair.a, pair.b, pose, {}),
-               verifyAlignment(pair.b, pair.a, pose.inverse(), {}), 1e-9);
+    expectSame(verifyAlignment(pair.a, pair.b, pose),
+               verifyAlignment(pair.b, pair.a, pose.inverse()), 1e-9);
 }
 
 TEST(VerifyAlignment, theFramesOfTheMapsChangeLittle) {
   const Pair pair;
-  const WallMap there = wallMap(test::drawnBuilding(5, {7, -3, 1.1}), {});
+  const WallMap there = wallMap(test::drawnBuilding(5, {7, -3, 1.1}));
   const Transform2D off{0.4, -0.2, 0.02};
-  expectSame(verifyAlignment(pair.a, pair.b, off * kBFromA.inverse(), {}),
-             verifyAlignment(pair.a, there, off * Transform2D{7, -3, 1.1}.inverse(), {}), 0.05);
+  expectSame(verifyAlignment(pair.a, pair.b, off * kBFromA.inverse()),
+             verifyAlignment(pair.a, there, off * Transform2D{7, -3, 1.1}.inverse()), 0.05);
 }
 
 TEST(VerifyAlignment, whatIsFoundAndContradictedIsPartOfWhatIsKnown) {
   const Pair pair;
   for (const Transform2D& pose :
        {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}, Transform2D{9, 9, 3}}) {
-    const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, pose, {});
+    const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, pose);
     EXPECT_LE(e.close, e.loose + 1e-9);
     EXPECT_LE(e.known, e.all + 1e-9);
     EXPECT_LE(e.loose, e.known + 1e-9);
@@ -95,15 +95,15 @@ TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
   const Pair pair;
   WallMap striped = pair.a;
   for (WallPoint& wall : striped.walls) wall.normal = {wall.normal.x > 0 ? 1.0 : -1.0, 0};
-  const AlignmentEvidence all = verifyAlignment(pair.a, pair.a, {}, {});
-  const AlignmentEvidence some = verifyAlignment(striped, striped, {}, {});
+  const AlignmentEvidence all = verifyAlignment(pair.a, pair.a, {});
+  const AlignmentEvidence some = verifyAlignment(striped, striped, {});
   EXPECT_GT(all.weakest, 0.2 * all.loose);
   EXPECT_NEAR(some.weakest, 0, 1e-9);
 }
 
 TEST(VerifyAlignment, mapsWithoutWallsSayNothing) {
   const Pair pair;
-  const AlignmentEvidence e = verifyAlignment(pair.a, wallMap(Grid{}, {}), {}, {});
+  const AlignmentEvidence e = verifyAlignment(pair.a, wallMap(Grid{}), {});
   EXPECT_EQ(e.loose, 0);
   EXPECT_EQ(e.overlap, 0);
 }

@@ -9,7 +9,7 @@
 namespace roomgraph {
 namespace {
 
-double doublingOf(const Grid& grid) { return wallDoubling(wallMap(grid, {})).value(); }
+double doublingOf(const Grid& grid) { return wallDoubling(wallMap(grid)).value(); }
 
 TEST(WallDoubling, aSoundMapHasNearlyNone) {
   EXPECT_LT(doublingOf(test::drawnHall(0.1, 0)), 0.01);
@@ -27,7 +27,7 @@ TEST(WallDoubling, aWallFartherAwayIsAnotherOne) {
   EXPECT_LT(doublingOf(test::drawnHall(0.1, 1.5)), 0.02);
 }
 
-TEST(WallDoubling, aMapWithoutWallsHasNone) { EXPECT_FALSE(wallDoubling(wallMap(Grid{}, {}))); }
+TEST(WallDoubling, aMapWithoutWallsHasNone) { EXPECT_FALSE(wallDoubling(wallMap(Grid{}))); }
 
 }  // namespace
 }  // namespace roomgraph

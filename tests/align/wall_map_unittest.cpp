@@ -20,7 +20,7 @@ TEST(WallMap, octantsAreNearestMultiplesOf45Degrees) {
 }
 
 TEST(WallMap, wallsFaceTheFreeSpace) {
-  const WallMap map = wallMap(test::squareHall({}), {});
+  const WallMap map = wallMap(test::squareHall({}));
   ASSERT_GT(map.walls.size(), 100u);
   for (const WallPoint& wall : map.walls) {
     const double far = std::max(std::abs(wall.place.x), std::abs(wall.place.y));
@@ -31,34 +31,33 @@ TEST(WallMap, wallsFaceTheFreeSpace) {
 }
 
 TEST(WallMap, measuresTheFreeSpace) {
-  const WallMap map = wallMap(test::squareHall({}), {});
+  const WallMap map = wallMap(test::squareHall({}));
   EXPECT_NEAR(map.freeArea, 11.8 * 11.8 - 4, 4);
   const Cell beside = map.frame.cellAt({3.5, 0});
   EXPECT_NEAR(map.depths[map.frame.index(beside)], 2.4, 0.3);
 }
 
 TEST(WallMap, anEmptyMapHasNoWalls) {
-  const WallMap map = wallMap(Grid{}, {});
+  const WallMap map = wallMap(Grid{});
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
 }
 
 TEST(WallMap, theNearestWallIsThatOfPlainSearch) {
-  const WallMap map = wallMap(test::drawnBuilding(4, {1, 2, 0.3}), {});
-  const WallMapOptions options;
+  const WallMap map = wallMap(test::drawnBuilding(4, {1, 2, 0.3}));
   std::size_t found = 0;
   for (std::size_t i = 0; i < map.frame.cellCount(); i += 37)
     for (int octant = 0; octant < kOctants; ++octant) {
       const int width = map.frame.width;
       const Point at = map.frame.center({int(i) % width, int(i) / width});
       const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
-      double nearest = options.reach;
+      double nearest = WallMap::kReach;
       for (const WallPoint& wall : map.walls)
         if (dot(wall.normal, axis) > M_SQRT1_2)
           nearest = std::min(nearest, distance(wall.place, at));
       const std::uint32_t wall = map.nearest[std::size_t(octant)][i];
       if (wall == WallMap::kNoWall) {
-        EXPECT_GT(nearest, options.reach - 0.05) << i << ' ' << octant;
+        EXPECT_GT(nearest, WallMap::kReach - 0.05) << i << ' ' << octant;
         continue;
       }
       ++found;
@@ -70,7 +69,7 @@ TEST(WallMap, theNearestWallIsThatOfPlainSearch) {
 }
 
 TEST(WallMap, depthsAreDistancesToWhatIsNotFree) {
-  const WallMap map = wallMap(test::drawnBuilding(4, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(4, {}));
   std::size_t deep = 0;
   for (std::size_t i = 0; i < map.frame.cellCount(); i += 53) {
     const Cell cell{int(i) % map.frame.width, int(i) / map.frame.width};
@@ -93,10 +92,10 @@ TEST(WallMap, depthsAreDistancesToWhatIsNotFree) {
 
 TEST(WallMap, aShiftOfTheFrameShiftsTheWalls) {
   Grid grid = test::drawnBuilding(6, {});
-  const WallMap here = wallMap(grid, {});
+  const WallMap here = wallMap(grid);
   const Point shift{64, -32};
   grid.frame.origin = grid.frame.origin + shift;
-  const WallMap there = wallMap(grid, {});
+  const WallMap there = wallMap(grid);
   // What lies on a boundary of cells falls to this side or the other by rounding.
   EXPECT_NEAR(double(here.walls.size()), double(there.walls.size()), 10);
   EXPECT_NEAR(here.freeArea, there.freeArea, 0.01 * here.freeArea);
@@ -120,7 +119,7 @@ TEST(WallMap, unknownSpaceAroundAMapChangesNothing) {
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x)
       padded.cells[padded.frame.index({x + pad, y + pad})] = grid.at({x, y});
-  const WallMap here = wallMap(grid, {}), there = wallMap(padded, {});
+  const WallMap here = wallMap(grid), there = wallMap(padded);
   ASSERT_EQ(here.walls.size(), there.walls.size());
   for (std::size_t i = 0; i < here.walls.size(); ++i)
     EXPECT_LT(distance(here.walls[i].place, there.walls[i].place), 1e-6);
@@ -128,7 +127,7 @@ TEST(WallMap, unknownSpaceAroundAMapChangesNothing) {
 }
 
 TEST(WallMap, freeCellsAreSpreadOverTheFreeSpace) {
-  const WallMap map = wallMap(test::drawnBuilding(4, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(4, {}));
   for (const std::uint32_t cell : map.freeCells) {
     EXPECT_EQ(map.states[cell], State::free);
     EXPECT_EQ(map.frame.index(map.frame.cellAt(map.placeOf(cell))), cell);
@@ -138,7 +137,7 @@ TEST(WallMap, freeCellsAreSpreadOverTheFreeSpace) {
 
 TEST(WallMap, thatWhichIsOnlyLookedForHasTheSameWalls) {
   const Grid grid = test::drawnBuilding(4, {});
-  const WallMap whole = wallMap(grid, {}), walls = bareWallMap(grid, {});
+  const WallMap whole = wallMap(grid), walls = bareWallMap(grid);
   ASSERT_EQ(walls.walls.size(), whole.walls.size());
   for (std::size_t i = 0; i < walls.walls.size(); ++i)
     EXPECT_EQ(walls.walls[i].place, whole.walls[i].place);
@@ -149,22 +148,22 @@ TEST(WallMap, thatWhichIsOnlyLookedForHasTheSameWalls) {
 
 TEST(WallMap, aMapOfCoarserCellsKeepsThem) {
   Grid grid = test::drawnBuilding(4, {});
-  EXPECT_EQ(wallMap(grid, {}).frame.resolution, 0.1);
+  EXPECT_EQ(wallMap(grid).frame.resolution, 0.1);
   grid.frame.resolution = 0.25;
-  EXPECT_EQ(wallMap(grid, {}).frame.resolution, 0.25);
+  EXPECT_EQ(wallMap(grid).frame.resolution, 0.25);
 }
 
 TEST(WallMap, aMapWithoutFreeSpaceHasNoWalls) {
   Grid grid = test::squareHall({});
   for (State& state : grid.cells)
     if (state == State::free) state = State::unknown;
-  const WallMap map = wallMap(grid, {});
+  const WallMap map = wallMap(grid);
   EXPECT_TRUE(map.walls.empty());
   EXPECT_EQ(map.freeArea, 0);
 }
 
 TEST(WallMap, aBareOneIsCompletedWithAllItHad) {
-  const WallMap whole = wallMap(test::drawnBuilding(4, {}), {});
+  const WallMap whole = wallMap(test::drawnBuilding(4, {}));
   EXPECT_FALSE(whole.isBare());
   WallMap bare = whole;
   dropLookUp(bare);
@@ -183,7 +182,7 @@ TEST(WallMap, aBareOneIsCompletedWithAllItHad) {
 }
 
 TEST(WallMap, severalAreCompletedAndKnownFromThenOn) {
-  std::vector<WallMap> bare(2, wallMap(test::squareHall({}), {}));
+  std::vector<WallMap> bare(2, wallMap(test::squareHall({})));
   for (WallMap& map : bare) dropLookUp(map);
   FullMaps maps;
   EXPECT_EQ(&maps.known(bare[0]), &bare[0]) << "nothing has been made";

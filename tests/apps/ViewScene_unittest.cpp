@@ -162,8 +162,8 @@ TEST(ViewScene, showsWhereRunsDisagreeWhenAsked) {
   const auto grid = test::gridOf(test::drawn(hall, 0.1));
   auto other = grid;  // with a pillar
   for (int x = 18; x < 21; ++x) other.cells[other.frame.index({x, 10})] = State::occupied;
-  view.runs[0].map = wallMap(grid, WallMapOptions());
-  view.runs[1].map = wallMap(other, WallMapOptions());
+  view.runs[0].map = wallMap(grid);
+  view.runs[1].map = wallMap(other);
   ViewScene drawn(view);
   ViewState state;
   drawn.update(state);

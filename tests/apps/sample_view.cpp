@@ -42,7 +42,7 @@ View sampleView() {
 
 View viewWithMaps() {
   View view = sampleView();
-  const auto map = wallMap(gridOf(drawn(kTwoRooms, 0.5)), WallMapOptions());
+  const auto map = wallMap(gridOf(drawn(kTwoRooms, 0.5)));
   for (Run& run : view.runs) run.map = map;
   return view;
 }

@@ -19,12 +19,12 @@ using test::drawnBuilding;
 /** A building whose origin is in its left half, as drawn and as some motion tears it. */
 struct Torn {
   Grid drawing = drawnBuilding(4, {});
-  WallMap straight = wallMap(drawing, {});
+  WallMap straight = wallMap(drawing);
   Point middle = drawing.frame.center({drawing.frame.width / 2, drawing.frame.height / 2});
 
   std::optional<PieceBreak> breakOf(const Grid& grid, const Transform2D& back) const {
-    const WallMap map = wallMap(grid, {});
-    return findPieces(map, straight, followWalls(map, straight, {{}, back}, {}), {});
+    const WallMap map = wallMap(grid);
+    return findPieces(map, straight, followWalls(map, straight, {{}, back}), {});
   }
 };
 

@@ -59,10 +59,10 @@ TEST(RigidPieces, aFewWallsElsewhereAreNoPiece) {
 
 TEST(RigidPieces, aBrokenBuildingHasTwo) {
   const Grid grid = test::drawnBuilding(1, {});
-  const WallMap sound = wallMap(grid, {}), broken = wallMap(test::bent(grid, 0.12), {});
-  EXPECT_EQ(rigidPieces(sound.patches, followWalls(sound, sound, {{}}, {}), {}), 1u);
+  const WallMap sound = wallMap(grid), broken = wallMap(test::bent(grid, 0.12));
+  EXPECT_EQ(rigidPieces(sound.patches, followWalls(sound, sound, {{}}), {}), 1u);
   const Transform2D other = carrying(sound.middle(), sound.middle(), -0.12);
-  EXPECT_EQ(rigidPieces(broken.patches, followWalls(broken, sound, {{}, other}, {}), {}), 2u);
+  EXPECT_EQ(rigidPieces(broken.patches, followWalls(broken, sound, {{}, other}), {}), 2u);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ std::vector<std::vector<MapBreak>> breaksOf(
   std::vector<roomgraph::Run> runs;
   for (const Grid& grid : grids) {
     runs.emplace_back();
-    runs.back().map = wallMap(grid, {});
+    runs.back().map = wallMap(grid);
   }
   Site site;
   for (const roomgraph::Run& run : runs) site.runs.push_back(&run);

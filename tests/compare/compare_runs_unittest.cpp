@@ -28,7 +28,7 @@ using test::drawnBuilding;
 roomgraph::Run run(const std::string& name, const Grid& grid) {
   roomgraph::Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   return run;
 }
 

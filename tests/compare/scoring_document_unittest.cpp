@@ -32,9 +32,8 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
 }
 
 TEST(ScoringDocument, saysHowRunsArePlaced) {
-  const SitePosesOptions poses;
-  expectSaid("with a confidence of at least %g,", poses.minConfidence);
-  expectSaid("disagrees with the rest by more than %g m has little weight", poses.width);
+  expectSaid("with a confidence of at least %g,", kMinPairConfidence);
+  expectSaid("disagrees with the rest by more than %g m has little weight", kMaxMisfit);
   EXPECT_EQ(CompareRunsOptions().core, 12u);
   expectSaid("With more than twelve runs");
 }
@@ -62,10 +61,9 @@ TEST(ScoringDocument, saysWhatIsMeaningful) {
 }
 
 TEST(ScoringDocument, saysWhenAScaleIsFound) {
-  const EstimateScaleOptions scale;
-  expectSaid("with a probability of %g, have", scale.minConfidence);
-  expectSaid("that is 10 %% away by %g", scale.minMargin);
-  expectSaid("Every %g %%, the picture", 100 * scale.step);
+  expectSaid("with a probability of %g, have", kMinScaleConfidence);
+  expectSaid("that is 10 %% away by %g", kMinScaleMargin);
+  expectSaid("Every %g %%, the picture", 100 * kScaleStep);
 }
 
 TEST(ScoringDocument, saysWhereTheGateFails) {

@@ -10,7 +10,7 @@
 namespace roomgraph {
 namespace {
 
-WallMap mapOf(const Grid& grid) { return wallMap(grid, {}); }
+WallMap mapOf(const Grid& grid) { return wallMap(grid); }
 
 TEST(Aliasing, isFullWhereNothingMoves) {
   EXPECT_GT(aliasingUnder({}, mapOf(test::drawnBuilding(4, {}))), 0.95);

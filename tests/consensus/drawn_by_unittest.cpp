@@ -52,7 +52,7 @@ TEST(DrawnBy, aScanHasDrawnTheWallsThatItMet) {
 
 TEST(DrawnBy, wallsThatTheScansDidNotMeetAreOfNone) {
   roomgraph::Run run = test::drivenRun();
-  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}), {});
+  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}));
   EXPECT_TRUE(drawnBy(run).nodes.empty());
 }
 

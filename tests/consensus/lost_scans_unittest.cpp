@@ -19,7 +19,7 @@ class LostScans : public testing::Test {
   LostScans() {
     const std::vector<Keyframe> drive = test::drawnDrive(test::drawnBuilding(4, {}));
     for (roomgraph::Run& run : runs) {
-      run.map = wallMap(test::mapDrawnBy(drive), {});
+      run.map = wallMap(test::mapDrawnBy(drive));
       run.scans = scanWalls(drive);
       site.runs.push_back(&run);
       site.poses.emplace_back();

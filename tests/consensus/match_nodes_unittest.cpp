@@ -23,7 +23,7 @@ struct Building {
 
   roomgraph::Run run(const Transform2D& pose, bool hasScans) const {
     roomgraph::Run run;
-    run.map = wallMap(test::drawnBuilding(4, pose), {});
+    run.map = wallMap(test::drawnBuilding(4, pose));
     if (hasScans) run.scans = scanWalls(test::moved(frames, pose));
     return run;
   }
@@ -43,7 +43,7 @@ struct Found {
     const RunId from = addRunNodes(other, graph), to = addRunNodes(run, graph);
     const DrawnBy drawn = drawnBy(other, graph.runs[from].nodes, other.map);
     groups = matchNodes(graph, to, run, {from, other.map, drawn},
-                        followWalls(run.map, other.map, {pose}, {}), {pose});
+                        followWalls(run.map, other.map, {pose}), {pose});
   }
 
   std::vector<PoseEdge> matches() const {
@@ -98,7 +98,7 @@ TEST(MatchNodes, aScanThatIsItsOwnIsMatchedWithItself) {
 TEST(MatchNodes, inAnotherBuildingThereAreNone) {
   const roomgraph::Run run = building().run({}, true), flat = building().run({}, false);
   roomgraph::Run other;
-  other.map = wallMap(test::squareHall({300, 0, 0}), {});
+  other.map = wallMap(test::squareHall({300, 0, 0}));
   EXPECT_TRUE(Found(run, other, {}).groups.empty());
   EXPECT_TRUE(Found(flat, other, {}).groups.empty());
   PoseGraph graph;

@@ -25,7 +25,7 @@ struct TwoRuns {
     const std::vector<Transform2D> poses{{}, kThere};
     std::uint64_t scan = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-      runs[i].map = wallMap(test::drawnBuilding(4, poses[i]), {});
+      runs[i].map = wallMap(test::drawnBuilding(4, poses[i]));
       for (Keyframe& frame : frames) frame.scanId = ++scan;  // of a log of its own
       runs[i].scans = scanWalls(test::moved(frames, poses[i]));
       site.runs.push_back(&runs[i]);

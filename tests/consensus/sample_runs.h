@@ -10,7 +10,7 @@ namespace roomgraph::test {
 inline Run drivenRun() {
   const Grid grid = drawnBuilding(4, {});
   Run run;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   run.scans = scanWalls(drawnDrive(grid));
   return run;
 }
@@ -18,7 +18,7 @@ inline Run drivenRun() {
 /** A run of walls alone. */
 inline Run scanlessRun() {
   Run run;
-  run.map = wallMap(drawnBuilding(4, {3, -2, 0.5}), {});
+  run.map = wallMap(drawnBuilding(4, {3, -2, 0.5}));
   return run;
 }
 

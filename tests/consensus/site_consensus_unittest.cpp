@@ -70,7 +70,7 @@ struct DrivenSite {
                       const std::vector<Transform2D>& poses) {
     for (const std::vector<Keyframe>& frames : drives) {
       runs.emplace_back();
-      runs.back().map = wallMap(test::mapDrawnBy(frames), {});
+      runs.back().map = wallMap(test::mapDrawnBy(frames));
       runs.back().scans = scanWalls(frames);
     }
     for (const roomgraph::Run& run : runs) site.runs.push_back(&run);
@@ -219,7 +219,7 @@ TEST(SiteConsensus, ofRunsWithoutScansNothingIsFound) {
   std::vector<roomgraph::Run> runs(2);
   Site site;
   for (roomgraph::Run& run : runs) {
-    run.map = wallMap(test::drawnBuilding(1, {}), {});
+    run.map = wallMap(test::drawnBuilding(1, {}));
     site.runs.push_back(&run);
   }
   site.poses.assign(2, {});

@@ -26,7 +26,7 @@ TEST(TrackScans, eachScanLiesWhereItWasTaken) {
 }
 
 TEST(TrackScans, whatIsNotInTheMapIsNotFound) {
-  const WallMap other = wallMap(test::squareHall({40, 40, 0}), {});
+  const WallMap other = wallMap(test::squareHall({40, 40, 0}));
   for (const auto& pose : trackScans(scanWalls(driveInBuilding().frames),
                                      driveInBuilding().map.patches, {}, {{}}, other))
     EXPECT_FALSE(pose);
@@ -70,7 +70,7 @@ TEST(TrackScans, theFrameOfTheRunChangesNothing) {
 
 TEST(TrackScans, theFrameOfTheMapChangesNothing) {
   const Transform2D motion{-9, 40, -1.2};
-  const WallMap there = wallMap(test::drawnBuilding(4, motion), {});
+  const WallMap there = wallMap(test::drawnBuilding(4, motion));
   const auto& driven = driveInBuilding().frames;
   const auto track = trackScans(scanWalls(driven), {}, {}, {motion}, there);
   EXPECT_GE(shareFound(track, driven, motion.inverse()), 0.9);

@@ -22,7 +22,7 @@ LabelMap row(const std::string& text) {
 
 /** Every region counts, however small. */
 RoomScore score(const std::string& seg, const std::string& truth) {
-  return scoreRooms(row(seg), row(truth), {0});
+  return scoreRooms(row(seg), row(truth), 0);
 }
 
 double matthews(double tp, double fp, double fn, double tn) {
@@ -169,12 +169,12 @@ TEST(ScoreRooms, smallRegionsAreDropped) {
   EXPECT_EQ(s.seg.pixels, 101u);
   EXPECT_EQ(s.truth.dropped, 0u);
   expectAll(s, 1);
-  EXPECT_LT(*scoreRooms(with, without, {99}).precisionMicro, 1);
+  EXPECT_LT(*scoreRooms(with, without, 99).precisionMicro, 1);
 }
 
 /** A room that is found only where the truth has something too small is not in both. */
 TEST(ScoreRooms, droppedRegionsLabelNothing) {
-  const RoomScore s = scoreRooms(row("aaaaa.bbb"), row("xxxyy.zzz"), {2});
+  const RoomScore s = scoreRooms(row("aaaaa.bbb"), row("xxxyy.zzz"), 2);
   EXPECT_EQ(s.truth.dropped, 1u);
   EXPECT_EQ(s.pixelsInBoth, 6u);
   EXPECT_DOUBLE_EQ(*s.mcc, 1);
@@ -210,7 +210,7 @@ TEST(ScoreRooms, mapsOfDifferentSizesAreRefusedWithBoth) {
 TEST(WriteScore, jsonHoldsEveryNumber) {
   LabelMap seg = row("aaaaaabbbb."), truth = row("xxxxyyyyy..");
   seg.source = {"folder/seg.png", "12ab"};
-  const std::string text = roomScoreJson(scoreRooms(seg, truth, {0}));
+  const std::string text = roomScoreJson(scoreRooms(seg, truth, 0));
   for (const char* part :
        {"\"file\":\"seg.png\",\"sha256\":\"12ab\",\"regions\":2,\"dropped\":0,\"pixels\":10",
         "\"size\": [11,1]", "\"largest_dropped_px\": 0", "\"pixels_in_both\": 9", "\"pairs\": 2",

@@ -14,7 +14,7 @@ namespace {
 using Rows = std::vector<std::string>;
 
 ConsensusRooms consensusOf(const std::vector<RunAreas>& runs) {
-  return consensusRooms({frameOf(threeRooms()), runs}, {}, oneByOne);
+  return consensusRooms({frameOf(threeRooms()), runs}, oneByOne);
 }
 
 /** How many rooms hold the place. */

@@ -35,7 +35,7 @@ TEST(Footprint, beyondTheFrameNothingIsKnown) {
 
 TEST(FitShape, aRoomInItsPlaceStays) {
   const RunAreas run = drawnAreas(kRoom);
-  const auto fits = fitShape(run.shapes[0], kFrame, run, {{}}, {});
+  const auto fits = fitShape(run.shapes[0], kFrame, run, {{}});
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_EQ(fits.at(0).move.shift, (Point{0, 0}));
   EXPECT_EQ(fits.at(0).move.turn, 0);
@@ -47,7 +47,7 @@ TEST(FitShape, aRoomThatWasDrawnBesideItsPlaceIsFound) {
   const RunAreas shifted =
       drawnAreas({"   ##########   ", "   #AAAAAAAA#   ", "   #AAAAAAAA#   ", "   #AAAAAAAA#   ",
                   "   #AAAAAAAA#   ", "   ##########   ", "                ", "                "});
-  const auto fits = fitShape(room, kFrame, shifted, {{}}, {});
+  const auto fits = fitShape(room, kFrame, shifted, {{}});
   ASSERT_EQ(fits.size(), 1u);
   EXPECT_NEAR(fits.at(0).move.shift.x, 0, 0.11);
   EXPECT_NEAR(fits.at(0).move.shift.y, 0.5, 0.11);
@@ -59,9 +59,9 @@ TEST(FitShape, noFartherThanItsReach) {
   SiteShape far = room;
   for (Point& p : far.samples) p = p + Point{-30, 0};
   far.middle = far.middle + Point{-30, 0};
-  EXPECT_TRUE(fitShape(far, kFrame, drawnAreas(kRoom), {{}}, {}).empty());
+  EXPECT_TRUE(fitShape(far, kFrame, drawnAreas(kRoom), {{}}).empty());
   const RoomMove start{{29.8, 0}, 0};
-  EXPECT_EQ(fitShape(far, kFrame, drawnAreas(kRoom), {start}, {}).size(), 1u);
+  EXPECT_EQ(fitShape(far, kFrame, drawnAreas(kRoom), {start}).size(), 1u);
 }
 
 TEST(FitShape, whereHalfOfItIsUnknownNothingIsSaid) {
@@ -69,8 +69,7 @@ TEST(FitShape, whereHalfOfItIsUnknownNothingIsSaid) {
   const RunAreas run =
       drawnAreas({"                ", "   ####         ", "   #AAA         ", "   #AAA         ",
                   "   #AAA         ", "   #AAA         ", "   ####         ", "                "});
-  FitShapeOptions here;
-  here.reach = 0;
+  const ShapeSearch here{0, 0.8, true};
   EXPECT_TRUE(fitShape(room, kFrame, run, {{}}, here).empty());
 }
 
@@ -82,7 +81,7 @@ TEST(FitShape, aTurnedRoomIsFound) {
     const Transform2D motion = carrying(room.middle, room.middle + Point{0.3, -0.2}, turn);
     for (Point& p : drawn.samples) p = motion(p);
     drawn.middle = motion(room.middle);
-    const auto fits = fitShape(drawn, kFrame, run, {{}}, {});
+    const auto fits = fitShape(drawn, kFrame, run, {{}});
     ASSERT_EQ(fits.size(), 1u) << turn;
     EXPECT_GT(fits.at(0).overlap, 0.93) << turn;
     EXPECT_NEAR(fits.at(0).move.turn, -turn, 0.05) << turn;
@@ -96,33 +95,27 @@ TEST(FitShape, anOverlapIsIntersectionOverUnion) {
   const RunAreas half =
       drawnAreas({"                ", "   ##########   ", "   #AAAA#####   ", "   #AAAA#####   ",
                   "   #AAAA#####   ", "   #AAAA#####   ", "   ##########   ", "                "});
-  FitShapeOptions here;
-  here.reach = 0, here.isQuick = true;
+  const ShapeSearch here{0, 0.8, false};
   EXPECT_NEAR(fitShape(room, kFrame, half, {{}}, here).at(0).overlap, 0.5, 0.03);
   EXPECT_NEAR(fitShape(half.shapes[0], kFrame, drawnAreas(kRoom), {{}}, here).at(0).overlap, 0.5,
               0.03)
       << "the same the other way round";
 }
 
-TEST(FitShape, noMoreAreasThanAskedForAndThoseThatFitBest) {
+TEST(FitShape, threeAreasAtMostThoseThatFitBest) {
   const SiteShape room = drawnAreas(kRoom).shapes[0];
   const RunAreas parts =
       drawnAreas({"                ", "   ##########   ", "   #ABBCCCDD#   ", "   #ABBCCCDD#   ",
                   "   #ABBCCCDD#   ", "   #ABBCCCDD#   ", "   ##########   ", "                "});
-  FitShapeOptions two;
-  two.most = 2, two.reach = 0;
-  const auto fits = fitShape(room, kFrame, parts, {{}}, two);
-  ASSERT_EQ(fits.size(), 2u);
+  const auto fits = fitShape(room, kFrame, parts, {{}}, {0, 0.8, true});
+  ASSERT_EQ(fits.size(), 3u);
   EXPECT_EQ(fits.count(0), 0u) << "the narrowest";
   EXPECT_EQ(fits.count(2), 1u) << "the widest";
-  two.least = 0.9;
-  EXPECT_TRUE(fitShape(room, kFrame, parts, {{}}, two).empty());
 }
 
 TEST(FitShape, ofTwoStartsTheBetterOneCounts) {
   const RunAreas run = drawnAreas(kRoom);
-  FitShapeOptions here;
-  here.reach = 0, here.isQuick = true;
+  const ShapeSearch here{0, 0.8, false};
   const auto fits = fitShape(run.shapes[0], kFrame, run, {{{1, 0}, 0}, {}, {{0, 1}, 0}}, here);
   EXPECT_EQ(fits.at(0).move.shift, (Point{0, 0}));
   EXPECT_DOUBLE_EQ(fits.at(0).overlap, 1);

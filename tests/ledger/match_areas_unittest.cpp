@@ -23,8 +23,8 @@ std::vector<AreaMatch> matchesIn(const RunAreas& run) {
   const RoomSet rooms = roomsOf(drawnAreas(threeRooms(), threeDoors()));
   const GridFrame frame = frameOf(threeRooms());
   RoomFits fits;
-  addFits(rooms.shapes, frame, run, {}, fits);
-  return matchAreas(rooms, fits, frame, run, {});
+  addFits(rooms.shapes, frame, run, fits);
+  return matchAreas(rooms, fits, frame, run);
 }
 
 using Areas = std::vector<std::size_t>;
@@ -102,7 +102,7 @@ TEST(MatchAreas, aRoomThatIsNotThereMovesAsItsNeighbours) {
 TEST(MatchAreas, addFitsKeepsThoseThatAreThere) {
   const RunAreas run = drawnAreas(threeRooms());
   RoomFits fits(1);
-  addFits(run.shapes, frameOf(threeRooms()), run, {}, fits);
+  addFits(run.shapes, frameOf(threeRooms()), run, fits);
   ASSERT_EQ(fits.size(), 4u);
   EXPECT_TRUE(fits[0].empty());
   EXPECT_EQ(fits[1].count(1), 1u);
@@ -172,7 +172,7 @@ TEST(MatchAreas, ofARunWithoutAreasNoneMatches) {
     EXPECT_DOUBLE_EQ(match.bare, 1);
   }
   const RunAreas run = drawnAreas(threeRooms());
-  EXPECT_TRUE(matchAreas({}, {}, frameOf(threeRooms()), run, {}).empty());
+  EXPECT_TRUE(matchAreas({}, {}, frameOf(threeRooms()), run).empty());
 }
 
 }  // namespace

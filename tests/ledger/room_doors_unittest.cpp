@@ -10,7 +10,7 @@ namespace {
 /** The doors of the upper room, by what each run says of them. */
 RoomDoors doorsOfUpperRoom(const std::vector<RunAreas>& runs, bool isLastClean = true) {
   const SiteAreas site{frameOf(threeRooms()), runs};
-  const ConsensusRooms consensus = consensusRooms(site, {}, oneByOne);
+  const ConsensusRooms consensus = consensusRooms(site, oneByOne);
   std::vector<RoomsInRun> inRuns;
   for (const auto& matches : consensus.matches) {
     inRuns.push_back({std::vector<bool>(matches.size(), true), {}});

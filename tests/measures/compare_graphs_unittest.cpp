@@ -17,7 +17,7 @@ using test::patchesOver;
 GraphMatch matched(const TopologyGraph& a, const TopologyGraph& b) {
   const WallPatches patches = patchesOver({});
   const FollowedWalls followed = everywhere(patches, {});
-  return matchGraphs({a, patches, followed}, {b, patches, followed}, {});
+  return matchGraphs({a, patches, followed}, {b, patches, followed});
 }
 
 /** A match of vertices and edges of equal numbers. */

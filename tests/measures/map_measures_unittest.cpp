@@ -20,7 +20,7 @@ TEST(Brokenness, isTheNumberOfBreaksWhereThereAreScans) {
   EXPECT_EQ(found.value, 2);
   EXPECT_EQ(found.support, 40);
   EXPECT_TRUE(found.hasEnoughOthers);
-  EXPECT_EQ(found.leastSupport, 10) << "scans, and not walls";
+  EXPECT_EQ(found.worth, 30) << "scans, and not walls";
 }
 
 TEST(Brokenness, isWhatMostTrustSaysWhereThereAreNone) {
@@ -46,7 +46,7 @@ TEST(Brokenness, oneRunAloneHasNone) {
 TEST(OwnMeasures, areOfTheMapAlone) {
   const Grid grid = test::drawnBuilding(4, {});
   roomgraph::Run run;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   for (const MeasuredValue& measured : {wallDoublingOf(run), wallSharpnessOf(run)}) {
     EXPECT_TRUE(measured.value);
     EXPECT_EQ(measured.support, double(run.map.walls.size()));

@@ -27,8 +27,8 @@ Numbers numbersOf(const GraphMatch& match) {
 
 GraphMatch matched(const TopologyGraph& a, const TopologyGraph& b, const Transform2D& bFromA) {
   const WallPatches inA = patchesOver({}), inB = patchesOver(bFromA);
-  return matchGraphs({a, inA, everywhere(inA, bFromA)}, {b, inB, everywhere(inB, bFromA.inverse())},
-                     {});
+  return matchGraphs({a, inA, everywhere(inA, bFromA)},
+                     {b, inB, everywhere(inB, bFromA.inverse())});
 }
 
 TEST(MatchGraphs, aGraphMatchesItselfInAnyPose) {
@@ -71,7 +71,7 @@ TEST(MatchGraphs, bentMapsMatchByThePosesOfTheirWalls) {
     if (inA[f.patch].middle.x > 10) f.pose = far;
   for (FollowedPatch& f : back.patches)
     if (inB[f.patch].middle.x > 10) f.pose = far.inverse();
-  const GraphMatch match = matchGraphs({a, inA, there}, {b, inB, back}, {});
+  const GraphMatch match = matchGraphs({a, inA, there}, {b, inB, back});
   EXPECT_EQ(match.vertices.size(), a.vertices().size());
   for (const VertexMatch& m : match.vertices) EXPECT_EQ(m.a, m.b);
   EXPECT_LT(matched(a, b, {}).vertices.size(), a.vertices().size());
@@ -113,7 +113,7 @@ TEST(MatchGraphs, roomsMatchRoomsOnly) {
 TEST(MatchGraphs, nothingMatchesWhereNoWallWasFollowed) {
   const TopologyGraph graph = drawnGraph();
   const WallPatches patches = patchesOver({});
-  const GraphMatch match = matchGraphs({graph, patches, {}}, {graph, patches, {}}, {});
+  const GraphMatch match = matchGraphs({graph, patches, {}}, {graph, patches, {}});
   EXPECT_TRUE(match.vertices.empty());
   EXPECT_EQ(match.sharedInA, 0);
   EXPECT_GT(match.overallInA, 0);

@@ -13,7 +13,7 @@ namespace roomgraph {
 namespace {
 
 const WallMap& building() {
-  static const WallMap map = wallMap(test::drawnBuilding(3, {}), {});
+  static const WallMap map = wallMap(test::drawnBuilding(3, {}));
   return map;
 }
 
@@ -36,7 +36,7 @@ TEST(WallDistances, growWithTheShift) {
 
 TEST(WallDistances, whatTheOtherHasNotSeenDoesNotCount) {
   const Grid half = test::drawnBuilding(3, {}, {-1e9, 12});
-  const WallDistances both = wallDistances(building(), wallMap(half, {}), {});
+  const WallDistances both = wallDistances(building(), wallMap(half), {});
   EXPECT_LT(both.count, 0.7 * double(building().walls.size()));
   EXPECT_LT(both.quantile(0.5), 0.02);
   EXPECT_EQ(wallDistances(building(), building(), {500, 0, 0}).count, 0);
@@ -83,7 +83,7 @@ TEST(WallDistances, theFramesOfTheMapsChangeNothing) {
   const Grid grid = test::drawnBuilding(3, {});
   Grid there = grid;
   there.frame.origin = there.frame.origin + Point{32, -16};
-  const WallMap moved = wallMap(there, {});
+  const WallMap moved = wallMap(there);
   const WallDistances here = wallDistances(building(), building(), {0.2, 0.1, 0});
   const WallDistances other = wallDistances(building(), moved, {32.2, -15.9, 0});
   EXPECT_EQ(here.count, other.count);

@@ -21,7 +21,7 @@ Run makeRun(const std::string& name) {
     for (int x = 0; x < 80; ++x)
       grid.cells.push_back(x < 4 || y < 4 || x >= 76 || y >= 76 ? State::occupied : State::free);
   Run run;
-  run.name = name, run.file = name + ".gridmap", run.map = wallMap(grid, {});
+  run.name = name, run.file = name + ".gridmap", run.map = wallMap(grid);
   return run;
 }
 

@@ -14,7 +14,7 @@ namespace {
 using test::bent;
 using test::drawnBuilding;
 
-WallMap mapOf(const Grid& grid) { return wallMap(grid, {}); }
+WallMap mapOf(const Grid& grid) { return wallMap(grid); }
 
 double walls(const FollowedWalls& found) {
   double sum = 0;
@@ -25,7 +25,7 @@ double walls(const FollowedWalls& found) {
 TEST(FollowWalls, aMapLiesInAnotherOfTheSameBuildingWithoutABend) {
   const Transform2D pose{3, -2, 0.7};
   const WallMap a = mapOf(drawnBuilding(4, {})), b = mapOf(drawnBuilding(4, pose));
-  const FollowedWalls found = followWalls(a, b, {pose}, {});
+  const FollowedWalls found = followWalls(a, b, {pose});
   EXPECT_GT(found.share, 0.95);
   EXPECT_LT(found.bend, 0.03);
   EXPECT_NEAR(found.pose.phi, pose.phi, 0.003);
@@ -34,7 +34,7 @@ TEST(FollowWalls, aMapLiesInAnotherOfTheSameBuildingWithoutABend) {
 
 TEST(FollowWalls, noWallIsFoundTwice) {
   const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
-  const FollowedWalls found = followWalls(a, b, {{}}, {});
+  const FollowedWalls found = followWalls(a, b, {{}});
   EXPECT_LE(walls(found), double(a.walls.size()));
   EXPECT_NEAR(found.share, walls(found) / double(a.walls.size()), 1e-12);
 }
@@ -61,7 +61,7 @@ TEST(FollowWalls, theBendOfAHalfTurnedMapIsThatOfItsDrawing) {
   const WallMap straight = mapOf(drawing);
   const Point middle = middleOf(drawing);
   for (const double angle : {0.04, 0.08, 0.15}) {
-    const double bend = followWalls(mapOf(bent(drawing, angle)), straight, {{}}, {}).bend;
+    const double bend = followWalls(mapOf(bent(drawing, angle)), straight, {{}}).bend;
     const double truth = trueBend(straight, middle, carrying(middle, middle, angle));
     EXPECT_NEAR(bend, truth, 0.2 * truth + 0.02) << angle;
   }
@@ -80,7 +80,7 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
   const Grid drawing = drawnBuilding(4, {});
   const WallMap straight = mapOf(drawing), broken = mapOf(torn(drawing, 40));
   const double truth = trueBend(straight, middleOf(drawing), {0, 2, 0});
-  const FollowedWalls found = followWalls(broken, straight, {{}, {0, -2, 0}}, {});
+  const FollowedWalls found = followWalls(broken, straight, {{}, {0, -2, 0}});
   EXPECT_GT(found.share, 0.8);
   EXPECT_NEAR(found.bend, truth, 0.1 * truth);
   double moved = 0;
@@ -91,28 +91,28 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
 
 TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
   const WallMap map = mapOf(drawnBuilding(4, {}));
-  EXPECT_TRUE(followWalls(map, map, {}, {}).patches.empty());
-  EXPECT_TRUE(followWalls({}, map, {{}}, {}).patches.empty());
-  EXPECT_EQ(followWalls(map, WallMap(), {{}}, {}).share, 0);
+  EXPECT_TRUE(followWalls(map, map, {}).patches.empty());
+  EXPECT_TRUE(followWalls({}, map, {{}}).patches.empty());
+  EXPECT_EQ(followWalls(map, WallMap(), {{}}).share, 0);
 }
 
 TEST(FollowWalls, theFramesOfBothMapsChangeLittle) {
   const Transform2D ofA{5, 1, -0.8}, ofB{-7, 20, 2.2};
   const Grid half = bent(drawnBuilding(4, {}), 0.08);
   const WallMap a = mapOf(half), b = mapOf(drawnBuilding(4, {}));
-  const FollowedWalls here = followWalls(a, b, {{}}, {});
-  const FollowedWalls there = followWalls(a, mapOf(drawnBuilding(4, ofB)), {ofB}, {});
+  const FollowedWalls here = followWalls(a, b, {{}});
+  const FollowedWalls there = followWalls(a, mapOf(drawnBuilding(4, ofB)), {ofB});
   EXPECT_NEAR(there.bend, here.bend, 0.2 * here.bend);
   EXPECT_NEAR(there.share, here.share, 0.05);
   const FollowedWalls sound = followWalls(mapOf(drawnBuilding(4, ofA)),
-                                          mapOf(drawnBuilding(4, ofB)), {ofB * ofA.inverse()}, {});
+                                          mapOf(drawnBuilding(4, ofB)), {ofB * ofA.inverse()});
   EXPECT_LT(sound.bend, 0.04);
   EXPECT_GT(sound.share, 0.9);
 }
 
 TEST(FollowWalls, aMapInItselfHardlyBends) {
   const WallMap map = mapOf(drawnBuilding(4, {}));
-  const FollowedWalls found = followWalls(map, map, {{}}, {});
+  const FollowedWalls found = followWalls(map, map, {{}});
   EXPECT_LT(found.bend, 0.005);
   EXPECT_GT(found.share, 0.99);
   for (const FollowedPatch& patch : found.patches) {
@@ -125,7 +125,7 @@ TEST(FollowWalls, aMapInItselfHardlyBends) {
 
 TEST(FollowWalls, theWholePoseLeavesTheLeastOver) {
   const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
-  const FollowedWalls found = followWalls(a, b, {{}}, {});
+  const FollowedWalls found = followWalls(a, b, {{}});
   const auto restAt = [&](const Transform2D& pose) {
     double squares = 0, count = 0;
     for (const FollowedPatch& patch : found.patches) {
@@ -144,18 +144,18 @@ TEST(FollowWalls, theWholePoseLeavesTheLeastOver) {
 TEST(FollowWalls, whatOneHasNotSeenIsNotFound) {
   const WallMap all = mapOf(drawnBuilding(4, {}));
   const WallMap half = mapOf(drawnBuilding(4, {}, {-1e9, 12}));
-  const FollowedWalls found = followWalls(all, half, {{}}, {});
+  const FollowedWalls found = followWalls(all, half, {{}});
   EXPECT_LT(found.share, 0.65);
   EXPECT_GT(found.share, 0.3);
   EXPECT_LT(found.bend, 0.05);
   for (const FollowedPatch& patch : found.patches) EXPECT_LT(all.patches[patch.patch].middle.x, 14);
-  EXPECT_GT(followWalls(half, all, {{}}, {}).share, 0.9) << "and the other way round all of it is";
+  EXPECT_GT(followWalls(half, all, {{}}).share, 0.9) << "and the other way round all of it is";
 }
 
 TEST(FollowWalls, theSameInputGivesTheSamePatches) {
   const WallMap a = mapOf(bent(drawnBuilding(4, {}), 0.1)), b = mapOf(drawnBuilding(4, {}));
-  const FollowedWalls l = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
-  const FollowedWalls r = followWalls(a, b, {{}, {1, 0, 0.1}}, {});
+  const FollowedWalls l = followWalls(a, b, {{}, {1, 0, 0.1}});
+  const FollowedWalls r = followWalls(a, b, {{}, {1, 0, 0.1}});
   ASSERT_EQ(l.patches.size(), r.patches.size());
   EXPECT_EQ(l.bend, r.bend);
   for (std::size_t k = 0; k < l.patches.size(); ++k) {

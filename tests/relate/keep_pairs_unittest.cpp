@@ -15,7 +15,7 @@ class KeepPairs : public ::testing::Test {
  protected:
   KeepPairs() : runs_(3) {
     for (std::size_t i = 0; i < 3; ++i)
-      runs_[i].map = wallMap(test::drawnBuilding(1, {double(i), 0, 0}), {});
+      runs_[i].map = wallMap(test::drawnBuilding(1, {double(i), 0, 0}));
   }
 
   MapPair related(const PairOver& pair, const std::string& how = "searched") {

@@ -155,7 +155,7 @@ TEST(PairBytes, areNotReadForMapsWithFewerPatches) {
   EXPECT_FALSE(pairOfBytes(bytes, withPatches(0), withPatches(6)));
 }
 
-TEST(PairBytes, ofAnotherVersionAreNotRead) {
+TEST(PairBytes, ofAnotherKindAreNotRead) {
   std::string bytes = pairBytes(anyPair(13));
   const WallMap map = withPatches(8);
   ASSERT_TRUE(pairOfBytes(bytes, map, map));
@@ -165,7 +165,7 @@ TEST(PairBytes, ofAnotherVersionAreNotRead) {
 }
 
 TEST(Fingerprint, tellsMapsApartByAllThatRelatingThemDependsOn) {
-  const WallMap map = wallMap(test::drawnBuilding(1, {}), {});
+  const WallMap map = wallMap(test::drawnBuilding(1, {}));
   const std::string same = fingerprint(map);
   EXPECT_EQ(same.size(), 64u);
   const std::vector<std::function<void(WallMap&)>> changes{

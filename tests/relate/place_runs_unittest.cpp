@@ -20,7 +20,7 @@ struct RunsOfABuilding {
   RunsOfABuilding() {
     for (const Transform2D& pose : truth) {
       runs.emplace_back();
-      runs.back().map = wallMap(test::drawnBuilding(1, pose), {});
+      runs.back().map = wallMap(test::drawnBuilding(1, pose));
     }
     for (const auto& [a, b] : related.pairs()) join(a, b, 0.9);
   }
@@ -35,7 +35,7 @@ struct RunsOfABuilding {
   }
 
   Site placed(std::optional<std::size_t> reference = {}) const {
-    return placeRuns(runs, related, {}, reference);
+    return placeRuns(runs, related, reference);
   }
 };
 
@@ -46,17 +46,16 @@ void expectSame(const Transform2D& l, const Transform2D& r) {
 
 TEST(IsJoined, aPairMustBeOfOneSiteAndSureEnough) {
   MapPair pair;
-  const SitePosesOptions options;
   pair.alignment.confidence = 0.9;
-  EXPECT_FALSE(isJoined(pair, options)) << "not of one site";
+  EXPECT_FALSE(isJoined(pair)) << "not of one site";
   pair.alignment.isSameSite = true;
-  EXPECT_TRUE(isJoined(pair, options));
+  EXPECT_TRUE(isJoined(pair));
   pair.alignment.confidence = 0.4;
-  EXPECT_FALSE(isJoined(pair, options)) << "nor is it anywhere else";
+  EXPECT_FALSE(isJoined(pair)) << "nor is it anywhere else";
   pair.alignment.runnerUpConfidence = 0.3;
-  EXPECT_TRUE(isJoined(pair, options)) << "it lies in one of two turns";
+  EXPECT_TRUE(isJoined(pair)) << "it lies in one of two turns";
   pair.alignment.confidence = 0.2;
-  EXPECT_FALSE(isJoined(pair, options)) << "less than the least that is used";
+  EXPECT_FALSE(isJoined(pair)) << "less than the least that is used";
 }
 
 TEST(PlaceRuns, allLieWhereTheyReallyDo) {
@@ -116,7 +115,7 @@ TEST(PlaceRuns, runsThatNothingJoinsAreInNoSet) {
   const Site site = five.placed();
   EXPECT_EQ(site.members.size(), 1u);
   EXPECT_TRUE(site.others.empty()) << "of one run there is nothing to compare";
-  EXPECT_TRUE(placeRuns({}, {}, {}, {}).runs.empty());
+  EXPECT_TRUE(placeRuns({}, {}, {}).runs.empty());
 }
 
 TEST(PlaceRuns, aRunThatOneOtherFoundIsPlacedThroughIt) {

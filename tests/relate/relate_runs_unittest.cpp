@@ -20,7 +20,7 @@ using test::drawnBuilding;
 
 roomgraph::Run run(const Grid& grid) {
   roomgraph::Run run;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   return run;
 }
 
@@ -263,11 +263,11 @@ TEST(RelateRuns, noNumberInAPairIsTooLargeForItsPlace) {
 }
 
 TEST(RelateRuns, aPairIsKeptForTheMapsThatItIsOf) {
-  const WallMap map = wallMap(drawnBuilding(1, {}), {});
+  const WallMap map = wallMap(drawnBuilding(1, {}));
   WallMap moved = map, opened = map;
   moved.frame.origin.x += 0.01;
   opened.states[opened.states.size() / 2] = State::unknown;
-  EXPECT_EQ(fingerprint(map), fingerprint(wallMap(drawnBuilding(1, {}), {})));
+  EXPECT_EQ(fingerprint(map), fingerprint(wallMap(drawnBuilding(1, {}))));
   EXPECT_NE(fingerprint(map), fingerprint(moved));
   EXPECT_NE(fingerprint(map), fingerprint(opened));
 }

@@ -19,14 +19,14 @@ std::size_t sharedOf(const SeenPlaces& l, const SeenPlaces& r) {
 
 TEST(SeenPlaces, twoMapsOfOneBuildingHaveTheSameOnesInOneFrame) {
   const Transform2D there{-7, 2, 2.5};
-  const auto l = seenPlaces(wallMap(test::drawnBuilding(1, {}), {}), {});
-  const auto r = seenPlaces(wallMap(test::drawnBuilding(1, there), {}), there.inverse());
+  const auto l = seenPlaces(wallMap(test::drawnBuilding(1, {})), {});
+  const auto r = seenPlaces(wallMap(test::drawnBuilding(1, there)), there.inverse());
   EXPECT_TRUE(std::is_sorted(l.begin(), l.end()));
   EXPECT_EQ(std::adjacent_find(l.begin(), l.end()), l.end());
   EXPECT_GT(l.size(), 200u) << "a building of 22 m by 15 m";
   EXPECT_LT(l.size(), 420u);
   EXPECT_GT(double(sharedOf(l, r)), 0.9 * double(l.size()));
-  const auto apart = seenPlaces(wallMap(test::drawnBuilding(1, there), {}), {});
+  const auto apart = seenPlaces(wallMap(test::drawnBuilding(1, there)), {});
   EXPECT_LT(double(sharedOf(l, apart)), 0.5 * double(l.size()));
 }
 

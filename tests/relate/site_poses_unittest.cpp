@@ -32,25 +32,23 @@ void expectTrue(const SitePoses& found, std::size_t run, double tolerance) {
 }
 
 TEST(SitePoses, pairsThatAgreeGiveTheirPoses) {
-  const SitePoses found = sitePoses(5, allPairs(), 0, {});
+  const SitePoses found = sitePoses(5, allPairs(), 0);
   for (std::size_t run = 0; run < 5; ++run) expectTrue(found, run, 1e-9);
   for (const double misfit : found.misfit) EXPECT_NEAR(misfit, 0, 1e-9);
 }
 
-TEST(SitePoses, twoRunsHaveThePairsPose) {
-  expectTrue(sitePoses(2, {pairOf(0, 1)}, 0, {}), 1, 1e-9);
-}
+TEST(SitePoses, twoRunsHaveThePairsPose) { expectTrue(sitePoses(2, {pairOf(0, 1)}, 0), 1, 1e-9); }
 
 TEST(SitePoses, thePairMayBeNamedTheOtherWayRound) {
   const PairPose pair{1, 0, kTrue[1].inverse() * kTrue[0], 0.9, {}};
-  expectTrue(sitePoses(2, {pair}, 0, {}), 1, 1e-9);
+  expectTrue(sitePoses(2, {pair}, 0), 1, 1e-9);
 }
 
 TEST(SitePoses, oneWrongPairMovesNothing) {
   std::vector<PairPose> pairs = allPairs();
   pairs[1].pose = Transform2D{20, -8, 1.2} * pairs[1].pose;
   pairs[1].confidence = 1;
-  const SitePoses found = sitePoses(5, pairs, 0, {});
+  const SitePoses found = sitePoses(5, pairs, 0);
   for (std::size_t run = 0; run < 5; ++run) expectTrue(found, run, 1e-3);
   EXPECT_GT(found.misfit[1], 5);
   EXPECT_LT(found.misfit[0], 0.01);
@@ -59,21 +57,21 @@ TEST(SitePoses, oneWrongPairMovesNothing) {
 TEST(SitePoses, smallErrorsAreShared) {
   std::vector<PairPose> pairs = {pairOf(0, 1), pairOf(1, 2), pairOf(0, 2)};
   pairs[2].pose.x += 0.3;
-  const SitePoses found = sitePoses(3, pairs, 0, {});
+  const SitePoses found = sitePoses(3, pairs, 0);
   for (const double misfit : found.misfit) EXPECT_LT(misfit, 0.25);
 }
 
 TEST(SitePoses, aRunWithoutATrustedPairIsNotPlaced) {
   std::vector<PairPose> pairs = {pairOf(0, 1), pairOf(1, 2)};
   pairs[1].confidence = 0.1;
-  const SitePoses found = sitePoses(3, pairs, 0, {});
+  const SitePoses found = sitePoses(3, pairs, 0);
   EXPECT_TRUE(found.runs[1].isPlaced);
   EXPECT_FALSE(found.runs[2].isPlaced);
 }
 
 TEST(SitePoses, aStrangeRunIsAnError) {
-  EXPECT_THROW(sitePoses(2, {pairOf(0, 2)}, 0, {}), UsageError);
-  EXPECT_THROW(sitePoses(2, {}, 2, {}), UsageError);
+  EXPECT_THROW(sitePoses(2, {pairOf(0, 2)}, 0), UsageError);
+  EXPECT_THROW(sitePoses(2, {}, 2), UsageError);
 }
 
 /** Runs at random, and pairs that are a little off. */
@@ -96,13 +94,12 @@ struct NoisyPairs {
 
 /** What the poses leave over of the pairs, with the weights of a robust fit. */
 double costOf(const std::vector<PairPose>& pairs, const std::vector<SitePose>& runs) {
-  const SitePosesOptions options;
   double cost = 0;
   for (const PairPose& pair : pairs) {
     const Transform2D &a = runs[pair.a].pose, &b = runs[pair.b].pose;
     const Point off = b(pair.middle) - a(pair.pose(pair.middle));
-    const double turn = options.lever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
-    const double s = (squaredNorm(off) + turn * turn) / (options.width * options.width);
+    const double turn = kTurnLever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
+    const double s = (squaredNorm(off) + turn * turn) / (kMaxMisfit * kMaxMisfit);
     cost += pair.confidence * s / (1 + s);
   }
   return cost;
@@ -110,7 +107,7 @@ double costOf(const std::vector<PairPose>& pairs, const std::vector<SitePose>& r
 
 TEST(SitePoses, noRunCanMoveAloneAndFitBetter) {
   const NoisyPairs noisy(1, 6, 6);
-  const SitePoses found = sitePoses(6, noisy.pairs, 0, {});
+  const SitePoses found = sitePoses(6, noisy.pairs, 0);
   const double best = costOf(noisy.pairs, found.runs);
   for (std::size_t run = 1; run < 6; ++run)
     for (const Transform2D& nudge :
@@ -123,21 +120,21 @@ TEST(SitePoses, noRunCanMoveAloneAndFitBetter) {
 
 TEST(SitePoses, theOrderOfThePairsChangesNothing) {
   NoisyPairs noisy(2, 7, 7);
-  const SitePoses before = sitePoses(7, noisy.pairs, 2, {});
+  const SitePoses before = sitePoses(7, noisy.pairs, 2);
   test::RandomNumbers random(3);
   random.shuffle(noisy.pairs);
   for (std::size_t i = 0; i < noisy.pairs.size(); i += 2) {
     PairPose& pair = noisy.pairs[i];  // named the other way round
     pair = {pair.b, pair.a, pair.pose.inverse(), pair.confidence, pair.pose(pair.middle)};
   }
-  const SitePoses after = sitePoses(7, noisy.pairs, 2, {});
+  const SitePoses after = sitePoses(7, noisy.pairs, 2);
   for (std::size_t run = 0; run < 7; ++run)
     EXPECT_LT(distance(before.runs[run].pose.shift(), after.runs[run].pose.shift()), 1e-6);
 }
 
 TEST(SitePoses, theReferenceChangesTheFrameOnly) {
   const NoisyPairs noisy(4, 6, 6);
-  const SitePoses here = sitePoses(6, noisy.pairs, 0, {}), there = sitePoses(6, noisy.pairs, 4, {});
+  const SitePoses here = sitePoses(6, noisy.pairs, 0), there = sitePoses(6, noisy.pairs, 4);
   const Transform2D motion = here.runs[4].pose;
   EXPECT_EQ(there.runs[4].pose.shift(), Point{});
   for (std::size_t run = 0; run < 6; ++run)
@@ -150,10 +147,10 @@ TEST(SitePoses, ofManyRunsTheSparseEquationsSayTheSame) {
   // 59 runs are solved densely, 61 sparsely; the last two hang at the end of a chain, and so move
   // nothing of what is before them.
   NoisyPairs noisy(5, 59, 4);
-  const SitePoses dense = sitePoses(59, noisy.pairs, 0, {});
+  const SitePoses dense = sitePoses(59, noisy.pairs, 0);
   for (const std::size_t run : {59u, 60u})
     noisy.pairs.push_back({run - 1, run, {1, 2, 0.3}, 0.9, {}});
-  const SitePoses sparse = sitePoses(61, noisy.pairs, 0, {});
+  const SitePoses sparse = sitePoses(61, noisy.pairs, 0);
   for (std::size_t run = 0; run < 59; ++run)
     EXPECT_LT(distance(dense.runs[run].pose.shift(), sparse.runs[run].pose.shift()), 1e-6) << run;
   EXPECT_TRUE(sparse.runs[60].isPlaced);
@@ -167,11 +164,11 @@ TEST(SitePoses, whatClosesTrianglesIsTrustedMore) {
   pairs.push_back(pairOf(0, 3));
   pairs.back().pose = Transform2D{30, 0, 1} * pairs.back().pose;
   pairs.back().confidence = 1;
-  expectTrue(sitePoses(4, pairs, 0, {}), 3, 0.01);
+  expectTrue(sitePoses(4, pairs, 0), 3, 0.01);
 }
 
 TEST(SitePoses, aSiteOfOneRunLiesInItsOwnFrame) {
-  const SitePoses found = sitePoses(1, {}, 0, {});
+  const SitePoses found = sitePoses(1, {}, 0);
   ASSERT_EQ(found.runs.size(), 1u);
   EXPECT_TRUE(found.runs[0].isPlaced);
   EXPECT_EQ(found.runs[0].pose.shift(), Point{});
@@ -179,7 +176,7 @@ TEST(SitePoses, aSiteOfOneRunLiesInItsOwnFrame) {
 }
 
 TEST(SitePoses, aPairOfARunWithItselfIsAnError) {
-  EXPECT_THROW(sitePoses(2, {{1, 1, {}, 0.9, {}}}, 0, {}), UsageError);
+  EXPECT_THROW(sitePoses(2, {{1, 1, {}, 0.9, {}}}, 0), UsageError);
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ Run runOf(const House& house, const std::string& name, const Transform2D& pose) 
       grid.cells.push_back(stateAt(house, undrawn(house, back(grid.frame.center({x, y})))));
   Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   run.areas = areasOf(house, pose);
   return run;
 }

@@ -12,12 +12,12 @@ namespace roomgraph::test {
 /** A building, and a drive through it. */
 struct DriveInBuilding {
   Grid grid = drawnBuilding(4, {});
-  WallMap map = wallMap(grid, {});
+  WallMap map = wallMap(grid);
   std::vector<Keyframe> frames = drawnDrive(grid);
 
   /** Where the scans of a drive, which may be torn, lie in the map of the building. */
   std::vector<std::optional<Transform2D>> trackOf(const std::vector<Keyframe>& driven) const {
-    return trackScans(scanWalls(driven), map.patches, followWalls(map, map, {{}}, {}), {{}}, map);
+    return trackScans(scanWalls(driven), map.patches, followWalls(map, map, {{}}), {{}}, map);
   }
 };
 

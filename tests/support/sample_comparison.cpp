@@ -39,7 +39,7 @@ Run makeRun(const std::string& name, const Transform2D& pose, const Seen& seen) 
   Run run;
   run.name = name, run.file = "runs/" + name + ".gridmap";
   run.sha256 = "0123456789abcdef of " + name;
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   return run;
 }
 
@@ -51,7 +51,7 @@ ComparedRun compared(const Run& run, const Transform2D& pose, std::size_t rank, 
   score.score = 100 * std::exp(-error / 0.5);
   score.low = 100 * std::exp(-score.errorHigh / 0.5);
   score.high = 100 * std::exp(-score.errorLow / 0.5);
-  score.bend = 0.1 + error, score.trust = 1 / double(rank);
+  score.trust = 1 / double(rank);
   score.support = 1000, score.others = 3, score.isMeaningful = rank < 4;
   result.score = score;
   result.measures = {{"coverage", 1.0 - 0.1 * double(rank), "1", 4000, 0.5, 0.9, true},

@@ -35,12 +35,12 @@ std::vector<std::uint32_t> evenly(const std::vector<std::uint32_t>& all, int cou
 
 }  // namespace
 
-WallPatches wallPatches(const std::vector<WallPoint>& walls, const WallPatchesOptions& options) {
+WallPatches wallPatches(const std::vector<WallPoint>& walls) {
   Squares squares;
   std::vector<Square> squareOf;
   for (const WallPoint& wall : walls) {
-    squareOf.push_back({int(std::floor(wall.place.x / options.side)),
-                        int(std::floor(wall.place.y / options.side))});
+    squareOf.push_back(
+        {int(std::floor(wall.place.x / kPatchSide)), int(std::floor(wall.place.y / kPatchSide))});
     squares.emplace(squareOf.back(), 0);
   }
   std::uint32_t count = 0;
@@ -48,17 +48,17 @@ WallPatches wallPatches(const std::vector<WallPoint>& walls, const WallPatchesOp
   WallPatches patches(squares.size());
   for (std::uint32_t i = 0; i < walls.size(); ++i)
     patches[squares.at(squareOf[i])].own.push_back(i);
-  const int by = int(std::ceil(options.reach / options.side)) + 1;
+  const int by = int(std::ceil(kPatchReach / kPatchSide)) + 1;
   for (const auto& [square, index] : squares) {
     WallPatch& patch = patches[index];
     patch.middle = meanOf(walls, patch.own);
     std::vector<std::uint32_t> around;
     forSquaresAround(squares, square, by, [&](std::uint32_t other) {
       for (const std::uint32_t i : patches[other].own)
-        if (distance(walls[i].place, patch.middle) <= options.reach) around.push_back(i);
+        if (distance(walls[i].place, patch.middle) <= kPatchReach) around.push_back(i);
     });
     std::sort(around.begin(), around.end());
-    patch.around = evenly(around, options.maxAround);
+    patch.around = evenly(around, kMaxAround);
     forSquaresAround(squares, square, 1, [&, index = index](std::uint32_t other) {
       if (other != index) patch.neighbours.push_back(other);
     });

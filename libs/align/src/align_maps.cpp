@@ -4,11 +4,25 @@
 #include <cmath>
 #include <tuple>
 
+#include "fitted_align.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/refine_alignment.h"
 
 namespace roomgraph {
 namespace {
+
+/** How closely a pose is looked at. */
+struct Look {
+  NarrowingBand band;
+  int refinePoints;
+  double noise;
+  int verifyPoints;
+};
+
+constexpr Look kGlance{{0.6, 0.4, 4}, 100, 0.2, 150};      // at each hypothesis
+constexpr Look kCloserLook{{0.4, 0.3, 3}, 250, 0.2, 400};  // at the best of them
+constexpr Look kLastLook{kFineBand, kFinePoints, kWallNoise, kVerifyPoints};
 
 constexpr double kNoRunnerUp = -4;  // its log odds
 constexpr double kMuchBetter = 6;   // the best pose's score where it is alone
@@ -19,11 +33,10 @@ void sortByScore(std::vector<AlignmentCandidate>& candidates) {
 }
 
 AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Transform2D& near,
-                                 const RefineAlignmentOptions& refine,
-                                 const VerifyAlignmentOptions& verify) {
+                                 const Look& look) {
   AlignmentCandidate c;
-  c.pose = refineAlignment(a, b, near, refine);
-  c.evidence = verifyAlignment(a, b, c.pose, verify);
+  c.pose = refineAlignment(a, b, near, look.band, look.refinePoints);
+  c.evidence = verifyAlignment(a, b, c.pose, look.noise, look.verifyPoints);
   c.score = alignmentScore(c.evidence);
   return c;
 }
@@ -31,8 +44,7 @@ AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Trans
 /** The best `count` of those that are not near a better one, improved; the best first. */
 std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
                                          const std::vector<AlignmentCandidate>& candidates,
-                                         int count, const RefineAlignmentOptions& refine,
-                                         const VerifyAlignmentOptions& verify) {
+                                         int count, const Look& look) {
   const Point middle = b.middle();
   std::vector<Transform2D> seen;
   std::vector<AlignmentCandidate> found;
@@ -43,7 +55,7 @@ std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
     });
     if (isSeen) continue;
     seen.push_back(c.pose);
-    found.push_back(candidateNear(a, b, c.pose, refine, verify));
+    found.push_back(candidateNear(a, b, c.pose, look));
   }
   sortByScore(found);
   return found;
@@ -64,12 +76,12 @@ bool cannotBeToldApart(const WallMap& l, const WallMap& r) {
   return l.states == r.states && !isBefore(l, r) && !isBefore(r, l);
 }
 
-void judge(Alignment& result, const AlignMapsOptions& options) {
+void judge(Alignment& result) {
   const double odds = sameSiteLogOdds(result.best->evidence);
   const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : kNoRunnerUp;
   const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : kMuchBetter;
   result.siteConfidence = probability(odds);
-  result.isSameSite = result.siteConfidence >= options.minSameSite;
+  result.isSameSite = result.siteConfidence >= fitted::kMinSameSite;
   result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);
   result.confidence = poseConfidence(odds, other, margin, result.best->evidence.weakest);
   if (!result.isSameSite) result.confidence = std::min(result.confidence, result.siteConfidence);
@@ -80,8 +92,7 @@ void judge(Alignment& result, const AlignMapsOptions& options) {
 
 /** What follows from the poses that were looked at closely, best first. */
 Alignment alignmentOf(const WallMap& a, const WallMap& b,
-                      const std::vector<AlignmentCandidate>& found,
-                      const AlignMapsOptions& options) {
+                      const std::vector<AlignmentCandidate>& found) {
   Alignment result;
   if (found.empty()) return result;
   result.best = found.front();
@@ -93,7 +104,7 @@ Alignment alignmentOf(const WallMap& a, const WallMap& b,
   }
   if (cannotBeToldApart(a, b) && areNear(result.best->pose, {}, middle, kSameStart))
     result.best->pose = {};
-  judge(result, options);
+  judge(result);
   result.pose = result.best->pose;
   for (const AlignmentCandidate& c : found) result.poses.push_back(c.pose);
   result.poses.front() = result.pose;
@@ -111,28 +122,26 @@ Alignment inverse(Alignment alignment) {
 }
 
 std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
-                                                    const AlignMapsOptions& options) {
+                                                    const SearchEffort& effort) {
   std::vector<AlignmentCandidate> found;
-  for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, options.hypotheses))
-    found.push_back(candidateNear(a, b, h.pose, options.quickRefine, options.quickVerify));
+  for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, effort))
+    found.push_back(candidateNear(a, b, h.pose, kGlance));
   sortByScore(found);
-  found = lookedAt(a, b, found, options.closer, options.closerRefine, options.closerVerify);
-  return lookedAt(a, b, found, options.count, options.refine, options.verify);
+  found = lookedAt(a, b, found, effort.closer, kCloserLook);
+  return lookedAt(a, b, found, effort.close, kLastLook);
 }
 
-Alignment alignMaps(const WallMap& a, const WallMap& b, const AlignMapsOptions& options) {
-  if (!isBefore(b, a)) return alignmentOf(a, b, alignmentCandidates(a, b, options), options);
-  return inverse(alignmentOf(b, a, alignmentCandidates(b, a, options), options));
+Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort) {
+  if (!isBefore(b, a)) return alignmentOf(a, b, alignmentCandidates(a, b, effort));
+  return inverse(alignmentOf(b, a, alignmentCandidates(b, a, effort)));
 }
 
-Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses,
-                        const AlignMapsOptions& options) {
+Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses) {
   std::vector<AlignmentCandidate> found;
   if (!a.walls.empty() && !b.walls.empty())
-    for (const Transform2D& pose : poses)
-      found.push_back(candidateNear(a, b, pose, options.refine, options.verify));
+    for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, kLastLook));
   sortByScore(found);
-  return alignmentOf(a, b, found, options);
+  return alignmentOf(a, b, found);
 }
 
 }  // namespace roomgraph

@@ -3,19 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fitted_confidence.h"
+#include "fitted_align.h"
 
 namespace roomgraph {
 namespace {
-
-// Of the 48 answers that these two call ambiguous in the fitted pairs, 30 were right.
-constexpr double kAmbiguousOdds = 2, kAmbiguousMargin = 2.5;
-constexpr double kAmbiguousConfidence = 0.6;
-// With a runner-up that could be the same site by itself, even if worse, no answer is sure.
-constexpr double kRivalMargin = 4, kRivalConfidence = 0.9;
-// One that slides is none: of the four sure answers held by less than 3 m of wall two were right;
-// all others were held by 8 m or more.
-constexpr double kHeld = 5;
 
 /** Shares of what was looked at, each with a few metres of prior so that little evidence says
  *  little. */
@@ -32,11 +23,11 @@ struct Shares {
 }  // namespace
 
 double alignmentScore(const AlignmentEvidence& e) {
-  // Chosen by random search for the most pairs in which the right pose wins over all others.
   const Shares share(e);
-  return 0.7 * std::log1p(e.loose) + 0.26 * std::log1p(std::max(0.0, e.weakest)) +
-         0.17 * std::sqrt(1 + e.loose) + 0.2 * share.found - 2.0 * std::log(share.onWall) -
-         0.45 * std::log(share.slightly) - 0.37 * std::log(share.deep);
+  const auto& w = fitted::kScore;
+  return w[0] * std::log1p(e.loose) + w[1] * std::log1p(std::max(0.0, e.weakest)) +
+         w[2] * std::sqrt(1 + e.loose) + w[3] * share.found + w[4] * std::log(share.onWall) +
+         w[5] * std::log(share.slightly) + w[6] * std::log(share.deep);
 }
 
 double sameSiteLogOdds(const AlignmentEvidence& e) {
@@ -59,14 +50,15 @@ double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMa
   const double odds = w[0] + w[1] * bestLogOdds + w[2] * margin + w[3] * rival +
                       w[4] * margin * probability(rival - 1);
   const double confidence = probability(odds);
-  if (isAmbiguousPose(runnerUpLogOdds, scoreMargin) || weakest < kHeld)
-    return std::min(confidence, kAmbiguousConfidence);
-  const bool hasRival = runnerUpLogOdds > kAmbiguousOdds && scoreMargin < kRivalMargin;
-  return hasRival ? std::min(confidence, kRivalConfidence) : confidence;
+  if (isAmbiguousPose(runnerUpLogOdds, scoreMargin) || weakest < fitted::kHeld)
+    return std::min(confidence, fitted::kAmbiguousConfidence);
+  const bool hasRival =
+      runnerUpLogOdds > fitted::kAmbiguousOdds && scoreMargin < fitted::kRivalMargin;
+  return hasRival ? std::min(confidence, fitted::kRivalConfidence) : confidence;
 }
 
 bool isAmbiguousPose(double runnerUpLogOdds, double scoreMargin) {
-  return runnerUpLogOdds > kAmbiguousOdds && scoreMargin < kAmbiguousMargin;
+  return runnerUpLogOdds > fitted::kAmbiguousOdds && scoreMargin < fitted::kAmbiguousMargin;
 }
 
 double probability(double logOdds) { return 1 / (1 + std::exp(-logOdds)); }

@@ -8,6 +8,10 @@
 namespace roomgraph {
 namespace {
 
+constexpr int kMaxAcross = 140;     // of the search, across a map
+constexpr double kTurnShare = 0.4;  // turns that line up fewer of the walls are left out
+constexpr double kSameAngle = 0.09, kSameShift = 2;  // of peaks that are one [rad, cells]
+
 /** Sums by shift, from `low` on. */
 struct Sums {
   int width = 0, height = 0;
@@ -126,8 +130,7 @@ std::vector<double> smoothed(const std::vector<double>& turns) {
 }
 
 /** The angles [rad] that turn enough walls of b to face as walls of a do. */
-std::vector<double> anglesToTry(const WallMap& a, const WallMap& b,
-                                const AlignmentHypothesesOptions& options) {
+std::vector<double> anglesToTry(const WallMap& a, const WallMap& b) {
   const std::vector<double> from = smoothed(b.turns), to = smoothed(a.turns);
   const std::size_t n = from.size();
   std::vector<double> common(n, 0);
@@ -136,39 +139,37 @@ std::vector<double> anglesToTry(const WallMap& a, const WallMap& b,
   const double low = *std::min_element(common.begin(), common.end());
   const double high = *std::max_element(common.begin(), common.end());
   std::vector<double> angles;
-  const int steps = int(std::lround(360 / options.angleStep));
-  for (int k = 0; k < steps; ++k) {
-    const std::size_t r = std::size_t(std::lround(double(k) * double(n) / steps)) % n;
-    if (common[r] - low >= options.turnShare * (high - low)) angles.push_back(k * 2 * M_PI / steps);
-  }
+  for (std::size_t r = 0; r < n; ++r)
+    if (common[r] - low >= kTurnShare * (high - low))
+      angles.push_back(double(r) * 2 * M_PI / double(n));
   return angles;
 }
 
-double searchCell(const WallMap& a, const WallMap& b, const AlignmentHypothesesOptions& options) {
+double searchCell(const WallMap& a, const WallMap& b, double least) {
   const int cells = std::max({a.frame.width, a.frame.height, b.frame.width, b.frame.height});
   const double across = cells * std::max(a.frame.resolution, b.frame.resolution);
-  return std::max(options.cell, across / options.maxCells);
+  return std::max(least, across / kMaxAcross);
 }
 
 /** The best peaks, none near a better one. */
 std::vector<AlignmentHypothesis> distinct(std::vector<Peak> peaks,
                                           const std::vector<double>& angles, double cell,
-                                          Point pivotA, Point pivotB,
-                                          const AlignmentHypothesesOptions& options) {
+                                          Point pivotA, Point pivotB, int count) {
   std::sort(peaks.begin(), peaks.end());
   std::vector<Peak> kept;
   std::vector<AlignmentHypothesis> found;
   for (const Peak& peak : peaks) {
     const double angle = angles[std::size_t(peak.angle)];
     const bool isNew = std::none_of(kept.begin(), kept.end(), [&](const Peak& k) {
-      return std::abs(k.shift.x - peak.shift.x) <= 2 && std::abs(k.shift.y - peak.shift.y) <= 2 &&
-             std::abs(wrappedAngle(angles[std::size_t(k.angle)] - angle)) < 0.09;
+      return std::abs(k.shift.x - peak.shift.x) <= kSameShift &&
+             std::abs(k.shift.y - peak.shift.y) <= kSameShift &&
+             std::abs(wrappedAngle(angles[std::size_t(k.angle)] - angle)) < kSameAngle;
     });
     if (!isNew) continue;
     kept.push_back(peak);
     const Point shift{peak.shift.x * cell, peak.shift.y * cell};
     found.push_back({carrying(pivotB, pivotA + shift, angle), peak.score});
-    if (int(found.size()) == options.count) break;
+    if (int(found.size()) == count) break;
   }
   return found;
 }
@@ -176,23 +177,23 @@ std::vector<AlignmentHypothesis> distinct(std::vector<Peak> peaks,
 }  // namespace
 
 std::vector<AlignmentHypothesis> alignmentHypotheses(const WallMap& a, const WallMap& b,
-                                                     const AlignmentHypothesesOptions& options) {
+                                                     const SearchEffort& effort) {
   if (a.walls.empty() || b.walls.empty()) return {};
-  const double cell = searchCell(a, b, options);
+  const double cell = searchCell(a, b, effort.cell);
   const CentredMap fixed = centred(a), moved = centred(b);
-  const std::size_t maxPoints = std::size_t(options.maxPoints);
+  const std::size_t maxPoints = std::size_t(effort.points);
   const auto fixedPoints = searchPoints(fixed, 0, cell, maxPoints, 1);
   const SearchImages fixedImages = imagesOf(fixed, 0, cell, 1);
-  const std::vector<double> angles = anglesToTry(a, b, options);
+  const std::vector<double> angles = anglesToTry(a, b);
   std::vector<Peak> peaks;
   for (std::size_t k = 0; k < angles.size(); ++k) {
     const auto movedPoints = searchPoints(moved, angles[k], cell, maxPoints, -1);
     const SearchImages movedImages = imagesOf(moved, angles[k], cell, -1);
     const Sums sums = bothWays(movedPoints, fixedImages, fixedPoints, movedImages);
-    const auto best = peaksOf(sums, int(k), std::size_t(options.perAngle));
+    const auto best = peaksOf(sums, int(k), std::size_t(effort.perAngle));
     peaks.insert(peaks.end(), best.begin(), best.end());
   }
-  return distinct(std::move(peaks), angles, cell, a.middle(), b.middle(), options);
+  return distinct(std::move(peaks), angles, cell, a.middle(), b.middle(), effort.poses);
 }
 
 }  // namespace roomgraph

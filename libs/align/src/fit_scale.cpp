@@ -3,12 +3,11 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/verify_alignment.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kHold = 0.02;  // share of the weight that holds what no wall holds
 
 /** The normal equations of one step, in (shift x, shift y, turn, growth) about `pivot`. */
 struct ScaleStep {
@@ -30,20 +29,15 @@ struct ScaleStep {
 
   Eigen::Vector4d solution() const {
     Eigen::Matrix4d held = h;
-    held.diagonal() += Eigen::Vector4d::Constant(kHold * weight);
+    held.diagonal() += Eigen::Vector4d::Constant(kShiftHold * weight);
     return held.ldlt().solve(g);
   }
 };
 
-std::size_t strideOf(const WallMap& map, int maxPoints) {
-  return (map.walls.size() + std::size_t(maxPoints) - 1) / std::size_t(maxPoints);
-}
-
-ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, double width,
-                 int maxPoints) {
+ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, double width) {
   const Motion2D forth(at.pose), back(at.pose.inverse());
   ScaleStep step{forth(at.scale * b.middle()), width};
-  const std::size_t strideB = strideOf(b, maxPoints), strideA = strideOf(a, maxPoints);
+  const std::size_t strideB = strideOf(b, kVerifyPoints), strideA = strideOf(a, kVerifyPoints);
   for (std::size_t i = 0; i < b.walls.size(); i += strideB) {
     const Point moved = forth(at.scale * b.walls[i].place);
     const WallPoint* wall =
@@ -61,12 +55,12 @@ ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, doubl
 
 }  // namespace
 
-ScaledPose fitScale(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                    const FitScaleOptions& options) {
+ScaledPose fitScale(const WallMap& a, const WallMap& b, const Transform2D& pose, double reach) {
+  const NarrowingBand band{reach, 0.2, 12};
   ScaledPose at{1, pose};
   if (a.walls.empty() || b.walls.empty()) return at;
-  for (int i = 0; i < options.band.steps; ++i) {
-    const ScaleStep step = stepAt(a, b, at, options.band.widthAt(i), options.maxPoints);
+  for (int i = 0; i < band.steps; ++i) {
+    const ScaleStep step = stepAt(a, b, at, band.widthAt(i));
     if (step.weight < 4) break;
     const Eigen::Vector4d by = step.solution();
     at.scale *= std::exp(by[3]);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "roomgraph/geometry/Transform2D.h"
+
 namespace roomgraph {
 namespace {
 
@@ -12,16 +14,6 @@ constexpr int kNear[3] = {10, 7, 5};      // tenths: in the cell, beside it, acr
 constexpr int kContradiction = -20;       // a wall in the middle of free space
 constexpr int kMiss = -10;                // a wall elsewhere in free space
 constexpr double kMiddleDepth = 0.7;      // what the middle is: so far from all walls [m]
-
-/** turned(), for many points. */
-class Turn {
- public:
-  explicit Turn(double angle) : c_(std::cos(angle)), s_(std::sin(angle)) {}
-  Point operator()(Point v) const { return {c_ * v.x - s_ * v.y, s_ * v.x + c_ * v.y}; }
-
- private:
-  double c_, s_;
-};
 
 Cell cellOf(Point p, double cell) {
   return {int(std::floor(p.x / cell)), int(std::floor(p.y / cell))};
@@ -74,12 +66,12 @@ CentredMap centred(const WallMap& map) {
 std::vector<SearchPoint> searchPoints(const CentredMap& map, double angle, double cell,
                                       std::size_t maxCount, int sign) {
   const std::size_t stride = (map.walls.size() + maxCount - 1) / maxCount;
-  const Turn turn(angle);
+  const Motion2D turn(Transform2D{0, 0, angle});
   std::vector<SearchPoint> points;
   points.reserve(map.walls.size() / stride + 1);
   for (std::size_t i = 0; i < map.walls.size(); i += stride) {
-    const Cell c = cellOf(turn(map.walls[i].place), cell);
-    points.push_back({{sign * c.x, sign * c.y}, octantOf(turn(map.walls[i].normal))});
+    const Cell c = cellOf(turn.turned(map.walls[i].place), cell);
+    points.push_back({{sign * c.x, sign * c.y}, octantOf(turn.turned(map.walls[i].normal))});
   }
   return points;
 }
@@ -88,9 +80,9 @@ SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign
   SearchImages images;
   const auto walls = searchPoints(map, angle, cell, map.walls.size(), sign);
   setSize(images, walls);
-  const Turn turn(angle);
+  const Motion2D turn(Transform2D{0, 0, angle});
   for (const auto& [place, isDeep] : map.freePlaces) {
-    const Cell c = cellOf(turn(place), cell);
+    const Cell c = cellOf(turn.turned(place), cell);
     const int x = sign * c.x - images.low.x, y = sign * c.y - images.low.y;
     if (x < 0 || y < 0 || x >= images.width || y >= images.height) continue;
     images.values[0][std::size_t(y) * std::size_t(images.width) + std::size_t(x)] =

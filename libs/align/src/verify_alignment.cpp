@@ -11,13 +11,14 @@ namespace {
 // How far from the end of the free space a wall must lie to speak against a pose [m].
 constexpr double kShallow = 0.2, kDeep = 0.5;
 
+constexpr double kBentNoise = 0.4;  // how far apart the same wall lies in bent maps [m]
+
 /** The sums over wall points, and of n nT over those that were found. */
 struct Sums {
   double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
   double xx = 0, xy = 0, yy = 0;
 
-  void lookUp(const WallMap& in, Point at, Point normal, double length,
-              const VerifyAlignmentOptions& options) {
+  void lookUp(const WallMap& in, Point at, Point normal, double length, double noise) {
     all += length;
     const std::size_t i = cellIndexAt(in.frame, at);
     if (i == in.states.size()) return;
@@ -26,8 +27,8 @@ struct Sums {
     if (wall) {
       const double d2 = squaredNorm(wall->place - at);
       const double facing = std::max(0.0, dot(wall->normal, normal));
-      near = facing * std::exp(-0.5 * d2 / (options.near * options.near));
-      far = facing * std::exp(-0.5 * d2 / (options.far * options.far));
+      near = facing * std::exp(-0.5 * d2 / (noise * noise));
+      far = facing * std::exp(-0.5 * d2 / (kBentNoise * kBentNoise));
     }
     close += length * near;
     loose += length * far;
@@ -41,16 +42,15 @@ struct Sums {
   }
 };
 
-void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose,
-               const VerifyAlignmentOptions& options, double turn, Sums& sums) {
-  const std::size_t stride =
-      (of.walls.size() + std::size_t(options.maxPoints) - 1) / std::size_t(options.maxPoints);
+void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose, double noise,
+               int maxPoints, double turn, Sums& sums) {
+  const std::size_t stride = strideOf(of, maxPoints);
   if (stride == 0) return;
   const double length = double(stride) * of.wallSpacing();
   const Motion2D motion(pose);
   Sums part;
   for (std::size_t i = 0; i < of.walls.size(); i += stride)
-    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, options);
+    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, noise);
   // n nT in the frame of a, whichever map was looked up
   const double ct = std::cos(turn), st = std::sin(turn);
   const double xx = part.xx, xy = part.xy, yy = part.yy;
@@ -90,18 +90,18 @@ double commonArea(const WallMap& of, const FreeCount& count) {
 }  // namespace
 
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                                  const VerifyAlignmentOptions& options) {
+                                  double noise, int maxPoints) {
   const Transform2D back = pose.inverse();
   Sums sums;
-  lookUpAll(b, a, pose, options, 0, sums);
-  lookUpAll(a, b, back, options, pose.phi, sums);
+  lookUpAll(b, a, pose, noise, maxPoints, 0, sums);
+  lookUpAll(a, b, back, noise, maxPoints, pose.phi, sums);
   AlignmentEvidence e;
   e.close = sums.close, e.loose = sums.loose, e.contradicted = sums.contradicted;
   e.slightly = sums.slightly;
   e.known = sums.known, e.all = sums.all;
   const double half = 0.5 * (sums.xx + sums.yy);
   e.weakest = half - std::hypot(0.5 * (sums.xx - sums.yy), sums.xy);
-  const std::size_t most = 2 * std::size_t(options.maxPoints);
+  const std::size_t most = 2 * std::size_t(maxPoints);
   const FreeCount inA = countFree(b, a, pose, most), inB = countFree(a, b, back, most);
   const FreeCount& smaller = b.freeArea <= a.freeArea ? inA : inB;
   if (smaller.all > 0) e.overlap = double(smaller.free) / double(smaller.all);

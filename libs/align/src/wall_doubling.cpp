@@ -7,15 +7,14 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kNearestCopy = 0.15, kFarthestCopy = 0.8;  // from one copy to the other [m]
-constexpr double kAside = 0.12;                             // of the normal's line [m]
-constexpr double kCopyFacing = 0.94;                        // cosine
+constexpr double kFarthestCopy = 0.8;  // from one copy to the other [m]
+constexpr double kCopyFacing = 0.94;   // cosine
 
 bool isCopy(const WallPoint& wall, const WallPoint& other) {
   const Point off = other.place - wall.place;
   const double ahead = std::abs(dot(off, wall.normal));
-  return ahead >= kNearestCopy && ahead <= kFarthestCopy &&
-         std::abs(cross(wall.normal, off)) <= kAside &&
+  return ahead >= kSameWall && ahead <= kFarthestCopy &&
+         std::abs(cross(wall.normal, off)) <= kWallNoise &&
          dot(wall.normal, other.normal) >= kCopyFacing;
 }
 
@@ -25,7 +24,7 @@ bool hasCopy(const WallMap& map, const WallPoint& wall) {
     const WallPoint* other = nearestWall(map, cell, wall.normal);
     return other && isCopy(wall, *other);
   };
-  double along = kNearestCopy;
+  double along = kSameWall;
   while (along <= kFarthestCopy) {
     if (isCopyAt(along) || isCopyAt(-along)) return true;
     along += map.frame.resolution;

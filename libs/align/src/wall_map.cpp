@@ -187,7 +187,7 @@ void findNearest(const WallMap& map, int octant, NearestWalls& nearest) {
   constexpr std::uint32_t none = WallMap::kNoWall;
   const GridFrame& frame = map.frame;
   nearest.label.assign(frame.cellCount(), none);
-  nearest.best.assign(frame.cellCount(), float(map.reach * map.reach));
+  nearest.best.assign(frame.cellCount(), float(WallMap::kReach * WallMap::kReach));
   std::uint32_t* label = nearest.label.data();
   float* best = nearest.best.data();
   const auto offer = [&](Cell c, std::size_t i, std::uint32_t wall) {
@@ -237,27 +237,26 @@ std::vector<std::uint32_t> freeCellsOf(const GridFrame& frame, const std::vector
 
 }  // namespace
 
-WallMap bareWallMap(const Grid& grid, const WallMapOptions& options) {
+WallMap bareWallMap(const Grid& grid) {
   const std::optional<Grid> cleared = clearWallRims(grid);
   const Grid& known = cleared ? *cleared : grid;
-  const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), options.reach);
-  const Grid coarse = coarser(known, std::max(options.cell, grid.frame.resolution), options.reach);
+  const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), WallMap::kReach);
+  const Grid coarse = coarser(known, std::max(kWallCell, grid.frame.resolution), WallMap::kReach);
   WallMap map;
-  map.reach = options.reach;
   map.frame = coarse.frame;
   map.states = coarse.cells;
   const std::vector<WallPoint> sides = wallSides(fine);
   map.turns = turnsOf(sides);
   map.walls = thinned(sides, map.frame);
-  map.patches = wallPatches(map.walls, {});
+  map.patches = wallPatches(map.walls);
   map.freeCells = freeCellsOf(map.frame, map.states);
   const auto free = std::count(map.states.begin(), map.states.end(), State::free);
   map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;
   return map;
 }
 
-WallMap wallMap(const Grid& grid, const WallMapOptions& options) {
-  WallMap map = bareWallMap(grid, options);
+WallMap wallMap(const Grid& grid) {
+  WallMap map = bareWallMap(grid);
   map.axisDeviation = axisDeviation(map.walls);
   map.wallSharpness = wallSharpness(grid);
   addLookUp(map);

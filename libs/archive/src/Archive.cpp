@@ -1,7 +1,6 @@
 #include "roomgraph/archive/Archive.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
 #include "Database.h"
@@ -9,6 +8,7 @@
 #include "name_known_rooms.h"
 #include "read_history.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/report/site_json.h"
 #include "schema.h"
@@ -23,10 +23,6 @@ struct RunToWrite {
   std::string reason;
   std::int64_t known = 0;  ///< its key where it is there already, and only its figures are new
 };
-
-std::string fileName(const std::string& file) {
-  return std::filesystem::path(file).filename().string();
-}
 
 const ComparedRun* findRun(const Comparison& comparison, const std::string& sha256) {
   for (const ComparedRun& run : comparison.runs)

@@ -129,7 +129,7 @@ std::string judgements(const std::vector<Dot>& dots, const Scales& scales, const
       line(kLeft, limit, kPlotWidth - kRight, limit, "stroke:var(--alarm);stroke-dasharray:6 4") +
       formatted("<text class=\"note\" x=\"%.1f\" y=\"%.1f\">limit</text>", kLeft + 2, limit - 5);
   if (watch.slope && watch.isDeclining) {
-    const Dot& first = dots[dots.size() - std::min(options.window, dots.size())];
+    const Dot& first = dots[dots.size() - std::min(kDeclineNights, dots.size())];
     svg += line(scales.x(first.time), scales.y(watch.slope->at(first.time / kDay)),
                 scales.x(dots.back().time), scales.y(watch.slope->at(dots.back().time / kDay)),
                 "stroke:var(--ink);stroke-width:2");

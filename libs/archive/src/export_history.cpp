@@ -14,6 +14,7 @@
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
 namespace {
@@ -40,31 +41,20 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
   return line + "," + csvField(run.reason) + "\n";
 }
 
-Json number(std::optional<double> value) {
-  if (!value || !std::isfinite(*value)) return nullptr;
-  return rounded(*value);
-}
-
-Json figureJson(const Measure& figure) {
-  return {{"value", number(figure.value)},         {"unit", figure.unit},
-          {"support", std::round(figure.support)}, {"low", number(figure.low)},
-          {"high", number(figure.high)},           {"meaningful", figure.isMeaningful}};
-}
-
 Json roomJson(const RoomSeen& room) {
   return {{"room", room.room},
           {"sighting", sightingText(room.sighting)},
           {"pieces", room.pieces},
           {"merged", room.isMerged},
           {"doors", room.doors},
-          {"area_m2", number(room.area)},
-          {"shift_m", number(room.shift)},
-          {"boundary_agreement", number(room.boundaryAgreement)}};
+          {"area_m2", numberOrNull(room.area)},
+          {"shift_m", numberOrNull(room.shift)},
+          {"boundary_agreement", numberOrNull(room.boundaryAgreement)}};
 }
 
 Json runJson(const HistoryRun& run) {
   Json figures = Json::object(), rooms = Json::array();
-  for (const Measure& figure : run.figures) figures[figure.name] = figureJson(figure);
+  for (const Measure& figure : run.figures) figures[figure.name] = measureJson(figure);
   for (const RoomSeen& room : run.rooms) rooms.push_back(roomJson(room));
   return {{"robot", utf8Text(run.robot)},
           {"time", timeText(run.time)},
@@ -89,8 +79,8 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
   Json change = nullptr;
   if (errors.change)
     change = {{"time", timeText(history.runs[robot.runs[errors.change->first]].time)},
-              {"before_m", number(errors.change->before)},
-              {"after_m", number(errors.change->after)},
+              {"before_m", numberOrNull(errors.change->before)},
+              {"after_m", numberOrNull(errors.change->after)},
               {"p", errors.change->p}};
   return {{"robot", utf8Text(robot.robot)},
           {"judged_runs", robot.runs.size()},
@@ -101,7 +91,7 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
           {"too_few_nights", errors.isTooShort},
           {"slope_m_per_day", errors.slope ? Json(errors.slope->perDay) : Json(nullptr)},
           {"p_rising", errors.trend.pRising},
-          {"days_to_limit", number(errors.daysToLimit)},
+          {"days_to_limit", numberOrNull(errors.daysToLimit)},
           {"change", change},
           {"last_good", runOrNull(history, robot.lastGood)},
           {"sentence", utf8Text(robot.sentence)}};
@@ -116,11 +106,11 @@ Json siteJson(const WatchedSite& site) {
     changes.push_back({{"room", change.room},
                        {"what", change.what},
                        {"since", timeText(history.runs[change.run].time)},
-                       {"before", number(change.before)},
-                       {"after", number(change.after)}});
+                       {"before", numberOrNull(change.before)},
+                       {"after", numberOrNull(change.after)}});
   for (const KnownRoom& room : history.ledger.rooms)
     rooms.push_back(
-        {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", number(room.area)}});
+        {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", numberOrNull(room.area)}});
   for (const HistoryRun& run : history.runs) runs.push_back(runJson(run));
   return {{"site", utf8Text(history.site)},
           {"robots", robots},

@@ -42,7 +42,7 @@ std::vector<Run> readMapsOf(const Comparison& comparison, const std::vector<std:
         map.frame = rescaled({map.frame, {}}, compared.resolution).frame;
       Run run;
       run.name = compared.name, run.file = compared.file, run.sha256 = compared.sha256;
-      run.map = wallMap(binarize(map, options.binarize), {});
+      run.map = wallMap(binarize(map, options.binarize));
       run.scans = scanWalls(keyframes, wallsPerScan);
       runs.push_back(std::move(run));
     }

@@ -54,7 +54,7 @@ Comparison compareRelated(const std::vector<Run>& runs, const MapPairs& related,
   check(runs, related, options);
   const ForEach& forEach = options.forEach;
   // Every function here has its section in docs/method.md.
-  const Site site = placeRuns(runs, related, {}, options.reference);
+  const Site site = placeRuns(runs, related, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
   const PairBends bends = bendsOf(pairs);
   const DistinctMaps maps(bends);

@@ -50,7 +50,7 @@ Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Ke
   run.resolution = map.frame.resolution;
   const Grid grid = takeGraph(extract(map, options), run);
   returnMemory();
-  run.map = wallMap(grid, {});
+  run.map = wallMap(grid);
   if (run.map.walls.empty())
     throw DataError((map.source.file.empty() ? name : map.source.file) +
                     ": has no wall beside free space: a run must have some");

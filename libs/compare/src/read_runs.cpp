@@ -97,7 +97,7 @@ class Reader {
       file.notes = map.notes;
       return prepare(file, map, read.keyframes);
     }
-    if (bareWallMap(binarize(map, options_.extract.binarize), {}).walls.empty())
+    if (bareWallMap(binarize(map, options_.extract.binarize)).walls.empty())
       throw DataError("has no wall beside free space: a run must have some");
     file.picture = std::move(map);
   }
@@ -115,7 +115,7 @@ class Reader {
     for (MapFile& file : files_) {
       if (!file.picture) continue;
       const Grid grid = binarize(*file.picture, options_.extract.binarize);
-      if (const auto found = estimateScale(grid, tellers, {}, options_.compare.forEach))
+      if (const auto found = estimateScale(grid, tellers, options_.compare.forEach))
         file.picture->frame = rescaled({file.picture->frame, {}}, found->resolution).frame;
       else
         refuse(file);

@@ -18,10 +18,9 @@ constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on
  *  knows most of that place. */
 std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
                                  const WallMap& map) {
-  const Motion2D forth(
-      fittedPose(motion, patch.middle, FollowWallsOptions{}.band, [&](WallFit& fit, int) {
-        for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
-      }));
+  const Motion2D forth(fittedPose(motion, patch.middle, kPatchBand, [&](WallFit& fit, int) {
+    for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
+  }));
   double known = 0, found = 0;
   for (const std::uint32_t w : patch.around) {
     const Point at = forth(map.walls[w].place);

@@ -160,16 +160,16 @@ void checkSizes(const LabelMap& seg, const LabelMap& truth) {
 
 }  // namespace
 
-RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth, const ScoreRoomsOptions& options) {
+RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth, std::size_t largestDropped) {
   checkSizes(seg, truth);
   Counts counts = countPixels(seg, truth);
-  keepLargePairs(counts, options.largestDropped);
+  keepLargePairs(counts, largestDropped);
   RoomScore score;
   score.width = seg.width;
   score.height = seg.height;
-  score.options = options;
-  score.seg = scored(seg, counts.seg, options.largestDropped);
-  score.truth = scored(truth, counts.truth, options.largestDropped);
+  score.largestDropped = largestDropped;
+  score.seg = scored(seg, counts.seg, largestDropped);
+  score.truth = scored(truth, counts.truth, largestDropped);
   for (const Pair& pair : counts.pairs) score.pixelsInBoth += pair.overlap;
   const PartnerMeans ofSeg = partnerMeans(counts, counts.seg, &Pair::s, score.seg);
   score.precisionMicro = ofSeg.micro;

@@ -60,7 +60,7 @@ Json json(const ScoredRegions& regions) {
 }  // namespace
 
 std::string roomScoreText(const RoomScore& score) {
-  const std::string dropped = "<= " + std::to_string(score.options.largestDropped) + " px, dropped";
+  const std::string dropped = "<= " + std::to_string(score.largestDropped) + " px, dropped";
   std::string text = line("%-22s %11s %11s\n", "", "LABELS", "TRUTH");
   text += countLine("regions", score.seg.count, score.truth.count);
   text += countLine(dropped.c_str(), score.seg.dropped, score.truth.dropped);
@@ -79,7 +79,7 @@ std::string roomScoreJson(const RoomScore& score) {
            {"version", 1},
            {"program", {{"name", "roomgraph"}, {"version", version()}}},
            {"size", {score.width, score.height}},
-           {"largest_dropped_px", score.options.largestDropped},
+           {"largest_dropped_px", score.largestDropped},
            {"labels", json(score.seg)},
            {"truth", json(score.truth)},
            {"pixels_in_both", score.pixelsInBoth},

@@ -6,18 +6,16 @@
 #include <utility>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMaxVoters = 12;  // runs whose areas are candidates
-constexpr double kVote = 0.5;           // overlap from which on a run votes for a candidate
-constexpr double kGood = 0.7;           // overlap from which on no better place is looked for
-constexpr double kMaxCovered = 0.3;     // share of a candidate that rooms may cover already
-constexpr double kMinCandidate = 1.0;   // of a candidate [m2]
-constexpr double kNarrow = 0.7;         // mean width of a gap [m]
-constexpr double kLeastPower = 0.06;    // of the runs of a left area, in that of the second best
+constexpr double kMaxCovered = 0.3;    // share of a candidate that rooms may cover already
+constexpr double kMinCandidate = 1.0;  // of a candidate [m2]
+constexpr double kNarrow = 0.7;        // mean width of a gap [m]
+constexpr double kLeastPower = 0.06;   // of the runs of a left area, in that of the second best
 
 /** Where a few beams have looked through a window or a slit: a narrow end of corridor that leads
  *  nowhere. Each run has others, so they are no places of the site. */
@@ -39,9 +37,8 @@ struct Candidate {
 
 class Choosing {
  public:
-  Choosing(const SiteAreas& site, const MatchAreasOptions& options, const ForEach& forEach)
+  Choosing(const SiteAreas& site, const ForEach& forEach)
       : site_(site),
-        options_(options),
         forEach_(forEach),
         isCovered_(site.frame.cellCount()),
         fits_(site.runs.size()) {
@@ -97,17 +94,14 @@ class Choosing {
   Candidate candidate(std::size_t v, std::size_t area, std::size_t voters, const Left& left) const {
     const std::size_t own = order_[v];
     Candidate c{{own, area}, site_.runs[own].weight, powerOf(own), 1};
-    FitShapeOptions quick = options_.fit;
-    quick.isQuick = true;
-    quick.good = kGood;
     const SiteShape shape = sampled(site_.runs[own].shapes[area], site_.frame);
     for (std::size_t other = 0; other < voters; ++other) {
       const std::size_t j = order_[other];
       if (j == own) continue;
       double best = 0;
-      for (const auto& [b, fit] : fitShape(shape, site_.frame, site_.runs[j], {{}}, quick))
+      for (const auto& [b, fit] : fitShape(shape, site_.frame, site_.runs[j], {{}}, kRoughSearch))
         if (isCandidate(left, j, b)) best = std::max(best, fit.overlap);
-      if (best < kVote) continue;
+      if (best < kMajority) continue;
       c.support += site_.runs[j].weight * best;
       c.power += powerOf(j);
       ++c.voters;
@@ -150,9 +144,8 @@ class Choosing {
   void matchRuns() {
     result_.matches.assign(site_.runs.size(), {});
     forEach_(site_.runs.size(), [&](std::size_t i) {
-      addFits(result_.rooms.shapes, site_.frame, site_.runs[i], options_.fit, fits_[i]);
-      result_.matches[i] =
-          matchAreas(result_.rooms, fits_[i], site_.frame, site_.runs[i], options_);
+      addFits(result_.rooms.shapes, site_.frame, site_.runs[i], fits_[i]);
+      result_.matches[i] = matchAreas(result_.rooms, fits_[i], site_.frame, site_.runs[i]);
     });
   }
 
@@ -184,7 +177,6 @@ class Choosing {
   }
 
   const SiteAreas& site_;
-  const MatchAreasOptions& options_;
   const ForEach& forEach_;
   std::vector<std::size_t> order_;  // runs, most trusted first
   std::vector<std::uint8_t> isCovered_;
@@ -194,10 +186,9 @@ class Choosing {
 
 }  // namespace
 
-ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options,
-                              const ForEach& forEach) {
+ConsensusRooms consensusRooms(const SiteAreas& site, const ForEach& forEach) {
   if (site.runs.empty()) return {};
-  return Choosing(site, options, forEach).run();
+  return Choosing(site, forEach).run();
 }
 
 }  // namespace roomgraph

@@ -11,6 +11,10 @@ namespace roomgraph {
 // Out:  ConsensusRooms
 // Next: siteRooms
 
+/** So many runs, the most trusted, say what a room is: the cost grows with the runs, and not with
+ *  their pairs. */
+constexpr std::size_t kMaxVoters = 12;
+
 /** The rooms that the runs agree on, and what each is in each run. */
 struct ConsensusRooms {
   /** Where the shape of a room comes from. */
@@ -29,7 +33,6 @@ struct ConsensusRooms {
  *  that have them are not much less trusted than the others: a bent map adds none. Narrow ends of
  *  corridors that lead nowhere are no candidates. Does not depend on the order of the runs but in
  *  exact ties. O(runs * rooms * samples). */
-ConsensusRooms consensusRooms(const SiteAreas& site, const MatchAreasOptions& options,
-                              const ForEach& forEach);
+ConsensusRooms consensusRooms(const SiteAreas& site, const ForEach& forEach);
 
 }  // namespace roomgraph

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
@@ -12,8 +13,9 @@ namespace {
 constexpr double kRaster = 0.5;                        // of the search round a start [m]
 constexpr double kFirstStep = 0.3, kFirstTurn = 0.07;  // of the refinement [m, rad]
 constexpr int kHalvings = 4;
-constexpr double kMoveCost = 0.03;   // per metre from the start
-constexpr double kLeastKnown = 0.5;  // share of a room; of less than that, nothing can be told
+constexpr double kMoveCost = 0.03;     // per metre from the start
+constexpr double kLeastOverlap = 0.1;  // below which a fit is none
+constexpr std::size_t kMostAreas = 3;  // that a room may be
 
 /** The best of each area so far. */
 class Search {
@@ -30,8 +32,8 @@ class Search {
   /** Keeps the move for each area that it is better for. */
   void look(const RoomMove& move, const RoomMove& start) {
     if (distance(move.shift, start.shift) > reach_ + kFirstStep) return;
-    const Footprint print = footprint(room_, move, frame_, run_);
-    if (print.known < kLeastKnown * print.samples) return;
+    const Footprint print = footprint(room_, move, frame_, run_, buffer_);
+    if (print.known < kMajority * print.samples) return;
     for (const auto& [area, common] : print.in) {
       const double overlap = overlapOf(print, area, common);
       const double value = overlap - kMoveCost * norm(move.shift - start.shift);
@@ -73,6 +75,7 @@ class Search {
   const GridFrame& frame_;
   const RunAreas& run_;
   double reach_;
+  LabelCounts buffer_;
   std::map<std::size_t, Found> found_;
 };
 
@@ -89,14 +92,10 @@ void searchRound(const RoomMove& start, double reach, Search& search) {
 }  // namespace
 
 Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
-                    const RunAreas& run) {
+                    const RunAreas& run, LabelCounts& buffer) {
   const Motion2D motion(move.about(room.middle));
   const bool isStill = move.shift == Point{} && move.turn == 0;
-  // Only what the last call has counted is set to 0: a room meets few of the areas of a large site.
-  static thread_local std::vector<std::uint32_t> counts;
-  static thread_local std::vector<std::uint16_t> met;
-  for (const std::uint16_t label : met) counts[label] = 0;
-  met.clear();
+  auto& [counts, met] = buffer;
   counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::kFirst));
   for (const Point p : room.samples) {
     const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
@@ -110,24 +109,33 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   print.bare = counts[RunAreas::kFree];
   for (const std::uint16_t label : met)
     if (label >= RunAreas::kFirst) print.in[label - RunAreas::kFirst] = counts[label];
+  // A room meets few of the areas of a large site.
+  for (const std::uint16_t label : met) counts[label] = 0;
+  met.clear();
   return print;
+}
+
+Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
+                    const RunAreas& run) {
+  LabelCounts buffer;
+  return footprint(room, move, frame, run, buffer);
 }
 
 std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame& frame,
                                          const RunAreas& run, const std::vector<RoomMove>& starts,
-                                         const FitShapeOptions& options) {
-  Search search(room, frame, run, options.reach);
+                                         const ShapeSearch& how) {
+  Search search(room, frame, run, how.reach);
   for (const RoomMove& start : starts) search.look(start, start);
-  if (search.best() < options.good)
-    for (const RoomMove& start : starts) searchRound(start, options.reach, search);
+  if (search.best() < how.good)
+    for (const RoomMove& start : starts) searchRound(start, how.reach, search);
   std::vector<std::pair<double, std::size_t>> areas;  // -overlap, area
   for (const auto& [area, found] : search.found())
-    if (found.fit.overlap >= options.least) areas.emplace_back(-found.fit.overlap, area);
+    if (found.fit.overlap >= kLeastOverlap) areas.emplace_back(-found.fit.overlap, area);
   std::sort(areas.begin(), areas.end());
-  if (areas.size() > options.most) areas.resize(options.most);
+  if (areas.size() > kMostAreas) areas.resize(kMostAreas);
   std::map<std::size_t, ShapeFit> fits;
   for (const auto& [overlap, area] : areas) {
-    if (!options.isQuick) search.refine(area);
+    if (how.isRefined) search.refine(area);
     fits[area] = search.found()[area].fit;
   }
   return fits;

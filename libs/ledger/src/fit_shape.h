@@ -35,6 +35,14 @@ struct Footprint {
   std::map<std::size_t, double> in;  ///< of those, how many lie in each area
 };
 
+/** Room to count labels in, for many footprints; all 0 between them. */
+struct LabelCounts {
+  std::vector<std::uint32_t> counts;  ///< by label
+  std::vector<std::uint16_t> met;     ///< labels whose count is not 0
+};
+
+Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
+                    const RunAreas& run, LabelCounts& buffer);
 Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame& frame,
                     const RunAreas& run);
 
@@ -43,20 +51,23 @@ struct ShapeFit {
   double overlap = 0;  ///< intersection over union; what the run has not looked at is left out
 };
 
-struct FitShapeOptions {
-  double reach = 1.5;    ///< how far a room is looked for round each start [m]
-  double good = 0.8;     ///< an overlap at a start from which on it is not looked for [1]
-  double least = 0.1;    ///< overlap below which a fit is none [1]
-  std::size_t most = 3;  ///< areas that are refined, the best ones
-  bool isQuick = false;  ///< leave out the last refinement
+/** How a room is looked for round a start. */
+struct ShapeSearch {
+  double reach = 0;       ///< how far [m]
+  double good = 0;        ///< an overlap at a start from which on it is not looked for
+  bool isRefined = true;  ///< by small steps at last
 };
 
+constexpr ShapeSearch kWideSearch{1.5, 0.8, true};
+constexpr ShapeSearch kNearSearch{0.5, 0.8, true};
+constexpr ShapeSearch kRoughSearch{1.5, 0.7, false};
+
 /** For each area the move of the room that makes both overlap most: at each of `starts`, then on a
- *  raster round them, then by steps down to 0.05 m and 0.5 degrees. A smaller move is preferred to
- *  a slightly better overlap (0.03 per metre from the start). None where the run has not looked at
- *  half of the room. Deterministic. O(starts * samples). */
+ *  raster round them, then, for the three best, by steps down to 0.05 m and 0.5 degrees. A smaller
+ *  move is preferred to a slightly better overlap (0.03 per metre from the start). None where the
+ *  run has not looked at half of the room. Deterministic. O(starts * samples). */
 std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame& frame,
                                          const RunAreas& run, const std::vector<RoomMove>& starts,
-                                         const FitShapeOptions& options);
+                                         const ShapeSearch& how = kWideSearch);
 
 }  // namespace roomgraph

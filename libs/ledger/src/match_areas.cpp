@@ -4,29 +4,29 @@
 #include <optional>
 #include <tuple>
 
-#include "roomgraph/base/OneToOne.h"
-
 namespace roomgraph {
 namespace {
 
-constexpr double kSameMove = 0.3;       // starts nearer than this are one [m]
-constexpr double kMostSurprise = 3.0;   // [m]
-constexpr double kFarGuess = 3.0;       // of a free area from where a room should be [m]
-constexpr double kFewDoors = 3;         // that tell a room apart, whatever its overlap
-constexpr double kNearReach = 0.5;      // of the search round the move of a neighbour [m]
-constexpr double kMinContainer = 0.75;  // size of an area, in that of the rooms it is to hold
+constexpr double kSameMove = 0.3;        // starts nearer than this are one [m]
+constexpr double kMostSurprise = 3.0;    // that a room lies from where it should be [m]
+constexpr double kFewDoors = 3;          // that tell a room apart, whatever its overlap
+constexpr double kNeighbourBonus = 0.2;  // added to the overlap where all neighbours match, too
+constexpr double kOtherKindCost = 0.05;  // taken off where one is a room and the other a corridor
+constexpr double kSurpriseCost = 0.1;    // and per metre from where the neighbours say
+constexpr int kMatchRounds = 3;          // the first looks at overlap alone
+constexpr double kMinInside = 0.6;       // share of one in the other from which on it is a part
+constexpr double kMinContainer = 0.75;   // size of an area, in that of the rooms it is to hold
 
 class Matching {
  public:
-  Matching(const RoomSet& rooms, const RoomFits& fits, const GridFrame& frame, const RunAreas& run,
-           const MatchAreasOptions& options)
-      : rooms_(rooms), frame_(frame), run_(run), options_(options), fits_(fits) {
+  Matching(const RoomSet& rooms, const RoomFits& fits, const GridFrame& frame, const RunAreas& run)
+      : rooms_(rooms), frame_(frame), run_(run), fits_(fits) {
     areaOf_.resize(rooms.shapes.size());
   }
 
   std::vector<AreaMatch> run() {
     assign();
-    for (int round = 1; round < options_.rounds; ++round) {
+    for (int round = 1; round < kMatchRounds; ++round) {
       for (std::size_t s = 0; s < fits_.size(); ++s) lookBesideNeighbours(s);
       assign();
     }
@@ -66,31 +66,23 @@ class Matching {
         const Neighbourhood near = neighbourhood(s, area);
         // A bent corridor overlaps little, but the same rooms open to it.
         const bool isKnownByDoors = near.open >= kFewDoors && near.share() >= 0.5;
-        if (fit.overlap < options_.minOverlap && !isKnownByDoors) continue;
-        double value = fit.overlap + options_.neighbourBonus * near.share();
-        if (run_.shapes[area].isCorridor != rooms_.shapes[s].isCorridor)
-          value -= options_.otherKindCost;
-        value -=
-            options_.surpriseCost * std::min(kMostSurprise, distance(fit.move.shift, expected));
+        if (fit.overlap < kMinOverlap && !isKnownByDoors) continue;
+        double value = fit.overlap + kNeighbourBonus * near.share();
+        if (run_.shapes[area].isCorridor != rooms_.shapes[s].isCorridor) value -= kOtherKindCost;
+        value -= kSurpriseCost * std::min(kMostSurprise, distance(fit.move.shift, expected));
         offers.emplace_back(-value, s, area);
       }
     }
     std::sort(offers.begin(), offers.end());
-    std::vector<std::optional<std::size_t>> areaOf(fits_.size());
-    std::vector<bool> isTaken(run_.shapes.size());
-    OneToOne pairing(areaOf.size(), isTaken.size());
-    for (const auto& [value, s, area] : offers) {
-      if (!pairing.take(s, area)) continue;
-      areaOf[s] = area;
-      isTaken[area] = true;
-    }
-    areaOf_ = areaOf;
-    isTaken_ = isTaken;
+    areaOf_.assign(fits_.size(), std::nullopt);
+    isTaken_.assign(run_.shapes.size(), false);
+    for (const auto& [value, s, area] : offers)
+      if (!areaOf_[s] && !isTaken_[area]) areaOf_[s] = area, isTaken_[area] = true;
   }
 
   void lookBesideNeighbours(std::size_t s) {
     const Point middle = rooms_.shapes[s].middle;
-    if (const ShapeFit* fit = fitOf(s); fit && fit->overlap >= options_.fit.good) return;
+    if (const ShapeFit* fit = fitOf(s); fit && fit->overlap >= kWideSearch.good) return;
     std::vector<RoomMove> starts;
     for (const std::size_t n : rooms_.neighbours[s]) {
       const ShapeFit* fit = fitOf(n);
@@ -103,9 +95,7 @@ class Matching {
     }
     addFreeAreas(s, starts);
     if (starts.empty()) return;
-    FitShapeOptions near = options_.fit;
-    near.reach = std::min(near.reach, kNearReach);
-    for (const auto& [area, fit] : fitShape(rooms_.shapes[s], frame_, run_, starts, near)) {
+    for (const auto& [area, fit] : fitShape(rooms_.shapes[s], frame_, run_, starts, kNearSearch)) {
       ShapeFit& known = fits_[s][area];
       if (fit.overlap > known.overlap) known = fit;
     }
@@ -121,7 +111,7 @@ class Matching {
       if (!areaOf_[n]) continue;
       for (const AreaDoor& door : run_.doors[*areaOf_[n]]) {
         const Point middle = run_.shapes[door.to].middle;
-        if (isTaken_[door.to] || distance(middle, expected) > kFarGuess) continue;
+        if (isTaken_[door.to] || distance(middle, expected) > kMostSurprise) continue;
         starts.push_back({middle - rooms_.shapes[s].middle, guess.turn});
       }
     }
@@ -173,7 +163,7 @@ class Matching {
     std::vector<std::pair<double, std::size_t>> pieces;  // -size, area
     double together = 0;
     for (const auto& [area, count] : print.in)
-      if (!isTaken_[area] && count >= options_.minInside * sizeOf(area)) {
+      if (!isTaken_[area] && count >= kMinInside * sizeOf(area)) {
         pieces.emplace_back(-count, area);
         together += count;
       }
@@ -192,7 +182,7 @@ class Matching {
       if (matches_[s].isMatched()) continue;
       const Footprint print = footprint(rooms_.shapes[s], matches_[s].move, frame_, run_);
       for (const auto& [area, count] : print.in)
-        if (print.known >= 0.5 * print.samples && count >= options_.minInside * print.known)
+        if (print.known >= 0.5 * print.samples && count >= kMinInside * print.known)
           held[area].push_back(s);
     }
     for (auto& [area, rooms] : held) {
@@ -213,7 +203,6 @@ class Matching {
   const RoomSet& rooms_;
   const GridFrame& frame_;
   const RunAreas& run_;
-  const MatchAreasOptions& options_;
   RoomFits fits_;
   std::vector<std::optional<std::size_t>> areaOf_;
   std::vector<bool> isTaken_;
@@ -223,15 +212,13 @@ class Matching {
 }  // namespace
 
 void addFits(const std::vector<SiteShape>& rooms, const GridFrame& frame, const RunAreas& run,
-             const FitShapeOptions& options, RoomFits& fits) {
-  while (fits.size() < rooms.size())
-    fits.push_back(fitShape(rooms[fits.size()], frame, run, {{}}, options));
+             RoomFits& fits) {
+  while (fits.size() < rooms.size()) fits.push_back(fitShape(rooms[fits.size()], frame, run, {{}}));
 }
 
 std::vector<AreaMatch> matchAreas(const RoomSet& rooms, const RoomFits& fits,
-                                  const GridFrame& frame, const RunAreas& run,
-                                  const MatchAreasOptions& options) {
-  return Matching(rooms, fits, frame, run, options).run();
+                                  const GridFrame& frame, const RunAreas& run) {
+  return Matching(rooms, fits, frame, run).run();
 }
 
 }  // namespace roomgraph

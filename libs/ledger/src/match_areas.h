@@ -32,21 +32,12 @@ struct AreaMatch {
 /** What each room may be in a run, if it lies about in its place; made once, then used again. */
 using RoomFits = std::vector<std::map<std::size_t, ShapeFit>>;
 
-struct MatchAreasOptions {
-  FitShapeOptions fit;
-  double minOverlap = 0.35;     ///< of a room and its area
-  double neighbourBonus = 0.2;  ///< added to the overlap where all neighbours match, too
-  double otherKindCost = 0.05;  ///< taken off where one is a room and the other a corridor
-  double surpriseCost = 0.1;  ///< taken off per metre that the room lies from where its neighbours
-                              ///< say
-  int rounds = 3;             ///< the first looks at overlap alone
-  double minInside = 0.6;     ///< share of an area in a room, or of a room in an area, from which
-                              ///< on it is a part of it
-};
+/** The least overlap of a room and its area, unless its doors tell it. */
+constexpr double kMinOverlap = 0.35;
 
 /** The fits of the rooms that `fits` has none of yet are added to it. */
 void addFits(const std::vector<SiteShape>& rooms, const GridFrame& frame, const RunAreas& run,
-             const FitShapeOptions& options, RoomFits& fits);
+             RoomFits& fits);
 
 /** Matches rooms and areas one to one: greedily by overlap after a small move of the room, then
  *  again with what the neighbours say. A room is also looked for where its neighbours have moved
@@ -55,7 +46,6 @@ void addFits(const std::vector<SiteShape>& rooms, const GridFrame& frame, const 
  *  by room, then area.
  *  O(rounds * rooms * samples). */
 std::vector<AreaMatch> matchAreas(const RoomSet& rooms, const RoomFits& fits,
-                                  const GridFrame& frame, const RunAreas& run,
-                                  const MatchAreasOptions& options);
+                                  const GridFrame& frame, const RunAreas& run);
 
 }  // namespace roomgraph

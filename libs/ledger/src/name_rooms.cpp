@@ -10,6 +10,7 @@
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/ledger/site_rooms.h"
 
@@ -18,10 +19,7 @@ namespace {
 
 constexpr double kDrawnCell = 0.05;      // of the maps drawn for alignment [m]
 constexpr double kMostDrawnCells = 4e6;  // of those
-constexpr double kMostArea = 0.5;        // share of the rooms that must be found in their places
 constexpr double kInPlace = 0.5;         // [m]
-constexpr double kMinConfidence = 0.5;   // of the alignment
-constexpr double kSameShape = 0.5;       // overlap from which on the shape in the file stays
 
 template <class Room>
 Room moved(Room room, const Transform2D& pose) {
@@ -100,7 +98,7 @@ WallMap mapOf(const std::vector<Room>& rooms) {
   }
   for (const Room& room : rooms)
     for (const SiteDoor& door : room.doors) drawDoor(door, grid);
-  return wallMap(grid, {});
+  return wallMap(grid);
 }
 
 /** Which known room each room is, and how well it fits. */
@@ -126,10 +124,9 @@ Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const 
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     set.neighbours.push_back(std::move(neighbours));
   }
-  const MatchAreasOptions options;
   RoomFits fits;
-  addFits(set.shapes, frame, known, options.fit, fits);
-  Found found{matchAreas(set, fits, frame, known, options), 0};
+  addFits(set.shapes, frame, known, fits);
+  Found found{matchAreas(set, fits, frame, known), 0};
   double all = 0, before = 0, inPlace = 0;
   for (const SiteShape& shape : known.shapes) before += shape.area;
   for (std::size_t s = 0; s < set.shapes.size(); ++s) {
@@ -185,12 +182,12 @@ NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::stri
   if (rooms.empty()) return {{}, std::move(file)};
   Transform2D pose;  // file <- site
   Found found = findRooms(rooms, file, pose);
-  if (!file.rooms.empty() && found.area < kMostArea) {
-    const Alignment alignment = alignMaps(mapOf(file.rooms), mapOf(rooms), {});
+  if (!file.rooms.empty() && found.area < kMajority) {
+    const Alignment alignment = alignMaps(mapOf(file.rooms), mapOf(rooms));
     pose = alignment.pose;
-    const bool isSure = !alignment.isAmbiguous && alignment.confidence >= kMinConfidence;
+    const bool isSure = !alignment.isAmbiguous && alignment.confidence >= kMajority;
     if (alignment.isSameSite && isSure) found = findRooms(rooms, file, pose);
-    if (found.area < kMostArea)
+    if (found.area < kMajority)
       throw DataError(name +
                       ": its rooms cannot be found in these runs, or in several ways: name "
                       "the file of this site, or one that is not there yet");
@@ -212,7 +209,7 @@ NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::stri
     room.id = known.id, room.name = known.name;
     for (SiteDoor& door : room.doors)
       if (!door.to.empty()) door.to = newIdOf.at(door.to);
-    if (!knownOf[s] || found.matches[s].overlap < kSameShape) setShape(known, room, pose);
+    if (!knownOf[s] || found.matches[s].overlap < kMajority) setShape(known, room, pose);
   }
   sortKnown(file.rooms);
   sortRooms(rooms);

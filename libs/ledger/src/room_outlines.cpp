@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/align/WallFit.h"
 #include "roomgraph/geometry/Polyline.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSpacing = 0.1;     // of the places along an outline [m]
-constexpr double kFarOutline = 0.1;  // a place that is farther away counts less than half [m]
+constexpr double kSpacing =
+    0.1;  // of the places along an outline; one that is farther away counts little [m]
 constexpr int kIterations = 15;
-constexpr double kStill = 1e-4;    // a step below which nothing moves any more [m]
-constexpr double kDamping = 0.02;  // holds a room that no wall holds, as a share of its places
+constexpr double kStill = 1e-4;  // a step below which nothing moves any more [m]
 
 /** The corners between `from` and `to` that a line cannot leave out, by halves. */
 void keepFar(const Ring& ring, std::size_t from, std::size_t to, double tolerance,
@@ -49,7 +49,7 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
     if (!nearest) continue;
     const Point normal = inRun.normal(nearest);
     const double off = dot(*nearest - p, normal);
-    const double far = squaredNorm(*nearest - p) / (kFarOutline * kFarOutline);
+    const double far = squaredNorm(*nearest - p) / (kSpacing * kSpacing);
     const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
     const double weight = 1 / ((1 + far) * (1 + far));
     a += weight * row * row.transpose();
@@ -57,7 +57,7 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
   }
   const double count = double(room.places().size());
   if (count == 0) return b;
-  a.diagonal() += kDamping * Eigen::Vector3d(count, count, reach + 1e-9);
+  a.diagonal() += kShiftHold * Eigen::Vector3d(count, count, reach + 1e-9);
   return a.ldlt().solve(b);
 }
 

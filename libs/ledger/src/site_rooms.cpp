@@ -10,19 +10,17 @@
 #include "consensus_rooms.h"
 #include "room_doors.h"
 #include "room_outlines.h"
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kVisited = 0.5;        // known share of a room from which on a run was there
 constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same
 constexpr double kComplete = 0.8;       // known share from which on its size can be compared
-constexpr double kMinOverlap = 0.35;    // with its area, below which a room cannot be measured
 constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
-constexpr std::size_t kMaxJudges = 12;  // so that the cost grows with the runs, not their pairs
-constexpr double kNearOutline = 0.15;   // of two outlines that agree [m]
 constexpr double kOutlineTolerance = 0.05;  // of the outlines in the result [m]
 
 /** Whether a run has all of a room, as one area that is no other room's, too. */
@@ -42,7 +40,7 @@ std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
     std::stable_sort(judges[room].begin(), judges[room].end(), [&](std::size_t a, std::size_t b) {
       return site.runs[a].weight > site.runs[b].weight;
     });
-    if (judges[room].size() > kMaxJudges) judges[room].resize(kMaxJudges);
+    if (judges[room].size() > kMaxVoters) judges[room].resize(kMaxVoters);
   }
   return judges;
 }
@@ -137,7 +135,7 @@ class Ledger {
     RoomInRun result;
     if (match.isMatched() || match.bare >= kBare)
       result.sighting = RoomSighting::seen;
-    else if (match.known >= kVisited)
+    else if (match.known >= kMajority)
       result.sighting = RoomSighting::gone;
     result.pieces = int(match.areas.size());
     result.isMerged = match.isMerged;
@@ -157,7 +155,7 @@ class Ledger {
       const Transform2D between =
           moveIn(j).about(shape_.middle) * moveIn(run).about(shape_.middle).inverse();
       const double weight = site_.runs[j].weight;
-      sum += weight * outlineAgreement(own, measured_[j].outlines.at(room_), between, kNearOutline);
+      sum += weight * outlineAgreement(own, measured_[j].outlines.at(room_), between, kSameWall);
       all += weight;
     }
     return all > 0 ? std::optional(sum / all) : std::nullopt;
@@ -253,7 +251,7 @@ std::vector<std::string> namesOf(const Site& site, const std::vector<std::size_t
 
 std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForEach& forEach) {
   const SiteAreas areas = siteAreas(site, trust);
-  const ConsensusRooms consensus = consensusRooms(areas, {}, forEach);
+  const ConsensusRooms consensus = consensusRooms(areas, forEach);
   std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
   std::vector<RoomDoors> doors(rooms.size());
   const auto judges = judgesOf(areas, consensus);

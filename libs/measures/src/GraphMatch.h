@@ -26,15 +26,4 @@ struct GraphMatch {
   double overallInA = 0, overallInB = 0;  ///< length of all edges [m]
 };
 
-struct MatchGraphsOptions {
-  double reach = 5;           ///< of a patch whose pose places a vertex [m]
-  double maxDistance = 1;     ///< of vertices that are matched by their place [m]
-  double maxGrown = 1.5;      ///< of neighbours of matched vertices [m]
-  double maxUnlike = 0.5;     ///< of vertices that neither look alike nor have matched ways [m]
-  double clearance = 0.3;     ///< by which clearances of vertices may differ that look alike [m]
-  double lengthSlack = 0.5;   ///< by which lengths of one way may always differ [m]
-  double lengthShare = 0.25;  ///< and this share of the longer one
-  double maxPathLength = 20;  ///< of a way through vertices that are not matched [m]
-};
-
 }  // namespace roomgraph

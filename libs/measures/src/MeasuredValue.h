@@ -1,11 +1,7 @@
 #pragma once
-#include <cstddef>
 #include <optional>
 
 namespace roomgraph {
-
-/** Fewer other runs can not outvote one that is wrong. */
-constexpr std::size_t kFewestOthers = 2;
 
 /** What a measure comes to; its kind says what it is. */
 struct MeasuredValue {
@@ -13,7 +9,7 @@ struct MeasuredValue {
   double support = 0;             ///< how many things were counted
   std::optional<double> low{}, high{};
   bool hasEnoughOthers = true;
-  std::optional<double> leastSupport{};  ///< instead of that of its kind, where others were counted
+  double worth = 1;  ///< of each, in those that MeasureKind::leastSupport counts
 };
 
 }  // namespace roomgraph

@@ -37,7 +37,7 @@ ComparedGraphs comparedGraphs(const Site& site, const MapPairs& pairs, const For
     const Run &a = *site.runs[i], &b = *site.runs[j];
     const MapPair& pair = pairs(i, j);
     const GraphMatch match =
-        matchGraphs({a.graph, a.map.patches, pair.aInB}, {b.graph, b.map.patches, pair.bInA}, {});
+        matchGraphs({a.graph, a.map.patches, pair.aInB}, {b.graph, b.map.patches, pair.bInA});
     graphs(i, j) = compareGraphs(a.graph, b.graph, match, {site.poses[i], site.poses[j]});
   });
   return graphs;

@@ -15,9 +15,14 @@ namespace roomgraph {
 namespace {
 
 // What speaks against a pair, in metres of distance.
-constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerClearance = 0.5, kPerLength = 0.5;
+constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerMetre = 0.5;
 constexpr double kUnlike = 1.0, kGrown = -0.3;
 constexpr int kMostExits = 3;
+constexpr double kFollowReach = 5;  // of a patch whose pose places a vertex [m]
+constexpr double kMaxSeed = 1;      // of vertices that are matched by their place [m]
+constexpr double kMaxGrown = 1.5;   // of neighbours of matched vertices [m]
+constexpr double kMaxUnlike = 0.5;  // of vertices that neither look alike nor have matched ways [m]
+constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
 
 /** Where each vertex lies in the other map: once for each copy of the walls beside it. */
 std::vector<std::vector<Point>> placesOf(const FollowedGraph& side, double reach) {
@@ -51,16 +56,15 @@ double nearestOf(const std::vector<Point>& places, Point to) {
 /** How far apart two vertices may be told to be, [i of a][k]: other vertex and distance. */
 using Near = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
 
-Near nearVertices(const FollowedGraph& a, const FollowedGraph& b,
-                  const MatchGraphsOptions& options) {
-  const auto ofA = placesOf(a, options.reach), ofB = placesOf(b, options.reach);
+Near nearVertices(const FollowedGraph& a, const FollowedGraph& b) {
+  const auto ofA = placesOf(a, kFollowReach), ofB = placesOf(b, kFollowReach);
   Near near(ofA.size());
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j) {
       const double there = nearestOf(ofA[i], b.graph.vertices()[j].at);
-      if (there > 2 * options.maxGrown) continue;
+      if (there > 2 * kMaxGrown) continue;
       const double apart = (there + nearestOf(ofB[j], a.graph.vertices()[i].at)) / 2;
-      if (apart <= options.maxGrown) near[i].push_back({j, apart});
+      if (apart <= kMaxGrown) near[i].push_back({j, apart});
     }
   return near;
 }
@@ -80,11 +84,10 @@ struct Candidate {
 
 class Matcher {
  public:
-  Matcher(const FollowedGraph& a, const FollowedGraph& b, const MatchGraphsOptions& options)
+  Matcher(const FollowedGraph& a, const FollowedGraph& b)
       : a_(a.graph),
         b_(b.graph),
-        options_(options),
-        near_(nearVertices(a, b, options)),
+        near_(nearVertices(a, b)),
         ofA_(a_.vertices().size()),
         ofB_(b_.vertices().size()) {}
 
@@ -99,7 +102,7 @@ class Matcher {
     }
     std::vector<VertexMatch> matches;
     for (const auto& found : ofA_)
-      if (found && (found->mayStand || found->distance <= options_.maxUnlike))
+      if (found && (found->mayStand || found->distance <= kMaxUnlike))
         matches.push_back({VertexId(found->a), VertexId(found->b), found->distance});
     return matches;
   }
@@ -111,20 +114,20 @@ class Matcher {
     if ((v.kind == VertexKind::room) != (w.kind == VertexKind::room)) return std::nullopt;
     const int exits = std::abs(int(a_.degree(VertexId(i))) - int(b_.degree(VertexId(j))));
     return (v.kind == w.kind ? 0 : kOtherKind) + kOneExit * std::min(exits, kMostExits) +
-           kPerClearance * std::min(1.0, std::abs(v.clearance - w.clearance));
+           kPerMetre * std::min(1.0, std::abs(v.clearance - w.clearance));
   }
 
   bool lookAlike(std::uint32_t i, std::uint32_t j) const {
     const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
     return v.kind == w.kind && a_.degree(VertexId(i)) == b_.degree(VertexId(j)) &&
-           std::abs(v.clearance - w.clearance) <= options_.clearance;
+           std::abs(v.clearance - w.clearance) <= kAlikeWidth;
   }
 
   void offerAll() {
     for (std::uint32_t i = 0; i < near_.size(); ++i)
       for (const auto& [j, apart] : near_[i]) {
         const auto unlike = unlikeness(i, j);
-        if (!unlike || apart > options_.maxDistance) continue;
+        if (!unlike || apart > kMaxSeed) continue;
         const bool isSeed = lookAlike(i, j);
         queue_.push({apart + *unlike + (isSeed ? 0 : kUnlike), i, j, apart, isSeed});
       }
@@ -139,19 +142,18 @@ class Matcher {
         const auto j = std::uint32_t(b_.target(g).index());
         if (ofB_[j]) continue;
         const double ofA = a_.edge(h).path.length, ofB = b_.edge(g).path.length;
-        if (!isSameLength(ofA, ofB, options_)) continue;
+        if (!isSameLength(ofA, ofB)) continue;
         const auto found = std::find_if(near_[i].begin(), near_[i].end(),
                                         [&](const auto& one) { return one.first == j; });
         const auto unlike = unlikeness(i, j);
         if (found == near_[i].end() || !unlike) continue;
-        const double cost = found->second + *unlike + kPerLength * std::abs(ofA - ofB) + kGrown;
+        const double cost = found->second + *unlike + kPerMetre * std::abs(ofA - ofB) + kGrown;
         queue_.push({cost, i, j, found->second, true});
       }
     }
   }
 
   const TopologyGraph &a_, &b_;
-  const MatchGraphsOptions& options_;
   const Near near_;
   std::vector<std::optional<Candidate>> ofA_, ofB_;
   std::priority_queue<Candidate> queue_;
@@ -179,13 +181,12 @@ double sharedLength(const TopologyGraph& graph, const std::vector<PathMatch>& pa
 
 }  // namespace
 
-GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b,
-                       const MatchGraphsOptions& options) {
+GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b) {
   GraphMatch result;
   result.overallInA = overallLength(a.graph), result.overallInB = overallLength(b.graph);
   if (a.followed.patches.empty() || b.followed.patches.empty()) return result;
-  result.vertices = Matcher(a, b, options).match();
-  result.paths = sharedPaths(a.graph, b.graph, result.vertices, options);
+  result.vertices = Matcher(a, b).match();
+  result.paths = sharedPaths(a.graph, b.graph, result.vertices);
   result.sharedInA = sharedLength(a.graph, result.paths, &PathMatch::a);
   result.sharedInB = sharedLength(b.graph, result.paths, &PathMatch::b);
   return result;

@@ -26,7 +26,6 @@ struct FollowedGraph {
  *  the answer, but for exact ties, which go by the vertex numbers. Empty where nothing was followed
  *  or a graph is empty. O(vertices * (vertices + patches within reach) + matches * edges
  *  around). */
-GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b,
-                       const MatchGraphsOptions& options);
+GraphMatch matchGraphs(const FollowedGraph& a, const FollowedGraph& b);
 
 }  // namespace roomgraph

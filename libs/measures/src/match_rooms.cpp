@@ -3,12 +3,11 @@
 #include <map>
 #include <utility>
 
+#include "roomgraph/base/majority.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kSameRoom = 0.5;
 
 /** The room of each cell, and how many cells each room has. */
 struct LabelledCells {
@@ -46,7 +45,7 @@ std::vector<MatchedRooms> matchRooms(const std::vector<GraphRoom>& base,
   for (const auto& [pair, both] : common) {
     const std::size_t either = a.count[pair.first.index()] + b.count[pair.second.index()] - both;
     const double overlap = double(both) / double(either);
-    if (overlap > kSameRoom) matched.push_back({pair.first, pair.second, overlap});
+    if (overlap > kMajority) matched.push_back({pair.first, pair.second, overlap});
   }
   return matched;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "roomgraph/relate/PairBend.h"
+
 namespace roomgraph {
 
 MeasuredValue measureOverOthers(

@@ -9,7 +9,7 @@ Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
   Measure measure{kind.name,    measured.value, kind.unit,           measured.support,
                   measured.low, measured.high,  /*meaningful*/ false};
   measure.isMeaningful = measured.value && measured.hasEnoughOthers &&
-                         measured.support >= measured.leastSupport.value_or(kind.leastSupport);
+                         measured.support * measured.worth >= kind.leastSupport;
   return measure;
 }
 

@@ -7,12 +7,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kWalls = kFewestWalls;
 constexpr double kArea = 10;  // of the site [m2]
 constexpr double kRooms = 3;
-constexpr double kCount = 10;   // vertices, paths, or pairs of vertices
+constexpr double kCount = 10;   // vertices, paths, pairs of vertices, or scans
 constexpr double kLength = 20;  // of paths [m]
-constexpr double kScans = 10;
 
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
@@ -27,10 +25,11 @@ MeasureRow wallDistance(const MeasureKind& kind, double share) {
 
 std::vector<MeasureRow> wallRows() {
   return {
-      {{"coverage", "Coverage", "1", 0, "Of what two runs have seen free, the share it has seen."},
+      {{"coverage", "Coverage", "1", kArea,
+        "Of what two runs have seen free, the share it has seen."},
        [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
        {}},
-      {{"bend", "Bend away from the others", "m", kWalls,
+      {{"bend", "Bend away from the others", "m", kFewestWalls,
         "Mean bend against the others, by trust."},
        [](const SiteEvidence& all, std::size_t run) {
          return bendOf(all.bends, all.maps, all.trust, run);
@@ -38,7 +37,7 @@ std::vector<MeasureRow> wallRows() {
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return bendOfPair(all.bends(a, b));
        }},
-      {{"followed", "Walls found again", "1", kWalls, "Share of the walls that both have."},
+      {{"followed", "Walls found again", "1", kFewestWalls, "Share of the walls that both have."},
        {},
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return followedOfPair(all.bends(a, b));
@@ -49,16 +48,16 @@ std::vector<MeasureRow> wallRows() {
          return axisDeviationOf(*all.site.runs[run]);
        },
        {}},
-      {{"wall_distance_mean", "Wall distance, mean", "m", kWalls,
+      {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
         "Mean distance of the walls of both."},
        {},
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return meanWallDistanceOfPair(all.distances, a, b);
        }},
-      wallDistance({"wall_distance", "Wall distance, median", "m", kWalls,
+      wallDistance({"wall_distance", "Wall distance, median", "m", kFewestWalls,
                     "Median distance of its walls to those of the others."},
                    0.5),
-      wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kWalls,
+      wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls,
                     "90th percentile of the same distances."},
                    0.9)};
 }
@@ -145,20 +144,21 @@ MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
 }
 
 std::vector<MeasureRow> mapRows() {
-  return {{{"brokenness", "Extra pieces", "pieces", kWalls, "Rigid pieces of the map, less one."},
-           [](const SiteEvidence& all, std::size_t run) {
-             return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
-           },
-           {}},
-          ofMap({"wall_doubling", "Walls drawn twice", "1", kWalls,
-                 "Share of its walls that stand before another one that faces the same way."},
-                wallDoublingOf),
-          ofMap({"wall_sharpness", "Wall at the edge of free space", "1", kWalls,
-                 "Cells drawn as wall for each cell at the edge of free space."},
-                wallSharpnessOf),
-          ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kScans,
-                 "How far scans lie from what was seen at the same place at another time."},
-                scanDisagreementOf)};
+  return {
+      {{"brokenness", "Extra pieces", "pieces", kFewestWalls, "Rigid pieces of the map, less one."},
+       [](const SiteEvidence& all, std::size_t run) {
+         return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
+       },
+       {}},
+      ofMap({"wall_doubling", "Walls drawn twice", "1", kFewestWalls,
+             "Share of its walls that stand before another one that faces the same way."},
+            wallDoublingOf),
+      ofMap({"wall_sharpness", "Wall at the edge of free space", "1", kFewestWalls,
+             "Cells drawn as wall for each cell at the edge of free space."},
+            wallSharpnessOf),
+      ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kCount,
+             "How far scans lie from what was seen at the same place at another time."},
+            scanDisagreementOf)};
 }
 
 }  // namespace

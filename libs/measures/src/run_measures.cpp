@@ -11,7 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kMinArea = 10;  // of the site, for a coverage that means something [m2]
 /** A run that is trusted less than this share of the second best is so torn or bent that it tells
  *  of places that are not there. */
 constexpr double kLeastTrust = 1e-3;
@@ -110,7 +109,7 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps
   for (std::size_t i = 0; i < n; ++i) {
     coverage[i].value = cells.mine[i] / cells.all, coverage[i].support = cells.all;
     coverage[i].hasEnoughOthers = maps.count() > kFewestOthers;
-    coverage[i].leastSupport = kMinArea / (frame.resolution * frame.resolution);
+    coverage[i].worth = frame.resolution * frame.resolution;
     if (maps.count() > 2) coverage[i].low = coverage[i].high = coverage[i].value;
     for (std::size_t j = 0; coverage[i].low && j < n; ++j)
       if (maps.isMeasuredAgainst(i, j) && cells.all > cells.lost[j])

@@ -7,10 +7,15 @@
 #include <queue>
 #include <tuple>
 
+#include "roomgraph/base/OneToOne.h"
+
 namespace roomgraph {
 namespace {
 
 constexpr double kUnreachable = std::numeric_limits<double>::infinity();
+// By how much the lengths of one way may differ: always this, and this share of the longer one.
+constexpr double kLengthSlack = 0.5, kLengthShare = 0.25;  // [m]
+constexpr double kMaxPathLength = 20;  // of a way through vertices that are not matched [m]
 constexpr std::size_t kNoMatch = std::size_t(-1);
 
 struct Way {
@@ -99,18 +104,17 @@ std::map<Ends, std::vector<HalfEdgeId>> edgesBetween(const TopologyGraph& graph,
 
 void matchEdges(const TopologyGraph& a, const TopologyGraph& b, Ends ends,
                 const std::vector<HalfEdgeId>& ofA, const std::vector<HalfEdgeId>& ofB,
-                const MatchGraphsOptions& options, std::vector<PathMatch>& paths) {
+                std::vector<PathMatch>& paths) {
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0; i < ofA.size(); ++i)
     for (std::size_t j = 0; j < ofB.size(); ++j) {
       const double l = a.edge(ofA[i]).path.length, m = b.edge(ofB[j]).path.length;
-      if (isSameLength(l, m, options)) pairs.push_back({std::abs(l - m), i, j});
+      if (isSameLength(l, m)) pairs.push_back({std::abs(l - m), i, j});
     }
   std::sort(pairs.begin(), pairs.end());
-  std::vector<bool> usedA(ofA.size()), usedB(ofB.size());
+  OneToOne pairing(ofA.size(), ofB.size());
   for (const auto& [apart, i, j] : pairs) {
-    if (usedA[i] || usedB[j]) continue;
-    usedA[i] = usedB[j] = true;
+    if (!pairing.take(i, j)) continue;
     paths.push_back({ends.first,
                      ends.second,
                      {ofA[i]},
@@ -122,13 +126,12 @@ void matchEdges(const TopologyGraph& a, const TopologyGraph& b, Ends ends,
 
 }  // namespace
 
-bool isSameLength(double a, double b, const MatchGraphsOptions& options) {
-  return std::abs(a - b) <= std::max(options.lengthSlack, options.lengthShare * std::max(a, b));
+bool isSameLength(double a, double b) {
+  return std::abs(a - b) <= std::max(kLengthSlack, kLengthShare * std::max(a, b));
 }
 
 std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& b,
-                                   const std::vector<VertexMatch>& vertices,
-                                   const MatchGraphsOptions& options) {
+                                   const std::vector<VertexMatch>& vertices) {
   std::vector<std::size_t> ofA(a.vertices().size(), kNoMatch), ofB(b.vertices().size(), kNoMatch);
   for (std::size_t m = 0; m < vertices.size(); ++m)
     ofA[vertices[m].a.index()] = ofB[vertices[m].b.index()] = m;
@@ -136,16 +139,16 @@ std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& 
   std::vector<PathMatch> paths;
   for (const auto& [ends, edges] : edgesA)
     if (const auto other = edgesB.find(ends); other != edgesB.end())
-      matchEdges(a, b, ends, edges, other->second, options, paths);
+      matchEdges(a, b, ends, edges, other->second, paths);
   std::map<Ends, bool> isDone;
   for (const PathMatch& path : paths) isDone[{path.from, path.to}] = true;
-  WaysOut outA(a, ofA, options.maxPathLength), outB(b, ofB, options.maxPathLength);
+  WaysOut outA(a, ofA, kMaxPathLength), outB(b, ofB, kMaxPathLength);
   for (std::size_t m = 0; m < vertices.size(); ++m) {
     auto waysA = outA.from(vertices[m].a), waysB = outB.from(vertices[m].b);
     for (auto& [to, way] : waysA) {
       const auto other = waysB.find(to);
       if (other == waysB.end() || isDone.count({m, to})) continue;
-      if (!isSameLength(way.length, other->second.length, options)) continue;
+      if (!isSameLength(way.length, other->second.length)) continue;
       paths.push_back({m, to, std::move(way.steps), std::move(other->second.steps), way.length,
                        other->second.length});
     }

@@ -8,6 +8,7 @@
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -16,6 +17,13 @@ namespace {
 constexpr double kSameScale = 0.1;  // scales that are one answer, as a share
 constexpr int kFits = 3;            // of the scale to the walls, each from the one before
 constexpr int kMostAcross = 1500;   // cells that sizes are measured on
+// Factors by which scales go below and above what sizes of rooms and map tell: what a run has not
+// seen makes them look small; and farther still to reach the first guess.
+constexpr double kBelow = 1.25, kAbove = 1.6, kGuessReach = 2;
+constexpr std::size_t kCloser = 3;    // scales that are looked at closely
+constexpr std::size_t kSearches = 2;  // runs that the picture is looked for in, until it fits one
+constexpr std::size_t kVoters = 5;    // runs that have their say at last
+constexpr double kMinOfRun = 0.2;  // share of the run's free area that the picture must show, too
 
 /** A scale, and how well the picture fits there. */
 struct ScaleTrial {
@@ -66,50 +74,44 @@ Sizes sizesInCells(const Grid& picture) {
     }
   for (std::size_t i = 0; i < small.cells.size(); ++i)
     if (small.cells[i] == State::unknown && balance[i] > 0) small.cells[i] = State::free;
-  Sizes sizes(wallMap(small, {}));
+  Sizes sizes(wallMap(small));
   sizes.free *= factor, sizes.width *= factor, sizes.walls *= factor;
   return sizes;
 }
 
 /** The scales to try, rising: those that sizes of map and rooms make likely, and so many more that
  *  the first guess is among them. Where it lies does not change the others. */
-std::vector<double> scalesToTry(const Grid& picture, const WallMap& run,
-                                const EstimateScaleOptions& options) {
+std::vector<double> scalesToTry(const Grid& picture, const WallMap& run) {
   const Sizes cells = sizesInCells(picture), metres(run);
   if (cells.walls <= 0 || metres.walls <= 0) return {picture.frame.resolution};
   const auto [least, most] = std::minmax(
       {metres.free / cells.free, metres.width / cells.width, metres.walls / cells.walls});
-  const double low = least / options.below, high = most * options.above;
-  const double reach = std::log(options.guessReach);
+  const double low = least / kBelow, high = most * kAbove;
+  const double reach = std::log(kGuessReach);
   const double lower = std::clamp(std::log(low / picture.frame.resolution), 0.0, reach);
   const double higher = std::clamp(std::log(picture.frame.resolution / high), 0.0, reach);
-  const int first = -int(std::ceil(lower / options.step));
-  const int last = int(std::ceil((std::log(high / low) + higher) / options.step));
+  const int first = -int(std::ceil(lower / kScaleStep));
+  const int last = int(std::ceil((std::log(high / low) + higher) / kScaleStep));
   std::vector<double> scales;
-  for (int i = first; i <= last; ++i) scales.push_back(low * std::exp(i * options.step));
+  for (int i = first; i <= last; ++i) scales.push_back(low * std::exp(i * kScaleStep));
   return scales;
 }
 
 ScaleTrial trialAt(double resolution, const Grid& picture, const WallMap& run,
-                   const AlignMapsOptions& options) {
-  const WallMap map = wallMap(rescaled(picture, resolution), {});
-  return {resolution, alignMaps(run, map, options)};
+                   const SearchEffort& effort = kFullSearch) {
+  return {resolution, alignMaps(run, wallMap(rescaled(picture, resolution)), effort)};
 }
 
 /** From a scale that is nearly right, the one that fits the walls near the pose found there. */
-ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const WallMap& run,
-                  const AlignMapsOptions& options) {
-  FitScaleOptions fitOptions;
+ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const WallMap& run) {
   double resolution = near.resolution;
   Transform2D pose = near.alignment.pose;
   for (int i = 0; i < kFits; ++i) {
-    const WallMap map = wallMap(rescaled(picture, resolution), {});
-    const ScaledPose fit = fitScale(run, map, pose, fitOptions);
+    const WallMap map = wallMap(rescaled(picture, resolution));
+    const ScaledPose fit = fitScale(run, map, pose, i == 0 ? 1.0 : 0.5);
     resolution *= fit.scale, pose = fit.pose;
-    fitOptions.band.first = 0.5;
   }
-  const WallMap map = wallMap(rescaled(picture, resolution), {});
-  return {resolution, alignMapsNear(run, map, {pose}, options)};
+  return {resolution, alignMapsNear(run, wallMap(rescaled(picture, resolution)), {pose})};
 }
 
 /** The best first; of equal ones the smaller scale. */
@@ -119,68 +121,62 @@ void sortByScore(std::vector<ScaleTrial>& trials) {
 }
 
 /** All scales of the range, the best first. */
-std::vector<ScaleTrial> tried(const Grid& picture, const WallMap& run,
-                              const EstimateScaleOptions& options, const ForEach& forEach) {
-  const std::vector<double> scales = scalesToTry(picture, run, options);
+std::vector<ScaleTrial> tried(const Grid& picture, const WallMap& run, const ForEach& forEach) {
+  const std::vector<double> scales = scalesToTry(picture, run);
   std::vector<ScaleTrial> trials(scales.size());
   forEach(trials.size(),
-          [&](std::size_t i) { trials[i] = trialAt(scales[i], picture, run, options.quick); });
+          [&](std::size_t i) { trials[i] = trialAt(scales[i], picture, run, kQuickSearch); });
   sortByScore(trials);
   return trials;
 }
 
 /** The best scale near `trial`: the best of some between it and its neighbours, fitted to the
  *  walls, then once more from the pose that is the best there. */
-ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const WallMap& run,
-                    const EstimateScaleOptions& options) {
+ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const WallMap& run) {
   ScaleTrial best = trial;
   for (const int quarters : {-2, -1, 1, 2}) {
-    const double resolution = trial.resolution * std::exp(quarters * options.step / 4);
-    ScaleTrial other = trialAt(resolution, picture, run, options.quick);
+    const double resolution = trial.resolution * std::exp(quarters * kScaleStep / 4);
+    ScaleTrial other = trialAt(resolution, picture, run, kQuickSearch);
     if (other.score() > best.score()) best = std::move(other);
   }
-  const double resolution = fitted(best, picture, run, options.align).resolution;
-  best = trialAt(resolution, picture, run, options.align);
-  ScaleTrial again = fitted(best, picture, run, options.align);
+  const double resolution = fitted(best, picture, run).resolution;
+  best = trialAt(resolution, picture, run);
+  ScaleTrial again = fitted(best, picture, run);
   return again.score() > best.score() ? again : best;
 }
 
 /** The best scales that are not near a better one, looked at closely; the best first. */
 std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid& picture,
-                               const WallMap& run, const EstimateScaleOptions& options,
-                               const ForEach& forEach) {
+                               const WallMap& run, const ForEach& forEach) {
   std::vector<ScaleTrial> chosen;
   for (const ScaleTrial& trial : trials) {
     const bool isNear = std::any_of(chosen.begin(), chosen.end(), [&](const ScaleTrial& better) {
       return ratioOf(better, trial) < kSameScale;
     });
-    if (!isNear && chosen.size() < options.closer) chosen.push_back(trial);
+    if (!isNear && chosen.size() < kCloser) chosen.push_back(trial);
   }
-  forEach(chosen.size(),
-          [&](std::size_t i) { chosen[i] = lookedAt(chosen[i], picture, run, options); });
+  forEach(chosen.size(), [&](std::size_t i) { chosen[i] = lookedAt(chosen[i], picture, run); });
   sortByScore(chosen);
   return chosen;
 }
 
 /** Whether the picture shows enough of the run: a single room fits in many places, at any scale. */
-bool isLargeEnough(const ScaleTrial& trial, const WallMap& run,
-                   const EstimateScaleOptions& options) {
+bool isLargeEnough(const ScaleTrial& trial, const WallMap& run) {
   const double common = trial.alignment.best->evidence.common / 2;  // counted both ways
-  return common >= options.minOfRun * run.freeArea;
+  return common >= kMinOfRun * run.freeArea;
 }
 
 /** The scale that stands out, if any. */
-std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run,
-                                  const EstimateScaleOptions& options, const ForEach& forEach) {
-  const std::vector<ScaleTrial> trials = tried(picture, run, options, forEach);
-  const std::vector<ScaleTrial> close = bestOf(trials, picture, run, options, forEach);
+std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run, const ForEach& forEach) {
+  const std::vector<ScaleTrial> trials = tried(picture, run, forEach);
+  const std::vector<ScaleTrial> close = bestOf(trials, picture, run, forEach);
   const ScaleTrial& best = close.front();
-  if (best.alignment.siteConfidence < options.minConfidence ||
-      best.alignment.overlap < options.minOverlap || !isLargeEnough(best, run, options))
+  if (best.alignment.siteConfidence < kMinScaleConfidence || best.alignment.overlap < kMajority ||
+      !isLargeEnough(best, run))
     return std::nullopt;
   for (const auto* others : {&trials, &close})
     for (const ScaleTrial& other : *others)
-      if (ratioOf(other, best) > kSameScale && other.score() > best.score() - options.minMargin)
+      if (ratioOf(other, best) > kSameScale && other.score() > best.score() - kMinScaleMargin)
         return std::nullopt;
   return best;
 }
@@ -188,18 +184,17 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run,
 /** What the runs `voters` say that the picture fits at about `found`; never empty. */
 std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<Run>& runs,
                               const std::vector<std::size_t>& voters, const ScaleTrial& found,
-                              std::size_t best, const EstimateScaleOptions& options,
-                              const ForEach& forEach) {
-  const WallMap map = wallMap(rescaled(picture, found.resolution), {});
+                              std::size_t best, const ForEach& forEach) {
+  const WallMap map = wallMap(rescaled(picture, found.resolution));
   std::vector<ScaleTrial> all(voters.size());
   forEach(voters.size(), [&](std::size_t i) {
     const WallMap& run = runs[voters[i]].map;
     if (voters[i] == best || run.walls.empty()) return;
-    const ScaleTrial there{found.resolution, alignMaps(run, map, options.quick)};
-    all[i] = fitted(there, picture, run, options.align);
+    const ScaleTrial there{found.resolution, alignMaps(run, map, kQuickSearch)};
+    all[i] = fitted(there, picture, run);
   });
   const auto isOff = [&](const ScaleTrial& vote) {
-    return !vote.alignment.isSameSite || vote.alignment.overlap < options.minOverlap ||
+    return !vote.alignment.isSameSite || vote.alignment.overlap < kMajority ||
            ratioOf(vote, found) > kSameScale;
   };
   all.erase(std::remove_if(all.begin(), all.end(), isOff), all.end());
@@ -219,17 +214,6 @@ double consensusOf(const std::vector<ScaleTrial>& votes) {
 
 }  // namespace
 
-AlignMapsOptions quickAlignment() {
-  AlignMapsOptions options;
-  options.hypotheses.cell = 0.3;
-  options.hypotheses.maxPoints = 300;
-  options.hypotheses.perAngle = 6;
-  options.hypotheses.count = 200;
-  options.closer = 40;
-  options.count = 12;
-  return options;
-}
-
 Grid rescaled(Grid grid, double resolution) {
   grid.frame.origin = (resolution / grid.frame.resolution) * grid.frame.origin;
   grid.frame.resolution = resolution;
@@ -237,20 +221,19 @@ Grid rescaled(Grid grid, double resolution) {
 }
 
 std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vector<Run>& runs,
-                                           const EstimateScaleOptions& options,
                                            const ForEach& forEach) {
   std::size_t searches = 0;
   const std::vector<std::size_t> order = byStraightness(runs);
   const std::vector<std::size_t> voters(
-      order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), options.voters)));
+      order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), kVoters)));
   for (const std::size_t best : order) {
     const WallMap& run = runs[best].map;
     if (run.walls.empty()) continue;
-    if (searches++ == options.searches) break;
-    const auto found = foundIn(picture, run, options, forEach);
+    if (searches++ == kSearches) break;
+    const auto found = foundIn(picture, run, forEach);
     if (!found) continue;
-    const auto agreed = votes(picture, runs, voters, *found, best, options, forEach);
-    const ScaleTrial there = trialAt(consensusOf(agreed), picture, run, options.align);
+    const auto agreed = votes(picture, runs, voters, *found, best, forEach);
+    const ScaleTrial there = trialAt(consensusOf(agreed), picture, run);
     return ScaleEstimate{there.resolution, agreed.size(), best, there.alignment};
   }
   return std::nullopt;

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
@@ -19,6 +20,13 @@ constexpr double kDoubt = 5;            // points that speak against each patch 
 constexpr double kSureShare = 0.7;      // a patch found this well is not looked for again
 constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
 constexpr int kTwinRounds = 2;
+constexpr double kGoodQuality =
+    0.5;  // share of a patch's walls from which on it is found by itself
+constexpr double kFairQuality = 0.3;     // and where all around it has been found
+constexpr double kMaxBend = 60;          // of a piece away from the first pose, at a patch [m]
+constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
+constexpr int kMaxPieces = 6;
+constexpr std::size_t kMaxCandidates = 40;  // poses that are tried for a piece
 
 /** A patch as it may be found. */
 struct Offer {
@@ -33,8 +41,8 @@ struct Offer {
 
 class Follower {
  public:
-  Follower(const WallMap& of, const WallMap& in, const FollowWallsOptions& options)
-      : of_(of), in_(in), options_(options), patches_(of.patches), isFound_(of.walls.size()) {
+  Follower(const WallMap& of, const WallMap& in)
+      : of_(of), in_(in), patches_(of.patches), isFound_(of.walls.size()) {
     for (const WallPatch& patch : patches_) left_.push_back(patch.around);
   }
 
@@ -42,9 +50,8 @@ class Follower {
     if (poses.empty() || of_.walls.empty()) return {};
     followFirst(poses.front());
     std::vector<Transform2D> others(poses.begin() + 1, poses.end());
-    if (others.size() > std::size_t(options_.candidates))
-      others.resize(std::size_t(options_.candidates));
-    for (int piece = 1; piece < options_.pieces; ++piece)
+    if (others.size() > kMaxCandidates) others.resize(kMaxCandidates);
+    for (int piece = 1; piece < kMaxPieces; ++piece)
       if (!followPiece(poses.front(), others)) break;
     for (int round = 0; round < kTwinRounds; ++round) followTwins();
     fit();
@@ -58,43 +65,30 @@ class Follower {
 
   /** Moves the pose so that what is left around the patch comes to lie on walls. */
   Transform2D refined(std::uint32_t patch, const Transform2D& pose) const {
-    return fittedPose(pose, patches_[patch].middle, options_.band, [&](WallFit& fit, int) {
+    return fittedPose(pose, patches_[patch].middle, kPatchBand, [&](WallFit& fit, int) {
       for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
     });
   }
 
   /** The share of what is left around the patch that lies on walls, 0 to 1. */
   double qualityAt(std::uint32_t patch, const Transform2D& pose, std::size_t stride = 1) const {
-    const Motion2D forth(pose);
-    double sum = 0, known = 0, all = 0;
-    for (std::size_t i = 0; i < left_[patch].size(); i += stride, ++all) {
-      const WallPoint& point = of_.walls[left_[patch][i]];
-      const Point at = forth(point.place);
-      const std::size_t cell = cellIndexAt(in_.frame, at);
-      if (!hasSeen(in_, cell)) continue;
-      ++known;
-      const WallPoint* wall = nearestWall(in_, cell, forth.turned(point.normal));
-      if (wall) sum += 1 / (1 + squaredNorm(wall->place - at) / (options_.near * options_.near));
-    }
-    const bool isEnough = known * double(stride) >= double(kMinPoints) && known > kMinKnown * all;
-    return isEnough ? sum / (known + kDoubt / double(stride)) : 0;
+    const std::vector<std::uint32_t>& left = left_[patch];
+    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[left[i]]; };
+    const WallShare share = wallShare(left.size(), pointAt, in_, pose, kWallNoise, stride);
+    const bool isEnough =
+        share.known * double(stride) >= double(kMinPoints) && share.known > kMinKnown * share.all;
+    return isEnough ? share.ofKnown(kDoubt / double(stride)) : 0;
   }
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
     if (left_[patch].size() < kMinPoints || queued_[patch] >= kSureShare) return;
     const Transform2D at = refined(patch, pose);
-    if (isStep && !isStepAway(patch, at, pose)) return;
+    if (isStep && !areNear(at, pose, patches_[patch].middle, kNextPatch)) return;
     const double quality = qualityAt(patch, at);
     if (quality < minQuality || quality <= queued_[patch]) return;
     queued_[patch] = quality;
     queue_.push({quality, patch, at});
-  }
-
-  bool isStepAway(std::uint32_t patch, const Transform2D& l, const Transform2D& r) const {
-    const Point middle = patches_[patch].middle;
-    return distance(l(middle), r(middle)) <= options_.maxStep &&
-           std::abs(wrappedAngle(l.phi - r.phi)) <= options_.maxStepTurn;
   }
 
   void offerAround(std::uint32_t patch, const Transform2D& pose, double minQuality) {
@@ -149,8 +143,8 @@ class Follower {
     std::sort(seeds.begin(), seeds.end());
     for (const auto& [quality, patch] : seeds) {
       if (isDone_[patch]) continue;
-      offer(patch, pose, options_.goodQuality, false);
-      grow(options_.goodQuality);
+      offer(patch, pose, kGoodQuality, false);
+      grow(kGoodQuality);
     }
   }
 
@@ -161,9 +155,9 @@ class Follower {
     for (std::uint32_t i = 0; i < patches_.size(); ++i) {
       const WallPatch& patch = patches_[i];
       if (left_[i].size() < kMinPoints) continue;
-      if (distance(pose(patch.middle), first(patch.middle)) > options_.maxBend) continue;
+      if (distance(pose(patch.middle), first(patch.middle)) > kMaxBend) continue;
       const double quality = qualityAt(i, pose, kQuickStride);
-      if (quality >= options_.fairQuality)
+      if (quality >= kFairQuality)
         sum += quality * double(patch.own.size() * left_[i].size()) / double(patch.around.size());
       if (quality > best) best = quality, seed = i;
     }
@@ -175,19 +169,18 @@ class Follower {
   bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
     ++layer_;
     nextLayer();
-    double best = options_.minPiece * double(of_.walls.size());
+    double best = kMinPieceShare * double(of_.walls.size());
     std::optional<std::size_t> chosen;
     std::uint32_t seed = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
-      if (std::abs(wrappedAngle(others[i].phi - first.phi)) > options_.maxTurn) continue;
       const auto [sum, patch] = fitOf(others[i], first);
       if (sum > best) best = sum, chosen = i, seed = patch;
     }
     if (!chosen) return false;
-    offer(seed, others[*chosen], options_.goodQuality, false);
+    offer(seed, others[*chosen], kGoodQuality, false);
     others.erase(others.begin() + std::ptrdiff_t(*chosen));
     const std::size_t before = result_.patches.size();
-    if (grow(options_.goodQuality) < options_.minPiece * double(of_.walls.size()))
+    if (grow(kGoodQuality) < kMinPieceShare * double(of_.walls.size()))
       result_.patches.resize(before);
     return true;
   }
@@ -198,10 +191,10 @@ class Follower {
     nextLayer();
     const std::vector<FollowedPatch> found = result_.patches;
     for (const FollowedPatch& f : found) {
-      offer(f.patch, f.pose, options_.fairQuality, true);
-      offerAround(f.patch, f.pose, options_.fairQuality);
+      offer(f.patch, f.pose, kFairQuality, true);
+      offerAround(f.patch, f.pose, kFairQuality);
     }
-    grow(options_.fairQuality);
+    grow(kFairQuality);
   }
 
   /** The pose that carries all patches as near to their places as one pose can, and what is left.
@@ -224,7 +217,6 @@ class Follower {
   }
 
   const WallMap &of_, &in_;
-  const FollowWallsOptions& options_;
   const WallPatches& patches_;
   std::vector<std::uint8_t> isFound_;             // wall points
   std::vector<std::vector<std::uint32_t>> left_;  // of `around`, per patch
@@ -238,9 +230,8 @@ class Follower {
 }  // namespace
 
 FollowedWalls followWalls(const WallMap& of, const WallMap& in,
-                          const std::vector<Transform2D>& poses,
-                          const FollowWallsOptions& options) {
-  return Follower(of, in, options).follow(poses);
+                          const std::vector<Transform2D>& poses) {
+  return Follower(of, in).follow(poses);
 }
 
 }  // namespace roomgraph

@@ -9,6 +9,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/relate/pair_jobs.h"
 
 namespace roomgraph {
@@ -20,21 +21,18 @@ Point middleOfWalls(const WallMap& map) {
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
 }
 
-constexpr double kJoined = 0.5;
-
 /** The runs in sets of those that are joined, that of the site first; see placeRuns. */
 std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related,
-                                              const SitePosesOptions& options,
                                               std::optional<std::size_t> reference) {
   const std::size_t runs = related.things();
   UnionFind sets(runs);
   for (const auto& [a, b] : related.pairs())
-    if (isJoined(related(a, b), options)) sets.join(std::uint32_t(a), std::uint32_t(b));
+    if (isJoined(related(a, b))) sets.join(std::uint32_t(a), std::uint32_t(b));
   std::vector<std::vector<std::size_t>> sites(runs);
   std::vector<double> confidence(runs);
   for (std::uint32_t i = 0; i < runs; ++i) sites[sets.find(i)].push_back(i);
   for (const auto& [a, b] : related.pairs())
-    if (isJoined(related(a, b), options))
+    if (isJoined(related(a, b)))
       confidence[sets.find(std::uint32_t(a))] += related(a, b).alignment.confidence;
   const auto set = [&](std::size_t run) { return sets.find(std::uint32_t(run)); };
   const auto rank = [&](const std::vector<std::size_t>& site) {
@@ -56,8 +54,8 @@ std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
 
 constexpr double kAsGood = 0.8;  // of the walls found, to believe the site and not the pair
 
-/** Whether a pair lies otherwise in itself than in the site: in a symmetric building it may have
- *  found another turn than the rest, and bent maps may not have found each other at all. */
+/** Whether the pose that a pair has found is not the one that the site gives it: in a symmetric
+ *  building it may be another turn than that of the rest, and bent maps may have found none. */
 bool contradicts(const MapPair& pair, const Transform2D& inSite, Point middleOfB) {
   return pair.bInA.patches.empty() || !areNear(pair.bInA.pose, inSite, middleOfB, kAsMapsBend);
 }
@@ -89,17 +87,17 @@ void completeCore(Site& site, const MapPairs& related) {
 
 }  // namespace
 
-bool isJoined(const MapPair& pair, const SitePosesOptions& options) {
+bool isJoined(const MapPair& pair) {
   const Alignment& alignment = pair.alignment;
-  return alignment.isSameSite && alignment.confidence >= options.minConfidence &&
-         alignment.confidence + alignment.runnerUpConfidence >= kJoined;
+  return alignment.isSameSite && alignment.confidence >= kMinPairConfidence &&
+         alignment.confidence + alignment.runnerUpConfidence >= kMajority;
 }
 
 Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
-               const SitePosesOptions& options, std::optional<std::size_t> reference) {
+               std::optional<std::size_t> reference) {
   Site site;
   if (runs.empty()) return site;
-  auto sites = sitesIn(related, options, reference);
+  auto sites = sitesIn(related, reference);
   site.members = std::move(sites.front());
   for (std::size_t i = 1; i < sites.size() && sites[i].size() > 1; ++i)
     site.others.push_back(std::move(sites[i]));
@@ -112,13 +110,12 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
   std::vector<PairPose> used;
   for (const auto& [i, j] : pairsWithin(site, related)) {
     const MapPair& pair = related(site.members[i], site.members[j]);
-    if (isJoined(pair, options))
+    if (isJoined(pair))
       used.push_back(
           {i, j, pair.alignment.pose, pair.alignment.confidence, middleOfWalls(site.runs[j]->map)});
   }
   const std::size_t centre = site.reference ? *site.reference : centreOf(n, used);
-  for (const SitePose& placed : sitePoses(n, used, centre, options).runs)
-    site.poses.push_back(placed.pose);
+  for (const SitePose& placed : sitePoses(n, used, centre).runs) site.poses.push_back(placed.pose);
   return site;
 }
 

@@ -7,6 +7,7 @@
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
@@ -21,15 +22,13 @@ FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kNotAtOdds = 0.2;  // siteConfidence of maps whose frames are said to be the same
-constexpr double kLeadingConfidence = 0.5;  // confidence of a pose that others may follow from
-constexpr double kAlsoLikely = 0.2;         // and of another that makes it unsure
+constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are said to be the same
+constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
 /** In a symmetric building the runner-up may be right as well. */
 bool isSure(const MapPair& pair) {
-  return pair.alignment.confidence >= kLeadingConfidence &&
-         pair.alignment.runnerUpConfidence < kAlsoLikely;
+  return pair.alignment.confidence >= kMajority && pair.alignment.runnerUpConfidence < kAlsoLikely;
 }
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */
@@ -89,8 +88,8 @@ void follow(MapPair& pair, const WallMap& a, const WallMap& b,
   }
   std::vector<Transform2D> back;
   for (const Transform2D& pose : poses) back.push_back(pose.inverse());
-  pair.bInA = followWalls(b, a, poses, {});
-  pair.aInB = followWalls(a, b, back, {});
+  pair.bInA = followWalls(b, a, poses);
+  pair.aInB = followWalls(a, b, back);
 }
 
 MapPair swapped(MapPair pair) {
@@ -101,7 +100,7 @@ MapPair swapped(MapPair pair) {
 
 MapPair relateMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
-  pair.alignment = alignMaps(a, b, {});
+  pair.alignment = alignMaps(a, b);
   pair.areIdentical = areIdentical(a, b);
   if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
   return pair;
@@ -114,7 +113,7 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Wal
   for (const Transform2D& ofB : posesInHub(hubAndB, b))
     for (const Transform2D& ofA : posesInHub(hubAndA, a)) poses.push_back(ofA.inverse() * ofB);
   MapPair pair;
-  pair.alignment = alignMapsNear(a, b, poses, {});
+  pair.alignment = alignMapsNear(a, b, poses);
   // One way or another, this pair is no surer than the two that it follows from.
   pair.alignment.confidence =
       std::min({pair.alignment.confidence, anyConfidence(hubAndA), anyConfidence(hubAndB)});
@@ -130,7 +129,7 @@ MapPair relateAlignedMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
   Alignment& alignment = pair.alignment;
   alignment.best = AlignmentCandidate{};
-  alignment.best->evidence = verifyAlignment(a, b, {}, {});
+  alignment.best->evidence = verifyAlignment(a, b, {});
   alignment.overlap = alignment.best->evidence.overlap;
   alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
   alignment.isSameSite = alignment.siteConfidence >= kNotAtOdds;

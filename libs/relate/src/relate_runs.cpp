@@ -78,7 +78,7 @@ class SiteBySite {
   /** hub <- run, if the two are joined. */
   std::optional<Transform2D> poseIn(std::size_t hub, std::size_t run) const {
     const MapPair pair = relating_.between(hub, run);
-    if (!isJoined(pair, {})) return std::nullopt;
+    if (!isJoined(pair)) return std::nullopt;
     return pair.alignment.pose;
   }
 

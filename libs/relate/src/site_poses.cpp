@@ -8,11 +8,13 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/PairTable.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kConverged = 1e-9;
+constexpr int kMaxSteps = 50;
 constexpr std::size_t kSparseFrom = 60;  // runs, whose pairs are few beside what could be
 
 /** The pair's pose as seen from run `from`: from <- other. */
@@ -21,33 +23,35 @@ Transform2D seenFrom(const PairPose& pair, std::size_t from) {
 }
 
 /** How far apart two poses a <- b lay the pair's walls [m]. */
-double apart(const PairPose& pair, const Transform2D& l, const Transform2D& r, double lever) {
-  return std::hypot(distance(l(pair.middle), r(pair.middle)), lever * wrappedAngle(l.phi - r.phi));
+double apart(const PairPose& pair, const Transform2D& l, const Transform2D& r) {
+  return std::hypot(distance(l(pair.middle), r(pair.middle)),
+                    kTurnLever * wrappedAngle(l.phi - r.phi));
 }
 
-/** The pair's index by its runs. */
-using PairTable = std::vector<std::vector<std::optional<std::size_t>>>;
+/** Of each two runs the pair that is used, the first of several; by its index. */
+using UsedPairs = PairTable<std::optional<std::size_t>>;
 
-PairTable tableOf(std::size_t runs, const std::vector<PairPose>& pairs, double minConfidence) {
-  PairTable table(runs, std::vector<std::optional<std::size_t>>(runs));
+UsedPairs usedPairs(std::size_t runs, const std::vector<PairPose>& pairs) {
+  std::vector<PairOfThings> sure;
+  for (const PairPose& pair : pairs)
+    if (pair.confidence >= kMinPairConfidence) sure.emplace_back(pair.a, pair.b);
+  UsedPairs used(runs, sure);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs[i].confidence < minConfidence) continue;
-    auto& entry = table[pairs[i].a][pairs[i].b];
-    if (!entry) entry = table[pairs[i].b][pairs[i].a] = i;
+    if (pairs[i].confidence < kMinPairConfidence) continue;
+    if (auto& entry = used(pairs[i].a, pairs[i].b); !entry) entry = i;
   }
-  return table;
+  return used;
 }
 
 /** Confidence, raised by each third run over which the same pose comes out, and lowered by each
  *  over which another one does. */
-double trustIn(const PairPose& pair, const std::vector<PairPose>& pairs, const PairTable& table,
-               const SitePosesOptions& options) {
+double trustIn(const PairPose& pair, const std::vector<PairPose>& pairs, const UsedPairs& used) {
   double trust = pair.confidence;
-  for (std::size_t c = 0; c < table.size(); ++c) {
-    const auto ac = table[pair.a][c], cb = table[c][pair.b];
-    if (c == pair.a || c == pair.b || !ac || !cb) continue;
+  for (const std::size_t c : used.othersOf(pair.a)) {
+    if (!used.has(c, pair.b)) continue;
+    const auto ac = used(pair.a, c), cb = used(c, pair.b);
     const Transform2D way = seenFrom(pairs[*ac], pair.a) * seenFrom(pairs[*cb], c);
-    const double d = apart(pair, pair.pose, way, options.lever) / (3 * options.width);
+    const double d = apart(pair, pair.pose, way) / (3 * kMaxMisfit);
     const double weight = pairs[*ac].confidence * pairs[*cb].confidence;
     trust += weight * (2 / (1 + d * d * d * d) - 1);
   }
@@ -55,16 +59,16 @@ double trustIn(const PairPose& pair, const std::vector<PairPose>& pairs, const P
 }
 
 /** Places one run after the other, each over the most trusted pair that reaches it. */
-std::vector<SitePose> tree(const std::vector<PairPose>& pairs, const PairTable& table,
-                           std::size_t reference, const SitePosesOptions& options) {
+std::vector<SitePose> tree(const std::vector<PairPose>& pairs, const UsedPairs& used,
+                           std::size_t reference) {
   std::vector<double> trust;
-  for (const PairPose& pair : pairs) trust.push_back(trustIn(pair, pairs, table, options));
-  std::vector<SitePose> runs(table.size());
+  for (const PairPose& pair : pairs) trust.push_back(trustIn(pair, pairs, used));
+  std::vector<SitePose> runs(used.things());
   runs[reference].isPlaced = true;
   for (;;) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const bool isUsed = table[pairs[i].a][pairs[i].b] == i;
+      const bool isUsed = used(pairs[i].a, pairs[i].b) == i;
       if (!isUsed || runs[pairs[i].a].isPlaced == runs[pairs[i].b].isPlaced) continue;
       if (!best || trust[i] > trust[*best]) best = i;
     }
@@ -83,14 +87,14 @@ struct Row {
   Eigen::Vector3d r;
 };
 
-Row rowOf(const PairPose& pair, const Transform2D& a, const Transform2D& b, double lever) {
+Row rowOf(const PairPose& pair, const Transform2D& a, const Transform2D& b) {
   const Point inSite = b(pair.middle), target = a(pair.pose(pair.middle));
   const Point leverB = inSite - b.shift(), leverA = target - a.shift();
   Row row;
   row.r << inSite.x - target.x, inSite.y - target.y,
-      lever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
-  row.jb << 1, 0, -leverB.y, 0, 1, leverB.x, 0, 0, lever;
-  row.ja << -1, 0, leverA.y, 0, -1, -leverA.x, 0, 0, -lever;
+      kTurnLever * wrappedAngle(b.phi - a.phi - pair.pose.phi);
+  row.jb << 1, 0, -leverB.y, 0, 1, leverB.x, 0, 0, kTurnLever;
+  row.ja << -1, 0, leverA.y, 0, -1, -leverA.x, 0, 0, -kTurnLever;
   return row;
 }
 
@@ -129,14 +133,14 @@ class NormalEquations {
 };
 
 /** One step of all placed runs but the reference; how far it moved them. */
-double step(const std::vector<PairPose>& pairs, const PairTable& table, std::size_t reference,
-            const SitePosesOptions& options, std::vector<SitePose>& runs) {
+double step(const std::vector<PairPose>& pairs, const UsedPairs& used, std::size_t reference,
+            std::vector<SitePose>& runs) {
   NormalEquations equations(runs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const PairPose& p = pairs[i];
-    if (table[p.a][p.b] != i || !runs[p.a].isPlaced || !runs[p.b].isPlaced) continue;
-    const Row row = rowOf(p, runs[p.a].pose, runs[p.b].pose, options.lever);
-    const double s = row.r.squaredNorm() / (options.width * options.width);
+    if (used(p.a, p.b) != i || !runs[p.a].isPlaced || !runs[p.b].isPlaced) continue;
+    const Row row = rowOf(p, runs[p.a].pose, runs[p.b].pose);
+    const double s = row.r.squaredNorm() / (kMaxMisfit * kMaxMisfit);
     const double w = p.confidence / ((1 + s) * (1 + s));
     equations.add(p.a, p.a, w * row.ja.transpose() * row.ja);
     equations.add(p.b, p.b, w * row.jb.transpose() * row.jb);
@@ -167,19 +171,17 @@ void check(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t ref
 
 }  // namespace
 
-SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference,
-                    const SitePosesOptions& options) {
+SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference) {
   check(runs, pairs, reference);
-  const PairTable table = tableOf(runs, pairs, options.minConfidence);
+  const UsedPairs used = usedPairs(runs, pairs);
   SitePoses out;
-  out.runs = tree(pairs, table, reference, options);
-  for (int i = 0; i < options.iterations; ++i)
-    if (step(pairs, table, reference, options, out.runs) < kConverged) break;
+  out.runs = tree(pairs, used, reference);
+  for (int i = 0; i < kMaxSteps; ++i)
+    if (step(pairs, used, reference, out.runs) < kConverged) break;
   for (const PairPose& pair : pairs) {
     const SitePose &a = out.runs[pair.a], &b = out.runs[pair.b];
     const bool isPlaced = a.isPlaced && b.isPlaced;
-    out.misfit.push_back(isPlaced ? apart(pair, pair.pose, a.pose.inverse() * b.pose, options.lever)
-                                  : 0);
+    out.misfit.push_back(isPlaced ? apart(pair, pair.pose, a.pose.inverse() * b.pose) : 0);
   }
   return out;
 }

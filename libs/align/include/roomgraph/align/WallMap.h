@@ -16,6 +16,7 @@ namespace roomgraph {
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct WallMap {
   static constexpr std::uint32_t kNoWall = SparseIndices::kNone;  ///< a cell without a wall near it
+  static constexpr double kReach = 1;  ///< walls farther away are not in `nearest` [m]
 
   std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
   GridFrame frame;               ///< around all that is known, with a margin
@@ -32,7 +33,6 @@ struct WallMap {
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
   std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
   std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice
-  double reach = 0;                     ///< walls farther away are not in `nearest` [m]
 
   [[nodiscard]] Point middle() const {  ///< of `frame` [m]
     return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};

@@ -16,15 +16,12 @@ struct WallPatch {
 
 using WallPatches = std::vector<WallPatch>;  ///< by column, then by row
 
-struct WallPatchesOptions {
-  double side = 2;     ///< of a square [m]
-  double reach = 4;    ///< of `around` from the middle [m]: far enough to hold shift and turn
-  int maxAround = 60;  ///< points of `around`
-};
+constexpr double kPatchSide = 2;   ///< of a square [m]
+constexpr double kPatchReach = 4;  ///< of `around` from the middle: holds shift and turn [m]
+constexpr int kMaxAround = 60;     ///< points of `around`
 
 /** Cuts the walls of a map into patches, by column, then row of squares. Each wall point belongs to
  *  exactly one. O(walls * walls within reach). */
-[[nodiscard]] WallPatches wallPatches(const std::vector<WallPoint>& walls,
-                                      const WallPatchesOptions& options);
+[[nodiscard]] WallPatches wallPatches(const std::vector<WallPoint>& walls);
 
 }  // namespace roomgraph

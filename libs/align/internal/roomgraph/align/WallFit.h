@@ -7,6 +7,9 @@
 
 namespace roomgraph {
 
+/** How much it takes to shift what no wall holds, as a share of all that counts. */
+constexpr double kShiftHold = 0.02;
+
 /** One step of laying wall points onto the walls of a map, in (shift x, shift y, turn) about the
  *  place where `about` comes to lie. Distances count across the wall; far ones count little. */
 class WallFit {
@@ -14,12 +17,19 @@ class WallFit {
   WallFit(const Transform2D& pose, Point about, double width)
       : pose_(pose), forth_(pose), pivot_(forth_(about)), width_(width) {}
 
+  const Transform2D& pose() const { return pose_; }
+  const Motion2D& forth() const { return forth_; }
+
+  /** A point that is to be laid on the nearest wall of `in`. */
   void add(const WallPoint& point, const WallMap& in);
+  /** One that the pose has brought to `place`, and that belongs onto `wall`. */
+  void add(Point place, const WallPoint& wall);
 
   bool isEnough() const { return weight_ >= 3; }
 
-  /** The pose after the step. What no wall holds stays as it is. */
-  Transform2D improved() const;
+  /** The pose after the step. What no wall holds stays as it is; `turnHold`: how much it takes to
+   *  turn, as a share of all that counts. */
+  Transform2D improved(double turnHold) const;
 
  private:
   using Row = std::array<double, 3>;
@@ -33,15 +43,16 @@ class WallFit {
 };
 
 /** The pose that several steps come to, each with the walls that `addWalls(fit, step)` adds. It
- *  stays where too few walls are in reach. */
+ *  stays where too few walls are in reach. The walls of a patch lie close together, so that they
+ *  hold its turn less well than its place. */
 template <class AddWalls>
 Transform2D fittedPose(Transform2D pose, Point about, const NarrowingBand& band,
-                       const AddWalls& addWalls) {
+                       const AddWalls& addWalls, double turnHold = 0.08) {
   for (int step = 0; step < band.steps; ++step) {
     WallFit fit(pose, about, band.widthAt(step));
     addWalls(fit, step);
     if (!fit.isEnough()) break;
-    pose = fit.improved();
+    pose = fit.improved(turnHold);
   }
   return pose;
 }

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "roomgraph/align/alignment_hypotheses.h"
-#include "roomgraph/align/refine_alignment.h"
 #include "roomgraph/align/verify_alignment.h"
 
 namespace roomgraph {
@@ -12,19 +11,6 @@ namespace roomgraph {
 // In:   two WallMap
 // Out:  Alignment
 // Next: sitePoses
-
-struct AlignMapsOptions {
-  AlignmentHypothesesOptions hypotheses;
-  RefineAlignmentOptions quickRefine{0.6, 0.4, 4, 100};   ///< of each hypothesis
-  VerifyAlignmentOptions quickVerify{0.2, 0.4, 150};      ///< of each hypothesis
-  int closer = 120;                                       ///< poses that are looked at once more
-  RefineAlignmentOptions closerRefine{0.4, 0.3, 3, 250};  ///< of those
-  VerifyAlignmentOptions closerVerify{0.2, 0.4, 400};     ///< of those
-  int count = 60;                                         ///< poses that are looked at closely
-  RefineAlignmentOptions refine;                          ///< of those
-  VerifyAlignmentOptions verify;                          ///< of those
-  double minSameSite = 0.61;  ///< probability from which on two maps are of the same site
-};
 
 /** A pose, and what speaks for it. */
 struct AlignmentCandidate {
@@ -53,17 +39,16 @@ Alignment inverse(Alignment alignment);
 /** All poses that were looked at closely, best first; equal ones by the order of the search.
  *  Deterministic. About 0.1 s for two maps of 1000 m2. */
 std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const WallMap& b,
-                                                    const AlignMapsOptions& options);
+                                                    const SearchEffort& effort = kFullSearch);
 
 /** Finds how `b` lies in `a`, whatever its turn and with no first guess. Of a bent map, the part
  *  that fits best is laid down. Swapping the maps gives the inverse pose and the same numbers; a
  *  map fits itself as it is. Maps without walls have no candidates and confidence 0. Cost: that of
  *  alignmentCandidates. */
-Alignment alignMaps(const WallMap& a, const WallMap& b, const AlignMapsOptions& options);
+Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort = kFullSearch);
 
 /** The same, but looks only near `poses` (a <- b), so that what lies elsewhere is not known: the
  *  confidence is for the case that it must be one of these. A few ms for each. */
-Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses,
-                        const AlignMapsOptions& options);
+Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph

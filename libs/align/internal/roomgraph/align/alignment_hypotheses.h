@@ -11,15 +11,19 @@ namespace roomgraph {
 // Out:  poses worth a closer look
 // Next: refineAlignment, verifyAlignment
 
-struct AlignmentHypothesesOptions {
-  double cell = 0.25;      ///< of the search [m]; larger for maps of more than maxCells
-  int maxCells = 140;      ///< of the search, across a map
-  double angleStep = 2;    ///< [deg]
-  double turnShare = 0.4;  ///< turns that line up fewer of the walls than this are not tried
-  int maxPoints = 500;  ///< wall points of a map that are looked up, at most 800 (sums of 16 bits)
-  int perAngle = 30;    ///< places kept for one angle
-  int count = 2500;     ///< poses kept in all
+/** How much a search for poses may cost. */
+struct SearchEffort {
+  double cell = 0;   ///< of the search [m]; larger for large maps
+  int points = 0;    ///< wall points of a map that are looked up, at most 800 (sums of 16 bits)
+  int perAngle = 0;  ///< places kept for one angle
+  int poses = 0;     ///< kept in all
+  int closer = 0;    ///< of these, that are looked at once more
+  int close = 0;     ///< of those, that are looked at closely
 };
+
+constexpr SearchEffort kFullSearch{0.25, 500, 30, 2500, 120, 60};
+/** Good enough to tell which of several scales is right. */
+constexpr SearchEffort kQuickSearch{0.3, 300, 6, 200, 40, 12};
 
 struct AlignmentHypothesis {
   Transform2D pose;  ///< a <- b
@@ -32,6 +36,6 @@ struct AlignmentHypothesis {
  *  shift and turn, best first; ties by turn, then by shift. Exact in integers. Empty where a map
  *  has no walls. O(turns * points * cells). */
 std::vector<AlignmentHypothesis> alignmentHypotheses(const WallMap& a, const WallMap& b,
-                                                     const AlignmentHypothesesOptions& options);
+                                                     const SearchEffort& effort = kFullSearch);
 
 }  // namespace roomgraph

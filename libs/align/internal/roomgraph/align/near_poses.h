@@ -12,12 +12,12 @@ struct PoseTolerance {
 };
 
 // All that the comparison takes for one pose, from the narrowest on.
-constexpr PoseTolerance kSameFit{0.01, 0.1};          ///< starts that one fit brings together
 constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};  ///< answers to where a scan lies
 constexpr PoseTolerance kSameNode{0.03, 0.2};         ///< of submaps that one node can stand for
 constexpr PoseTolerance kSameStart{0.03, 0.3};        ///< candidates worth one closer look
 constexpr PoseTolerance kSameScanStart{0.05, 0.4};    ///< starts that one fit of a scan joins
 constexpr PoseTolerance kSamePiece{0.05, 0.5};        ///< patches of one piece of a broken map
+constexpr PoseTolerance kNextPatch{0.08, 0.4};        ///< what a map bends from patch to patch
 constexpr PoseTolerance kSteadyTrack{0.12, 0.6};      ///< what a map bends from scan to scan
 constexpr PoseTolerance kSameAnswer{0.15, 1.0};       ///< answers to how two maps lie in each other
 constexpr PoseTolerance kBesideItself{0.3, 3.0};      ///< what tracking finds, one from the other

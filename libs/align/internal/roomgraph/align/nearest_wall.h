@@ -18,6 +18,11 @@ inline std::size_t cellIndexAt(const GridFrame& frame, Point place) {
   return frame.index({int(x), int(y)});
 }
 
+/** Every so manyth wall point of a map is one of at most `maxPoints`; 0 without any. */
+inline std::size_t strideOf(const WallMap& map, int maxPoints) {
+  return (map.walls.size() + std::size_t(maxPoints) - 1) / std::size_t(maxPoints);
+}
+
 /** Whether a map has seen the cell at `index`: never beyond the last one. */
 inline bool hasSeen(const WallMap& map, std::size_t index) {
   return index < map.states.size() && map.states[index] != State::unknown;

@@ -10,16 +10,16 @@ namespace roomgraph {
 // Out:  the pose that lays the walls over each other
 // Next: verifyAlignment
 
-struct RefineAlignmentOptions {
-  NarrowingBand band{0.6, 0.25, 12};  ///< around a wall, of what counts
-  int maxPoints = 400;                ///< wall points of a map that are looked up
-};
+/** For a pose that is to be as good as it can be. */
+constexpr NarrowingBand kFineBand{0.6, 0.25, 12};
+constexpr int kFinePoints = 400;
 
 /** Moves `b` so that walls that face the same way come to lie on each other, both maps' wall points
  *  being looked up in the other map. Distances count across the wall, far ones little, so parts
  *  that fit well win over parts that do not. Where nothing is in reach, or nothing holds the pose
- *  in a direction, it stays as it is. O(steps * points). */
+ *  in a direction, it stays as it is. Of each map at most `maxPoints` wall points are looked up,
+ *  evenly. O(steps * points). */
 Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                            const RefineAlignmentOptions& options);
+                            const NarrowingBand& band = kFineBand, int maxPoints = kFinePoints);
 
 }  // namespace roomgraph

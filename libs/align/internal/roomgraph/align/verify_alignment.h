@@ -9,16 +9,10 @@ namespace roomgraph {
 // Out:  what speaks for it and against it
 // Next: alignMaps
 
-struct VerifyAlignmentOptions {
-  double near = kWallNoise;  ///< how far apart the same wall lies [m], in a good map
-  double far = 0.4;          ///< and in a bent one
-  int maxPoints = 1000;      ///< wall points of a map that are looked up
-};
-
 /** Lengths of wall [m], of both maps together; each side of a wall counts for itself. */
 struct AlignmentEvidence {
-  double close = 0;         ///< found again, counting by distance against `near`
-  double loose = 0;         ///< the same against `far`
+  double close = 0;         ///< found again, as far apart as the same wall lies in a good map
+  double loose = 0;         ///< the same in a bent one
   double slightly = 0;      ///< in the other map's free space, more than 0.2 m from its end
   double contradicted = 0;  ///< the same, more than 0.5 m, and not found loosely
   double known = 0;         ///< where the other map knows what is there
@@ -29,9 +23,12 @@ struct AlignmentEvidence {
   double freeOnWall = 0;  ///< share of `common` that is wall in the other, 0 to 1
 };
 
-/** Looks up each map's walls in the other, and each map's free space.
- *  O(points). */
+/** Enough for a pose that is to be as good as it can be. */
+constexpr int kVerifyPoints = 1000;
+
+/** Looks up each map's walls in the other, at most `maxPoints` of each, and each map's free space.
+ *  `noise`: how far apart the same wall lies in good maps [m]. O(points). */
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                                  const VerifyAlignmentOptions& options);
+                                  double noise = kWallNoise, int maxPoints = kVerifyPoints);
 
 }  // namespace roomgraph

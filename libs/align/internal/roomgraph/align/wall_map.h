@@ -9,19 +9,17 @@ namespace roomgraph {
 // Out:  WallMap
 // Next: alignMaps
 
-struct WallMapOptions {
-  double cell = 0.1;   ///< of WallMap::frame [m]; a coarser map keeps its own
-  double reach = 1.0;  ///< walls farther away are not looked for [m]
-};
+/** Side of a cell of WallMap::frame; a coarser map keeps its own [m]. */
+constexpr double kWallCell = 0.1;
 
 /** Finds the walls of a map. A map without any free cell beside an occupied one has no walls, and
  *  aligns with nothing. O(cells + walls * walls within 4 m). */
-WallMap wallMap(const Grid& grid, const WallMapOptions& options);
+WallMap wallMap(const Grid& grid);
 
 /** The same without what it takes to look walls up in it (`nearest`, `depths`), and what it tells
  *  of itself (`axisDeviation`, `wallSharpness`, `wallDoubling`): enough to be looked for in another
  *  map. */
-WallMap bareWallMap(const Grid& grid, const WallMapOptions& options);
+WallMap bareWallMap(const Grid& grid);
 
 /** Makes `nearest` and `depths`, which only depend on the rest. O(cells). */
 void addLookUp(WallMap& map);

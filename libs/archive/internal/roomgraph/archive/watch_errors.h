@@ -13,14 +13,12 @@ namespace roomgraph {
 // Out:  ErrorWatch
 // Next: watchSite
 
+/** Nights whose median is held against the limit, and in which a decline is looked for. */
+constexpr std::size_t kLastNights = 5, kDeclineNights = 30;
+
 struct WatchOptions {
-  double limit = 0.3;         ///< map error that is still good enough [m]
-  std::size_t nights = 5;     ///< whose median is held against the limit
-  std::size_t window = 30;    ///< nights in which a decline is looked for
-  std::size_t history = 90;   ///< nights in which a change is looked for
-  double surely = 0.0005;     ///< probability below which a trend or a change is none of chance
-  double leastRise = 0.3;     ///< as a share of the level before; less is no decline
-  double leastMetres = 0.03;  ///< less is no decline, either [m]
+  double limit = 0.3;        ///< map error that is still good enough [m]
+  std::size_t history = 90;  ///< nights in which a change is looked for
 };
 
 /** What the map errors say of a robot. */
@@ -29,8 +27,8 @@ struct ErrorWatch {
   bool isDeclining = false;             ///< the errors rise, slowly or not, and surely
   bool isChanged = false;               ///< they have been larger since some night, and surely
   bool isTooShort = true;               ///< too few samples to see a decline or a change
-  std::optional<SlopeFit> slope;        ///< of the window
-  TrendTest trend;                      ///< of the window
+  std::optional<SlopeFit> slope;        ///< of the last kDeclineNights
+  TrendTest trend;                      ///< of these
   std::optional<ChangePoint> change;    ///< of the history; its index is one of all samples
   std::optional<double> daysToLimit;    ///< where it is declining and below the limit
   std::optional<std::size_t> lastGood;  ///< the last sample that is not above the limit
@@ -39,8 +37,8 @@ struct ErrorWatch {
 };
 
 /** Judges the map errors [m] of a robot, in the order of time. One bad night, or two in five, are
- *  no alarm, a slow decline is. With fewer than `nights` samples nothing is said but lastGood, with
- *  fewer than twice as many nothing of a decline or a change. O(window^2 + history log history). */
+ *  no alarm, a slow decline is. With fewer than kLastNights samples nothing is said but lastGood,
+ *  with fewer than twice as many nothing of a decline or a change. O(history log history). */
 ErrorWatch watchErrors(const Samples& errors, const WatchOptions& options);
 
 }  // namespace roomgraph

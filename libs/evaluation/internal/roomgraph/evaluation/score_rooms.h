@@ -10,10 +10,6 @@ namespace roomgraph {
 // Out:  RoomScore
 // Next: roomScoreText, roomScoreJson
 
-struct ScoreRoomsOptions {
-  std::size_t largestDropped = 100;  ///< regions of at most this many pixels do not count [px]
-};
-
 /** What was compared: the regions of one of the two pictures. */
 struct ScoredRegions {
   LabelMap::Source source;
@@ -27,8 +23,8 @@ struct ScoredRegions {
  *  and iouSeg without any s, R and iouTruth without any g, mcc without either. If only the other
  *  side is without regions, they are 0. */
 struct RoomScore {
-  int width = 0, height = 0;  ///< pixels
-  ScoreRoomsOptions options;
+  int width = 0, height = 0;       ///< pixels
+  std::size_t largestDropped = 0;  ///< regions of at most so many pixels do not count [px]
   ScoredRegions seg, truth;
   std::size_t pixelsInBoth = 0;          ///< sum of O
   std::size_t pairs = 0;                 ///< matched one to one for mcc
@@ -42,7 +38,7 @@ struct RoomScore {
 };
 
 /** Compares two pictures of regions of one map, pixel by pixel. A region is all pixels of one label
- *  other than 0, connected or not. Regions of at most options.largestDropped pixels are dropped:
+ *  other than 0, connected or not. Regions of at most `largestDropped` pixels are dropped:
  *  their pixels count as unlabelled. A region without any common pixel counts as 0 in the means.
  *
  *  mcc is the mean Matthews correlation coefficient of regions paired one to one, over the pixels
@@ -61,7 +57,6 @@ struct RoomScore {
  *  mean nothing; exchanging the two maps exchanges P with R and iouSeg with iouTruth and leaves
  *  mcc. Deterministic. Expected O(pixels + p log p) for p pairs that share a pixel.
  *  @throws DataError where the maps differ in size; it names both. */
-RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth,
-                     const ScoreRoomsOptions& options = {});
+RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth, std::size_t largestDropped = 100);
 
 }  // namespace roomgraph

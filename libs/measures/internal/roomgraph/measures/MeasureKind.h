@@ -8,7 +8,8 @@ struct MeasureKind {
   const char* name;      ///< as in the files
   const char* label;     ///< for people
   const char* unit;      ///< "m", "deg", "pieces", or "1" for a share of 1
-  double leastSupport;   ///< below it the measure is not meaningful [what was counted]
+  double leastSupport;   ///< below it the measure is not meaningful [wall points, rooms,
+                         ///< m2 of the site, vertices, m of path, or scans]
   const char* sentence;  ///< what it is
 };
 

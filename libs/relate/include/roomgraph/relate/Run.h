@@ -21,6 +21,9 @@ struct Run {
   bool isScaleEstimated = false;   ///< `resolution` is estimateScale's, not the file's
 };
 
+/** The order of sortRuns. */
+[[nodiscard]] bool isBefore(const Run& l, const Run& r);
+
 /** Brings runs into the order that all results are computed in, by content and then by name, so
  *  that the order in which they are given changes no number. */
 void sortRuns(std::vector<Run>& runs);

@@ -1,5 +1,4 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -12,12 +11,11 @@ class DistinctMaps {
  public:
   explicit DistinctMaps(const PairBends& bends) {
     for (std::size_t i = 0; i < bends.things(); ++i) {
-      const std::vector<std::size_t>& others = bends.othersOf(i);
-      const auto copy = std::find_if(others.begin(), others.end(), [&](std::size_t j) {
-        return j > i || bends(i, j).areIdentical;
-      });
-      first_.push_back(copy == others.end() ? i : std::min(i, *copy));
-      count_ += first_.back() == i;
+      std::size_t first = i;
+      for (const std::size_t j : bends.othersOf(i))
+        if (j < first && bends(i, j).areIdentical) first = j;
+      first_.push_back(first);
+      count_ += first == i;
     }
   }
 

@@ -6,6 +6,9 @@ namespace roomgraph {
 /** Wall points below which what two maps have in common tells nothing for sure. */
 constexpr double kFewestWalls = 300;
 
+/** Fewer other runs can not outvote one that is wrong. */
+constexpr std::size_t kFewestOthers = 2;
+
 /** How far one map bends away from another, see FollowedWalls. */
 struct PairBend {
   double bend = 0;   ///< root mean square [m]

@@ -14,24 +14,9 @@ namespace roomgraph {
 // Out:  ScaleEstimate
 // Next: extract, with that scale
 
-/** An alignment that is good enough to tell which of several scales is right. */
-AlignMapsOptions quickAlignment();
-
-struct EstimateScaleOptions {
-  double step = 0.05;          ///< between the scales that are tried, as a share
-  double below = 1.25;         ///< factor by which they go below what sizes of rooms and map tell
-  double above = 1.6;          ///< and above: what a run has not seen makes them look small
-  double guessReach = 2;       ///< factor by which they go farther still to reach the first guess
-  std::size_t closer = 3;      ///< scales that are looked at closely
-  std::size_t searches = 2;    ///< runs that the picture is looked for in, until it fits one
-  std::size_t voters = 5;      ///< runs that have their say at last
-  double minConfidence = 0.4;  ///< siteConfidence of the pose from which on a picture may fit
-  double minOverlap = 0.5;     ///< of the pose
-  double minOfRun = 0.2;       ///< share of the run's free area that the picture must show, too
-  double minMargin = 1.2;      ///< how much better its score must be than that of any other scale
-  AlignMapsOptions quick = quickAlignment();  ///< of each scale that is tried
-  AlignMapsOptions align;                     ///< of those that are looked at closely
-};
+constexpr double kScaleStep = 0.05;          ///< between the scales that are tried, as a share
+constexpr double kMinScaleConfidence = 0.4;  ///< that the picture is of the run's site
+constexpr double kMinScaleMargin = 1.2;      ///< of the score before that of any other scale
 
 /** The scale at which a picture fits the runs. */
 struct ScaleEstimate {
@@ -57,7 +42,6 @@ Grid rescaled(Grid grid, double resolution);
  *  on another scale can be taken wrongly. The same for any order of the jobs; runs that are equal
  *  in size and straightness count in their order. About 35 times alignMaps. */
 std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vector<Run>& runs,
-                                           const EstimateScaleOptions& options,
                                            const ForEach& forEach);
 
 }  // namespace roomgraph

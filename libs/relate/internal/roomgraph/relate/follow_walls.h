@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/NarrowingBand.h"
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -29,19 +29,8 @@ struct FollowedWalls {
   double share = 0;  ///< of the walls that were found, 0 to 1
 };
 
-struct FollowWallsOptions {
-  NarrowingBand band{0.8, 0.25, 4};  ///< around a wall, of what counts in the fit of a patch
-  double near = kWallNoise;          ///< a wall this far from another counts half [m]
-  double goodQuality = 0.5;   ///< share of a patch's walls from which on it is found by itself
-  double fairQuality = 0.3;   ///< and where all around it has been found
-  double maxStep = 0.4;       ///< between the poses of neighbours, at the patch [m]
-  double maxStepTurn = 0.08;  ///< and between their turns [rad]
-  double maxBend = 60;        ///< of a piece away from the first pose, at a patch [m]
-  double maxTurn = 3.2;       ///< and its turn [rad]
-  double minPiece = 0.03;     ///< share of the walls from which on a piece counts
-  int pieces = 6;             ///< at most
-  int candidates = 40;        ///< poses that are tried for a piece
-};
+/** Around a wall, of what counts in the fit of a patch. */
+constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 
 /** Looks for each patch of `of` in `in`, starting where the first of `poses` (in <- of) fits and
  *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
@@ -50,6 +39,6 @@ struct FollowWallsOptions {
  *  pose. A map followed in itself from where it lies hardly bends. Deterministic. O(patches *
  *  points of a patch). */
 FollowedWalls followWalls(const WallMap& of, const WallMap& in,
-                          const std::vector<Transform2D>& poses, const FollowWallsOptions& options);
+                          const std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph

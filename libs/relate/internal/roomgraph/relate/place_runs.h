@@ -17,14 +17,14 @@ namespace roomgraph {
 
 /** Whether two runs are taken for ones of one site. Of a symmetric building, no run is sure to lie
  *  in the right turn, but each lies in one of few. */
-bool isJoined(const MapPair& pair, const SitePosesOptions& options);
+bool isJoined(const MapPair& pair);
 
 /** Places the runs in one frame. The site is the largest set of runs that are joined by pairs of
  *  the same site (that of `reference`, if any; of equal ones the surest). Its frame is that of the
  *  run that the others fit best, or of the reference. Bare maps of the core are completed. Empty
  *  for no runs. O(runs * pairs). */
 Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
-               const SitePosesOptions& options, std::optional<std::size_t> reference);
+               std::optional<std::size_t> reference);
 
 /** What is known of those pairs of a site that were related. Pairs that have not found each other,
  *  or lie otherwise than in the site, are followed from the poses in the site, if they fit there.

@@ -19,12 +19,9 @@ struct PairPose {
   Point middle;              ///< of b's walls [m, frame of b]: where the pose is known best
 };
 
-struct SitePosesOptions {
-  double minConfidence = 0.3;  ///< pairs below this are not used
-  double width = 0.5;          ///< a pair that disagrees by more than this counts little [m]
-  double lever = 10;           ///< how far from the middle a turn is felt [m per rad]
-  int iterations = 50;         ///< at most
-};
+constexpr double kMinPairConfidence = 0.3;  ///< pairs below this are not used
+constexpr double kTurnLever = 10;           ///< how far from the middle a turn is felt [m per rad]
+constexpr double kMaxMisfit = 0.5;          ///< a pair that disagrees by more counts little [m]
 
 struct SitePose {
   Transform2D pose;       ///< site <- run
@@ -42,7 +39,6 @@ struct SitePoses {
  *  nothing. With two runs: the pair's pose. A run that no used pair joins to the reference is not
  *  placed. Ties by the order of the pairs. O(runs^3) a step, at most 50 steps.
  *  @throws UsageError where a pair names a run that is not there, or `reference` is none. */
-SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference,
-                    const SitePosesOptions& options);
+SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference);
 
 }  // namespace roomgraph
