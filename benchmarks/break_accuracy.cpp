@@ -50,7 +50,7 @@ void measure(const std::string& data, const std::string& only, const std::string
       "|---|---|---|---|---|---|---|\n");
   for (const std::string& folder : simulatedSites(data, only)) {
     const SimulatedSite site = readSite(folder, extension);
-    const Comparison comparison = compareRelated(site.runs, site.related, {});
+    const Comparison comparison = compareRuns(site.runs, site.related, {});
     const Transform2D toTruth = siteToTruth(comparison, site);
     for (std::size_t i = 0; i < site.runs.size(); ++i) {
       bool isRight = false, isAny = false;

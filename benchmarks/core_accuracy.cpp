@@ -27,7 +27,7 @@ struct Outcome {
 
 Outcome compared(const ReadRuns& read, std::size_t core) {
   CompareMapsOptions options;
-  options.compare.core = core;
+  options.compare.core = int(core);
   const std::clock_t start = std::clock();
   Outcome outcome{compareMaps(read, options), 0};
   outcome.seconds = double(std::clock() - start) / CLOCKS_PER_SEC;

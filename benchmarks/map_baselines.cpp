@@ -46,7 +46,7 @@ Figures figuresOf(const Run& run, const Comparison& found, const MapMetricsOptio
 
 /** Spearman of each figure with the truth, all runs of a site. */
 Figures agreementOf(const SimulatedSite& site, const MapMetricsOptions& options) {
-  const Comparison found = compareRelated(site.runs, site.related, {});
+  const Comparison found = compareRuns(site.runs, site.related, {});
   std::array<std::vector<double>, kNames.size()> columns;
   for (const Run& run : site.runs) {
     const Figures figures = figuresOf(run, found, options);

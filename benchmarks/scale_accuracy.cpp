@@ -46,7 +46,7 @@ std::vector<Tellers> tellersOf(const SimulatedSite& site) {
 /** Prints a row; the error as a share, none where no scale was found. */
 std::optional<double> estimate(const PlannedSite& of, const Tellers& tellers, double guess) {
   const double truth = of.plan.frame.resolution;
-  const auto found = estimateScale(rescaled(of.plan, guess * truth), tellers.runs, {}, oneByOne);
+  const auto found = estimateScale(rescaled(of.plan, guess * truth), tellers.runs, oneByOne);
   std::printf("| %s | %s | %.3f | ", of.site.name.c_str(), tellers.name.c_str(), guess * truth);
   if (!found) {
     std::printf("none | | |\n");
@@ -78,7 +78,7 @@ void refuseOthers(const std::vector<PlannedSite>& sites) {
   for (const PlannedSite& plan : sites)
     for (const PlannedSite& other : sites) {
       if (&plan == &other) continue;
-      const auto found = estimateScale(plan.plan, other.site.runs, {}, oneByOne);
+      const auto found = estimateScale(plan.plan, other.site.runs, oneByOne);
       ++asked, refused += !found;
       if (found)
         std::printf("\n%s was taken for %s, at %.4f m.\n", plan.site.name.c_str(),

@@ -94,7 +94,7 @@ Accuracy compareDrawn(const SimulatedSite& site, const std::vector<std::size_t>&
   for (const std::size_t i : drawn) runs.push_back(site.runs[i]);
   MapPairs related(drawn.size());
   for (const auto& [a, b] : related.pairs()) related(a, b) = site.related(drawn[a], drawn[b]);
-  return accuracyOf(compareRelated(runs, related, {}), site, drawn);
+  return accuracyOf(compareRuns(runs, related, {}), site, drawn);
 }
 
 /** `size` of `all` numbers, ascending. */

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/compare/compare_related.h"
+#include "roomgraph/compare/compare_runs.h"
+#include "roomgraph/relate/relate_runs.h"
 
 namespace roomgraph {
 

@@ -14,8 +14,8 @@
 #include "drawn_graph.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/compare/compare_related.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
 
@@ -56,7 +56,7 @@ TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
   for (const ComparedRun& one : result.runs) {
     ASSERT_TRUE(one.score);
     EXPECT_EQ(one.score->score, 100);
-    EXPECT_EQ(one.score->bend, 0);
+    EXPECT_EQ(measureOf(one, "bend").value, 0);
     EXPECT_EQ(one.score->mapError, 0);
     EXPECT_EQ(one.rank, 1u);
     EXPECT_FALSE(one.score->isMeaningful) << "two runs only";
@@ -190,7 +190,7 @@ TEST(CompareRuns, aPairThatContradictsTheSiteIsFollowedAgain) {
     walls->pose = halfTurn * walls->pose;
     for (FollowedPatch& patch : walls->patches) patch.pose = halfTurn * patch.pose;
   }
-  const Comparison result = compareRelated(runs, related, {});
+  const Comparison result = compareRuns(runs, related, {});
   for (const ComparedPair& pair : result.pairs)
     EXPECT_LT(measureOf(pair, "global_accuracy").value.value_or(99), 0.5) << pair.a << pair.b;
 }
@@ -229,9 +229,9 @@ TEST(CompareRuns, aRunThatLiesInOneOfTwoTurnsIsOfTheSite) {
                                          run("b", drawnBuilding(1, {0, 0, 0.5}))};
   MapPairs related = test::related(runs);
   related(0, 1).alignment.confidence = 0.4, related(0, 1).alignment.runnerUpConfidence = 0.35;
-  EXPECT_EQ(compareRelated(runs, related, {}).runs.size(), 2u);
+  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 2u);
   related(0, 1).alignment.runnerUpConfidence = 0.05;
-  EXPECT_EQ(compareRelated(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
+  EXPECT_EQ(compareRuns(runs, related, {}).runs.size(), 1u) << "it may lie anywhere";
 }
 
 TEST(CompareRuns, aReferenceIsWhatAllAreMeasuredAgainst) {
@@ -257,7 +257,7 @@ TEST(CompareRuns, nothingToCompareIsSaid) {
 }
 
 TEST(CompareRuns, refusesAWrongNumberOfPairs) {
-  EXPECT_THROW(compareRelated(threeGoodAndABentRun(), MapPairs(), {}), UsageError);
+  EXPECT_THROW(compareRuns(threeGoodAndABentRun(), MapPairs(), {}), UsageError);
   CompareRunsOptions options;
   options.reference = 3;
   EXPECT_THROW(compareRuns({}, options), UsageError);

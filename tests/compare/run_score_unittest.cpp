@@ -54,7 +54,6 @@ TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
   bends(0, 2) = {0, 1, 1000, true};
   for (const auto& score : scored(bends, errorsOf({0.2, 0.2, 0.2}), {}, {})) {
     EXPECT_EQ(score->others, 1u);
-    EXPECT_EQ(score->bend, 0.3);
     EXPECT_FALSE(score->isMeaningful) << "these are two maps";
   }
 }
@@ -65,7 +64,6 @@ TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
   const auto scores = scored(bends, errorsOf({0.2, 0.2, 0.2, 0}), {}, {});
   EXPECT_FALSE(scores[3]->isMeaningful);
   EXPECT_EQ(scores[3]->trust, 0);
-  EXPECT_GT(scores[3]->bend, 0);
   EXPECT_TRUE(scores[0]->isMeaningful);
   EXPECT_EQ(scores[0]->trust, 1);
 }
@@ -96,7 +94,6 @@ TEST(ScoreRuns, theBestRunHasTheMostTrust) {
   const auto scores = scored(bends, errorsOf({0.07, 0.08, 0.08, 1}), {}, {});
   EXPECT_EQ(scores[0]->trust, 1);
   EXPECT_LT(scores[3]->trust, 0.05);
-  EXPECT_NEAR(scores[0]->bend, 0.1, 0.02) << "the outlier weighs little";
 }
 
 TEST(ScoreRuns, theOrderOfTheRunsChangesNothing) {
@@ -109,19 +106,17 @@ TEST(ScoreRuns, theOrderOfTheRunsChangesNothing) {
   const auto other = scored(back, errorsOf({0.9, 0.3, 0.2, 0.1}), {}, {});
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(forth[i]->score, other[3 - i]->score);
-    EXPECT_NEAR(forth[i]->bend, other[3 - i]->bend, 1e-12);
     EXPECT_NEAR(forth[i]->share, other[3 - i]->share, 1e-12);
     EXPECT_EQ(forth[i]->trust, other[3 - i]->trust);
     EXPECT_EQ(forth[i]->support, other[3 - i]->support);
   }
 }
 
-TEST(ScoreRuns, theBendIsTheMeanByTrustAndShare) {
+TEST(ScoreRuns, theShareIsTheMeanByTrust) {
   PairBends bends = allBends(3, 0);
   bends(0, 1) = {0.2, 0.5, 300, false}, bends(0, 2) = {0.8, 1, 700, false};
   const auto scores = scored(bends, errorsOf({0.1, 0.1, 0.3}), {}, {});
   const double one = scores[1]->trust * 0.5, two = scores[2]->trust * 1;
-  EXPECT_NEAR(scores[0]->bend, (one * 0.2 + two * 0.8) / (one + two), 1e-12);
   EXPECT_NEAR(scores[0]->share, (one + two) / (scores[1]->trust + scores[2]->trust), 1e-12);
   EXPECT_EQ(scores[0]->support, 1000);
 }

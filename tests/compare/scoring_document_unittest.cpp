@@ -34,7 +34,7 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
 TEST(ScoringDocument, saysHowRunsArePlaced) {
   expectSaid("with a confidence of at least %g,", kMinPairConfidence);
   expectSaid("disagrees with the rest by more than %g m has little weight", kMaxMisfit);
-  EXPECT_EQ(CompareRunsOptions().core, 12u);
+  EXPECT_EQ(CompareRunsOptions().core, 12);
   expectSaid("With more than twelve runs");
 }
 
@@ -54,10 +54,10 @@ TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {
   const RunScoreOptions score;
-  expectSaid("fewer than %g wall points", score.minWalls);
-  expectSaid("no other run shares %g %% of the walls", 100 * score.minShare);
+  expectSaid("fewer than %g wall points", kFewestWalls);
+  expectSaid("no other run shares %g %% of the walls", 100 * score.leastShare);
   expectSaid("exp(−map error / %g m)", score.scoreScale);
-  expectSaid("1 / (%g m + map error)⁴", score.trustFloor);
+  expectSaid("1 / (%g m + map error)⁴", kTrustFloor);
 }
 
 TEST(ScoringDocument, saysWhenAScaleIsFound) {

@@ -1,5 +1,4 @@
-#include <filesystem>
-
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {
@@ -10,6 +9,8 @@ FieldTable describe(CompareMapsOptions& options) {
              "All maps are in one frame already.");
   table.flag("compare", "estimate_scale", options.estimatesScale,
              "Bare pictures are read at the scale at which they fit the other maps.");
+  table.count("compare", "core", options.compare.core, 3, 10000,
+              "Up to so many runs are compared each with each; of more, so many are.");
   table.number("run_score", "scale", options.compare.scoreScale, "m", 0.001, 1000,
                "The map error at which the score is 37, which is 100 / e.");
   table.number("run_score", "min_share", options.compare.leastShare, "", 0, 1,
@@ -33,8 +34,7 @@ std::vector<UsedOption> usedOptions(CompareMapsOptions options) {
   const FieldTable table = describe(options);
   for (const Field& field : table.fields())
     used.push_back({field.section, field.name, valueText(field), field.unit, field.sentence});
-  used.push_back({"compare", "reference",
-                  std::filesystem::path(options.reference).filename().string(), "",
+  used.push_back({"compare", "reference", fileName(options.reference), "",
                   "The map that all runs are measured against; empty for none."});
   return used;
 }

@@ -7,7 +7,6 @@
 
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/compare/compare_related.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
@@ -17,9 +16,7 @@ namespace roomgraph {
 Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options) {
   CompareRunsOptions compare = options.compare;
   compare.reference = read.reference;
-  Comparison result = compareRelated(
-      read.runs, relateRuns(read.runs, relateOptionsOf(compare), compare.forEach, compare.kept),
-      compare);
+  Comparison result = compareRuns(read.runs, compare);
   result.leftOut.insert(result.leftOut.end(), read.leftOut.begin(), read.leftOut.end());
   std::sort(result.leftOut.begin(), result.leftOut.end(),
             [](const LeftOutRun& l, const LeftOutRun& r) { return l.name < r.name; });

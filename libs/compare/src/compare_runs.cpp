@@ -1,28 +1,92 @@
 #include "roomgraph/compare/compare_runs.h"
 
+#include <algorithm>
+#include <set>
 #include <string>
 
-#include "roomgraph/compare/compare_related.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/return_memory.h"
+#include "roomgraph/breaks/site_breaks.h"
+#include "roomgraph/compare/run_score.h"
+#include "roomgraph/consensus/estimate_map_errors.h"
+#include "roomgraph/consensus/site_consensus.h"
+#include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/measures/measure_site.h"
+#include "roomgraph/relate/place_runs.h"
+#include "roomgraph/relate/relate_runs.h"
+#include "summarize.h"
 
 namespace roomgraph {
 namespace {
 
-std::size_t placeOf(const std::string& name, const std::vector<Run>& runs) {
-  std::size_t place = 0;
-  while (runs[place].name != name) ++place;
-  return place;
+void check(const std::vector<Run>& runs, const MapPairs& related,
+           const CompareRunsOptions& options) {
+  if (related.things() != runs.size())
+    throw UsageError("compare_runs: there are " + std::to_string(runs.size()) + " runs, but " +
+                     std::to_string(related.things()) + " were related");
+  std::set<std::string> names;
+  for (const Run& run : runs)
+    if (!names.insert(run.name).second)
+      throw UsageError("compare_runs: two runs are named " + run.name + ": name them differently");
+  if (options.reference && *options.reference >= runs.size())
+    throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
+}
+
+SiteBreaksOptions breaking(const CompareRunsOptions& options) {
+  SiteBreaksOptions breaking;
+  breaking.findBreaks.minShift = breaking.findPieces.minShift = options.breakShift;
+  breaking.findBreaks.minRotation = options.breakRotation;
+  // Walls alone show no smaller turns than they do by themselves.
+  double& ofPieces = breaking.findPieces.minRotation;
+  ofPieces = std::max(ofPieces, options.breakRotation);
+  return breaking;
+}
+
+/** The place at which a run comes to be by sortRuns. */
+std::optional<std::size_t> placeOf(const std::optional<std::size_t>& run,
+                                   const std::vector<Run>& before, const std::vector<Run>& after) {
+  if (!run || *run >= before.size()) return run;
+  const auto found = std::find_if(after.begin(), after.end(), [&](const Run& other) {
+    return other.name == before[*run].name;
+  });
+  return std::size_t(found - after.begin());
 }
 
 }  // namespace
 
-Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options) {
-  CompareRunsOptions sorted = options;
-  const bool hasReference = options.reference && *options.reference < runs.size();
-  const std::string reference = hasReference ? runs[*options.reference].name : "";
-  sortRuns(runs);
-  if (hasReference) sorted.reference = placeOf(reference, runs);
-  return compareRelated(
-      runs, relateRuns(runs, relateOptionsOf(sorted), options.forEach, options.kept), sorted);
+Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
+                       const CompareRunsOptions& options) {
+  check(runs, related, options);
+  const ForEach& forEach = options.forEach;
+  // Every function here has its section in docs/method.md.
+  const Site site = placeRuns(runs, related, options.reference);
+  const MapPairs pairs = pairsInSite(site, related, forEach);
+  const PairBends bends = bendsOf(pairs);
+  const DistinctMaps maps(bends);
+  const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
+  returnMemory();  // of hundreds of runs, what it is worked out from is much
+  const std::vector<MapError> errors = siteErrors(site, bends, maps, consensus);
+  const RunScores scores =
+      scoreRuns(bends, maps, errors, site.reference, {options.scoreScale, options.leastShare});
+  const Trust trust = trustOf(scores, site.reference);
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
+  const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
+  const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
+  returnMemory();
+  return summarize(runs, related, {site, pairs, consensus, scores, breaks, measures, rooms});
+}
+
+Comparison compareRuns(const std::vector<Run>& runs, const CompareRunsOptions& options) {
+  if (!std::is_sorted(runs.begin(), runs.end(), isBefore)) {
+    std::vector<Run> sorted = runs;
+    sortRuns(sorted);
+    CompareRunsOptions again = options;
+    again.reference = placeOf(options.reference, runs, sorted);
+    return compareRuns(sorted, again);
+  }
+  const RelateRunsOptions relating{options.areAligned, options.reference,
+                                   std::size_t(options.core)};
+  return compareRuns(runs, relateRuns(runs, relating, options.forEach, options.kept), options);
 }
 
 }  // namespace roomgraph

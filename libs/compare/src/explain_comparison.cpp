@@ -60,9 +60,10 @@ std::string verdictOf(const Comparison& result) {
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
            "can be compared.";
+  const Measure* bend = find(best.measures, "bend");
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
-                     best.score->bend);
+                     bend && bend->value ? *bend->value : 0.0);
   const auto coverage = coverageOf(best);
   const bool isPartial = coverage && *coverage < kPartialCoverage;
   const bool isDoubtful = result.isPlaceDoubtful(best.name);

@@ -18,37 +18,36 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
 
 /** Falls with the error; runs that have little in common with any other are not asked. */
 void setTrust(RunScores& scores, const PairBends& bends, const RunScoreOptions& options) {
-  const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.minShare; };
+  const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.leastShare; };
   bool areAllSmall = true;
   for (std::size_t i = 0; i < scores.size(); ++i) areAllSmall = areAllSmall && isSmall(i);
   double most = 0;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i] || (isSmall(i) && !areAllSmall)) continue;
-    scores[i]->trust = std::pow(options.trustFloor + scores[i]->mapError, -4);
+    scores[i]->trust = std::pow(kTrustFloor + scores[i]->mapError, -4);
     most = std::max(most, scores[i]->trust);
   }
   for (auto& score : scores)
     if (score && most > 0) score->trust /= most;
 }
 
-/** Sets the bend of one run away from the others, as their trust weighs it. */
+/** Sets what of one run was compared with the others, as their trust weighs it. */
 void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const DistinctMaps& maps,
            std::optional<std::size_t> reference) {
   const auto isAsked = [&](std::size_t other) {
     return reference ? other == *reference : maps.isMeasuredAgainst(run, other);
   };
   RunScore& score = *scores[run];
-  double sum = 0, weights = 0, trust = 0;
+  double weights = 0, trust = 0;
   for (const std::size_t j : bends.othersOf(run)) {
     if (!isAsked(j) || bends(run, j).share <= 0) continue;
     const PairBend& pair = bends(run, j);
     const double trustOfOther = scores[j] ? scores[j]->trust : 1;
-    sum += trustOfOther * pair.share * pair.bend, weights += trustOfOther * pair.share;
-    trust += trustOfOther;
+    weights += trustOfOther * pair.share, trust += trustOfOther;
     score.support += pair.walls;
     ++score.others;
   }
-  if (weights > 0) score.bend = sum / weights, score.share = weights / trust;
+  if (weights > 0) score.share = weights / trust;
 }
 
 }  // namespace
@@ -70,11 +69,11 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
   setTrust(scores, bends, options);
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (scores[i]) weigh(scores, i, bends, maps, reference);
-  const std::size_t minOthers = reference ? 1 : options.minOthers;
+  const std::size_t minOthers = reference ? 1 : kFewestOthers;
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (auto& score = scores[i])
-      score->isMeaningful = score->support >= options.minWalls && score->others >= minOthers &&
-                            mostShare(bends, i) >= options.minShare;
+      score->isMeaningful = score->support >= kFewestWalls && score->others >= minOthers &&
+                            mostShare(bends, i) >= options.leastShare;
   return scores;
 }
 

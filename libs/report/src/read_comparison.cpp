@@ -61,7 +61,7 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.mapError = node["map_error_m"].number();
   score.errorLow = node["map_error_low"].number();
   score.errorHigh = node["map_error_high"].number();
-  score.bend = node["bend_m"].number(), score.share = node["shared_walls"].number();
+  score.share = node["shared_walls"].number();
   score.support = node["compared_walls"].number(), score.others = count(node["others"]);
   score.trust = node["trust"].number(), score.isMeaningful = isTrue(node["meaningful"]);
   return score;

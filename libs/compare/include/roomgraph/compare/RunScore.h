@@ -10,8 +10,7 @@ constexpr double kLeastShare = 0.2;
 
 /** What the walls of one run say against those of the others. */
 struct RunScore {
-  double bend = 0;   ///< against the others, each weighted by its trust [m]
-  double share = 0;  ///< of the walls that the others have, too; weighted alike
+  double share = 0;  ///< of the walls that the others have, too, each weighted by its trust
   double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
   double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
   double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1

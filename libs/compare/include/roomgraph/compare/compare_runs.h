@@ -10,10 +10,15 @@
 
 namespace roomgraph {
 
+struct MapPairs;
+
 // Ours
 // In:   the runs, as prepareRun makes them
 // Out:  Comparison
 // Next: comparisonJson, comparisonReport
+
+/** See CompareRunsOptions::core. */
+constexpr int kCoreRuns = 12;
 
 struct CompareRunsOptions {
   bool areAligned = false;                ///< all maps are in one frame already
@@ -26,7 +31,7 @@ struct CompareRunsOptions {
   ForEach forEach = oneByOne;  ///< changes no number
   /** Up to so many runs are related each to each; of more, so many work out the consensus, and the
    *  others are held against it, see relateRuns. At least 3. */
-  std::size_t core = 12;
+  int core = kCoreRuns;
 };
 
 /** Relates the runs, places them in one frame, scores and measures each, and says which is best.
@@ -40,6 +45,12 @@ struct CompareRunsOptions {
  *
  *  O(runs * walls), and with the square of the runs up to `core` of them.
  *  @throws UsageError where there is no such reference, or two runs have one name. */
-[[nodiscard]] Comparison compareRuns(std::vector<Run> runs, const CompareRunsOptions& options);
+[[nodiscard]] Comparison compareRuns(const std::vector<Run>& runs,
+                                     const CompareRunsOptions& options);
+
+/** The same for runs in the order of sortRuns that are related already, as relateRuns gives it.
+ *  @throws UsageError also where `related` are not those of as many runs. */
+[[nodiscard]] Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
+                                     const CompareRunsOptions& options);
 
 }  // namespace roomgraph

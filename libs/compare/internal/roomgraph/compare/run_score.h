@@ -15,13 +15,13 @@ namespace roomgraph {
 // Out:  RunScore of each run
 // Next: compareRuns
 
+/** Error below which all runs are trusted alike [m]. */
+constexpr double kTrustFloor = 0.05;
+
 /** How an error becomes a score. */
 struct RunScoreOptions {
   double scoreScale = kScoreScale;  ///< error at which the score is 100 / e [m]
-  double trustFloor = 0.05;         ///< error below which all runs are trusted alike [m]
-  double minWalls = kFewestWalls;   ///< wall points from which on a score is meaningful
-  std::size_t minOthers = 2;      ///< runs from which on a score is meaningful; 1 with a reference
-  double minShare = kLeastShare;  ///< of walls in common with another run, to be meaningful
+  double leastShare = kLeastShare;  ///< of walls in common with another run, to be meaningful
 };
 
 /** Of each run of a site; none for a reference, and where no wall could be compared. */
@@ -29,10 +29,10 @@ using RunScores = std::vector<std::optional<RunScore>>;
 
 /** Scores each run: 100 * exp(-mapError / scoreScale), where the map errors are those of the
  *  consensus. With `reference`, that run is taken for the truth and gets no score itself. Trust
- *  falls with the fourth power of trustFloor plus the map error; that of the most trusted run, or
- *  of the reference, is 1, that of a run without minShare 0, unless all are so. Runs of which no
- *  other has anything have no score. Meaningful with minOthers other runs (one reference), minWalls
- *  wall points and minShare. `errors` and `maps` are by run, as `bends`. O(runs^2).
+ *  falls with the fourth power of kTrustFloor plus the map error; that of the most trusted run, or
+ *  of the reference, is 1, that of a run without leastShare 0, unless all are so. Runs of which no
+ *  other has anything have no score. Meaningful with kFewestOthers other runs (one reference),
+ *  kFewestWalls wall points and leastShare. `errors` and `maps` are by run, as `bends`. O(runs^2).
  *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
 RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                     const std::vector<MapError>& errors, std::optional<std::size_t> reference,
