@@ -59,10 +59,7 @@ void declareFrames(CompareArguments& arguments, CLI::App& app) {
 }
 
 void declareResults(CompareArguments& arguments, CLI::App& app) {
-  declareOutput(arguments.folder,
-                "report.html, comparison.json, comparison.runs.csv, comparison.rooms.csv, "
-                "comparison.rooms.geojson, comparison.3Dscene and comparison.roomgraph",
-                app);
+  declareOutput(arguments.folder, listedFiles(), app);
   declareFormats(arguments.formats, app);
   declareFrames(arguments, app);
   app.add_option(

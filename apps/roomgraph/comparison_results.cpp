@@ -11,6 +11,7 @@
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
@@ -72,6 +73,12 @@ std::vector<std::string> ResultFiles::names() const {
 void ResultFiles::add(const Comparison& saved, const std::vector<Run>& runs,
                       StagedFiles& staged) const {
   for (const ComparisonFile* file : files_) staged.add(nameOf(*file), file->bytes(saved, runs));
+}
+
+std::string listedFiles() {
+  std::vector<std::string> names;
+  for (const ComparisonFile& file : kFiles) names.emplace_back(file.name);
+  return listed(names);
 }
 
 void declareFormats(std::string& formats, CLI::App& app) {

@@ -30,6 +30,9 @@ class ResultFiles {
   std::vector<const ComparisonFile*> files_;
 };
 
+/** The names of all files of a comparison, for the help. */
+std::string listedFiles();
+
 /** --format, for ResultFiles. */
 void declareFormats(std::string& formats, CLI::App& app);
 

@@ -33,16 +33,17 @@ constexpr OutputFormat kFormats[] = {
     {"3Dscene", "3Dscene", graphSceneFile},
     {"roomgraph", "roomgraph", graphObjectFile},
     {"labels", "areas.png",
-     [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }},
-    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); }},
+     [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }, false},
+    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); },
+     false},
     {"osm_ids", "ids.osm",
      [](const Stages& stages) {
        OsmXmlOptions options = osmOptions(stages);
        options.hasNumbers = true;
        return osmXml(stages.areas, options);
-     }},
+     },
+     false},
 };
-constexpr std::size_t kDefaultCount = 7;  // the first ones
 
 std::vector<std::string> allFormats() {
   std::vector<std::string> names;
@@ -81,8 +82,8 @@ std::string formatNames() { return listedFormats(allFormats()); }
 
 std::string defaultFormats() {
   std::string names;
-  for (std::size_t i = 0; i < kDefaultCount; ++i)
-    names += (i ? "," : "") + std::string(kFormats[i].name);
+  for (const OutputFormat& format : kFormats)
+    if (format.isDefault) names += (names.empty() ? "" : ",") + std::string(format.name);
   return names;
 }
 

@@ -10,6 +10,7 @@ namespace roomgraph {
 struct OutputFormat {
   const char *name, *extension;  ///< for --format; of the file
   std::string (*bytes)(const Stages& stages);
+  bool isDefault = true;  ///< written where nothing else is asked for
 };
 
 /** "a, b or all", for people. */

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "command_line.h"
@@ -10,6 +9,7 @@
 #include "page_summary.h"
 #include "page_values.h"
 #include "room_rows.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
@@ -26,10 +26,6 @@ using page_values::text;
 
 constexpr std::size_t kMostOpenRuns = 30;   // more scroll in a box of their own
 constexpr std::size_t kMostOpenPairs = 60;  // a longer table starts closed
-
-std::string fileName(const std::string& file) {
-  return std::filesystem::path(file).filename().string();
-}
 
 /** "0.12" for metres, "93 %" for shares. */
 std::string valueText(std::optional<double> value, const std::string& unit) {

@@ -10,14 +10,10 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/ledger/site_rooms.h"
+#include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
 namespace {
-
-Json number(std::optional<double> value) {
-  if (!value || !std::isfinite(*value)) return nullptr;
-  return rounded(*value);
-}
 
 Json poseJson(const Transform2D& pose) {
   return {rounded(pose.x), rounded(pose.y), std::round(pose.phi * 1e6) / 1e6 + 0.0};
@@ -29,10 +25,7 @@ Json poseJson(const std::optional<Transform2D>& pose) {
 
 Json measuresJson(const std::vector<Measure>& measures) {
   Json json = Json::object();
-  for (const Measure& m : measures)
-    json[m.name] = {{"value", number(m.value)},         {"unit", m.unit},
-                    {"support", std::round(m.support)}, {"low", number(m.low)},
-                    {"high", number(m.high)},           {"meaningful", m.isMeaningful}};
+  for (const Measure& measure : measures) json[measure.name] = measureJson(measure);
   return json;
 }
 
@@ -44,13 +37,13 @@ Json pathJson(const std::vector<PathPose>& path) {
                     {"x", rounded(at.pose.x)},
                     {"y", rounded(at.pose.y)},
                     {"phi", rounded(at.pose.phi)},
-                    {"error_m", number(at.error)}});
+                    {"error_m", numberOrNull(at.error)}});
   return json;
 }
 
 Json runJson(const ComparedRun& run) {
   const auto of = [&](double RunScore::*member) {
-    return run.score ? number((*run.score).*member) : Json(nullptr);
+    return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
   return {{"name", run.name},
           {"file", fileName(run.file)},
@@ -64,7 +57,6 @@ Json runJson(const ComparedRun& run) {
           {"meaningful", run.score && run.score->isMeaningful},
           {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
           {"reason", run.reason},
-          {"bend_m", of(&RunScore::bend)},
           {"shared_walls", of(&RunScore::share)},
           {"compared_walls", of(&RunScore::support)},
           {"others", run.score ? Json(run.score->others) : Json(nullptr)},
@@ -80,13 +72,13 @@ Json pairJson(const ComparedPair& pair) {
   Json runnerUp = nullptr;
   if (pair.runnerUp)
     runnerUp = {{"transform", poseJson(*pair.runnerUp)},
-                {"confidence", number(pair.runnerUpConfidence)}};
+                {"confidence", numberOrNull(pair.runnerUpConfidence)}};
   return {{"a", pair.a},
           {"b", pair.b},
           {"same_site", pair.isSameSite},
           {"transform", poseJson(pair.transform)},
-          {"confidence", number(pair.confidence)},
-          {"overlap", number(pair.overlap)},
+          {"confidence", numberOrNull(pair.confidence)},
+          {"overlap", numberOrNull(pair.overlap)},
           {"runner_up", runnerUp},
           {"measures", measuresJson(pair.measures)}};
 }
@@ -109,10 +101,10 @@ Json roomInRunJson(const RoomInRun& in) {
           {"sighting", nameOf(in.sighting)},
           {"pieces", in.pieces},
           {"merged", in.isMerged},
-          {"shift_m", number(in.shift)},
-          {"area_change", number(in.areaChange)},
-          {"boundary_agreement", number(in.boundaryAgreement)},
-          {"length_error_m", number(in.lengthError)},
+          {"shift_m", numberOrNull(in.shift)},
+          {"area_change", numberOrNull(in.areaChange)},
+          {"boundary_agreement", numberOrNull(in.boundaryAgreement)},
+          {"length_error_m", numberOrNull(in.lengthError)},
           {"doors_gained", in.doorsGained},
           {"doors_lost", in.doorsLost}};
 }
@@ -178,6 +170,12 @@ std::string scoreText(const RunScore& score, const std::string& coverage) {
 }
 
 }  // namespace
+
+Json measureJson(const Measure& measure) {
+  return {{"value", numberOrNull(measure.value)},   {"unit", measure.unit},
+          {"support", std::round(measure.support)}, {"low", numberOrNull(measure.low)},
+          {"high", numberOrNull(measure.high)},     {"meaningful", measure.isMeaningful}};
+}
 
 std::string comparisonJson(const Comparison& comparison) {
   std::string text = "{\n\"format\": \"roomgraph/comparison\",\n\"version\": 1,\n";

@@ -1,7 +1,7 @@
 #pragma once
-#include <filesystem>
 #include <string>
 
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/ledger/SiteRoom.h"
 
 namespace roomgraph {
@@ -10,10 +10,6 @@ namespace roomgraph {
 inline const char* nameOf(RoomSighting sighting) {
   if (sighting == RoomSighting::seen) return "seen";
   return sighting == RoomSighting::gone ? "gone" : "unvisited";
-}
-
-inline std::string fileName(const std::string& file) {
-  return std::filesystem::path(file).filename().string();
 }
 
 }  // namespace roomgraph
