@@ -35,7 +35,7 @@ struct Found {
     }
     for (const std::size_t i : site.members) site.runs.push_back(&runs[i]);
     site.poses.resize(members);
-    consensus.errors.resize(members);
+    consensus.errors = ById<RunId, MapError>(members);
     breaks.resize(members);
     measures.runs.resize(members);
     measures.pairs = PairTable<std::vector<Measure>>(members);
@@ -115,8 +115,8 @@ TEST(Summarize, runsOfOneDriveAreACaveat) {
       found.runs[run].scans.back().ends.add({1, 1});
     }
   for (const std::size_t run : {0u, 2u}) {
-    found.consensus.errors[run].errors.assign(20, 0.1);
-    found.consensus.errors[run].isSeen.assign(20, true);
+    found.consensus.errors[RunId(run)].errors.assign(20, 0.1);
+    found.consensus.errors[RunId(run)].isSeen.assign(20, true);
   }
   EXPECT_NE(found.comparison().verdict.find("2 runs are of one drive (a and c)"), std::string::npos)
       << found.comparison().verdict;

@@ -248,8 +248,8 @@ TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
   const PairBends bends = bendsOf({0.1, 0.4, 0.8});
   const DistinctMaps maps(bends);
   Consensus consensus;
-  consensus.errors.resize(3);
-  consensus.errors[0].error = 42;
+  consensus.errors = ById<RunId, MapError>(3);
+  consensus.errors[RunId(0)].error = 42;
   EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
   for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);
   EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42) << "the third has none";

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "roomgraph/grid/Grid.h"
-#include "roomgraph/scans/load_keyframes.h"
+#include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph::test {
 

@@ -12,7 +12,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kWallsPerScan = 30;  // that one is worth where breaks are counted
+constexpr double kWallsForAScan = 30;  // that one is worth where breaks are counted
 
 /** What one other run says of the pieces of a run; without trust where it says nothing. */
 struct Witness {
@@ -53,7 +53,7 @@ MeasuredValue countBreaks(const Site& site, const MapPairs& pairs, const Trust& 
   for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(pairs, trust, run, j);
   if (others == 0) return {};
   const double scans = double(site.runs[run]->scans.size());
-  return {double(breaks), scans, {}, {}, others >= kFewestOthers, kWallsPerScan};
+  return {double(breaks), scans, {}, {}, others >= kFewestOthers, kWallsForAScan};
 }
 
 MeasuredValue overWalls(std::optional<double> value, const Run& run) {
