@@ -19,7 +19,8 @@ void writeGraph(const std::string& file) {
   writeFileAtomically("graph.json", graphJson(stages));
   const GraphFile again = readGraphJson("graph.json");
   writeFileAtomically("graph.graphml", graphml(again.graph));
-  writeFileAtomically("graph.geojson", geojson(stages.result));
+  writeFileAtomically("graph.geojson",
+                      geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance));
   writeFileAtomically("graph.osm", osmXml(stages.areas));
   writeFileAtomically("graph.png", drawPng(stages));
   writeFileAtomically("graph.svg", drawSvg(stages));
@@ -29,9 +30,10 @@ void writeGraph(const std::string& file) {
 Comparison compareOneByOne(const std::vector<std::string>& files) {
   const ExtractOptions options;
   std::vector<Run> runs;
-  for (const std::string& file : files)
-    runs.push_back(prepareRun(file, loadGrid(file, options.loadGrid),
-                              loadKeyframes(file, options.loadGrid), options));
+  for (const std::string& file : files) {
+    const LoadedMap read = loadMap(file, options.loadGrid);
+    runs.push_back(prepareRun(file, read.map, read.keyframes, options));
+  }
   return compareRuns(std::move(runs), {});
 }
 

@@ -18,4 +18,3 @@
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/scans/load_keyframes.h"

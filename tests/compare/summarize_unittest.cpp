@@ -139,7 +139,8 @@ TEST(Summarize, measuresOfAPairAreThoseOfItsRuns) {
   Found found({"stranger", "a", "b"}, {}, 0);
   found.site.members = {1, 2};
   found.site.runs = {&found.runs[1], &found.runs[2]};
-  found.site.poses.resize(2), found.consensus.errors.resize(2), found.breaks.resize(2);
+  found.site.poses.resize(2), found.consensus.errors = ById<RunId, MapError>(2),
+                              found.breaks.resize(2);
   found.scores.resize(2), found.measures.runs.resize(2);
   found.measures.pairs = PairTable<std::vector<Measure>>(2);
   found.measures.pairs(0, 1) = {{"bend", 0.25, "m", 500, {}, {}, true}};

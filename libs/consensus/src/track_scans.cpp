@@ -12,8 +12,8 @@ namespace roomgraph {
 namespace {
 
 constexpr NarrowingBand kBand{0.6, 0.2, 6};  // around a wall, of what counts in the fit of a scan
-constexpr double kNear = 0.1;                // a wall this far from another counts half [m]
-constexpr double kReach = 6;                 // patches within this give poses to try [m]
+constexpr double kHalfNear = 0.1;            // a wall this far from another counts half [m]
+constexpr double kPatchReach = 6;            // patches within this give poses to try [m]
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
@@ -25,7 +25,7 @@ constexpr double kRoughNear = 0.3;  // [m]
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose,
-                 double near = kNear, std::size_t stride = 1) {
+                 double near = kHalfNear, std::size_t stride = 1) {
   const Motion2D forth(pose);
   double sum = 0, known = 0, all = 0;
   for (std::size_t i = 0; i < scan.walls.size(); i += stride, ++all) {
@@ -176,7 +176,7 @@ class Tracker {
   std::vector<Transform2D> posesNear(Point at) const {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
-      if (distance(patches_[f.patch].middle, at) > kReach) continue;
+      if (distance(patches_[f.patch].middle, at) > kPatchReach) continue;
       const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
         return areNear(pose, f.pose, at, kSameScanStart);
       });
@@ -193,7 +193,7 @@ class Tracker {
     const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
     if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
     const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
-    const bool isOnTheWay = way <= fitted::kStride * double(to.scan - from.scan);
+    const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
     return isOnTheWay ? fitted::kJumpCost : fitted::kFarCost;
   }
 

@@ -13,7 +13,7 @@ namespace roomgraph {
 // Ours
 // In:   the scans of a run
 // Out:  ScanWalls
-// Next: trackScans, runSubmaps, scanDisagreement
+// Next: trackScans, addRunNodes, scanDisagreement
 
 /** A scan as walls: what its neighbouring beams met. */
 struct ScanWalls {

@@ -31,7 +31,7 @@ class IdRange {
   [[nodiscard]] bool isEmpty() const { return first_ == end_; }
   [[nodiscard]] bool has(IdType id) const { return first_ <= id.index() && id.index() < end_; }
   /** The id at a place in the range, and the place of an id in it. */
-  IdType operator[](std::size_t place) const { return IdType(first_ + place); }
+  [[nodiscard]] IdType operator[](std::size_t place) const { return IdType(first_ + place); }
   [[nodiscard]] std::size_t placeOf(IdType id) const { return id.index() - first_; }
   /** Must not be called on an empty range. */
   [[nodiscard]] IdType front() const { return IdType(first_); }
@@ -60,8 +60,8 @@ class ById {
 
   auto begin() { return things_.begin(); }
   auto end() { return things_.end(); }
-  auto begin() const { return things_.begin(); }
-  auto end() const { return things_.end(); }
+  [[nodiscard]] auto begin() const { return things_.begin(); }
+  [[nodiscard]] auto end() const { return things_.end(); }
 
  private:
   std::vector<Thing> things_;
