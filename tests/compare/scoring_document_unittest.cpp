@@ -39,17 +39,17 @@ TEST(ScoringDocument, saysHowRunsArePlaced) {
 }
 
 TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
-  const MapErrorOptions error;
-  expectSaid("log((*b(ij)* + %g m) / (√(*e(i)*² + *e(j)*²) + %g m))", error.bendNoise,
-             error.bendNoise);
+  expectSaid("log((*b(ij)* + %g m) / (√(*e(i)*² + *e(j)*²) + %g m))", fitted::kBendNoise,
+             fitted::kBendNoise);
   expectSaid("+ %g · Σ over runs of *c(i)* · ρ(log(*e(i)* + %g m) − %g · log(*d(i)* + %g) − *a*)",
-             error.deviationWeight, error.errorNoise, error.deviationPower, error.deviationNoise);
-  expectSaid("with width %g if a bend is larger", error.above);
-  expectSaid("width %g for the deviations", error.deviationWidth);
-  expectSaid("(pseudo-Huber, width %g)", error.below);
-  expectSaid("Errors are at most %g m", error.mostError);
-  expectSaid("√(%g² · *k* + %g²)", error.spread, error.leastSpread);
-  expectSaid("Its upper end is at least %g m", error.bendNoise);
+             fitted::kDeviationWeight, fitted::kErrorNoise, fitted::kDeviationPower,
+             fitted::kDeviationNoise);
+  expectSaid("with width %g if a bend is larger", fitted::kBendAbove);
+  expectSaid("width %g for the deviations", fitted::kDeviationWidth);
+  expectSaid("(pseudo-Huber, width %g)", fitted::kBendBelow);
+  expectSaid("Errors are at most %g m", fitted::kMostError);
+  expectSaid("√(%g² · *k* + %g²)", fitted::kErrorSpread, fitted::kLeastErrorSpread);
+  expectSaid("Its upper end is at least %g m", fitted::kBendNoise);
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {

@@ -38,11 +38,11 @@ Kernel pseudoHuber(double r, double width) {
 class Problem {
  public:
   Problem(const PairBends& bends, const std::vector<std::optional<double>>& deviations,
-          std::optional<std::size_t> truth, const MapErrorOptions& options)
-      : bends_(bends), options_(options), n_(Eigen::Index(bends.things())), truth_(truth) {
+          std::optional<std::size_t> truth)
+      : bends_(bends), n_(Eigen::Index(bends.things())), truth_(truth) {
     for (const auto& deviation : deviations)
-      told_.push_back(deviation ? std::optional(options.deviationPower *
-                                                std::log(*deviation + options.deviationNoise))
+      told_.push_back(deviation ? std::optional(fitted::kDeviationPower *
+                                                std::log(*deviation + fitted::kDeviationNoise))
                                 : std::nullopt);
     if (truth) told_[*truth].reset();
     for (std::size_t i = 0; i < bends.things(); ++i) mostShare_.push_back(mostShare(bends, i));
@@ -83,7 +83,7 @@ class Problem {
   }
 
   VectorXd clamped(VectorXd x) const {
-    const double low = std::log(options_.leastError), high = std::log(options_.mostError);
+    const double low = std::log(fitted::kLeastError), high = std::log(fitted::kMostError);
     for (Eigen::Index i = 0; i < n_; ++i) x[i] = std::clamp(x[i], low, high);
     if (truth_) x[Eigen::Index(*truth_)] = low;
     return x;
@@ -109,7 +109,7 @@ class Problem {
     double sum = 0, count = 0;
     for (Eigen::Index i = 0; i < n_; ++i)
       if (told_[std::size_t(i)])
-        sum += std::log(std::exp(x[i]) + options_.errorNoise) - *told_[std::size_t(i)], ++count;
+        sum += std::log(std::exp(x[i]) + fitted::kErrorNoise) - *told_[std::size_t(i)], ++count;
     x[n_] = count > 0 ? sum / count : 0;
     return x;
   }
@@ -122,11 +122,12 @@ class Problem {
     const PairBend& pair = of(i, j);
     if (pair.share <= 0) return;
     const double vi = std::exp(2 * x[i]), vj = std::exp(2 * x[j]), both = std::sqrt(vi + vj);
-    const double r = std::log((pair.bend + options_.bendNoise) / (both + options_.bendNoise));
-    const auto [cost, slope] = r > 0 ? cauchy(r, options_.above) : pseudoHuber(r, options_.below);
+    const double r = std::log((pair.bend + fitted::kBendNoise) / (both + fitted::kBendNoise));
+    const auto [cost, slope] =
+        r > 0 ? cauchy(r, fitted::kBendAbove) : pseudoHuber(r, fitted::kBendBelow);
     const double w = pair.share * slope;
     out.cost += pair.share * cost;
-    const double scale = 1 / (both * (both + options_.bendNoise));
+    const double scale = 1 / (both * (both + fitted::kBendNoise));
     const double ji = -vi * scale, jj = -vj * scale;
     out.g[i] += w * r * ji, out.g[j] += w * r * jj;
     out.h(i, i) += w * ji * ji, out.h(j, j) += w * jj * jj;
@@ -136,19 +137,18 @@ class Problem {
   void addDeviation(Linearised& out, const VectorXd& x, Eigen::Index i) const {
     if (!told_[std::size_t(i)]) return;
     const double e = std::exp(x[i]);
-    const double r = std::log(e + options_.errorNoise) - *told_[std::size_t(i)] - x[n_];
+    const double r = std::log(e + fitted::kErrorNoise) - *told_[std::size_t(i)] - x[n_];
     const double share = r > 0 ? mostShare_[std::size_t(i)] : 1;
-    const auto [cost, slope] = cauchy(r, options_.deviationWidth);
-    const double w = options_.deviationWeight * share * share * slope;
-    const double j = e / (e + options_.errorNoise);
-    out.cost += options_.deviationWeight * share * share * cost;
+    const auto [cost, slope] = cauchy(r, fitted::kDeviationWidth);
+    const double w = fitted::kDeviationWeight * share * share * slope;
+    const double j = e / (e + fitted::kErrorNoise);
+    out.cost += fitted::kDeviationWeight * share * share * cost;
     out.g[i] += w * r * j, out.g[n_] -= w * r;
     out.h(i, i) += w * j * j, out.h(n_, n_) += w;
     out.h(i, n_) -= w * j, out.h(n_, i) -= w * j;
   }
 
   const PairBends& bends_;
-  const MapErrorOptions& options_;
   Eigen::Index n_;
   std::optional<std::size_t> truth_;
   std::vector<std::optional<double>> told_;  // log of what the deviation tells
@@ -201,10 +201,10 @@ MapError withInterval(double error, double deviation) {
 
 std::vector<std::optional<MapError>> estimateMapErrors(
     const PairBends& bends, const std::vector<std::optional<double>>& deviations,
-    std::optional<std::size_t> truth, const MapErrorOptions& options) {
+    std::optional<std::size_t> truth) {
   std::vector<std::optional<MapError>> errors(bends.things());
   if (bends.things() < 2) return errors;
-  const Problem problem(bends, deviations, truth, options);
+  const Problem problem(bends, deviations, truth);
   Solution best = solve(problem, problem.startFromBends());
   const Solution other = solve(problem, problem.startFromDeviations());
   if (other.cost < best.cost) best = other;
@@ -214,10 +214,10 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   for (std::size_t i = 0; i < bends.things(); ++i) {
     if (i == truth || !hasPair(bends, i)) continue;
     const auto k = Eigen::Index(i);
-    const double variance = options.spread * options.spread * covariance(k, k) +
-                            options.leastSpread * options.leastSpread;
-    errors[i] = withInterval(std::exp(best.x[k]) - options.leastError, std::sqrt(variance));
-    errors[i]->high = std::max(errors[i]->high, options.bendNoise);  // less cannot be told from 0
+    const double variance = fitted::kErrorSpread * fitted::kErrorSpread * covariance(k, k) +
+                            fitted::kLeastErrorSpread * fitted::kLeastErrorSpread;
+    errors[i] = withInterval(std::exp(best.x[k]) - fitted::kLeastError, std::sqrt(variance));
+    errors[i]->high = std::max(errors[i]->high, fitted::kBendNoise);  // less cannot be told from 0
   }
   return errors;
 }
@@ -240,7 +240,7 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
   for (const auto& [i, j] : keptPairs) some(i, j) = bends(kept[i], kept[j]);
   std::optional<std::size_t> truth;
   if (site.reference) truth = placeOf(*site.reference);
-  const auto found = estimateMapErrors(some, told, truth, {});
+  const auto found = estimateMapErrors(some, told, truth);
   std::vector<MapError> errors(bends.things());
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (const auto& error = found[placeOf(i)]) errors[i] = *error;

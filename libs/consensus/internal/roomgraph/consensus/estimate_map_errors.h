@@ -15,22 +15,24 @@ namespace roomgraph {
 // Out:  MapError of each map
 // Next: scoreRuns
 
-/** The constants, fitted to simulated runs whose true error is known: see docs/scoring.md. */
-struct MapErrorOptions {
-  double bendNoise = 0.02;       ///< of a bend that is 0 [m]
-  double above = 1.0;            ///< log of bend over errors beyond which a pair counts less
-  double below = 0.5;            ///< the same for bends that are too small
-  double deviationWeight = 0.3;  ///< of one map's axisDeviation beside one pair
-  double deviationWidth =
-      2;  ///< log of error over what the deviation tells: beyond, it counts less
-  double deviationPower = 1.6;    ///< of the deviation in the error
-  double deviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
-  double errorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
-  double leastError = 0.0025;     ///< errors below this are none [m]
-  double mostError = 60;          ///< as far as walls are followed [m]
-  double spread = 0.25;           ///< standard deviation of a residual's log, for the interval
-  double leastSpread = 0.15;      ///< of an error's log, however many pairs there are
-};
+/** Fitted to simulated runs whose true error is known, see docs/method.md; benchmarks/score_accuracy
+ *  judges them. */
+namespace fitted {
+
+constexpr double kBendNoise = 0.02;        ///< of a bend that is 0 [m]
+constexpr double kBendAbove = 1.0;         ///< log of bend over errors: beyond, less counts
+constexpr double kBendBelow = 0.5;         ///< the same for bends that are too small
+constexpr double kDeviationWeight = 0.3;   ///< of one map's axisDeviation beside one pair
+constexpr double kDeviationWidth = 2;      ///< log of error over what it tells: beyond, less
+constexpr double kDeviationPower = 1.6;    ///< of the deviation in the error
+constexpr double kDeviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
+constexpr double kErrorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
+constexpr double kLeastError = 0.0025;     ///< errors below this are none [m]
+constexpr double kMostError = 60;          ///< as far as walls are followed [m]
+constexpr double kErrorSpread = 0.25;      ///< standard deviation of a residual's log
+constexpr double kLeastErrorSpread = 0.15;  ///< of an error's log, however many pairs there are
+
+}  // namespace fitted
 
 /** The errors that explain the bends and the deviations best. Two maps with errors e and f should
  *  bend sqrt(e^2 + f^2) apart, if each errs in its own way. A log residual counts as in a Cauchy
@@ -44,7 +46,7 @@ struct MapErrorOptions {
  *  given for it. O(n^3) a step, at most 200 steps for each of two starts. */
 std::vector<std::optional<MapError>> estimateMapErrors(
     const PairBends& bends, const std::vector<std::optional<double>>& deviations,
-    std::optional<std::size_t> truth, const MapErrorOptions& options);
+    std::optional<std::size_t> truth);
 
 /** The map errors of all runs of a site from the bends of their maps alone, for runs without
  *  scans: one estimate for all copies of a map. `seen` is the largest share of walls in common with
