@@ -13,7 +13,7 @@ namespace {
 
 constexpr NarrowingBand kBand{0.6, 0.2, 6};  // around a wall, of what counts in the fit of a scan
 constexpr double kHalfNear = 0.1;            // a wall this far from another counts half [m]
-constexpr double kPatchReach = 6;            // patches within this give poses to try [m]
+constexpr double kNearPatch = 6;             // patches within this give poses to try [m]
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
@@ -176,7 +176,7 @@ class Tracker {
   std::vector<Transform2D> posesNear(Point at) const {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
-      if (distance(patches_[f.patch].middle, at) > kPatchReach) continue;
+      if (distance(patches_[f.patch].middle, at) > kNearPatch) continue;
       const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
         return areNear(pose, f.pose, at, kSameScanStart);
       });

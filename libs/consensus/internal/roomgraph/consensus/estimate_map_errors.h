@@ -15,8 +15,8 @@ namespace roomgraph {
 // Out:  MapError of each map
 // Next: scoreRuns
 
-/** Fitted to simulated runs whose true error is known, see docs/method.md; benchmarks/score_accuracy
- *  judges them. */
+/** Fitted to simulated runs whose true error is known, see docs/method.md;
+ *  benchmarks/score_accuracy judges them. */
 namespace fitted {
 
 constexpr double kBendNoise = 0.02;        ///< of a bend that is 0 [m]
