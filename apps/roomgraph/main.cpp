@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "HelpFormatter.h"
 #include "archive_command.h"
+#include "carry_command.h"
 #include "collect_command.h"
 #include "compare_command.h"
 #include "config_command.h"
@@ -12,7 +13,9 @@
 #include "extract_command.h"
 #include "info_command.h"
 #include "interruption.h"
+#include "merge_command.h"
 #include "plan_command.h"
+#include "repair_command.h"
 #include "report_command.h"
 #include "roomgraph/base/version.h"
 #include "score_rooms_command.h"
@@ -28,6 +31,10 @@ constexpr Command kCommands[] = {
     {"extract", "Turn maps into topology graphs with rooms.", extractCommand},
     {"compare", "Rank several maps of one site, and tell how far off each of them is.",
      compareCommand},
+    {"repair", "Put the key frames of runs where all runs of a site together have them.",
+     repairCommand},
+    {"merge", "Make one map of a site from several runs.", mergeCommand},
+    {"carry", "Carry places from one map of a site to another.", carryCommand},
     {"report", "Rewrite the results of a comparison from its JSON, and apply a gate to them.",
      reportCommand},
     {"archive", "Keep the runs of a site night by night, and tell whether its maps get worse.",

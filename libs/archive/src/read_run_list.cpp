@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "roomgraph/base/CsvReader.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/time_text.h"
 
@@ -10,53 +11,6 @@ namespace roomgraph {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-/** Takes cells from a CSV text, line by line. */
-class CsvReader {
- public:
-  explicit CsvReader(const std::string& text) : text_(text) {}
-
-  bool isAtEnd() const { return at_ >= text_.size(); }
-  std::size_t line() const { return line_; }
-
-  Cells nextLine() {
-    ++line_;
-    Cells cells{cell()};
-    while (at_ < text_.size() && text_[at_] == ',') {
-      ++at_;
-      cells.push_back(cell());
-    }
-    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
-    if (at_ < text_.size() && text_[at_] == '\n') ++at_;
-    return cells;
-  }
-
- private:
-  std::string cell() {
-    if (at_ < text_.size() && text_[at_] == '"') return quotedCell();
-    const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
-    std::string cell = text_.substr(at_, end - at_);
-    at_ = end;
-    return cell;
-  }
-
-  std::string quotedCell() {
-    std::string cell;
-    for (++at_; at_ < text_.size(); ++at_) {
-      const bool isQuote = text_[at_] == '"';
-      const bool isTwice = isQuote && at_ + 1 < text_.size() && text_[at_ + 1] == '"';
-      if (isQuote && !isTwice) break;
-      cell += text_[at_];
-      if (isTwice) ++at_;
-    }
-    // Whatever stands behind the closing quote is no part of any cell.
-    at_ = std::min(text_.find_first_of(",\r\n", std::min(at_ + 1, text_.size())), text_.size());
-    return cell;
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0, line_ = 0;
-};
 
 std::optional<std::size_t> columnOf(const Cells& names, const char* name) {
   const auto found = std::find(names.begin(), names.end(), name);

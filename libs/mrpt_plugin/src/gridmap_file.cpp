@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "object_bytes.h"
+#include "roomgraph/base/compressed.h"
 
 namespace roomgraph {
 namespace {
@@ -53,7 +54,7 @@ std::string gridmapBytes(const GreyMap& map, const Grid& grid) {
   }
   std::string bytes = objectBytes(object);
   placeAt(frame, bytes);
-  return gzipped(bytes);
+  return compressed(bytes, Compression::gzip);
 }
 
 }  // namespace roomgraph

@@ -10,7 +10,5 @@ std::string gzippedObject(const mrpt::serialization::CSerializable& object);
 
 /** The object as MRPT streams it. */
 std::string objectBytes(const mrpt::serialization::CSerializable& object);
-/** Bytes as a gzip member without a time stamp. */
-std::string gzipped(const std::string& bytes);
 
 }  // namespace roomgraph

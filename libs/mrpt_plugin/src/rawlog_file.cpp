@@ -5,6 +5,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include "object_bytes.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/scans/mrpt_scan.h"
 
 namespace roomgraph {
@@ -35,7 +36,7 @@ std::string rawlogBytes(const std::vector<PlacedScan>& scans) {
     bytes += objectBytes(frame);
     before = pose;
   }
-  return gzipped(bytes);
+  return compressed(bytes, Compression::gzip);
 }
 
 std::vector<PlacedScan> moved(std::vector<PlacedScan> scans, const Transform2D& motion) {

@@ -124,9 +124,11 @@ void readEntries(ByteReader in, Recording& recording) {
   const ObjectHeader map = readMapHeader(in);
   recording.version = map.version;
   for (std::uint32_t left = readCount(in, in.left()); left > 0; --left) {
+    const std::size_t begin = in.position();
     recording.frames.emplace_back().robot = readPoseMean(in);
     readFrame(in, recording);
     if (map.version >= 2) skipTwist(in);
+    recording.frames.back().begin = begin, recording.frames.back().end = in.position();
   }
   readObjectEnd(in, map);
   if (in.left() > 0)

@@ -25,6 +25,7 @@ struct Recording {
     std::vector<RangeScan> scans;
     std::vector<PointCloud> clouds;
     std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
+    std::size_t begin = 0, end = 0;  ///< of a simplemap: its bytes in the inflated file
   };
   /** A kind of observation, whether it is used or stepped over. */
   struct Sensor {

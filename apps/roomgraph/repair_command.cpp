@@ -1,0 +1,178 @@
+#include "repair_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "Command.h"
+#include "error_line.h"
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/compressed.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/write_file.h"
+#include "roomgraph/consensus/graph_g2o.h"
+#include "roomgraph/graph_files/ros_map.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/map_formats.h"
+#include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/repair/key_frame_moves.h"
+#include "roomgraph/repair/loop_constraints.h"
+#include "roomgraph/repair/repair_runs.h"
+#include "roomgraph/repair/trajectory_tum.h"
+#include "roomgraph/scans/read_stored_poses.h"
+#include "site_runs.h"
+#include "terminal.h"
+
+namespace roomgraph {
+namespace {
+
+struct RepairArguments {
+  SiteArguments site;
+  std::vector<std::string> only;
+  std::string format;
+};
+
+/** "run01.repaired.simplemap.gz" of "run01.simplemap.gz". */
+std::string repairedName(const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string(), stem = mapStem(file);
+  return stem + ".repaired" + name.substr(std::min(stem.size(), name.size()));
+}
+
+/** The files of one run. */
+void addRun(const Run& run, const RepairedRun& repaired, const std::string& folder,
+            StagedFiles& staged) {
+  CheckedFile file(run.file);
+  const StoredPoses stored = readStoredPoses(file);
+  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
+  const std::string content = movePoses(file.content(), file.name(), stored, moves);
+  const auto path = [&](const std::string& name) {
+    return (std::filesystem::path(folder) / name).string();
+  };
+  staged.add(path(repairedName(run.file)), compressed(content, file.compression()));
+  staged.add(path(mapStem(run.file) + ".repaired.tum"), trajectoryTum(stored, moves));
+}
+
+/** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
+void addConstraints(const Run& run, const std::vector<Transform2D>& real, const std::string& folder,
+                    StagedFiles& staged) {
+  const std::string name = mapStem(run.file) + ".loop_constraints.yaml";
+  staged.add((std::filesystem::path(folder) / name).string(),
+             molaConstraints(loopConstraints(run, real)));
+}
+
+/** The grids of what was mended, made of the simplemaps that are written now. */
+void writeGrids(const std::vector<std::string>& files, const SiteArguments& site) {
+  const ExtractOptions options = toCompareOptions(site.options).extract;
+  StagedFiles staged;
+  for (const std::string& file : files) {
+    const std::string stem = mapStem(file);
+    const auto path = [&](const char* extension) {
+      return outputFile(site.folder, file, extension);
+    };
+    const std::string name = (std::filesystem::path(site.folder) / repairedName(file)).string();
+    const GreyMap map = loadGrid(name, options.loadGrid);
+    const Grid grid = binarize(map, options.binarize);
+    staged.add(path("repaired.gridmap.gz"), gridmapBytes(map, grid));
+    staged.add(path("repaired.pgm"), mapPgm(grid));
+    staged.add(path("repaired.yaml"), rosMapYaml(grid.frame, stem + ".repaired.pgm"));
+  }
+  staged.commit();
+}
+
+void check(const RepairArguments& arguments) {
+  const SiteArguments& site = arguments.site;
+  if (site.files.size() + (site.reference.empty() ? 0 : 1) < 2)
+    throw UsageError(
+        "repair: nothing tells where one run alone is wrong: name two, or a --reference");
+  if (!arguments.format.empty() && arguments.format != "mola")
+    throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
+  std::vector<std::string> extensions;
+  for (const char* map :
+       {"simplemap", "simplemap.gz", "simplemap.zst", "tum", "gridmap.gz", "yaml", "pgm"})
+    extensions.push_back(std::string("repaired.") + map);
+  checkOutputNames(site.files, site.folder, extensions);
+}
+
+bool isAskedFor(const Run& run, const RepairArguments& arguments) {
+  const std::vector<std::string>& only = arguments.only;
+  return only.empty() || std::find(only.begin(), only.end(), run.name) != only.end();
+}
+
+/** Runs that --only names and that are not there. */
+void checkNames(const std::vector<Run>& runs, const RepairArguments& arguments) {
+  for (const std::string& name : arguments.only)
+    if (std::none_of(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; }))
+      throw UsageError("repair: --only " + name +
+                       ": no run has this name: name one of those that " +
+                       "'roomgraph compare' prints");
+}
+
+std::string lineOf(const Run& run, const RepairedRun& repaired) {
+  std::string line = run.name + ": " + repaired.reason;
+  if (repaired.state == RepairState::mended)
+    line += formatted(", moved by up to %.2f m at key frame %zu", repaired.movedMost,
+                      repaired.movedMostAt);
+  std::vector<std::string> unseen;
+  for (const KeyFrames& stretch : repaired.unseen)
+    unseen.push_back(formatted("%zu to %zu", stretch.from, stretch.to));
+  if (!unseen.empty())
+    line +=
+        "; key frames " + listed(unseen, 3) + " were seen by no other run and stay on their links";
+  return printable(line) + "\n";
+}
+
+int run(const RepairArguments& arguments) {
+  const SiteArguments& site = arguments.site;
+  check(arguments);
+  makeWritableFolder(site.folder);
+  const auto runs = solveRuns(site);
+  checkNames(runs->read.runs, arguments);
+  StagedFiles staged;
+  std::string lines;
+  std::vector<std::string> mended;
+  const RealPoses real = rejoinPieces(runs->solved);
+  for (const RepairedRun& one : repairRuns(runs->solved, real)) {
+    const Run& run = runs->read.runs[one.run];
+    if (!isAskedFor(run, arguments)) continue;
+    addRun(run, one, site.folder, staged);
+    if (one.state == RepairState::mended) mended.push_back(run.file);
+    if (arguments.format == "mola") addConstraints(run, real[one.siteRun], site.folder, staged);
+    lines += lineOf(run, one);
+  }
+  if (lines.empty())
+    throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
+  staged.add((std::filesystem::path(site.folder) / "site.g2o").string(),
+             graphG2o(runs->solved.consensus));
+  staged.commit();
+  writeGrids(mended, site);
+  if (!site.running.isQuiet) print(lines);
+  return kDone;
+}
+
+}  // namespace
+
+std::function<int()> repairCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<RepairArguments>();
+  app.add_option("RUN", arguments->site.files, "Simplemaps of one site, each of a drive.")
+      ->type_name("")
+      ->required();
+  declareSite(arguments->site,
+              "X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
+              "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and site.g2o",
+              app);
+  app.add_option("--format", arguments->format,
+                 "'mola': also write X.loop_constraints.yaml, for the pipeline of MOLA's "
+                 "mola-sm-lc-cli: key frames of a run that were at the same place.")
+      ->type_name("NAME");
+  app.add_option("--only", arguments->only,
+                 "Write only the run of this name; all are used. May be repeated.")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

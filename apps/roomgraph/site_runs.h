@@ -1,0 +1,31 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "option_arguments.h"
+#include "roomgraph/consensus/solve_site.h"
+
+namespace roomgraph {
+
+/** What `repair`, `merge` and `carry` are told of the runs that they work with. */
+struct SiteArguments {
+  std::vector<std::string> files;
+  std::string reference, folder, cache;
+  OptionArguments options;
+  RunningArguments running;
+};
+
+/** Declares --output, --reference, --cache and how maps are read; not the files themselves. */
+void declareSite(SiteArguments& arguments, const std::string& results, CLI::App& app);
+
+/** Runs that were read and related, and all that they tell together. */
+struct SolvedRuns {
+  ReadRuns read;
+  SolvedSite solved;  ///< of `read.runs`, so this is not to be copied or moved
+};
+
+/** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */
+std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments);
+
+}  // namespace roomgraph

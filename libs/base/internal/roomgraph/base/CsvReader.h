@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace roomgraph {
+
+/** Takes cells from a CSV text, line by line: what csvField wrote, and what spreadsheets write with
+ *  commas. Whatever stands behind a closing quote is no part of any cell. */
+class CsvReader {
+ public:
+  /** `text` must outlive this. */
+  explicit CsvReader(const std::string& text) : text_(text) {}
+
+  bool isAtEnd() const { return at_ >= text_.size(); }
+  std::size_t line() const { return line_; }  ///< the number of the last one, from 1
+
+  /** At least one cell, which is empty where the line is. */
+  std::vector<std::string> nextLine();
+
+ private:
+  std::string cell();
+  std::string quotedCell();
+
+  const std::string& text_;
+  std::size_t at_ = 0, line_ = 0;
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "roomgraph/geometry/Transform2D.h"
+
+namespace roomgraph {
+
+enum class RepairState {
+  mended,     ///< its key frames lie where all runs together have them
+  kept,       ///< left as it was: it would not get better, or nothing tells where it really lies
+  reference,  ///< counts as the truth, so it is left as it was
+  lost        ///< left as it was: much of it fits nowhere
+};
+
+/** Successive key frames, by their numbers in the file, both included. */
+struct KeyFrames {
+  std::size_t from = 0, to = 0;
+};
+
+/** A run after its repair. Poses are those of its scans, in their order: run <- robot. */
+struct RepairedRun {
+  std::size_t run = 0, siteRun = 0;  ///< its place among all runs, and in the site
+  RepairState state = RepairState::kept;
+  std::string reason;               ///< of the state, one line
+  std::vector<Transform2D> poses;   ///< in the run's own frame; as they were unless it is mended
+  Transform2D frame;                ///< run <- site: where its sound majority stays as it was
+  double moved = 0, movedMost = 0;  ///< how far scans lie from where they were, RMS and largest [m]
+  std::size_t movedMostAt = 0;      ///< the key frame that has moved farthest
+  std::vector<KeyFrames> unseen;    ///< what no other run has seen: it stays on its links
+};
+
+}  // namespace roomgraph

@@ -1,0 +1,125 @@
+#include "roomgraph/repair/BendField.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/relate/place_runs.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kEarshot = 12;    // a node says nothing of places farther away [m]
+constexpr double kBlend = 1;       // over so much the word passes from node to node [m]
+constexpr double kUnseen = 0.01;   // what a node's word is worth through a wall
+constexpr double kSameCopy = 0.5;  // what lies farther apart is another copy of the place [m]
+
+/** The mean of poses that say about the same. */
+template <class Words>
+Transform2D meanOf(const Words& words, const Transform2D& about) {
+  double weight = 0, turn = 0;
+  Point sum;
+  for (const auto& word : words) {
+    weight += word.weight, sum = sum + word.weight * word.pose.shift();
+    turn += word.weight * wrappedAngle(word.pose.phi - about.phi);
+  }
+  return {sum.x / weight, sum.y / weight, wrappedAngle(about.phi + turn / weight)};
+}
+
+}  // namespace
+
+BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size_t run, Way way)
+    : map_(&solved.site.mapOf(run)), way_(way) {
+  const std::vector<ScanWalls>& scans = solved.site.runs[run]->scans;
+  const std::vector<Transform2D>& real = poses[run];
+  const std::vector<bool> isSeen = solved.consensus.errorOf(run).isSeen;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    const Transform2D& was = scans[k].pose;
+    nodes_.push_back(way == Way::toSite ? Node{was, real[k], isSeen[k]}
+                                        : Node{real[k], was, isSeen[k]});
+  }
+}
+
+BendField::BendField(const SolvedSite& solved, std::size_t from, std::size_t to) {
+  const WallPatches& patches = solved.site.mapOf(from).patches;
+  for (const FollowedPatch& patch : followedIn(solved.pairs, from, to).patches) {
+    const Point middle = patches[patch.patch].middle;
+    const Transform2D node{middle.x, middle.y, 0};
+    nodes_.push_back({node, patch.pose * node});
+  }
+}
+
+bool BendField::isInSight(const Node& node, Point place, Point carried) const {
+  if (!map_) return true;
+  const Point eye = way_ == Way::toSite ? node.from.shift() : node.to.shift();
+  const Point there = way_ == Way::toSite ? place : carried;
+  const double length = distance(eye, there), step = map_->frame.resolution / 2;
+  for (double along = 0; along < length - kSameWall; along += step) {
+    const std::size_t cell = cellIndexAt(map_->frame, eye + (along / length) * (there - eye));
+    if (cell >= map_->states.size() || map_->states[cell] == State::occupied) return false;
+  }
+  return true;
+}
+
+std::vector<BendField::Word> BendField::wordsOn(const Transform2D& place) const {
+  std::vector<Word> words;
+  double nearest = HUGE_VAL;
+  for (const Node& node : nodes_) {
+    const double far = distance(node.from.shift(), place.shift());
+    if (far > kEarshot) continue;
+    Word word;
+    word.pose = node.to * node.from.inverse() * place, word.distance = far;
+    word.isSeen = isInSight(node, place.shift(), word.pose.shift()), word.isKnown = node.isKnown;
+    if (word.isSeen) nearest = std::min(nearest, far);
+    words.push_back(word);
+  }
+  if (nearest == HUGE_VAL)
+    for (const Word& word : words) nearest = std::min(nearest, word.distance);
+  for (Word& word : words) {
+    const double behind = std::max(0.0, word.distance - nearest) / kBlend;
+    word.weight = std::exp(-0.5 * behind * behind) * (word.isSeen ? 1 : kUnseen);
+  }
+  return words;
+}
+
+std::optional<BendField::Carried> BendField::operator()(const Transform2D& place) const {
+  std::vector<Word> words = wordsOn(place);
+  if (words.empty()) return std::nullopt;
+  const auto support = [&](const Word& about) {
+    double sum = 0;
+    for (const Word& word : words)
+      if (distance(word.pose.shift(), about.pose.shift()) < kSameCopy) sum += word.weight;
+    return sum;
+  };
+  // Where a map has the place twice, nothing tells which is meant: the nearest key frame's.
+  const Word& first =
+      *std::min_element(words.begin(), words.end(), [](const Word& l, const Word& r) {
+        return std::make_pair(!l.isSeen, l.distance) < std::make_pair(!r.isSeen, r.distance);
+      });
+  const Transform2D about = first.pose;
+  const double most = support(first);
+  double all = 0;
+  for (const Word& word : words) all += word.weight;
+  words.erase(std::remove_if(words.begin(), words.end(),
+                             [&](const Word& word) {
+                               return distance(word.pose.shift(), about.shift()) >= kSameCopy;
+                             }),
+              words.end());
+  Carried carried;
+  carried.pose = meanOf(words, about);
+  carried.doubt = 1 - most / all;
+  carried.nearest = HUGE_VAL;
+  double squares = 0, farthest = HUGE_VAL;
+  for (const Word& word : words) {
+    const Point off = word.pose.shift() - carried.pose.shift();
+    squares += word.weight * squaredNorm(off);
+    carried.isSeen |= word.isSeen, farthest = std::min(farthest, word.distance);
+    if (word.isSeen) carried.nearest = std::min(carried.nearest, word.distance);
+    carried.isKnown |= word.isKnown && word.weight > kUnseen;
+  }
+  if (!carried.isSeen) carried.nearest = farthest;
+  carried.spread = std::sqrt(squares / most);
+  return carried;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,45 @@
+#include "roomgraph/repair/key_frame_moves.h"
+
+#include <cmath>
+#include <optional>
+
+namespace roomgraph {
+namespace {
+
+/** Between two motions of a pose: 0 is the one, 1 the other. */
+Transform2D between(const Transform2D& one, const Transform2D& other, double share,
+                    const Transform2D& pose) {
+  const Transform2D from = one * pose, to = other * pose;
+  const Point at = (1 - share) * from.shift() + share * to.shift();
+  const double turn = wrappedAngle(to.phi - from.phi);
+  return Transform2D{at.x, at.y, wrappedAngle(from.phi + share * turn)} * pose.inverse();
+}
+
+Transform2D planar(const StoredPose& pose) {
+  const auto [x, y, z, w] = pose.turn;
+  return {pose.place[0], pose.place[1], std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
+}
+
+}  // namespace
+
+std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
+                                    const StoredPoses& stored) {
+  std::vector<PoseMove> moves(stored.frames.size());
+  if (repaired.state != RepairState::mended || run.scans.empty()) return moves;
+  std::vector<std::optional<Transform2D>> known(moves.size());
+  for (std::size_t k = run.scans.size(); k-- > 0;)  // of several scans of one key frame the first
+    known.at(run.scans[k].keyFrame) = repaired.poses[k] * run.scans[k].pose.inverse();
+  std::optional<std::size_t> before;
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    std::size_t next = k;
+    while (next < moves.size() && !known[next]) ++next;
+    if (next == k) before = k;
+    if (!before) before = next;
+    if (next == moves.size()) next = *before;
+    const double share = next > *before ? double(k - *before) / double(next - *before) : 0;
+    moves[k].motion = between(*known[*before], *known[next], share, planar(stored.frames[k]));
+  }
+  return moves;
+}
+
+}  // namespace roomgraph

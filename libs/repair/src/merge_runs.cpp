@@ -1,0 +1,172 @@
+#include "roomgraph/repair/merge_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/repair/CellVotes.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
+constexpr double kContradicted = 0.5;    // share of the ends of a scan that is left out
+constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is looked through
+constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well
+constexpr double kSecondsPerDay = 86400;
+
+using LeftOut = std::vector<std::vector<std::size_t>>;
+
+class Merger {
+ public:
+  Merger(const std::vector<MergedRun>& runs, const MergeOptions& options)
+      : runs_(runs), options_(options) {
+    order_.resize(runs.size());
+    std::iota(order_.begin(), order_.end(), std::size_t(0));
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) {
+      return runs_[l].time.value_or(0) < runs_[r].time.value_or(0);
+    });
+    areTimed_ = std::all_of(runs.begin(), runs.end(),
+                            [](const MergedRun& run) { return run.time.has_value(); });
+    setFrame();
+  }
+
+  MergedMap merge(const ForEach& forEach) {
+    std::vector<CellVotes> votes(runs_.size(), CellVotes(frame_));
+    forEach(runs_.size(), [&](std::size_t r) { votes[r] = votesOf(r, {}); });
+    LeftOut leftOut(runs_.size());
+    forEach(runs_.size(), [&](std::size_t r) { leftOut[r] = contradicted(r, votes); });
+    forEach(runs_.size(), [&](std::size_t r) {
+      if (!leftOut[r].empty()) votes[r] = votesOf(r, leftOut[r]);
+    });
+    MergedMap merged = drawn(votes);
+    merged.leftOut = std::move(leftOut);
+    return merged;
+  }
+
+ private:
+  void setFrame() {
+    double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
+    const auto add = [&](Point p) {
+      x0 = std::min(x0, p.x), y0 = std::min(y0, p.y), x1 = std::max(x1, p.x),
+      y1 = std::max(y1, p.y);
+    };
+    for (const MergedRun& run : runs_)
+      for (const Keyframe& scan : run.scans) {
+        add(scan.pose.shift());
+        for (const Point end : scan.ends) add(scan.pose(end));
+      }
+    const double side = options_.resolution;
+    const double width = (x1 - x0) / side + 4, height = (y1 - y0) / side + 4;
+    if (!(width * height < double(kMostCells)))
+      throw DataError(
+          "merge: the runs reach over more than 400 million cells: use a coarser resolution, or "
+          "leave out what is far off");
+    frame_.resolution = side;
+    frame_.origin = {side * (std::floor(x0 / side) - 1), side * (std::floor(y0 / side) - 1)};
+    frame_.width = int(width), frame_.height = int(height);
+  }
+
+  CellVotes votesOf(std::size_t r, const std::vector<std::size_t>& without) const {
+    CellVotes votes(frame_);
+    const std::vector<Keyframe>& scans = runs_[r].scans;
+    for (std::size_t k = 0; k < scans.size(); ++k) {
+      if (std::binary_search(without.begin(), without.end(), k)) continue;
+      for (const Point end : scans[k].ends)
+        votes.addBeam(scans[k].pose.shift(), scans[k].pose(end));
+    }
+    return votes;
+  }
+
+  /** Whether most runs that have seen a cell well, but this one, look through all around it. */
+  bool isFreeForOthers(std::size_t r, Cell at, const std::vector<CellVotes>& votes) const {
+    std::size_t free = 0, known = 0;
+    for (std::size_t other = 0; other < votes.size(); ++other) {
+      if (other == r || votes[other].seen(frame_.index(at)) < kSureBeams) continue;
+      double most = 0;
+      for (int x = -2; x <= 2; ++x)
+        for (int y = -2; y <= 2; ++y)
+          if (const Cell near{at.x + x, at.y + y}; frame_.contains(near))
+            most = std::max(most, votes[other].wallShare(frame_.index(near)));
+      ++known, free += most <= kClearlyFree;
+    }
+    return known > 0 && 2 * free > known;
+  }
+
+  std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
+    std::vector<std::size_t> scans;
+    for (std::size_t k = 0; k < runs_[r].scans.size(); ++k) {
+      const Keyframe& scan = runs_[r].scans[k];
+      const auto bad = std::count_if(scan.ends.begin(), scan.ends.end(), [&](Point end) {
+        return isFreeForOthers(r, frame_.cellAt(scan.pose(end)), votes);
+      });
+      if (double(bad) > kContradicted * double(scan.ends.size())) scans.push_back(k);
+    }
+    if (2 * scans.size() > runs_[r].scans.size()) {
+      scans.resize(runs_[r].scans.size());
+      std::iota(scans.begin(), scans.end(), std::size_t(0));
+    }
+    return scans;
+  }
+
+  /** Share of the votes for wall, in the order of time; none where nobody has seen it. */
+  std::optional<double> shareAt(std::size_t cell, const std::vector<CellVotes>& votes) const {
+    double wall = 0, all = 0, weight = 1;
+    int agreeing = 0, asked = 0;
+    for (const std::size_t r : order_) {
+      if (options_.prefersLatest) weight *= 2;
+      const std::uint32_t seen = votes[r].seen(cell);
+      const double sure = weight * double(seen) / double(seen + 1);
+      wall += sure * votes[r].wallShare(cell), all += sure;
+    }
+    for (auto r = order_.rbegin(); areTimed_ && r != order_.rend() && asked < 2; ++r) {
+      if (votes[*r].seen(cell) < kSureBeams) continue;
+      ++asked, agreeing +=
+               votes[*r].wallShare(cell) <= kClearlyFree ? -1 : votes[*r].wallShare(cell) >= 0.5;
+    }
+    if (all <= 0) return std::nullopt;
+    if (agreeing == 2) return std::max(wall / all, 0.5);
+    if (agreeing == -2) return std::min(wall / all, kClearlyFree);
+    return wall / all;
+  }
+
+  MergedMap drawn(const std::vector<CellVotes>& votes) const {
+    MergedMap merged;
+    merged.map.frame = frame_;
+    merged.map.grey.assign(frame_.cellCount(), 127);
+    merged.map.occupiedAbove = 0.55, merged.map.freeBelow = 0.45;
+    merged.runs.assign(frame_.cellCount(), 0);
+    merged.time.assign(frame_.cellCount(), -1);
+    for (std::size_t cell = 0; cell < frame_.cellCount(); ++cell) {
+      const auto share = shareAt(cell, votes);
+      if (!share) continue;
+      merged.map.grey[cell] = *share >= kWallShare ? 0 : 255;
+      std::size_t seen = 0;
+      for (const std::size_t r : order_) {
+        if (votes[r].seen(cell) == 0) continue;
+        ++seen;
+        if (runs_[r].time)
+          merged.time[cell] = float((*runs_[order_.back()].time - *runs_[r].time) / kSecondsPerDay);
+      }
+      merged.runs[cell] = std::uint8_t(std::min<std::size_t>(seen, 255));
+    }
+    return merged;
+  }
+
+  const std::vector<MergedRun>& runs_;
+  const MergeOptions& options_;
+  std::vector<std::size_t> order_;  // the run made last at its end
+  bool areTimed_ = false;
+  GridFrame frame_;
+};
+
+}  // namespace
+
+MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
+                    const ForEach& forEach) {
+  return Merger(runs, options).merge(forEach);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,117 @@
+#include "roomgraph/repair/places_csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "roomgraph/base/CsvReader.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/csv_text.h"
+
+namespace roomgraph {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+/** A table whose first line names its columns. */
+class PlacesTable {
+ public:
+  PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text) {
+    names_ = reader_.nextLine();
+    for (const char* needed : {"x", "y"})
+      if (!columnOf(needed))
+        refuse(file, std::string("has no column '") + needed + "'",
+               "name the columns in its first line: name,x,y,yaw");
+  }
+
+  const Cells& names() const { return names_; }
+
+  /** Empty behind the last line; lines without any text are left out. */
+  Cells nextLine() {
+    while (!reader_.isAtEnd()) {
+      Cells cells = reader_.nextLine();
+      if (cells.size() == 1 && cells[0].empty()) continue;
+      cells.resize(std::max(cells.size(), names_.size()));
+      return cells;
+    }
+    return {};
+  }
+
+  std::optional<std::size_t> columnOf(const char* name) const {
+    const auto found = std::find(names_.begin(), names_.end(), name);
+    if (found == names_.end()) return std::nullopt;
+    return std::size_t(found - names_.begin());
+  }
+
+  Place placeOf(const Cells& cells) const {
+    Place place;
+    if (const auto name = columnOf("name")) place.name = cells[*name];
+    if (place.name.empty()) place.name = "line " + std::to_string(reader_.line());
+    place.pose = {numberIn(cells, "x"), numberIn(cells, "y"), 0};
+    if (columnOf("yaw")) place.pose.phi = numberIn(cells, "yaw");
+    return place;
+  }
+
+ private:
+  double numberIn(const Cells& cells, const char* name) const {
+    const std::string& cell = cells[*columnOf(name)];
+    char* end = nullptr;
+    const double value = std::strtod(cell.c_str(), &end);
+    if (cell.empty() || *end != '\0' || !(std::abs(value) < 1e7))
+      refuse(file_, "'" + cell + "' in line " + std::to_string(reader_.line()) + " is no " + name,
+             "give metres, and radians for yaw");
+    return value;
+  }
+
+  std::string file_;
+  CsvReader reader_;
+  Cells names_;
+};
+
+std::string lineOf(const Cells& cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + cell;
+  return line + "\n";
+}
+
+/** Cells as they are written: texts as fields. */
+Cells fieldsOf(const Cells& cells) {
+  Cells fields;
+  for (const std::string& cell : cells) fields.push_back(csvField(cell));
+  return fields;
+}
+
+}  // namespace
+
+std::vector<Place> placesOfCsv(const std::string& text, const std::string& file) {
+  PlacesTable table(text, file);
+  std::vector<Place> places;
+  for (Cells cells = table.nextLine(); !cells.empty(); cells = table.nextLine())
+    places.push_back(table.placeOf(cells));
+  return places;
+}
+
+std::string carriedCsv(const std::string& text, const std::string& file,
+                       const std::vector<CarriedPlace>& carried) {
+  PlacesTable table(text, file);
+  Cells names = fieldsOf(table.names());
+  const std::size_t columns = names.size();
+  for (const char* more : {"state", "error_m", "reason"}) names.push_back(more);
+  std::string out = lineOf(names);
+  for (const CarriedPlace& place : carried) {
+    Cells fields = fieldsOf(table.nextLine());
+    fields.resize(columns);
+    const auto set = [&](const char* name, double Transform2D::*value) {
+      if (const auto column = table.columnOf(name))
+        fields[*column] = place.pose ? csvNumber((*place.pose).*value) : "";
+    };
+    set("x", &Transform2D::x), set("y", &Transform2D::y), set("yaw", &Transform2D::phi);
+    fields.push_back(nameOf(place.state));
+    fields.push_back(place.pose ? csvNumber(place.error) : "");
+    fields.push_back(csvField(place.reason));
+    out += lineOf(fields);
+  }
+  return out;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,87 @@
+#include "roomgraph/repair/repair_runs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/repair/sound_frame.h"
+
+namespace roomgraph {
+namespace {
+
+// What less of a run has been seen by others says nothing of the rest of it.
+constexpr double kLeastSeen = 0.5;
+
+std::vector<Transform2D> posesOf(const Run& run) {
+  std::vector<Transform2D> poses;
+  for (const ScanWalls& scan : run.scans) poses.push_back(scan.pose);
+  return poses;
+}
+
+/** Stretches of scans that no other run has seen. */
+std::vector<KeyFrames> unseenIn(const Run& run, const std::vector<bool>& isSeen) {
+  std::vector<KeyFrames> stretches;
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    if (isSeen[k]) continue;
+    if (k == 0 || isSeen[k - 1]) stretches.push_back({run.scans[k].keyFrame, 0});
+    stretches.back().to = run.scans[k].keyFrame;
+  }
+  return stretches;
+}
+
+void measure(const Run& run, RepairedRun& repaired) {
+  double squares = 0;
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    const double apart = poseDistance(run.scans[k].pose, repaired.poses[k]);
+    squares += apart * apart;
+    if (apart <= repaired.movedMost) continue;
+    repaired.movedMost = apart, repaired.movedMostAt = run.scans[k].keyFrame;
+  }
+  repaired.moved = std::sqrt(squares / double(run.scans.size()));
+}
+
+/** Why a run is better left as it was; mended where nothing speaks for that. */
+void judge(const MapError& error, RepairedRun& repaired) {
+  if (!isTrusted(error)) {
+    repaired.reason =
+        formatted("left as it was: others have seen only %.0f %% of it", 100 * error.seen);
+  } else if (error.low <= 0) {
+    repaired.reason = formatted("left as it was: its error of %.3f m may be none", error.error);
+  } else {
+    repaired.state = RepairState::mended;
+    repaired.reason =
+        formatted("mended: it was %.3f m off (%.3f to %.3f)", error.error, error.low, error.high);
+  }
+}
+
+RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>& real,
+                        std::size_t i) {
+  const Run& run = *solved.site.runs[i];
+  RepairedRun repaired;
+  repaired.run = solved.site.members[i], repaired.siteRun = i;
+  repaired.poses = posesOf(run);
+  repaired.frame = soundFrame(repaired.poses, real);
+  repaired.unseen = unseenIn(run, solved.consensus.errorOf(i).isSeen);
+  if (solved.site.reference == i) {
+    repaired.state = RepairState::reference, repaired.reason = "the reference, left as it was";
+    return repaired;
+  }
+  judge(solved.consensus.errorOf(i), repaired);
+  if (repaired.state != RepairState::mended) return repaired;
+  for (std::size_t k = 0; k < real.size(); ++k) repaired.poses[k] = repaired.frame * real[k];
+  measure(run, repaired);
+  return repaired;
+}
+
+}  // namespace
+
+bool isTrusted(const MapError& error) { return error.seen >= kLeastSeen; }
+
+std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real) {
+  std::vector<RepairedRun> all;
+  for (std::size_t i = 0; i < solved.site.runs.size(); ++i)
+    if (!solved.site.runs[i]->scans.empty()) all.push_back(repairedRun(solved, real[i], i));
+  return all;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,202 @@
+#include "roomgraph/scans/move_poses.h"
+
+#include <array>
+#include <cmath>
+
+#include "roomgraph/base/remedies.h"
+#include "roomgraph/scans/object_header.h"
+
+namespace roomgraph {
+namespace {
+
+/** Numbers one after the other, in the order of a matrix by rows. */
+struct Numbers {
+  std::size_t at = 0;
+  bool areDouble = true;
+};
+
+/** A symmetric matrix of n x n as MRPT streams it: the diagonal, then what is above it, by rows. */
+std::size_t symmetricIndex(std::size_t n, std::size_t row, std::size_t column) {
+  if (row == column) return row;
+  std::size_t index = n;
+  for (std::size_t r = 0; r < row; ++r) index += n - 1 - r;
+  return index + column - row - 1;
+}
+
+/** The inverse of a covariance; its entries have the names of the covariance's. */
+PlanarCovariance inverseOf(const PlanarCovariance& c) {
+  const double xx = c.yy * c.pp - c.yp * c.yp, xy = c.xp * c.yp - c.xy * c.pp;
+  const double xp = c.xy * c.yp - c.yy * c.xp;
+  const double scale = 1 / (c.xx * xx + c.xy * xy + c.xp * xp);
+  PlanarCovariance i;
+  i.xx = scale * xx, i.xy = scale * xy, i.xp = scale * xp;
+  i.yy = scale * (c.xx * c.pp - c.xp * c.xp), i.yp = scale * (c.xy * c.xp - c.xx * c.yp);
+  i.pp = scale * (c.xx * c.yy - c.xy * c.xy);
+  return i;
+}
+
+/** Walks along the objects of a pose, and changes its numbers in place. */
+class Mover {
+ public:
+  Mover(ByteView content, const std::string& file, std::string& bytes)
+      : content_(content), file_(file), bytes_(bytes) {}
+
+  void move(std::size_t begin, const PoseMove& move) {
+    motion_ = move.motion;
+    ByteReader in(content_, file_);
+    in.skip(begin);
+    const ObjectHeader header = readObjectHeader(in);
+    const std::string& name = header.className;
+    const bool isInformation = name == "CPosePDFGaussianInf" || name == "CPose3DPDFGaussianInf";
+    if (name == "CPose3DPDFGaussian" || name == "CPose3DPDFGaussianInf") {
+      movePose3D(in);
+      if (move.covariance) setBlock({in.position(), true}, 6, *move.covariance, isInformation);
+    } else if (name == "CPosePDFGaussian" || name == "CPosePDFGaussianInf") {
+      movePose2D(in, isInformation);
+      if (move.covariance) setPlanar(in, header, *move.covariance, isInformation);
+    } else {
+      moveParticles(in, name == "CPose3DPDFParticles", header.version);
+    }
+  }
+
+ private:
+  double number(const Numbers& numbers, std::size_t index) const {
+    if (!numbers.areDouble) return double(value<float>(numbers.at + index * sizeof(float)));
+    return value<double>(numbers.at + index * sizeof(double));
+  }
+  void set(const Numbers& numbers, std::size_t index, double to) {
+    if (numbers.areDouble)
+      put(numbers.at + index * sizeof(double), to);
+    else
+      put(numbers.at + index * sizeof(float), float(to));
+  }
+  template <class T>
+  T value(std::size_t at) const {
+    T result;
+    std::memcpy(&result, content_.data + at, sizeof result);
+    return result;
+  }
+  template <class T>
+  void put(std::size_t at, T value) {
+    std::memcpy(bytes_.data() + at, &value, sizeof value);
+  }
+
+  /** Turns two numbers that are the x and y of a vector. */
+  void turnPair(const Numbers& numbers, std::size_t x, std::size_t y, double angle,
+                Point shift = {}) {
+    const Point to = turned({number(numbers, x), number(numbers, y)}, angle) + shift;
+    set(numbers, x, to.x), set(numbers, y, to.y);
+  }
+  void movePlace(const Numbers& place) { turnPair(place, 0, 1, motion_.phi, motion_.shift()); }
+
+  /** x, y and phi, or x, y, z and yaw. */
+  void moveCoordinates(const Numbers& pose, std::size_t yaw) {
+    movePlace(pose);
+    set(pose, yaw, wrappedAngle(number(pose, yaw) + motion_.phi));
+  }
+
+  Numbers matrix(ByteReader& in) const {
+    const ObjectHeader header = readObjectHeader(in);
+    const bool areDouble = header.className.back() == 'D';
+    const auto rows = in.get<std::uint32_t>(), columns = in.get<std::uint32_t>();
+    const Numbers numbers{in.position(), areDouble};
+    in.skip(std::uint64_t(rows) * columns * (areDouble ? sizeof(double) : sizeof(float)));
+    readObjectEnd(in, header);
+    return numbers;
+  }
+
+  /** Leaves `in` behind the object. */
+  void movePose3D(ByteReader& in) {
+    const ObjectHeader header = readObjectHeader(in);
+    if (header.version <= 1) {
+      const Numbers m = matrix(in);  // 4 x 4
+      for (std::size_t c = 0; c < 3; ++c) turnPair(m, c, 4 + c, motion_.phi);
+      turnPair(m, 3, 7, motion_.phi, motion_.shift());
+    } else {
+      movePlace({in.position(), true});
+      in.skip(3 * sizeof(double));
+      const Numbers turn{in.position(), true};
+      if (header.version == 2) {  // a quaternion, r x y z
+        turnPair(turn, 0, 3, motion_.phi / 2), turnPair(turn, 1, 2, motion_.phi / 2);
+      } else {
+        for (std::size_t c = 0; c < 3; ++c) turnPair(turn, c, 3 + c, motion_.phi);
+      }
+      in.skip((header.version == 2 ? 4 : 9) * sizeof(double));
+    }
+    readObjectEnd(in, header);
+  }
+
+  /** An object, or with `isBare` its coordinates alone. */
+  void movePose2D(ByteReader& in, bool isBare) {
+    ObjectHeader header;
+    if (!isBare) header = readObjectHeader(in);
+    const bool areDouble = isBare || header.version > 0;
+    moveCoordinates({in.position(), areDouble}, 2);
+    in.skip(3 * (areDouble ? sizeof(double) : sizeof(float)));
+    if (!isBare) readObjectEnd(in, header);
+  }
+
+  void moveParticles(ByteReader& in, bool are3D, int version) {
+    for (auto left = in.get<std::uint32_t>(); left > 0; --left) {
+      in.skip(sizeof(double));  // its weight
+      if (version == 0) {
+        if (are3D) movePose3D(in);
+        if (!are3D) movePose2D(in, false);
+        continue;
+      }
+      moveCoordinates({in.position(), true}, are3D ? 3 : 2);
+      in.skip((are3D ? 6 : 3) * sizeof(double));
+    }
+  }
+
+  void setPlanar(ByteReader& in, const ObjectHeader& header, const PlanarCovariance& covariance,
+                 bool isInformation) {
+    if (isInformation || header.version > 0)
+      return setBlock({in.position(), isInformation || header.version > 1}, 3, covariance,
+                      isInformation);
+    const Numbers m = matrix(in);
+    const std::array<double, 9> all{covariance.xx, covariance.xy, covariance.xp,
+                                    covariance.xy, covariance.yy, covariance.yp,
+                                    covariance.xp, covariance.yp, covariance.pp};
+    for (std::size_t i = 0; i < all.size(); ++i) set(m, i, all[i]);
+  }
+
+  /** Of a symmetric matrix over x, y, phi, or x, y, z, yaw, pitch, roll. */
+  void setBlock(const Numbers& symmetric, std::size_t n, const PlanarCovariance& covariance,
+                bool isInformation) {
+    const PlanarCovariance c = isInformation ? inverseOf(covariance) : covariance;
+    const std::size_t yaw = n == 3 ? 2 : 3;
+    for (const std::size_t row : {std::size_t(0), std::size_t(1), yaw})
+      for (std::size_t k = 0; k < n; ++k)
+        if (k != row) set(symmetric, symmetricIndex(n, std::min(row, k), std::max(row, k)), 0);
+    set(symmetric, 0, c.xx), set(symmetric, 1, c.yy), set(symmetric, yaw, c.pp);
+    set(symmetric, symmetricIndex(n, 0, 1), c.xy);
+    set(symmetric, symmetricIndex(n, 0, yaw), c.xp);
+    set(symmetric, symmetricIndex(n, 1, yaw), c.yp);
+  }
+
+  ByteView content_;
+  const std::string& file_;
+  std::string& bytes_;
+  Transform2D motion_;
+};
+
+bool isMoved(const PoseMove& move) {
+  return move.covariance || move.motion.x != 0 || move.motion.y != 0 || move.motion.phi != 0;
+}
+
+}  // namespace
+
+std::string movePoses(ByteView content, const std::string& file, const StoredPoses& poses,
+                      const std::vector<PoseMove>& moves) {
+  if (poses.frames.size() != moves.size() ||
+      (!poses.frames.empty() && poses.frames.back().end > content.size))
+    refuse(file, "has changed while it was read", kSaveMapAgain);
+  std::string bytes(reinterpret_cast<const char*>(content.data), content.size);
+  Mover mover(content, file, bytes);
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (isMoved(moves[k])) mover.move(poses.frames[k].begin, moves[k]);
+  return bytes;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,27 @@
+#include "roomgraph/base/compressed.h"
+
+#include <gtest/gtest.h>
+
+#include "TestFolder.h"
+#include "roomgraph/base/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(Compressed, isReadBackAsItWasStored) {
+  const TestFolder folder;
+  std::string bytes(200'000, 'a');
+  for (std::size_t i = 0; i < bytes.size(); i += 7) bytes[i] = char(i * i % 251);
+  for (const Compression how : {Compression::none, Compression::gzip, Compression::zstd}) {
+    const std::string name = folder / nameOf(how);
+    writeFileAtomically(name, compressed(bytes, how));
+    CheckedFile file(name);
+    const ByteView read = file.content();
+    EXPECT_EQ(file.compression(), how);
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(read.data), read.size), bytes);
+    EXPECT_EQ(compressed(bytes, how), compressed(bytes, how));
+  }
+}
+
+}  // namespace
+}  // namespace roomgraph

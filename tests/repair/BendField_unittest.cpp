@@ -1,0 +1,50 @@
+#include "roomgraph/repair/BendField.h"
+
+#include <gtest/gtest.h>
+
+#include "repaired_site.h"
+#include "roomgraph/repair/sound_frame.h"
+
+namespace roomgraph {
+namespace {
+
+/** A place beside each scan of the true drive, as a run has drawn it: by that scan. */
+Transform2D besideScan(const Run& run, std::size_t k) {
+  return run.scans[k].pose * Transform2D{0.3, 0.2, 0.5};
+}
+
+TEST(BendField, goesToTheSiteAndBack) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  for (std::size_t run = 0; run < 3; ++run) {
+    const BendField there(site.solved, site.real, run, BendField::Way::toSite);
+    const BendField back(site.solved, site.real, run, BendField::Way::toRun);
+    for (std::size_t k = 0; k < site.runs[run].scans.size(); k += 7) {
+      const Transform2D place = besideScan(site.runs[run], k);
+      const auto in = there(place);
+      ASSERT_TRUE(in);
+      EXPECT_TRUE(in->isSeen);
+      EXPECT_TRUE(in->isKnown);
+      EXPECT_LT(in->doubt, 0.5);
+      const auto again = back(in->pose);
+      ASSERT_TRUE(again);
+      EXPECT_LT(poseDistance(again->pose, place), 0.15) << run << " " << k;
+    }
+  }
+}
+
+TEST(BendField, tellsNothingOfWhatIsFarAway) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  EXPECT_FALSE(BendField(site.solved, site.real, 0, BendField::Way::toSite)({500, 0, 0}));
+}
+
+TEST(BendField, wallsCarryWhereThereAreNoScans) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const BendField field(site.solved, 0, 2);
+  const std::size_t middle = site.runs[0].scans.size() / 2;
+  const auto carried = field(besideScan(site.runs[0], middle));
+  ASSERT_TRUE(carried);
+  EXPECT_LT(poseDistance(carried->pose, besideScan(site.runs[2], middle)), 0.2);
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,53 @@
+#include "roomgraph/repair/carry_places.h"
+
+#include <gtest/gtest.h>
+
+#include "repaired_site.h"
+#include "roomgraph/repair/sound_frame.h"
+
+namespace roomgraph {
+namespace {
+
+/** A place beside each scan of a run. */
+std::vector<Place> besideScans(const Run& run) {
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < run.scans.size(); ++k)
+    places.push_back({"place " + std::to_string(k), run.scans[k].pose * Transform2D{0.2, 0.1, 1}});
+  return places;
+}
+
+TEST(CarryPlaces, placesFollowATornMap) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const std::vector<Place> places = besideScans(site.runs[0]), there = besideScans(site.runs[1]);
+  const std::vector<CarriedPlace> carried = carryPlaces(places, site.solved, site.real, 0, 1);
+  ASSERT_EQ(carried.size(), places.size());
+  std::size_t sure = 0;
+  for (std::size_t k = 0; k < carried.size(); ++k) {
+    if (carried[k].state != CarryState::carried) continue;
+    ++sure;
+    EXPECT_LT(distance(carried[k].pose->shift(), there[k].pose.shift()), 0.15) << k;
+    EXPECT_TRUE(carried[k].reason.empty());
+  }
+  EXPECT_GT(sure, carried.size() / 2);
+}
+
+TEST(CarryPlaces, whatNobodyHasBeenNearIsUnseen) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const auto carried = carryPlaces({{"far", {500, 0, 0}}}, site.solved, site.real, 0, 2);
+  EXPECT_EQ(carried[0].state, CarryState::unseen);
+  EXPECT_FALSE(carried[0].pose);
+  EXPECT_FALSE(carried[0].reason.empty());
+}
+
+TEST(CarryPlaces, aPlaceInANewWallIsGone) {
+  test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const Place place{"goal", site.runs[0].scans[10].pose};
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::carried);
+  WallMap& map = site.runs[1].map;
+  for (std::size_t cell = 0; cell < map.states.size(); ++cell)
+    if (distance(map.placeOf(cell), place.pose.shift()) < 0.6) map.states[cell] = State::occupied;
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::gone);
+}
+
+}  // namespace
+}  // namespace roomgraph

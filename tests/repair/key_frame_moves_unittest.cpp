@@ -1,0 +1,54 @@
+#include "roomgraph/repair/key_frame_moves.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+/** A run of 7 key frames, 1 m from each to the next, with scans at the second and the sixth. */
+struct SevenFrames {
+  Run run;
+  RepairedRun repaired;
+  StoredPoses stored;
+
+  SevenFrames() {
+    for (int k = 0; k < 7; ++k) {
+      StoredPose pose;
+      pose.place = {double(k), 0, 0.3};
+      stored.frames.push_back(pose);
+    }
+    for (const std::size_t k : {1u, 5u}) {
+      ScanWalls scan;
+      scan.keyFrame = k, scan.pose = {double(k), 0, 0};
+      run.scans.push_back(scan);
+    }
+    repaired.state = RepairState::mended;
+    repaired.poses = {{1, 0, 0}, {5, 2, 0}};
+  }
+
+  Transform2D movedAt(std::size_t k) const {
+    return keyFrameMoves(run, repaired, stored)[k].motion * Transform2D{double(k), 0, 0};
+  }
+};
+
+TEST(KeyFrameMoves, thoseWithoutAScanGoAlongWithTheirNeighbours) {
+  const SevenFrames seven;
+  const double expected[] = {0, 0, 0.5, 1, 1.5, 2, 2};
+  for (std::size_t k = 0; k < 7; ++k) {
+    EXPECT_NEAR(seven.movedAt(k).y, expected[k], 1e-12) << k;
+    EXPECT_NEAR(seven.movedAt(k).x, double(k), 1e-12) << k;
+  }
+}
+
+TEST(KeyFrameMoves, aRunThatIsLeftAsItWasDoesNotMove) {
+  SevenFrames seven;
+  seven.repaired.state = RepairState::kept;
+  for (const PoseMove& move : keyFrameMoves(seven.run, seven.repaired, seven.stored)) {
+    EXPECT_EQ(move.motion.shift(), (Point{0, 0}));
+    EXPECT_EQ(move.motion.phi, 0);
+    EXPECT_FALSE(move.covariance);
+  }
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,90 @@
+#include "roomgraph/repair/merge_runs.h"
+
+#include <gtest/gtest.h>
+
+#include "repaired_site.h"
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+MergedRun mergedRun(std::vector<Keyframe> scans, double day) {
+  return {"day " + std::to_string(day), std::move(scans), 1e9 + 86400 * day};
+}
+
+/** What most of the drive's scans look through: a place in the corridor. */
+Point inCorridor() { return test::drive(0)[15].pose.shift(); }
+
+/** The scans with a box of half a metre around a place, as far as their beams cross it. */
+std::vector<Keyframe> withBox(std::vector<Keyframe> scans, Point middle) {
+  for (Keyframe& scan : scans)
+    for (Point& end : scan.ends) {
+      const Point eye = scan.pose.shift(), there = scan.pose(end) - eye;
+      const double along = dot(middle - eye, there) / squaredNorm(there);
+      if (along < 0 || along > 1 || distance(eye + along * there, middle) > 0.25) continue;
+      if (distance(eye, middle) > 0.6) end = along * end;
+    }
+  return scans;
+}
+
+bool isWallNear(const MergedMap& merged, Point place) {
+  const GridFrame& frame = merged.map.frame;
+  for (int x = -4; x <= 4; ++x)
+    for (int y = -4; y <= 4; ++y) {
+      const Cell cell = frame.cellAt(place + Point{0.05 * x, 0.05 * y});
+      if (frame.contains(cell) && merged.map.grey[frame.index(cell)] < 100) return true;
+    }
+  return false;
+}
+
+MergedMap merged(const std::vector<MergedRun>& runs) { return mergeRuns(runs, {}, oneByOne); }
+
+TEST(MergeRuns, whatStoodThereOnceGoes) {
+  const auto empty = test::drive(1), box = withBox(test::drive(2), inCorridor());
+  ASSERT_TRUE(isWallNear(merged({mergedRun(box, 0)}), inCorridor()));
+  const MergedMap map = merged({mergedRun(box, 0), mergedRun(empty, 1), mergedRun(empty, 2)});
+  EXPECT_FALSE(isWallNear(map, inCorridor()));
+  for (const auto& scans : map.leftOut) EXPECT_TRUE(scans.empty());
+}
+
+TEST(MergeRuns, whatTheLatestTwoHaveStays) {
+  const auto empty = test::drive(1), box = withBox(test::drive(2), inCorridor());
+  const MergedRun first = mergedRun(empty, 0), second = mergedRun(empty, 1),
+                  third = mergedRun(empty, 2), fourth = mergedRun(box, 3), last = mergedRun(box, 4);
+  EXPECT_TRUE(isWallNear(merged({first, second, third, fourth, last}), inCorridor()));
+  EXPECT_FALSE(isWallNear(merged({mergedRun(box, 0), mergedRun(box, 1), mergedRun(box, 2),
+                                  mergedRun(empty, 3), mergedRun(empty, 4)}),
+                          inCorridor()));
+}
+
+TEST(MergeRuns, scansInTheWrongPlaceAreLeftOut) {
+  auto wrong = test::drive(3);
+  for (std::size_t k = 0; k < 10; ++k) wrong[k].pose = Transform2D{3.1, 1.7, 0.8} * wrong[k].pose;
+  const MergedMap map =
+      merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1), mergedRun(wrong, 2)});
+  EXPECT_TRUE(map.leftOut[0].empty());
+  EXPECT_TRUE(map.leftOut[1].empty());
+  EXPECT_GE(map.leftOut[2].size(), 6u);
+  EXPECT_LE(map.leftOut[2].size(), 10u);
+}
+
+TEST(MergeRuns, eachCellTellsItsRunsAndItsAge) {
+  const auto scans = test::drive(1);
+  const std::vector<Keyframe> half(scans.begin(), scans.begin() + 5);
+  const MergedMap map = merged({mergedRun(scans, 0), mergedRun(half, 10)});
+  const auto at = [&](Point place) { return map.map.frame.index(map.map.frame.cellAt(place)); };
+  EXPECT_EQ(map.runs[at(scans[2].pose.shift())], 2);
+  EXPECT_EQ(map.time[at(scans[2].pose.shift())], 0);
+  EXPECT_GE(map.runs[at(scans.back().pose.shift())], 1);
+  EXPECT_EQ(map.runs[0], 0);
+  EXPECT_LT(map.time[0], 0);
+}
+
+TEST(MergeRuns, whatReachesTooFarIsRefused) {
+  auto far = test::drive(1);
+  far[0].pose.x = 1e6, far[1].pose.y = 1e6;
+  EXPECT_THROW(merged({mergedRun(far, 0)}), DataError);
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,59 @@
+#include "roomgraph/repair/repair_runs.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "repaired_site.h"
+#include "roomgraph/repair/sound_frame.h"
+
+namespace roomgraph {
+namespace {
+
+/** How far poses are from the true ones after the best turn and shift, at the worst [m]. */
+double misplaced(const std::vector<Transform2D>& poses) {
+  std::vector<Transform2D> truth;
+  for (const Keyframe& frame : test::drive(0)) truth.push_back(frame.pose);
+  const Transform2D frame = soundFrame(poses, truth);
+  double most = 0;
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    most = std::max(most, poseDistance(poses[k], frame * truth[k]));
+  return most;
+}
+
+TEST(RepairRuns, aTornRunIsPutTogetherWhereItsLargerPartWas) {
+  const test::SolvedDrives& torn = test::tornAmongSound();
+  const std::vector<RepairedRun> repaired = repairRuns(torn.solved, torn.real);
+  ASSERT_EQ(repaired.size(), 3u);
+  EXPECT_EQ(repaired[1].run, 1u);
+  EXPECT_EQ(repaired[1].state, RepairState::mended) << repaired[1].reason;
+  EXPECT_LT(misplaced(repaired[1].poses), 0.15);
+  EXPECT_GT(repaired[1].movedMost, 1);
+  const std::size_t scans = torn.runs[1].scans.size();
+  const std::size_t sound = scans - 20 > 20 ? scans - 1 : 0;
+  EXPECT_LT(poseDistance(repaired[1].poses[sound], torn.runs[1].scans[sound].pose), 0.1);
+  EXPECT_TRUE(repaired[1].unseen.empty());
+}
+
+TEST(RepairRuns, aRunWhoseErrorMayBeNoneStaysAsItWas) {
+  const test::SolvedDrives& torn = test::tornAmongSound();
+  const RepairedRun sound = repairRuns(torn.solved, torn.real)[0];
+  EXPECT_EQ(sound.state, RepairState::kept) << sound.reason;
+  for (std::size_t k = 0; k < sound.poses.size(); ++k)
+    EXPECT_EQ(sound.poses[k].shift(), torn.runs[0].scans[k].pose.shift());
+}
+
+TEST(RepairRuns, aReferenceStaysAndTheOthersFollow) {
+  const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
+  const std::vector<RepairedRun> repaired = repairRuns(site.solved, site.real);
+  ASSERT_EQ(repaired.size(), 2u);
+  EXPECT_EQ(repaired[1].state, RepairState::reference);
+  EXPECT_EQ(repaired[0].state, RepairState::mended) << repaired[0].reason;
+  std::vector<Transform2D> before;
+  for (const ScanWalls& scan : site.runs[0].scans) before.push_back(scan.pose);
+  EXPECT_LT(misplaced(repaired[0].poses), 0.25 * misplaced(before));
+}
+
+}  // namespace
+}  // namespace roomgraph
