@@ -66,24 +66,17 @@ TEST(NarrowingBand, goesFromItsFirstWidthToItsLastByOneFactor) {
   EXPECT_DOUBLE_EQ((NarrowingBand{0.8, 0.1, 1}.widthAt(0)), 0.1) << "one step is the last one";
 }
 
-TEST(FittedPose, isWhatItsStepsComeTo) {
+TEST(FittedPose, aBandThatNarrowsReachesFarAndFitsClosely) {
   const WallMap map = wallMap(test::drawnHall(0.1, 0));
-  const NarrowingBand band{0.8, 0.2, 5};
-  const Transform2D start{0.3, -0.2, 0.02};
   const auto all = [&](WallFit& fit, int) {
     for (const WallPoint& wall : map.walls) fit.add(wall, map);
   };
-  Transform2D at = start;
-  for (int step = 0; step < band.steps; ++step) {
-    WallFit fit(at, {4, 3}, band.widthAt(step));
-    all(fit, step);
-    at = fit.improved(0.08);
+  const Point middle{4, 3};
+  for (const Transform2D& start : {Transform2D{0.3, -0.2, 0.02}, Transform2D{-0.25, 0.3, -0.03}}) {
+    const Transform2D found = fittedPose(start, middle, {0.8, 0.2, 5}, all);
+    EXPECT_LT(distance(found(middle), middle), 0.03);
+    EXPECT_NEAR(found.phi, 0, 0.01);
   }
-  const Transform2D found = fittedPose(start, {4, 3}, band, all);
-  EXPECT_EQ(found.x, at.x);
-  EXPECT_EQ(found.y, at.y);
-  EXPECT_EQ(found.phi, at.phi);
-  EXPECT_LT(distance(found({4, 3}), {4, 3}), 0.03);
 }
 
 TEST(FittedPose, staysWhereTooFewWallsAreInReach) {

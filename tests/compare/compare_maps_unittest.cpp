@@ -46,11 +46,5 @@ TEST(CompareMaps, aValueOutOfRangeIsRefused) {
   EXPECT_THROW(table.set("run_score", "min_share", "1.1"), UsageError);
 }
 
-TEST(CompareMaps, alignedMapsHaveAScale) {
-  CompareMapsOptions options;
-  options.compare.areAligned = options.estimatesScale = true;
-  EXPECT_THROW(readRuns({"a.png", "b.png"}, options), UsageError);
-}
-
 }  // namespace
 }  // namespace roomgraph

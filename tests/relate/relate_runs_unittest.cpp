@@ -58,47 +58,6 @@ TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
   }
 }
 
-TEST(RelateRuns, ofAnUnsureHubAllAnswersAreTried) {
-  const std::vector<roomgraph::Run> runs = fourRuns();
-  const MapPair hubAndA = relateMaps(runs[2].map, runs[0].map);
-  MapPair hubAndB = relateMaps(runs[2].map, runs[1].map);
-  Alignment& unsure = hubAndB.alignment;
-  const Transform2D right = unsure.pose;
-  unsure.pose = right * carrying(runs[1].map.middle(), runs[1].map.middle(), M_PI);
-  unsure.poses = {unsure.pose, right};
-  unsure.confidence = 0.4, unsure.runnerUpConfidence = 0.3;
-  hubAndB.bInA = {};
-  const MapPair over = relateMapsOver(hubAndA, hubAndB, runs[0].map, runs[1].map);
-  EXPECT_TRUE(over.alignment.isSameSite);
-  EXPECT_TRUE(areAlike(over.alignment.pose, hubAndA.alignment.pose.inverse() * right));
-  EXPECT_LE(over.alignment.confidence, 0.7) << "surer than the hub";
-}
-
-TEST(RelateRuns, namingAPairTheOtherWayRoundSwapsTheAnswers) {
-  const std::vector<roomgraph::Run> runs = fourRuns();
-  const MapPair one = relateMaps(runs[0].map, runs[1].map);
-  const MapPair back = swapped(relateMaps(runs[1].map, runs[0].map));
-  EXPECT_TRUE(areAlike(one.alignment.pose, back.alignment.pose));
-  EXPECT_NEAR(one.bInA.bend, back.bInA.bend, 1e-9);
-  EXPECT_NEAR(one.aInB.share, back.aInB.share, 1e-9);
-}
-
-TEST(RelateRuns, framesThatContradictEachOtherAreNotTakenForOne) {
-  const WallMap map = run(drawnBuilding(1, {})).map;
-  EXPECT_TRUE(
-      relateAlignedMaps(map, run(drawnBuilding(1, {0.05, 0, 0.005})).map).alignment.isSameSite);
-  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {4, 2, 1})).map).alignment.isSameSite);
-  EXPECT_FALSE(relateAlignedMaps(map, run(drawnBuilding(1, {90, 0, 0})).map).alignment.isSameSite);
-}
-
-TEST(RelateRuns, copiesHaveNoBend) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(2, {})), run(drawnBuilding(2, {}))};
-  const MapPair pair = test::related(runs)(0, 1);
-  EXPECT_TRUE(pair.areIdentical);
-  EXPECT_EQ(pair.bInA.bend, 0);
-  EXPECT_EQ(pair.aInB.share, 1);
-}
-
 /** Keeps pairs in memory, and counts. */
 struct Shelf {
   std::map<std::string, std::string> bytes;

@@ -1,0 +1,104 @@
+#include "roomgraph/archive/add_run.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "TestFolder.h"
+#include "drawn_building.h"
+#include "grid_picture.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+/** An archive, and maps of a building in its folder. */
+struct Office {
+  TestFolder folder;
+  Archive archive{folder / "office.db", Archive::Access::orNew};
+  AddRunOptions options;
+  std::vector<std::string> missing;
+
+  Office() {
+    options.site = "office", options.robot = "anna", options.time = 1000;
+    options.onMissing = [this](const KnownRun& run) { missing.push_back(run.file); };
+  }
+  std::string map(const std::string& name, const Transform2D& pose, std::uint32_t seed = 1) const {
+    writeFileAtomically(folder / name, test::gridPicture(test::drawnBuilding(seed, pose)));
+    return folder / name;
+  }
+  AddedRun add(const std::string& file) { return addRun(archive, file, options); }
+};
+
+TEST(AddRun, runsOfOneSiteArePlacedAndKeptWithWhereTheyComeFrom) {
+  Office office;
+  const AddedRun first = office.add(office.map("a.pgm", {}));
+  EXPECT_FALSE(first.wasKnown);
+  office.options.robot = "berta", office.options.time = 2000;
+  const AddedRun second = office.add(office.map("b.pgm", {3, 1, 0.5}));
+  EXPECT_TRUE(second.isPlaced);
+  EXPECT_TRUE(second.roomsFailed.empty());
+  const std::vector<KnownRun> runs = office.archive.runs("office");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].robot, "anna");
+  EXPECT_EQ(runs[1].robot, "berta");
+  EXPECT_EQ(runs[1].time, 2000);
+  EXPECT_EQ(runs[1].file, office.folder / "b.pgm");
+}
+
+TEST(AddRun, theSameContentUnderAnotherNameIsKnown) {
+  Office office;
+  office.add(office.map("a.pgm", {}));
+  const AddedRun again = office.add(office.map("copy.pgm", {}));
+  EXPECT_TRUE(again.wasKnown);
+  EXPECT_FALSE(again.score);
+  EXPECT_EQ(office.archive.runs("office").size(), 1u);
+}
+
+TEST(AddRun, aRunOfAnotherBuildingIsKeptWithoutAPlace) {
+  Office office;
+  office.add(office.map("a.pgm", {}));
+  office.add(office.map("b.pgm", {3, 1, 0.5}));
+  const AddedRun other = office.add(office.map("lab.pgm", {}, 11));
+  EXPECT_FALSE(other.isPlaced);
+  EXPECT_FALSE(other.reason.empty());
+  EXPECT_EQ(office.archive.runs("office").size(), 3u);
+}
+
+TEST(AddRun, runsWhoseFilesAreGoneOrChangedAreNotComparedWith) {
+  Office office;
+  const std::string gone = office.map("gone.pgm", {}), other = office.map("other.pgm", {1, 1, 0});
+  office.add(gone), office.add(other);
+  std::filesystem::remove(gone);
+  office.map("other.pgm", {}, 11);
+  office.add(office.map("b.pgm", {3, 1, 0.5}));
+  std::sort(office.missing.begin(), office.missing.end());
+  EXPECT_EQ(office.missing, (std::vector<std::string>{gone, other}));
+}
+
+TEST(AddRun, aMapThatCannotBeUsedLeavesTheArchiveAsItWas) {
+  Office office;
+  office.add(office.map("a.pgm", {}));
+  writeFileAtomically(office.folder / "cut.pgm", "P5 90 90 255\n...");
+  try {
+    office.add(office.folder / "cut.pgm");
+    ADD_FAILURE() << "a damaged map was added";
+  } catch (const DataError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(office.folder / "cut.pgm", 0), 0u) << error.what();
+  }
+  EXPECT_THROW(office.add(office.folder / "none.pgm"), DataError);
+  EXPECT_EQ(office.archive.runs("office").size(), 1u);
+}
+
+TEST(AddRun, aCopyIsKeptWhereOneIsAskedFor) {
+  Office office;
+  office.options.kept = office.folder / "kept";
+  office.add(office.map("a.pgm", {}));
+  const std::string file = office.archive.runs("office").at(0).file;
+  EXPECT_EQ(file.rfind(office.options.kept, 0), 0u) << file;
+  EXPECT_EQ(readAll(file), readAll(office.folder / "a.pgm"));
+}
+
+}  // namespace
+}  // namespace roomgraph

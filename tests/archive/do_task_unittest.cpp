@@ -1,0 +1,69 @@
+#include "roomgraph/archive/do_task.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "TestFolder.h"
+#include "drawn_building.h"
+#include "grid_picture.h"
+#include "roomgraph/archive/plan_fleet.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/write_file.h"
+
+namespace roomgraph {
+namespace {
+
+/** Three maps of a building, and the task that they are planned as. */
+struct Fleet {
+  TestFolder folder;
+  PlanFleetOptions options;
+  FleetTask task;
+
+  Fleet() {
+    std::vector<ListedRun> listed;
+    for (const char* name : {"a.pgm", "b.pgm", "c.pgm"}) {
+      write(name, 1, {0, listed.size() * 2.0, 0.2 * double(listed.size())});
+      listed.push_back({"office", folder / name, "anna", 1000});
+    }
+    const Archive archive(folder / "fleet.db", Archive::Access::orNew);
+    task = planFleet(listed, archive, options).at(0);
+  }
+  void write(const std::string& name, std::uint32_t seed, const Transform2D& pose) const {
+    writeFileAtomically(folder / name, test::gridPicture(test::drawnBuilding(seed, pose)));
+  }
+  TaskResult run() const { return doTask(task, options.compare); }
+};
+
+TEST(DoTask, theRunsOfATaskAreCompared) {
+  const TaskResult result = Fleet().run();
+  EXPECT_EQ(result.comparison.runs.size(), 3u);
+  EXPECT_TRUE(result.failures.empty());
+}
+
+TEST(DoTask, aMapThatIsGoneOrAnotherOneNowIsLeftOutAndNamed) {
+  const Fleet fleet;
+  fleet.write("b.pgm", 11, {});
+  std::filesystem::remove(fleet.folder / "c.pgm");
+  const TaskResult result = fleet.run();
+  EXPECT_EQ(result.comparison.runs.size(), 1u);
+  ASSERT_EQ(result.failures.size(), 2u);
+  EXPECT_EQ(result.failures[0].rfind(fleet.folder / "c.pgm: ", 0), 0u) << result.failures[0];
+  EXPECT_EQ(result.failures[1],
+            fleet.folder / "b.pgm: is another map now than when it was planned");
+}
+
+TEST(DoTask, withoutAnyOfItsMapsItFails) {
+  const Fleet fleet;
+  for (const char* name : {"a.pgm", "b.pgm", "c.pgm"}) fleet.write(name, 11, {});
+  EXPECT_THROW(fleet.run(), DataError);
+}
+
+TEST(DoTask, itIsDoneWithTheOptionsThatItWasPlannedWith) {
+  Fleet fleet;
+  fleet.options.compare.compare.scoreScale *= 2;
+  EXPECT_THROW(fleet.run(), DataError);
+}
+
+}  // namespace
+}  // namespace roomgraph

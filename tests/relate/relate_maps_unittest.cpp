@@ -1,0 +1,119 @@
+#include "roomgraph/relate/relate_maps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
+
+namespace roomgraph {
+namespace {
+
+using test::bent;
+using test::drawnBuilding;
+
+WallMap mapOf(const Grid& grid) { return wallMap(grid); }
+
+bool areAlike(const Transform2D& l, const Transform2D& r) {
+  return distance(l.shift(), r.shift()) < 0.1 && std::abs(wrappedAngle(l.phi - r.phi)) < 0.01;
+}
+
+/** Three maps of one building, the first of them bent. */
+struct ThreeMaps {
+  Transform2D ofA{3, -4, 0.4}, ofB{-7, 2, 2.5}, ofHub{0, 1, -1.2};  // map <- building
+  WallMap a = mapOf(bent(drawnBuilding(1, ofA), 0.08)), b = mapOf(drawnBuilding(1, ofB)),
+          hub = mapOf(drawnBuilding(1, ofHub));
+  MapPair hubAndA = relateMaps(hub, a), hubAndB = relateMaps(hub, b);
+};
+
+const ThreeMaps& three() {
+  static const ThreeMaps maps;
+  return maps;
+}
+
+TEST(RelateMaps, thePoseIsThatOfTheBuilding) {
+  const ThreeMaps& maps = three();
+  EXPECT_TRUE(maps.hubAndB.alignment.isSameSite);
+  EXPECT_TRUE(areAlike(maps.hubAndB.alignment.pose, maps.ofHub * maps.ofB.inverse()));
+  EXPECT_LT(maps.hubAndB.bInA.bend, 0.05) << "neither is bent";
+  EXPECT_GT(maps.hubAndA.bInA.bend, 3 * maps.hubAndB.bInA.bend) << "one is bent";
+  EXPECT_FALSE(maps.hubAndB.areIdentical);
+}
+
+TEST(RelateMaps, namingAPairTheOtherWayRoundSwapsTheAnswers) {
+  const MapPair one = relateMaps(three().a, three().b);
+  const MapPair back = swapped(relateMaps(three().b, three().a));
+  EXPECT_TRUE(areAlike(one.alignment.pose, back.alignment.pose));
+  EXPECT_NEAR(one.bInA.bend, back.bInA.bend, 1e-9);
+  EXPECT_NEAR(one.aInB.share, back.aInB.share, 1e-9);
+}
+
+TEST(RelateMaps, ofOtherBuildingsNothingIsFollowed) {
+  const MapPair pair = relateMaps(three().a, mapOf(drawnBuilding(11, {})));
+  EXPECT_FALSE(pair.alignment.isSameSite);
+  EXPECT_TRUE(pair.bInA.patches.empty());
+  EXPECT_TRUE(pair.aInB.patches.empty());
+}
+
+TEST(RelateMaps, overAHubTheAnswerIsThatOfASearch) {
+  const MapPair over = relateMapsOver(three().hubAndA, three().hubAndB, three().a, three().b);
+  const MapPair searched = relateMaps(three().a, three().b);
+  EXPECT_TRUE(areAlike(over.alignment.pose, searched.alignment.pose));
+  EXPECT_NEAR(over.bInA.bend, searched.bInA.bend, 0.03);
+  EXPECT_LE(over.alignment.confidence,
+            std::min(three().hubAndA.alignment.confidence, three().hubAndB.alignment.confidence))
+      << "no surer than what it follows from";
+}
+
+TEST(RelateMaps, ofAnUnsureHubAllAnswersAreTried) {
+  MapPair hubAndB = three().hubAndB;
+  Alignment& unsure = hubAndB.alignment;
+  const Transform2D right = unsure.pose;
+  unsure.pose = right * carrying(three().b.middle(), three().b.middle(), M_PI);
+  unsure.poses = {unsure.pose, right};
+  unsure.confidence = 0.4, unsure.runnerUpConfidence = 0.3;
+  hubAndB.bInA = {};
+  const MapPair over = relateMapsOver(three().hubAndA, hubAndB, three().a, three().b);
+  EXPECT_TRUE(over.alignment.isSameSite);
+  EXPECT_TRUE(areAlike(over.alignment.pose, three().hubAndA.alignment.pose.inverse() * right));
+  EXPECT_LE(over.alignment.confidence, 0.7) << "surer than the hub";
+}
+
+TEST(RelateMaps, aHubOfAnotherSiteSaysNothing) {
+  MapPair stranger = three().hubAndA;
+  stranger.alignment.isSameSite = false;
+  const MapPair over = relateMapsOver(stranger, three().hubAndB, three().a, three().b);
+  EXPECT_TRUE(areAlike(over.alignment.pose, three().ofA * three().ofB.inverse()));
+}
+
+TEST(RelateMaps, sureAnswersThatContradictEachOtherAreSearchedForAgain) {
+  MapPair wrong = three().hubAndA;
+  const Transform2D away = Transform2D{60, 0, 0} * wrong.alignment.pose;
+  wrong.alignment.pose = away, wrong.alignment.poses = {away};
+  wrong.alignment.confidence = 1, wrong.alignment.runnerUpConfidence = 0;
+  wrong.bInA = {};
+  const MapPair over = relateMapsOver(wrong, three().hubAndB, three().a, three().b);
+  EXPECT_TRUE(over.alignment.isSameSite);
+  EXPECT_TRUE(areAlike(over.alignment.pose, relateMaps(three().a, three().b).alignment.pose));
+}
+
+TEST(RelateMaps, framesThatContradictEachOtherAreNotTakenForOne) {
+  const WallMap map = mapOf(drawnBuilding(1, {}));
+  const auto areOfOneSite = [&](const Transform2D& pose) {
+    return relateAlignedMaps(map, mapOf(drawnBuilding(1, pose))).alignment.isSameSite;
+  };
+  EXPECT_TRUE(areOfOneSite({0.05, 0, 0.005}));
+  EXPECT_FALSE(areOfOneSite({4, 2, 1}));
+  EXPECT_FALSE(areOfOneSite({90, 0, 0}));
+}
+
+TEST(RelateMaps, copiesHaveNoBend) {
+  const MapPair pair = relateMaps(three().b, three().b);
+  EXPECT_TRUE(pair.areIdentical);
+  EXPECT_EQ(pair.bInA.bend, 0);
+  EXPECT_EQ(pair.aInB.share, 1);
+}
+
+}  // namespace
+}  // namespace roomgraph
