@@ -18,7 +18,6 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/StagedFiles.h"
-#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/ledger/name_rooms.h"
@@ -61,7 +60,6 @@ void declareFrames(CompareArguments& arguments, CLI::App& app) {
 void declareResults(CompareArguments& arguments, CLI::App& app) {
   declareOutput(arguments.folder, listedFiles(), app);
   declareFormats(arguments.formats, app);
-  declareFrames(arguments, app);
   app.add_option(
          "--names", arguments.names,
          "JSON file that keeps the ids and names of the site's rooms from call to call. It is "
@@ -83,7 +81,15 @@ void declareResults(CompareArguments& arguments, CLI::App& app) {
                "If the maps show several sites, such as two floors, compare each site by itself: "
                "the one with the most runs goes into --output, the next into its folder site2, and "
                "so on. Not with a gate, --names or --reference.");
-  declareRunning(arguments.running, "maps or pairs", "what each map holds", app);
+}
+
+void declareJudged(CompareArguments& arguments, CLI::App& app) {
+  app.add_option("--candidate", arguments.candidates,
+                 "One more map, and the only one that the gate judges; the others are the record "
+                 "that it is compared with. May be repeated.")
+      ->type_name("MAP")
+      ->allow_extra_args(false);
+  declareGate(arguments.gate, app);
 }
 
 /** The record and the candidates, each file once. */
@@ -188,10 +194,11 @@ ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
 }
 
 /** Writes all that is told of a comparison, and says so. */
-void writeResults(const Comparison& comparison, const std::vector<Run>& runs,
+void writeResults(Comparison comparison, const std::vector<Run>& runs,
                   const CompareArguments& arguments, const std::string& folder,
                   StagedFiles& staged) {
   const ResultFiles files(folder, arguments.formats);
+  for (ComparedRun& run : comparison.runs) run.relativePath = seenFrom(folder, run.file);
   const ExtractOptions options = toCompareOptions(arguments.options).extract;
   std::vector<std::string> more;
   if (arguments.writesBreaks)
@@ -228,15 +235,6 @@ bool printLeftOut(const Comparison& comparison) {
     else
       isUnread = true;
   return isUnread;
-}
-
-/** What each map holds, on stderr. */
-void printMaps(const std::vector<Run>& runs) {
-  for (const Run& run : runs)
-    printError(run.file + ": " + formatted("cells of %g m, ", run.resolution) +
-               counted(run.map.walls.size(), "point of wall", "points of wall") + ", " +
-               counted(run.rooms.size(), "room", "rooms") + ", " +
-               counted(run.scans.size(), "scan", "scans"));
 }
 
 int run(const CompareArguments& arguments) {
@@ -281,16 +279,15 @@ std::function<int()> compareCommand(CLI::App& app) {
                  "Maps of one site, as for 'roomgraph extract'; each may have a frame of its own.")
       ->type_name("")
       ->required();
-  declareResults(*arguments, app);
-  declareGate(arguments->gate, app);
-  app.add_option("--candidate", arguments->candidates,
-                 "One more map, and the only one that the gate judges; the others are the record "
-                 "that it is compared with. May be repeated.")
-      ->type_name("MAP")
-      ->allow_extra_args(false);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
-  declareRooms(arguments->options, app);
+  underHeading("Maps", app, [&] {
+    declareFrames(*arguments, app);
+    declareReading(arguments->options, app);
+    declareRooms(arguments->options, app);
+    declareConfig(arguments->options, app);
+  });
+  underHeading("Output", app, [&] { declareResults(*arguments, app); });
+  underHeading("Gate", app, [&] { declareJudged(*arguments, app); });
+  declareRunning(arguments->running, "maps or pairs", "what each map holds", app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -15,6 +15,7 @@
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/comparison_sentences.h"
 #include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/site_geojson.h"
 #include "terminal.h"
@@ -23,6 +24,7 @@ namespace roomgraph {
 
 struct ComparisonFile {
   const char *format, *name;  ///< for --format; of the file
+  bool drawsMaps;
   std::string (*bytes)(const Comparison& saved, const std::vector<Run>& runs);
 };
 
@@ -31,17 +33,18 @@ namespace {
 using Runs = std::vector<Run>;
 
 constexpr ComparisonFile kFiles[] = {
-    {"report", "report.html",
+    {"report", "report.html", true,
      [](const Comparison& c, const Runs& r) { return comparisonReport(c, r); }},
-    {"json", "comparison.json", [](const Comparison& c, const Runs&) { return comparisonJson(c); }},
-    {"csv", "comparison.runs.csv",
+    {"json", "comparison.json", false,
+     [](const Comparison& c, const Runs&) { return comparisonJson(c); }},
+    {"csv", "comparison.runs.csv", false,
      [](const Comparison& c, const Runs&) { return comparisonRunsCsv(c); }},
-    {"csv", "comparison.rooms.csv",
+    {"csv", "comparison.rooms.csv", false,
      [](const Comparison& c, const Runs&) { return comparisonRoomsCsv(c); }},
-    {"geojson", "comparison.rooms.geojson",
+    {"geojson", "comparison.rooms.geojson", false,
      [](const Comparison& c, const Runs&) { return siteGeojson(c); }},
-    {"3Dscene", "comparison.3Dscene", comparisonSceneFile},
-    {"roomgraph", "comparison.roomgraph", comparisonObjectFile},
+    {"3Dscene", "comparison.3Dscene", true, comparisonSceneFile},
+    {"roomgraph", "comparison.roomgraph", true, comparisonObjectFile},
 };
 
 std::vector<std::string> allFormats() {
@@ -62,6 +65,18 @@ ResultFiles::ResultFiles(std::filesystem::path folder, const std::string& format
 
 std::string ResultFiles::nameOf(const ComparisonFile& file) const {
   return (folder_ / file.name).string();
+}
+
+std::vector<std::string> ResultFiles::keepDrawn() {
+  std::vector<std::string> kept;
+  const auto isKept = [&](const ComparisonFile* file) {
+    std::error_code error;
+    if (!file->drawsMaps || !std::filesystem::exists(nameOf(*file), error)) return false;
+    kept.emplace_back(file->name);
+    return true;
+  };
+  files_.erase(std::remove_if(files_.begin(), files_.end(), isKept), files_.end());
+  return kept;
 }
 
 std::vector<std::string> ResultFiles::names() const {
@@ -151,6 +166,11 @@ bool addGate(Comparison& comparison, const GateOptions& gate) {
   return !comparison.gate->isPassed();
 }
 
+std::string seenFrom(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  return std::filesystem::relative(file, folder, error).generic_string();
+}
+
 void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
                 const std::vector<std::string>& more, StagedFiles& staged) {
   comparison.files.clear();
@@ -164,9 +184,22 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more) {
   std::string text = comparisonText(comparison) + printable(comparison.verdict) + "\n";
+  std::vector<std::string> sentences{breaksSentence(comparison), doubtSentence(comparison)};
+  if (comparison.gate && comparison.gate->isPassed())
+    sentences.push_back(gateSentence(*comparison.gate));
+  for (const std::string& sentence : sentences)
+    if (!sentence.empty()) text += printable(sentence) + "\n";
   for (const std::string& file : files.names()) text += "  " + printable(file) + "\n";
   for (const std::string& file : more) text += "  " + printable(file) + "\n";
   print(text);
+}
+
+void printMaps(const std::vector<Run>& runs) {
+  for (const Run& run : runs)
+    printError(run.file + ": " + formatted("cells of %g m, ", run.resolution) +
+               counted(run.map.walls.size(), "point of wall", "points of wall") + ", " +
+               counted(run.rooms.size(), "room", "rooms") + ", " +
+               counted(run.scans.size(), "scan", "scans"));
 }
 
 void printComplaints(const Comparison& comparison) {

@@ -20,6 +20,10 @@ class ResultFiles {
   /** `formats` is a list for --format. @throws UsageError for a format that is none. */
   explicit ResultFiles(std::filesystem::path folder, const std::string& formats = "all");
 
+  /** Leaves out files that draw maps and are there already. Says which. */
+  std::vector<std::string> keepDrawn();
+
+  const std::filesystem::path& folder() const { return folder_; }
   std::vector<std::string> names() const;
   void add(const Comparison& saved, const std::vector<Run>& runs, StagedFiles& staged) const;
 
@@ -55,6 +59,9 @@ void addGateFiles(const Comparison& comparison, const GateArguments& arguments,
 /** Adds the verdict of a gate that asks for anything; whether it fails. */
 bool addGate(Comparison& comparison, const GateOptions& gate);
 
+/** Where a file lies, seen from a folder; empty where there is no way from one to the other. */
+std::string seenFrom(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 /** All results of a comparison. `runs` are those whose maps are drawn, `more` the names of files
  *  that are written besides. */
 void addResults(Comparison comparison, const std::vector<Run>& runs, const ResultFiles& files,
@@ -63,6 +70,8 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
 /** `more` are files besides the usual ones. */
 void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);
+/** What each map holds, on stderr. */
+void printMaps(const std::vector<Run>& runs);
 void printComplaints(const Comparison& comparison);
 
 /** What a call ends with, which is said unless all is done: kGateFailed where the gate failed a

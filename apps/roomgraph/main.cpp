@@ -55,6 +55,16 @@ constexpr Command kCommands[] = {
     {"config", "Print all options as a commented ini file, for use with --config.", configCommand},
 };
 
+/** What shows the help of the command that was parsed last. */
+std::string helpOf(const CLI::App& app) {
+  std::string call = app.get_name();
+  for (const CLI::App* at = &app; !at->get_subcommands().empty();) {
+    at = at->get_subcommands().front();
+    call += " " + at->get_name();
+  }
+  return call + " --help";
+}
+
 int run(int count, char** arguments) {
   CLI::App app("Room-aware topology graphs of 2D grid maps.", "roomgraph");
   app.set_version_flag("--version", version());
@@ -65,12 +75,13 @@ int run(int count, char** arguments) {
     CLI::App* sub = app.add_subcommand(command.name, command.sentence);
     sub->final_callback([&exitCode, work = command.declare(*sub)] { exitCode = work(); });
   }
+  if (count == 1) return std::fputs(app.help().c_str(), stderr), kBadUsage;
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const std::string fault = usageFault(app, {arguments + 1, arguments + count}, error);
-    std::fputs(errorLine(fault + " (see 'roomgraph --help')").c_str(), stderr);
+    std::fputs(errorLine(fault + " (see '" + helpOf(app) + "')").c_str(), stderr);
     return kBadUsage;
   }
   return exitCode;

@@ -1,29 +1,40 @@
 #include "note_lines.h"
 
-#include <map>
+#include <set>
 
 #include "error_line.h"
 #include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
+namespace {
 
-std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose) {
-  std::map<std::string, std::size_t> counts;
-  for (const MapNote& one : notes) ++counts[one.note.code];
+std::string lineOf(const MapNote& one) { return one.file + ": note: " + one.note.text; }
+
+std::string allLines(const std::vector<MapNote>& notes) {
   std::string lines;
-  for (const auto& [file, note] : notes) {
-    std::size_t& count = counts[note.code];
-    if (count == 0) continue;
-    std::string text = file + ": note: " + note.text;
-    if (isVerbose && note.where)
-      text += formatted(" (at %.2f, %.2f)", (*note.where)[0], (*note.where)[1]);
-    if (!isVerbose) {
-      if (count > 1)
-        text += " (and " + std::to_string(count - 1) + " more like this: see --verbose)";
-      count = 0;
-    }
+  for (const MapNote& one : notes) {
+    std::string text = lineOf(one);
+    if (one.note.where)
+      text += formatted(" (at %.2f, %.2f)", (*one.note.where)[0], (*one.note.where)[1]);
     lines += errorLine(text);
   }
+  return lines;
+}
+
+}  // namespace
+
+std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose) {
+  if (isVerbose) return allLines(notes);
+  std::set<std::string> files, codes;  // that were told
+  std::vector<std::string> told;
+  for (const MapNote& one : notes) {
+    const bool isNew = codes.insert(one.note.code).second;
+    if (isNew && files.insert(one.file).second) told.push_back(lineOf(one));
+  }
+  if (const std::size_t more = notes.size() - told.size())
+    told.back() += " (and " + counted(more, "more note", "more notes") + ": see --verbose)";
+  std::string lines;
+  for (const std::string& text : told) lines += errorLine(text);
   return lines;
 }
 

@@ -12,8 +12,8 @@ struct MapNote {
   Note note;
 };
 
-/** For stderr: one line per note when verbose, else one per kind of note, with how many more there
- *  are. */
+/** For stderr: one line per note when verbose, else at most one per map, for the first of its notes
+ *  of a kind that was not told yet, and how many more there are. */
 std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose);
 
 }  // namespace roomgraph

@@ -81,6 +81,14 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
 
 }  // namespace
 
+void underHeading(const std::string& heading, CLI::App& app, const std::function<void()>& declare) {
+  const std::size_t before = app.get_options({}).size();
+  declare();
+  const std::vector<CLI::Option*> options = app.get_options({});
+  for (std::size_t i = before; i < options.size(); ++i)
+    if (!options[i]->get_positional()) options[i]->group(heading);
+}
+
 void declareConfig(OptionArguments& arguments, CLI::App& app) {
   app.add_option("--preset", arguments.preset,
                  "The options to start from: 'default' (in metres; unknown cells stay unknown) or "

@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct OptionArguments {
 };
 
 /** Declares --preset, --config and --set. Help texts come from the field table. */
+/** Puts the options that `declare` adds under a heading of their own in the help. */
+void underHeading(const std::string& heading, CLI::App& app, const std::function<void()>& declare);
+
 void declareConfig(OptionArguments& arguments, CLI::App& app);
 /** Declares what maps are read with: --resolution, --slice and --layer. */
 void declareReading(OptionArguments& arguments, CLI::App& app);

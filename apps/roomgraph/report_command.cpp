@@ -1,6 +1,7 @@
 #include "report_command.h"
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -44,41 +45,70 @@ void checkCandidates(const ReportArguments& arguments, const Comparison& compari
   }
 }
 
-/** The maps that were named, or else those near the comparison. Says which are not at hand. */
-std::vector<Run> mapsOf(const ReportArguments& arguments, const Comparison& comparison) {
-  std::vector<Run> runs = readMapsOf(comparison, arguments.maps);
-  const auto isDrawn = [&](const ComparedRun& run) {
-    return std::any_of(runs.begin(), runs.end(), [&](const Run& r) { return r.name == run.name; });
-  };
-  std::vector<std::string> missing;
-  for (const ComparedRun& run : comparison.runs) {
-    if (arguments.maps.empty())
-      for (const std::string& file : mapsNear(run, arguments.comparison))
-        if (!isDrawn(run))
-          for (Run& found : readMapsOf(comparison, {file})) runs.push_back(std::move(found));
-    if (!isDrawn(run)) missing.push_back(run.file);
+/** The maps that were found, and where. */
+struct FoundMaps {
+  std::vector<Run> runs;
+  std::map<std::string, std::filesystem::path> places;  ///< by the name of the run
+
+  void look(const std::string& file, const Comparison& comparison) {
+    for (Run& run : readMapsOf(comparison, {file}))
+      if (places.emplace(run.name, file).second) runs.push_back(std::move(run));
   }
-  if (!missing.empty())
-    printError(arguments.comparison + ": not drawn: " + listed(missing, kMostNames) +
-               ": name the maps behind the comparison");
-  return runs;
+};
+
+/** Those that were named, or else those near the comparison. */
+FoundMaps findMaps(const ReportArguments& arguments, const Comparison& comparison) {
+  FoundMaps maps;
+  for (const std::string& file : arguments.maps) maps.look(file, comparison);
+  if (!arguments.maps.empty()) return maps;
+  for (const ComparedRun& run : comparison.runs)
+    for (const std::string& file : mapsNear(run, arguments.comparison))
+      if (maps.places.count(run.name) == 0) maps.look(file, comparison);
+  return maps;
+}
+
+/** Where the maps are, as seen from the folder of the results. */
+void tellPlaces(Comparison& comparison, const FoundMaps& maps, const ReportArguments& arguments) {
+  const auto before = std::filesystem::path(arguments.comparison).parent_path();
+  for (ComparedRun& run : comparison.runs) {
+    const auto found = maps.places.find(run.name);
+    if (found != maps.places.end())
+      run.relativePath = seenFrom(folderOf(arguments), found->second);
+    else if (!run.relativePath.empty())
+      run.relativePath = seenFrom(folderOf(arguments), before / run.relativePath);
+  }
+}
+
+/** Says which maps are not at hand. What was drawn of them before is not replaced by less. */
+void keepOthers(const FoundMaps& maps, const Comparison& comparison,
+                const ReportArguments& arguments, ResultFiles& files) {
+  std::vector<std::string> missing;
+  for (const ComparedRun& run : comparison.runs)
+    if (maps.places.count(run.name) == 0) missing.push_back(run.file);
+  if (missing.empty()) return;
+  const std::vector<std::string> kept = files.keepDrawn();
+  printError(arguments.comparison + ": not drawn: " + listed(missing, kMostNames) +
+             (kept.empty() ? "" : ": " + listed(kept) + " stay as they were") +
+             ": name the maps behind the comparison");
 }
 
 int run(const ReportArguments& arguments) {
   GateOptions gate = gateOf(arguments.gate);
   gate.candidates = arguments.candidates;
-  const ResultFiles files(folderOf(arguments));
+  ResultFiles files(folderOf(arguments));
   for (const std::string& map : arguments.maps)
     for (const std::string& result : files.names())
       if (areSameFile(map, result))
         throw UsageError(result + ": would replace a map: choose another folder with --output");
   Comparison comparison = readComparison(arguments.comparison);
   checkCandidates(arguments, comparison);
-  const std::vector<Run> runs = mapsOf(arguments, comparison);
+  const FoundMaps maps = findMaps(arguments, comparison);
+  keepOthers(maps, comparison, arguments, files);
   addGate(comparison, gate);
   makeWritableFolder(folderOf(arguments).string());
+  tellPlaces(comparison, maps, arguments);
   StagedFiles staged;
-  addResults(comparison, runs, files, {}, staged);
+  addResults(comparison, maps.runs, files, {}, staged);
   addGateFiles(comparison, arguments.gate, staged);
   staged.commit();
   if (!arguments.isQuiet) printResults(comparison, files, {});
@@ -94,8 +124,8 @@ std::function<int()> reportCommand(CLI::App& app) {
       ->required();
   app.add_option("MAP", arguments->maps,
                  "Maps that were compared, or some of them, to be drawn. They are recognised by "
-                 "their content. Without any, those of the same names beside the comparison, one "
-                 "folder above and in the current folder are drawn.")
+                 "their content. Without any, those are drawn that still lie where they were "
+                 "compared, or beside the comparison, one folder above or in the current folder.")
       ->type_name("");
   app.add_option("-o,--output", arguments->folder,
                  "Folder for the results, which are those of 'roomgraph compare'. Without it, the "

@@ -1,8 +1,12 @@
 #include "score_rooms_command.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <set>
 
 #include "Command.h"
+#include "roomgraph/base/Error.h"
 #include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/evaluation/write_score.h"
 #include "roomgraph/images/read_labels.h"
@@ -16,8 +20,21 @@ struct ScoreArguments {
   bool isJson = false;
 };
 
+/** A map itself has labels, too, as far as one can see: what is free, and what is unknown. */
+LabelMap readRooms(const std::string& file) {
+  LabelMap map = readLabels(file);
+  const std::set<std::uint32_t> labels(map.label.begin(), map.label.end());
+  constexpr std::uint32_t free = 254, unknown = 205;
+  const auto isOfRooms = [](std::uint32_t l) { return l != 0 && l != free && l != unknown; };
+  if (labels.count(free) > 0 && std::none_of(labels.begin(), labels.end(), isOfRooms))
+    throw DataError(file +
+                    ": is a map, as it has only the greys of what is free, unknown and wall: "
+                    "give a picture with a label of its own for each room");
+  return map;
+}
+
 int run(const ScoreArguments& arguments) {
-  const LabelMap labels = readLabels(arguments.labels), truth = readLabels(arguments.truth);
+  const LabelMap labels = readRooms(arguments.labels), truth = readRooms(arguments.truth);
   const RoomScore score = scoreRooms(labels, truth);
   print(arguments.isJson ? roomScoreJson(score) : roomScoreText(score));
   return kDone;

@@ -37,6 +37,10 @@ rooms large.pgm
 expect 1 "$roomgraph" score-rooms truth.pgm large.pgm
 one_line err '40 x 30' '162 x 82'
 [ ! -s out ] || fail "something went to stdout"
+# A map is no picture of rooms, though its greys could be taken for labels.
+{ printf 'P2\n40 30\n255\n'; for i in $(seq 600); do echo 254 205; done; } > map.pgm
+expect 1 "$roomgraph" score-rooms truth.pgm map.pgm
+one_line err map.pgm 'is a map'
 expect 1 "$roomgraph" score-rooms missing.png truth.pgm
 one_line err missing.png
 echo 'no picture' > junk.png

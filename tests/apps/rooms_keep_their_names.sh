@@ -5,7 +5,6 @@ cp "$map" a.gridmap.gz
 cp "$map" b.gridmap.gz
 
 expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o o --names site.json
-grep -qE '^[0-9]+ rooms and [0-9]+ corridors?\.$' out || { cat out; fail "no line on the rooms"; }
 python3 - o/comparison.json site.json <<'P'
 import json, sys
 rooms = json.load(open(sys.argv[1]))["rooms"]

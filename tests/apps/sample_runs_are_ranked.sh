@@ -59,6 +59,6 @@ P
 
 # A gate stops the broken one, and lets the two best pass.
 expect 3 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o gate --fail-on broken
-one_line err office_run4 'is broken'
+one_line err office_run4 'breaks at key frame'
 expect 3 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o gate --fail-below 30
-one_line err office_run3 --fail-below
+one_line err office_run3 'below 30'

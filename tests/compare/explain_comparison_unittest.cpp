@@ -25,11 +25,10 @@ Comparison ofRuns(const std::vector<ComparedRun>& runs) {
 TEST(ReasonOf, saysHowFarTheWallsLieOff) {
   const Comparison three = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
   EXPECT_EQ(reasonOf(three.runs[1], three),
-            "its walls lie 0.20 m from where all 3 runs together have them");
+            "its walls lie 0.20 m RMS from the consensus of 3 runs");
   Comparison measured = three;
   measured.reference = "plan";
-  EXPECT_EQ(reasonOf(measured.runs[0], measured),
-            "its walls lie 0.10 m from where the reference has them");
+  EXPECT_EQ(reasonOf(measured.runs[0], measured), "its walls lie 0.10 m RMS from the reference");
 }
 
 TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
@@ -37,11 +36,12 @@ TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
   torn.breaks.resize(3);
   torn.breaks[0].run = torn.breaks[2].run = "b", torn.breaks[1].run = "a";
   torn.runs[1].score->share = 0.35, torn.runs[1].score->isMeaningful = false;
-  EXPECT_NE(reasonOf(torn.runs[0], torn).find("; torn in 1 place"), std::string::npos);
-  EXPECT_NE(reasonOf(torn.runs[1], torn)
-                .find("; torn in 2 places; but only 35 % of them were found in the other maps; too "
-                      "little to judge by"),
-            std::string::npos);
+  EXPECT_NE(reasonOf(torn.runs[0], torn).find("; it breaks in 1 place"), std::string::npos);
+  EXPECT_NE(
+      reasonOf(torn.runs[1], torn)
+          .find("; it breaks in 2 places; but only 35 % of them were found in the other maps; "
+                "too little to judge by"),
+      std::string::npos);
 }
 
 TEST(ReasonOf, saysWhyThereIsNoScore) {
@@ -100,6 +100,17 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
   EXPECT_EQ(verdictOf(partial).rfind("a is the best map", 0), 0u) << "too little to say so";
 }
 
+TEST(VerdictOf, copiesOfOneFileSayNothing) {
+  Comparison copies = ofRuns({scored("a", 0.1), scored("a#2", 0.1), scored("a#3", 0.1)});
+  for (ComparedRun& run : copies.runs) run.sha256 = "same";
+  EXPECT_EQ(verdictOf(copies),
+            "All 3 runs are copies of one file, which say nothing about each other.");
+  copies.runs[1].sha256 = "another";
+  const std::string said = verdictOf(copies);
+  EXPECT_EQ(said.rfind("a is the best map", 0), 0u) << said;
+  EXPECT_NE(said.find(". a and a#3 are copies of one file."), std::string::npos) << said;
+}
+
 TEST(VerdictOf, saysWhereNothingCanBeSaid) {
   EXPECT_NE(verdictOf({}).find("nothing can be compared"), std::string::npos);
   EXPECT_NE(verdictOf(ofRuns({{}, {}})).find("no walls could be followed"), std::string::npos);
@@ -118,7 +129,7 @@ TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 3),
             " 2 runs are of one drive (a and b): what they get wrong together does not show.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 2),
-            " All 2 runs are of one drive: what they get wrong together does not show.");
+            " Both runs are of one drive: what they get wrong together does not show.");
 }
 
 }  // namespace

@@ -40,21 +40,44 @@ TEST(Gate, eachRunMustHaveItsScoreButTheReference) {
             (Lines{"little: has no score", "other: has no score", "damaged: has no score"}));
   options.minScore = 90.1;
   EXPECT_EQ(gateVerdict(sample(), options).complaints.front(),
-            "good: its score is below --fail-below");
+            "good: its score of 90.0 is 0.1 below 90.1");
 }
 
 TEST(Gate, coverageIsFoundByItsNameAndCountsAsItIs) {
   GateOptions options;
   options.failsOnCoverage = true;
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
-            Lines{"little: has seen less than 70 % of what two runs have seen"});
+            Lines{"little: has seen 69 % of what at least two runs have seen, less than 70 %"});
+}
+
+TEST(Gate, aBreakIsToldWithItsKeyFrameAndTime) {
+  GateOptions options;
+  options.failsOnBreaks = true;
+  Comparison comparison = sample();
+  comparison.breaks[0].keyFrame = 47, comparison.breaks[0].time = 1.7e9;
+  EXPECT_EQ(
+      gateVerdict(comparison, options).complaints,
+      Lines{"good: breaks at key frame 47, 2023-11-14T22:13:20Z, at (1.0, 2.0) by 5.7 degrees "
+            "and 0.50 m"});
+}
+
+TEST(Gate, coverageIsRoundedToItsSideOfTheLimit) {
+  GateOptions options;
+  options.failsOnCoverage = true;
+  Comparison comparison = sample();
+  comparison.runs.resize(1);
+  EXPECT_EQ(gateVerdict(comparison, options).margins,
+            Lines{"good: has seen 70 % of what at least two runs have seen, no less than 70 %"});
+  comparison.runs[0].measures[0].value = 0.6999;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"good: has seen 69 % of what at least two runs have seen, less than 70 %"});
 }
 
 TEST(Gate, breaksAndOtherSitesAreNamed) {
   GateOptions options;
   options.failsOnBreaks = options.failsOnOtherSites = true;
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
-            (Lines{"good: is broken at (1.0, 2.0) by 5.7 degrees and 0.50 m",
+            (Lines{"good: breaks at (1.0, 2.0) by 5.7 degrees and 0.50 m",
                    "other: is not of the same site"}));
 }
 
@@ -75,8 +98,22 @@ TEST(Gate, mapErrorsMustBeSmallAndTold) {
   GateOptions options;
   options.maxError = 0.4;
   EXPECT_EQ(gateVerdict(fiveRuns(), options).complaints,
-            (Lines{"d: its map error of 0.900 m is above 0.400 m",
+            (Lines{"d: its map error of 0.900 m is 0.500 m above 0.4 m",
                    "e: its map error cannot be told: too little to compare"}));
+}
+
+TEST(Gate, aPassNamesTheRunThatCameClosestToEachLimit) {
+  GateOptions options;
+  options.maxError = 1;
+  options.minScore = 40;
+  Comparison comparison = fiveRuns();
+  comparison.runs.pop_back();
+  comparison.runs[1].score->score = 50;
+  EXPECT_EQ(gateVerdict(comparison, options).margins,
+            (Lines{"d: its map error of 0.900 m is 0.100 m below 1 m",
+                   "b: its score of 50.0 is 10.0 above 40"}));
+  comparison.runs[1].score->score = 30;
+  EXPECT_TRUE(gateVerdict(comparison, options).margins.empty()) << "it fails";
 }
 
 TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
@@ -84,11 +121,13 @@ TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
   options.candidates = {"d"};
   options.maxWorse = 0.7;  // the median of 0.1, 0.2 and 0.4 is 0.2
   EXPECT_EQ(recordError(fiveRuns(), "d", {"d"}), 0.2);
-  EXPECT_TRUE(gateVerdict(fiveRuns(), options).isPassed());
+  EXPECT_EQ(gateVerdict(fiveRuns(), options).margins,
+            Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
+                  "others, no more than 0.7 m more"});
   options.maxWorse = 0.69;
   EXPECT_EQ(gateVerdict(fiveRuns(), options).complaints,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
-                  "others, so more than 0.690 m"});
+                  "others, more than 0.69 m more"});
   EXPECT_EQ(gateVerdict(fiveRuns(), options).candidates, Lines{"d"});
 }
 

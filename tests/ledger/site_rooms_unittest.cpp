@@ -171,7 +171,9 @@ TEST(SiteRooms, unknownCellsTellUnvisitedFromGone) {
   EXPECT_EQ(room.runs[3].sighting, RoomSighting::gone);
   EXPECT_EQ(room.runs[4].sighting, RoomSighting::seen);
   EXPECT_EQ(room.runs[4].pieces, 0);
-  EXPECT_EQ(roomsText(rooms), "10 rooms and 1 corridor; 1 gone in d; 1 not visited in c");
+  for (const SiteRoom& other : rooms)
+    for (const RoomInRun& in : other.runs)
+      EXPECT_TRUE(other.id == room.id || in.sighting == RoomSighting::seen) << other.id << in.run;
 }
 
 TEST(SiteRooms, aDoorThatOneRunLacksIsLostAndOneMoreIsGained) {
@@ -232,7 +234,6 @@ TEST(SiteRooms, withoutAreasThereIsNoRoom) {
   for (auto& room : empty.rooms) room.isArea = false;
   EXPECT_TRUE(ledger({{empty, {}}, {empty, {}}}).empty());
   EXPECT_TRUE(ledger({}).empty());
-  EXPECT_EQ(roomsText({}), "");
 }
 
 TEST(SiteRooms, theirTableHasALineForEachRoomAndRun) {

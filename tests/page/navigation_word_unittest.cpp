@@ -42,6 +42,16 @@ TEST(NavigationWord, aBreakIsNeverGoodEnough) {
       starts(navigationWord(comparison), "Navigation with best: not good enough. It breaks"));
 }
 
+TEST(NavigationWord, doubtIsNeverGoodEnough) {
+  Comparison comparison = bestWith(0, 0.02);
+  comparison.pairs.resize(1);
+  comparison.pairs[0].a = "best", comparison.pairs[0].isSameSite = true;
+  comparison.pairs[0].confidence = 0.6;
+  EXPECT_EQ(navigationWord(comparison),
+            "Navigation with best: cannot be told, most of its pairs are aligned with little "
+            "confidence.");
+}
+
 TEST(NavigationWord, saysNothingOfMapsThatCannotBeJudged) {
   EXPECT_EQ(navigationWord({}), "");
   Comparison comparison = bestWith(0.01, 0.02);

@@ -31,8 +31,8 @@ TEST(PageSummary, saysWhatStandsOut) {
                 "probably also for docking, and for goals and zones that robots share. It has no "
                 "break, and its map error is about 0.05 m, and most likely no more than 0.13 m.",
                 "Why morning: its walls lie near those of the 3 other runs.",
-                "1 map is torn: " + name + " (2 places). The largest break: " + name +
-                    " from key frame 12 on, by 4.0° and 0.58 m.",
+                "1 map breaks: " + name + " (2 places). The largest break: " + name +
+                    " from key frame 12 on, by 4.0 degrees and 0.58 m.",
                 "1 room is missing where a run has looked: R3 in " + name + ".",
                 "1 file is left out: garage."}));
   EXPECT_TRUE(pageSummary({}).empty());
@@ -58,22 +58,22 @@ TEST(PageSummary, manyNamesAreCounted) {
   EXPECT_TRUE(isSaid(comparison, "6 files are left out: m1, m2, m3, m4 and 2 more."));
 }
 
-TEST(PageSummary, aRunTornOnceIsNamedWithoutANumber) {
+TEST(PageSummary, aRunThatBreaksOnceIsNamedWithoutANumber) {
   Comparison comparison = sample().comparison;
   comparison.breaks.resize(1);
   comparison.breaks[0].run = "evening";
-  EXPECT_TRUE(isSaid(comparison, "1 map is torn: evening."));
+  EXPECT_TRUE(isSaid(comparison, "1 map breaks: evening."));
   comparison.breaks.resize(3, comparison.breaks[0]);
   comparison.breaks[0].run = "west";
   comparison.breaks[0].shift = 3, comparison.breaks[0].rotation = -0.1;
   comparison.breaks[0].keyFrame = 47;
   EXPECT_TRUE(isSaid(comparison,
-                     "2 maps are torn: evening (2 places) and west. The largest break: west from "
-                     "key frame 47 on, by 5.7° and 3.00 m."));
+                     "2 maps break: evening (2 places) and west. The largest break: west from "
+                     "key frame 47 on, by 5.7 degrees and 3.00 m."));
   comparison.breaks[0].keyFrame.reset();
   EXPECT_TRUE(isSaid(comparison,
-                     "2 maps are torn: evening (2 places) and west. The largest break: west, by "
-                     "5.7° and 3.00 m."));
+                     "2 maps break: evening (2 places) and west. The largest break: west, by "
+                     "5.7 degrees and 3.00 m."));
 }
 
 TEST(PageSummary, roomsThatAreGoneAreNamedWithTheRunsThatLooked) {
@@ -88,9 +88,9 @@ TEST(PageSummary, aGateIsToldWithWhatWasAsked) {
   Comparison comparison = sample().comparison;
   comparison.gate = GateVerdict{{}, {"west"}, {"a score of 50 at least"}};
   EXPECT_TRUE(isSaid(comparison, "The gate of west passes (a score of 50 at least)."));
-  comparison.gate->complaints = {"west: is torn", "west: has too little"};
+  comparison.gate->complaints = {"west: breaks", "west: has too little"};
   EXPECT_TRUE(isSaid(comparison,
-                     "The gate of west fails (a score of 50 at least): west: is torn and west: "
+                     "The gate of west fails (a score of 50 at least): west: breaks and west: "
                      "has too little."));
   comparison.gate = GateVerdict{{}, {}, {}};
   EXPECT_TRUE(isSaid(comparison, "The gate passes."));

@@ -48,6 +48,22 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
   }
 }
 
+TEST(ParseComparisonJson, whereAMapLayIsKeptIfItIsTold) {
+  Comparison comparison = sample();
+  EXPECT_EQ(comparisonJson(comparison).find("relative_path"), std::string::npos);
+  comparison.runs[0].relativePath = "../maps/a.simplemap";
+  const Comparison again = parseComparisonJson(comparisonJson(comparison), "comparison.json");
+  EXPECT_EQ(again.runs[0].relativePath, "../maps/a.simplemap");
+  EXPECT_EQ(again.runs[1].relativePath, "");
+}
+
+TEST(ParseComparisonJson, theMarginsOfAGateAreKept) {
+  Comparison comparison = sample();
+  comparison.gate = GateVerdict{{}, {}, {"no break"}, {"a: has no break"}};
+  const Comparison again = parseComparisonJson(comparisonJson(comparison), "comparison.json");
+  EXPECT_EQ(again.gate->margins, comparison.gate->margins);
+}
+
 TEST(ParseComparisonJson, doorsOfAnEarlierVersionHaveNoRuns) {
   std::string text = comparisonJson(sample());
   const std::string runs = ",\"seen_in\":[\"morning\",\"evening\"],\"lost_in\":[\"west\"]";

@@ -26,12 +26,12 @@ Comparison twoRuns() {
 TEST(GateJunit, aTestForEachRunFailsWithItsComplaints) {
   Comparison comparison = twoRuns();
   comparison.gate =
-      GateVerdict{{"b <&\"|*>\n: is torn", "b <&\"|*>\n: is bad", "c: no score"}, {}, {}};
+      GateVerdict{{"b <&\"|*>\n: breaks", "b <&\"|*>\n: is bad", "c: no score"}, {}, {}};
   const std::string text = gateJunit(comparison);
   EXPECT_TRUE(has(text, "<testsuite name=\"roomgraph\" tests=\"3\" failures=\"2\"")) << text;
   EXPECT_TRUE(has(text, "name=\"a\"/>\n")) << text;
   EXPECT_TRUE(
-      has(text, "name=\"b &lt;&amp;&quot;|*&gt;?\">\n   <failure message=\"is torn; is bad\"/>"))
+      has(text, "name=\"b &lt;&amp;&quot;|*&gt;?\">\n   <failure message=\"breaks; is bad\"/>"))
       << text;
 }
 
@@ -50,9 +50,12 @@ TEST(GateJunit, whatIsSaidOfNoRunIsATestOfItsOwn) {
 
 TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
   Comparison comparison = twoRuns();
-  comparison.gate = GateVerdict{{"b <&\"|*>\n: is torn"}, {}, {"no break"}};
+  comparison.gate = GateVerdict{{"b <&\"|*>\n: breaks"}, {}, {"no break"}};
   const std::string text = gateMarkdown(comparison);
   EXPECT_TRUE(has(text, "## a is the best\n\n**The gate fails**: asked was no break.\n")) << text;
+  comparison.gate = GateVerdict{{}, {}, {"no break"}, {"a: has no break"}};
+  EXPECT_TRUE(has(gateMarkdown(comparison),
+                  "The gate passes: asked was no break.\n\n- a: has no break\n\n| rank"));
   EXPECT_TRUE(has(text, "| 1 | a | 0.050 | 0.000 to 0.000 | 100 | passes |\n")) << text;
   EXPECT_TRUE(has(text, "| - | b \\<\\&\"\\|\\*\\>? |")) << text;
   EXPECT_TRUE(has(text, "left out: ends too early |\n")) << text;

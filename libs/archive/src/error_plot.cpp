@@ -34,7 +34,7 @@ std::vector<Dot> dotsOf(const WatchedSite& site, const RobotWatch& robot) {
     dot.isTorn = trustedFigure(run, kBreaks).value_or(0) > 0;
     dot.isLastGood = robot.lastGood == i;
     dot.title = timeText(run.time) + formatted(": %.3f m", dot.error) +
-                (dot.isTorn ? ", torn" : "") + "; " + run.file;
+                (dot.isTorn ? ", with a break" : "") + "; " + run.file;
     dots.push_back(dot);
   }
   return dots;

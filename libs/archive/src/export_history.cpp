@@ -152,7 +152,7 @@ const std::vector<GaugeKind>& gauges() {
       {"roomgraph_map_error_metres", "How far the latest map lies from where the walls are.",
        latestFigure(kMapError)},
       {"roomgraph_score", "Score of the latest map, 0 to 100.", latestFigure(kScore)},
-      {"roomgraph_breaks", "Places where the latest map is torn.", latestFigure(kBreaks)},
+      {"roomgraph_breaks", "Places where the latest map breaks.", latestFigure(kBreaks)},
       {"roomgraph_coverage", "Share of the site that the latest map shows.",
        latestFigure("coverage")},
       {"roomgraph_map_error_slope_metres_per_day", "How fast the map error rises.",

@@ -150,7 +150,7 @@ std::string sitesHtml(const std::vector<Row>& rows, const WatchOptions& options)
     if (std::find(sites.begin(), sites.end(), row.site) == sites.end()) sites.push_back(row.site);
   std::string html =
       "<p class=\"hint\">A dot is a run, its line holds the true error in about 8 of 10 cases; a "
-      "cross is a map that is torn, a triangle one that lies beyond the picture, the ring the last "
+      "cross is a map with a break, a triangle one that lies beyond the picture, the ring the last "
       "good one. Point at a mark for its file.</p>\n";
   for (std::size_t i = 0; i < std::min(kMostSites, sites.size()); ++i)
     html += siteHtml(*sites[i], i, options);

@@ -52,7 +52,8 @@ std::vector<std::string> mapsNear(const ComparedRun& run, const std::string& com
   const fs::path folder = fs::path(comparisonFile).parent_path();
   std::vector<std::string> files;
   std::error_code error;
-  for (const fs::path& place : {folder / run.file, folder / ".." / run.file, fs::path(run.file)})
+  for (const fs::path& place :
+       {folder / run.relativePath, folder / run.file, folder / ".." / run.file, fs::path(run.file)})
     if (fs::is_regular_file(place, error)) files.push_back(place.string());
   return files;
 }

@@ -1,6 +1,7 @@
 #include "explain_comparison.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "roomgraph/base/sentence_text.h"
@@ -13,14 +14,14 @@ constexpr double kLittle = 0.6;  // share of the walls below which it is worth a
 /** What decided the score of a run. */
 std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const RunScore& score = *run.score;
-  std::string text = formatted("its walls lie %.2f m from where ", score.mapError);
-  text += comparison.reference ? "the reference has them"
+  std::string text = formatted("its walls lie %.2f m RMS from ", score.mapError);
+  text += comparison.reference ? "the reference"
           : comparison.core.empty()
-              ? formatted("all %zu runs together have them", score.others + 1)
-              : formatted("the %zu runs of the core have them", comparison.core.size());
+              ? formatted("the consensus of %zu runs", score.others + 1)
+              : formatted("the consensus of the core of %zu runs", comparison.core.size());
   const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
   if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
-    text += formatted("; torn in %ld place%s", long(count), count == 1 ? "" : "s");
+    text += formatted("; it breaks in %ld place%s", long(count), count == 1 ? "" : "s");
   if (comparison.isPlaceDoubtful(run.name))
     text += "; doubtful, as most of its pairs are aligned with little confidence";
   if (score.share < kLittle)
@@ -41,6 +42,17 @@ bool isBetterThanAny(const ComparedRun& best, const Comparison& comparison) {
   });
 }
 
+/** The runs of each file that was given more than once. */
+std::vector<std::vector<std::string>> copiesIn(const Comparison& comparison) {
+  std::map<std::string, std::vector<std::string>> names;
+  for (const ComparedRun& run : comparison.runs)
+    if (!run.sha256.empty()) names[run.sha256].push_back(run.name);
+  std::vector<std::vector<std::string>> copies;
+  for (auto& [sha256, runs] : names)
+    if (runs.size() > 1) copies.push_back(std::move(runs));
+  return copies;
+}
+
 }  // namespace
 
 std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
@@ -56,6 +68,10 @@ std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
 std::string verdictOf(const Comparison& result) {
   if (result.runs.size() < 2)
     return "Fewer than two runs of one site are left: nothing can be compared.";
+  const auto copies = copiesIn(result);
+  if (!copies.empty() && copies[0].size() == result.runs.size())
+    return formatted("All %zu runs are copies of one file, which say nothing about each other.",
+                     result.runs.size());
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
@@ -79,7 +95,10 @@ std::string verdictOf(const Comparison& result) {
                       100 * *coverage);
   if (isDoubtful) text += "; but most of its pairs are aligned with little confidence";
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
-  return text + ".";
+  text += ".";
+  for (const std::vector<std::string>& names : copies)
+    text += " " + listed(names) + " are copies of one file.";
+  return text;
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
@@ -92,8 +111,10 @@ std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
 
 std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t runsOfSite) {
   const bool areAll = names.size() == runsOfSite;
-  return formatted(" %s%zu runs are of one drive", areAll ? "All " : "", names.size()) +
-         (areAll ? "" : " (" + listed(names) + ")") +
+  return (areAll && names.size() == 2
+              ? " Both runs"
+              : formatted(" %s%zu runs", areAll ? "All " : "", names.size())) +
+         " are of one drive" + (areAll ? "" : " (" + listed(names) + ")") +
          ": what they get wrong together does not show.";
 }
 

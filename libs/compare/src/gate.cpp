@@ -2,23 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/base/time_text.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr std::size_t kBest = 3;  // runs that a new one is held against
 
+using Lines = std::vector<std::string>;
+
 std::string breakText(const MapBreak& found) {
-  return formatted("is broken at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
-                   found.place.y, found.rotation * 180 / M_PI, found.shift);
+  std::string text = "breaks ";
+  if (found.keyFrame) text += "at key frame " + std::to_string(*found.keyFrame) + ", ";
+  if (found.time) text += timeText(*found.time) + ", ";
+  return text + formatted("at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
+                          found.place.y, found.rotation * 180 / M_PI, found.shift);
 }
 
-std::string coverageText() {
-  const int percent = int(std::lround(100 * kPartialCoverage));
-  return "has seen less than " + std::to_string(percent) + " % of what two runs have seen";
+/** The share in percent, on the side of the limit that it is on. */
+std::string coverageText(double coverage) {
+  const bool isEnough = coverage >= kPartialCoverage;
+  const double limit = 100 * kPartialCoverage, percent = std::round(100 * coverage);
+  return formatted("has seen %.0f %% of what at least two runs have seen, %s than %.0f %%",
+                   isEnough ? std::max(percent, limit) : std::min(percent, limit - 1),
+                   isEnough ? "no less" : "less", limit);
 }
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
@@ -42,16 +53,13 @@ class Judge {
       ++judged;
       judgeScore(run);
       judgeError(run);
-      const Measure* coverage = find(run.measures, "coverage");
-      if (options_.failsOnCoverage && coverage && coverage->value.value_or(0) < kPartialCoverage)
-        complain(run.name, coverageText());
+      judgeCoverage(run);
     }
-    for (const MapBreak& found : comparison_.breaks)
-      if (options_.failsOnBreaks && isJudged(found.run)) complain(found.run, breakText(found));
+    judgeBreaks();
     for (const LeftOutRun& run : comparison_.leftOut)
       if (isJudged(run.name)) judgeLeftOut(run);
     if (judged == 0 && lines_.empty()) lines_.push_back("no run is left to be judged");
-    return {lines_, options_.candidates, asked()};
+    return {lines_, options_.candidates, asked(), lines_.empty() ? margins() : Lines()};
   }
 
  private:
@@ -65,27 +73,53 @@ class Judge {
     lines_.push_back(run + ": " + what);
   }
 
+  /** A figure that is `left` away from its limit, on the wrong side if that is negative. */
+  void hold(const char* figure, const std::string& run, double left, const std::string& text) {
+    if (left < 0) return complain(run, text);
+    const auto [closest, isFirst] = closest_.insert({figure, {left, run + ": " + text}});
+    if (!isFirst && left < closest->second.first) closest->second = {left, run + ": " + text};
+  }
+
   void judgeScore(const ComparedRun& run) {
-    if (options_.minScore && !run.score) complain(run.name, "has no score");
-    if (options_.minScore && run.score && run.score->score < *options_.minScore)
-      complain(run.name, "its score is below --fail-below");
+    if (!options_.minScore) return;
+    if (!run.score) return complain(run.name, "has no score");
+    const double left = run.score->score - *options_.minScore;
+    hold("score", run.name, left,
+         formatted("its score of %.1f is %.1f %s %.4g", run.score->score, std::abs(left),
+                   left < 0 ? "below" : "above", *options_.minScore));
+  }
+
+  void judgeCoverage(const ComparedRun& run) {
+    const Measure* coverage = find(run.measures, "coverage");
+    if (!options_.failsOnCoverage || !coverage) return;
+    const double value = coverage->value.value_or(0);
+    hold("coverage", run.name, value - kPartialCoverage, coverageText(value));
+  }
+
+  void judgeBreaks() {
+    for (const MapBreak& found : comparison_.breaks)
+      if (options_.failsOnBreaks && isJudged(found.run)) complain(found.run, breakText(found));
   }
 
   void judgeError(const ComparedRun& run) {
     if (!needsError()) return;
     const auto error = trustedError(run);
     if (!error) return complain(run.name, "its map error cannot be told: too little to compare");
-    if (options_.maxError && *error > *options_.maxError)
-      complain(run.name, "its map error of " + formatted("%.3f m", *error) + " is above " +
-                             formatted("%.3f m", *options_.maxError));
+    if (options_.maxError) {
+      const double left = *options_.maxError - *error;
+      hold("error", run.name, left,
+           formatted("its map error of %.3f m is %.3f m %s %.4g m", *error, std::abs(left),
+                     left < 0 ? "above" : "below", *options_.maxError));
+    }
     if (!options_.maxWorse) return;
     const auto record = recordError(comparison_, run.name, options_.candidates);
     if (!record) return complain(run.name, "there is no other run to hold it against");
-    if (*error - *record > *options_.maxWorse)
-      complain(run.name, "its map error of " + formatted("%.3f m", *error) + " is " +
-                             formatted("%.3f m", *error - *record) +
-                             " more than the median of the three best others, so more than " +
-                             formatted("%.3f m", *options_.maxWorse));
+    const double more = *error - *record, left = *options_.maxWorse - more;
+    hold("record", run.name, left,
+         formatted("its map error of %.3f m is %.3f m %s than the median of the three best others, "
+                   "%s than %.4g m more",
+                   *error, std::abs(more), more < 0 ? "less" : "more",
+                   left < 0 ? "more" : "no more", *options_.maxWorse));
   }
 
   void judgeLeftOut(const LeftOutRun& run) {
@@ -96,8 +130,8 @@ class Judge {
       complain(run.name, run.isOtherSite ? "is not of the same site" : "could not be read");
   }
 
-  std::vector<std::string> asked() const {
-    std::vector<std::string> lines;
+  Lines asked() const {
+    Lines lines;
     if (options_.minScore)
       lines.push_back(formatted("a score of %.4g at least", *options_.minScore));
     if (options_.maxError)
@@ -113,9 +147,17 @@ class Judge {
     return lines;
   }
 
+  /** Of each figure the run that came closest to its limit. */
+  Lines margins() const {
+    Lines lines;
+    for (const auto& [figure, closest] : closest_) lines.push_back(closest.second);
+    return lines;
+  }
+
   const Comparison& comparison_;
   const GateOptions& options_;
-  std::vector<std::string> lines_;
+  Lines lines_;
+  std::map<std::string, std::pair<double, std::string>> closest_;  // by figure: what is left, text
 };
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "room_outlines.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
-#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -217,29 +216,6 @@ void number(std::vector<SiteRoom>& rooms) {
   }
 }
 
-/** "; 3 gone in run07, 1 in run02", or "; 8 gone in some of 5 runs" where that would be long. */
-template <class Counts>
-std::string perRun(const std::vector<SiteRoom>& rooms, const char* what, const Counts& counts) {
-  constexpr std::size_t mostNamed = 2;
-  std::vector<std::pair<long, std::string>> found;
-  for (std::size_t i = 0; i < rooms[0].runs.size(); ++i) {
-    const long count = std::count_if(rooms.begin(), rooms.end(),
-                                     [&](const SiteRoom& room) { return counts(room.runs[i]); });
-    if (count > 0) found.push_back({count, rooms[0].runs[i].run});
-  }
-  if (found.empty()) return "";
-  const long any = std::count_if(rooms.begin(), rooms.end(), [&](const SiteRoom& room) {
-    return std::any_of(room.runs.begin(), room.runs.end(), counts);
-  });
-  if (found.size() > mostNamed)
-    return formatted("; %ld %s in some of %zu runs", any, what, found.size());
-  std::string text;
-  for (const auto& [count, run] : found)
-    text += (text.empty() ? "; " : ", ") + std::to_string(count) + " " +
-            (text.empty() ? std::string(what) + " " : "") + "in " + run;
-  return text;
-}
-
 std::vector<std::string> namesOf(const Site& site, const std::vector<std::size_t>& runs) {
   std::vector<std::string> names;
   for (const std::size_t run : runs) names.push_back(site.runs[run]->name);
@@ -279,20 +255,6 @@ void sortRooms(std::vector<SiteRoom>& rooms) {
   };
   std::sort(rooms.begin(), rooms.end(),
             [&](const SiteRoom& l, const SiteRoom& r) { return key(l) < key(r); });
-}
-
-std::string roomsText(const std::vector<SiteRoom>& rooms) {
-  if (rooms.empty()) return "";
-  const auto corridors = std::count_if(rooms.begin(), rooms.end(),
-                                       [](const SiteRoom& room) { return room.isCorridor; });
-  std::string text = counted(rooms.size() - std::size_t(corridors), "room", "rooms") + " and " +
-                     counted(std::size_t(corridors), "corridor", "corridors");
-  text +=
-      perRun(rooms, "gone", [](const RoomInRun& in) { return in.sighting == RoomSighting::gone; });
-  text += perRun(rooms, "not visited",
-                 [](const RoomInRun& in) { return in.sighting == RoomSighting::unvisited; });
-  text += perRun(rooms, "split", [](const RoomInRun& in) { return in.pieces > 1; });
-  return text + perRun(rooms, "merged", [](const RoomInRun& in) { return in.isMerged; });
 }
 
 }  // namespace roomgraph

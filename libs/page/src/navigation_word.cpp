@@ -21,12 +21,10 @@ std::string wordFor(const RunScore& score) {
     return "good enough, also for docking, and for goals and zones that robots share";
   if (score.mapError <= kForSharedPlaces)
     return "good enough with a localisation that corrects itself; probably also for docking, and "
-           "for "
-           "goals and zones that robots share";
+           "for goals and zones that robots share";
   if (score.mapError <= kForLengths)
     return "good enough with a localisation that corrects itself, and for lengths and areas; not "
-           "for "
-           "docking, or goals and zones that robots share";
+           "for docking, or goals and zones that robots share";
   return "doubtful: a slow bend does no harm to a localisation that corrects itself, a bend in one "
          "place does";
 }
@@ -39,6 +37,8 @@ std::string navigationWord(const Comparison& comparison) {
   const ComparedRun& best = comparison.runs[0];
   const std::string start = "Navigation with " + best.name + ": ";
   if (!best.score->isMeaningful) return start + "cannot be told, there is too little to judge by.";
+  if (comparison.isPlaceDoubtful(best.name))
+    return start + "cannot be told, most of its pairs are aligned with little confidence.";
   const auto breaks = std::count_if(comparison.breaks.begin(), comparison.breaks.end(),
                                     [&](const MapBreak& tear) { return tear.run == best.name; });
   if (breaks > 0)

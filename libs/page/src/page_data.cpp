@@ -123,7 +123,9 @@ std::string fixedText(std::optional<double> value, int digits) {
 std::string percentText(double share) { return fixedText(100 * rounded(share), 0) + " %"; }
 
 std::string pageDocument(const Comparison& comparison) {
-  return safeInScript(comparisonJson(comparison));
+  Comparison shown = comparison;
+  for (ComparedRun& run : shown.runs) run.relativePath.clear();  // nobody else's business
+  return safeInScript(comparisonJson(shown));
 }
 
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs) {

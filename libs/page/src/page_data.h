@@ -8,7 +8,8 @@
 
 namespace roomgraph {
 
-/** comparison.json, as it may stand in a script element: the same JSON without '<', '>' and '&'. */
+/** comparison.json, as it may stand in a script element: without '<', '>' and '&', and
+ *  without the folders of maps. */
 std::string pageDocument(const Comparison& comparison);
 
 /** What the scripts of the report draw and that document does not have: by how much the picture

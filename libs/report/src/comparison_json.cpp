@@ -8,8 +8,8 @@
 #include "json_places.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/utf8_text.h"
 #include "roomgraph/base/version.h"
-#include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
@@ -45,27 +45,29 @@ Json runJson(const ComparedRun& run) {
   const auto of = [&](double RunScore::*member) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
-  return {{"name", run.name},
-          {"file", fileName(run.file)},
-          {"sha256", run.sha256},
-          {"score", of(&RunScore::score)},
-          {"score_low", of(&RunScore::low)},
-          {"score_high", of(&RunScore::high)},
-          {"map_error_m", of(&RunScore::mapError)},
-          {"map_error_low", of(&RunScore::errorLow)},
-          {"map_error_high", of(&RunScore::errorHigh)},
-          {"meaningful", run.score && run.score->isMeaningful},
-          {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
-          {"reason", run.reason},
-          {"shared_walls", of(&RunScore::share)},
-          {"compared_walls", of(&RunScore::support)},
-          {"others", run.score ? Json(run.score->others) : Json(nullptr)},
-          {"trust", of(&RunScore::trust)},
-          {"pose", poseJson(run.pose)},
-          {"resolution", std::round(run.resolution * 1e6) / 1e6},
-          {"scale_estimated", run.isScaleEstimated},
-          {"measures", measuresJson(run.measures)},
-          {"path", pathJson(run.path)}};
+  Json json = {{"name", run.name},
+               {"file", fileName(run.file)},
+               {"sha256", run.sha256},
+               {"score", of(&RunScore::score)},
+               {"score_low", of(&RunScore::low)},
+               {"score_high", of(&RunScore::high)},
+               {"map_error_m", of(&RunScore::mapError)},
+               {"map_error_low", of(&RunScore::errorLow)},
+               {"map_error_high", of(&RunScore::errorHigh)},
+               {"meaningful", run.score && run.score->isMeaningful},
+               {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
+               {"reason", run.reason},
+               {"shared_walls", of(&RunScore::share)},
+               {"compared_walls", of(&RunScore::support)},
+               {"others", run.score ? Json(run.score->others) : Json(nullptr)},
+               {"trust", of(&RunScore::trust)},
+               {"pose", poseJson(run.pose)},
+               {"resolution", std::round(run.resolution * 1e6) / 1e6},
+               {"scale_estimated", run.isScaleEstimated},
+               {"measures", measuresJson(run.measures)},
+               {"path", pathJson(run.path)}};
+  if (!run.relativePath.empty()) json["relative_path"] = utf8Text(run.relativePath);
+  return json;
 }
 
 Json pairJson(const ComparedPair& pair) {
@@ -147,7 +149,8 @@ Json gateJson(const std::optional<GateVerdict>& gate) {
   return {{"passed", gate->isPassed()},
           {"complaints", gate->complaints},
           {"candidates", gate->candidates},
-          {"asked", gate->asked}};
+          {"asked", gate->asked},
+          {"margins", gate->margins}};
 }
 
 /** A list with one entry per line. */
@@ -222,8 +225,6 @@ std::string comparisonText(const Comparison& comparison) {
     if (run.isScaleEstimated)
       text += printable(run.name) + formatted(": %.5f m per cell, estimated.\n", run.resolution);
   }
-  const std::string rooms = roomsText(comparison.rooms);
-  if (!rooms.empty()) text += printable(rooms) + ".\n";
   return text;
 }
 

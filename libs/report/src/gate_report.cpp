@@ -102,9 +102,10 @@ std::string gateMarkdown(const Comparison& comparison) {
     text += comparison.gate->isPassed() ? "The gate passes" : "**The gate fails**";
     const std::string asked = joined(comparison.gate->asked);
     text += (asked.empty() ? "" : ": asked was " + markdownText(asked)) + ".\n\n";
-    for (const std::string& line : comparison.gate->complaints)
-      text += "- " + markdownText(line) + "\n";
-    if (!comparison.gate->isPassed()) text += "\n";
+    const GateVerdict& gate = *comparison.gate;
+    const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
+    for (const std::string& line : lines) text += "- " + markdownText(line) + "\n";
+    if (!lines.empty()) text += "\n";
   }
   text +=
       "| rank | run | map error [m] | in 4 of 5 cases [m] | score | gate |\n"

@@ -81,6 +81,7 @@ PathPose pathPose(const JsonNode& node) {
 ComparedRun run(const JsonNode& node) {
   ComparedRun run;
   run.name = node["name"].text(), run.file = node["file"].text();
+  if (node.contains("relative_path")) run.relativePath = node["relative_path"].text();
   run.sha256 = node["sha256"].text();
   run.pose = pose(node["pose"]);
   run.score = score(node);
@@ -187,7 +188,9 @@ std::optional<GateVerdict> gate(const JsonNode& node) {
   // Files of earlier versions have the complaints alone.
   const bool isWhole = node.contains("candidates") && node.contains("asked");
   if (!isWhole) return GateVerdict{lines("complaints"), {}, {}};
-  return GateVerdict{lines("complaints"), lines("candidates"), lines("asked")};
+  GateVerdict verdict{lines("complaints"), lines("candidates"), lines("asked"), {}};
+  if (node.contains("margins")) verdict.margins = lines("margins");
+  return verdict;
 }
 
 Comparison comparison(const JsonNode& top) {

@@ -19,9 +19,9 @@
     room.polygon = room.polygon.map(shownFromSite);
     room.holes = room.holes.map((ring) => ring.map(shownFromSite));
   });
-  data.breaks.forEach((bend) => {
-    turnPlace(bend);
-    [bend.pose_drawn, bend.pose_untorn] = [turnPose(bend.pose_drawn), turnPose(bend.pose_untorn)];
+  data.breaks.forEach((aBreak) => {
+    turnPlace(aBreak);
+    [aBreak.pose_drawn, aBreak.pose_untorn] = [turnPose(aBreak.pose_drawn), turnPose(aBreak.pose_untorn)];
   });
   const placeOf = new Map(data.runs.map((run, i) => [run.name, i]));  // in data.runs
   const all = (selector, root) => Array.from((root || document).querySelectorAll(selector));
@@ -250,12 +250,12 @@
 
   /** A small picture of what the scans at a break met; null where they are not known. */
   function breakPicture(i, width, height) {
-    const bend = data.breaks[i], scans = drawn.breaks[i];
+    const aBreak = data.breaks[i], scans = drawn.breaks[i];
     const pairs = (numbers) => numbers.filter((_, k) => k % 2 === 0)
       .map((x, k) => shownFromSite([x, numbers[2 * k + 1]]));
     const before = pairs(scans.before), behind = pairs(scans.behind);
-    if (!behind.length || !bend.pose_drawn) return null;
-    const untorn = behind.map(mended(bend));
+    if (!behind.length || !aBreak.pose_drawn) return null;
+    const untorn = behind.map(mended(aBreak));
     const around = before.concat(behind, untorn);
     const [low, high] = [Math.min, Math.max].map((most) => [0, 1].map((axis) =>
       around.reduce((value, point) => most(value, point[axis]), around[0][axis])));
@@ -271,14 +271,14 @@
     return svg;
   }
 
-  function makeBreak(bend, i) {
-    const run = data.runs[placeOf.get(bend.run)] || {name: "", colour: "#000"};
+  function makeBreak(aBreak, i) {
+    const run = data.runs[placeOf.get(aBreak.run)] || {name: "", colour: "#000"};
     const icon = element("span");
     icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="26" height="26" aria-hidden="true">' +
       '<path d="M0,-10.5L11,9H-11Z" stroke="#fff" stroke-width="2" stroke-linejoin="round"/>' +
       '<path d="M-3.5,7L1.5,1L-2,-0.5L2,-6" fill="none" stroke="#fff" stroke-width="1.8"/></svg>';
     icon.querySelector("path").setAttribute("fill", run.colour);
-    const marker = L.marker([bend.y, bend.x], {keyboard: false, alt: "Break of " + run.name,
+    const marker = L.marker([aBreak.y, aBreak.x], {keyboard: false, alt: "Break of " + run.name,
       icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26]})});
     marker.on("click", () => markBreak(i, true));
     return marker;
@@ -291,12 +291,12 @@
   L.DomEvent.disableClickPropagation(cardBox);
 
   function showCard(i) {
-    const bend = data.breaks[i];
+    const aBreak = data.breaks[i];
     const close = element("button", {type: "button", "aria-label": "Show no break", title: "Close"}, "×");
     close.addEventListener("click", leaveBreak);
-    cardBox.replaceChildren(close, element("b", {}, bend.run), element("br"),
-      "turns by " + fixed(bend.rotation_deg, 1) + "° and shifts by " + fixed(bend.shift_m, 2) + " m here" +
-      (bend.key_frame === null ? "" : ", from key frame " + bend.key_frame + " on"));
+    cardBox.replaceChildren(close, element("b", {}, aBreak.run), element("br"),
+      "turns by " + fixed(aBreak.rotation_deg, 1) + "° and shifts by " + fixed(aBreak.shift_m, 2) + " m here" +
+      (aBreak.key_frame === null ? "" : ", from key frame " + aBreak.key_frame + " on"));
     const picture = breakPicture(i, 220, 150);
     if (picture) cardBox.append(picture);
     card.addTo(map);
@@ -340,22 +340,22 @@
   }
 
   /** Where a place behind a break would lie without it. */
-  function mended(bend) {
-    const [x0, y0, phi0] = bend.pose_drawn, [x1, y1, phi1] = bend.pose_untorn;
+  function mended(aBreak) {
+    const [x0, y0, phi0] = aBreak.pose_drawn, [x1, y1, phi1] = aBreak.pose_untorn;
     const turn = phi1 - phi0, c = Math.cos(turn), s = Math.sin(turn);
     return ([x, y]) => [x1 + c * (x - x0) - s * (y - y0), y1 + s * (x - x0) + c * (y - y0)];
   }
 
   /** The next key frames in both poses of a break, and the way from the one to the other. */
-  function bothPoses(bend) {
-    const run = data.runs[placeOf.get(bend.run)];
-    if (!run || bend.key_frame === null || !bend.pose_drawn) return L.layerGroup();
-    const found = run.path.findIndex((at) => at.key_frame >= bend.key_frame);
+  function bothPoses(aBreak) {
+    const run = data.runs[placeOf.get(aBreak.run)];
+    if (!run || aBreak.key_frame === null || !aBreak.pose_drawn) return L.layerGroup();
+    const found = run.path.findIndex((at) => at.key_frame >= aBreak.key_frame);
     const first = found < 0 ? run.path.length : found;
     const places = (from, to) => run.path.slice(from, to).map((at) => [at.x, at.y]);
     const behind = places(first, first + 11);
     const before = places(Math.max(0, first - 10), first);
-    const untorn = behind.map(mended(bend));
+    const untorn = behind.map(mended(aBreak));
     const line = (points, colour, more) => L.polyline(points.map(latLng),
       Object.assign({pane: "poses", color: colour, weight: 5, opacity: 0.95, interactive: false}, more));
     const dots = (points, colour) => points.map((point) => L.circleMarker(latLng(point),
@@ -403,7 +403,7 @@
     layers.breaks.clearLayers();
     layers.paths.clearLayers();
     const isOn = (run) => !boxOf("run-" + run) || boxOf("run-" + run).checked;
-    data.breaks.forEach((bend, i) => { if (isOn(placeOf.get(bend.run))) layers.breaks.addLayer(breaks[i]); });
+    data.breaks.forEach((aBreak, i) => { if (isOn(placeOf.get(aBreak.run))) layers.breaks.addLayer(breaks[i]); });
     paths.forEach((path, i) => { if (isOn(i)) layers.paths.addLayer(path); });
   }
 
@@ -556,14 +556,14 @@
   }
 
   function chooseBreak(i) {
-    const bend = data.breaks[i], layer = "run-" + placeOf.get(bend.run);
+    const aBreak = data.breaks[i], layer = "run-" + placeOf.get(aBreak.run);
     show("breaks", true);
     if (boxOf(layer)) show(layer, true);
     isWhole = false;
     const near = Math.max(map.getZoom(), 4.5);
-    map.setView([bend.y, bend.x], near, {animate: false});
+    map.setView([aBreak.y, aBreak.x], near, {animate: false});
     markBreak(i, false);
-    const around = L.latLngBounds([[bend.y, bend.x]]);
+    const around = L.latLngBounds([[aBreak.y, aBreak.x]]);
     posesOfBreak.eachLayer((line) => { if (line.getBounds) around.extend(line.getBounds()); });
     if (!map.getBounds().contains(around)) map.fitBounds(around.pad(0.1), {animate: false, maxZoom: near});
     one("#map").scrollIntoView({block: "center"});

@@ -27,7 +27,9 @@ struct PathPose {
 
 /** A run that could be placed. */
 struct ComparedRun {
-  std::string name, file, sha256;
+  std::string name, file, sha256;  ///< of its map; `name` is unique
+  /** Where its map lay, from the folder of a saved comparison; empty where that is not told. */
+  std::string relativePath{};
   Transform2D pose;               ///< site <- run
   std::optional<RunScore> score;  ///< none for the reference, and where no wall could be compared
   std::size_t rank = 0;           ///< 1 is best, equal errors share a rank; 0 without a score
@@ -40,25 +42,25 @@ struct ComparedRun {
 
 /** Two runs, placed or not. */
 struct ComparedPair {
-  std::string a, b;  ///< names
-  bool isSameSite = false;
+  std::string a, b;                      ///< names
+  bool isSameSite = false;               ///< the two maps show one building
   std::optional<Transform2D> transform;  ///< a <- b; none where a run has no walls
   double confidence = 0;                 ///< probability that it is right
   double overlap = 0;                    ///< share of the smaller free space that is free in both
   std::optional<Transform2D> runnerUp;   ///< the next best pose
-  double runnerUpConfidence = 0;
+  double runnerUpConfidence = 0;         ///< probability that it is right
   std::vector<Measure> measures;
 };
 
 /** A run that is not compared, and why. */
 struct LeftOutRun {
-  std::string name, file, reason;
-  bool isOtherSite = false;  ///< it could be read, but does not lie in the site of the others
+  std::string name, file, reason;  ///< one line on why
+  bool isOtherSite = false;        ///< it could be read, but does not lie in the site of the others
 };
 
 /** An option and its value, as text for people. */
 struct UsedOption {
-  std::string section, name, value, unit, sentence;
+  std::string section, name, value, unit, sentence;  ///< as in `roomgraph config`
 };
 
 /** What a gate says of a comparison. */
@@ -66,8 +68,11 @@ struct GateVerdict {
   std::vector<std::string> complaints;  ///< "run: what is wrong" for each thing that must not be
   std::vector<std::string> candidates;  ///< names of the runs that were judged; empty for all
   std::vector<std::string> asked;       ///< what was asked, a line each
+  /** Where it passes: "run: by how much", of each figure asked for that of the run closest to its
+   *  limit. */
+  std::vector<std::string> margins{};
 
-  [[nodiscard]] bool isPassed() const { return complaints.empty(); }
+  [[nodiscard]] bool isPassed() const { return complaints.empty(); }  ///< nothing is wrong
 };
 
 /** What is known of several runs of one site. A saved thing: comparisonJson writes all of it, and

@@ -17,7 +17,7 @@ namespace roomgraph {
 // Next: comparisonJson, comparisonReport
 
 struct CompareMapsOptions {
-  ExtractOptions extract;
+  ExtractOptions extract;       ///< of each map
   CompareRunsOptions compare;   ///< its reference is that of the file below
   std::string reference;        ///< map file to measure all runs against; empty for none
   bool estimatesScale = false;  ///< of bare pictures
@@ -67,8 +67,8 @@ struct ReadRuns {
                                           const std::vector<std::string>& files,
                                           int wallsPerScan = kWallsPerScan);
 
-/** Files that are named as the map of a run and may be it: beside the file of the comparison, one
- *  folder above, and in the current folder. */
+/** Files that may be the map of a run: where the comparison says that it lay, and those of its name
+ *  beside the file of the comparison, one folder above, and in the current folder. */
 [[nodiscard]] std::vector<std::string> mapsNear(const ComparedRun& run,
                                                 const std::string& comparisonFile);
 

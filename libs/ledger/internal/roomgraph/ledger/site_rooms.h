@@ -26,7 +26,4 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust,
 /** Brings rooms into the order of their ids: R1, R2, R10, then C1. */
 void sortRooms(std::vector<SiteRoom>& rooms);
 
-/** One line for people: how many rooms, and what is odd of which run; empty without rooms. */
-std::string roomsText(const std::vector<SiteRoom>& rooms);
-
 }  // namespace roomgraph

@@ -1,0 +1,22 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   Comparison
+// Out:  sentences for people
+// Next: comparisonReport, a terminal
+
+/** Which maps break, and where most; empty where none does. */
+[[nodiscard]] std::string breaksSentence(const Comparison& comparison);
+
+/** Which pairs of the site are aligned with a confidence below kSureConfidence; empty for none. */
+[[nodiscard]] std::string doubtSentence(const Comparison& comparison);
+
+/** What the gate says, what was asked, and by how much it passes or why it fails. */
+[[nodiscard]] std::string gateSentence(const GateVerdict& gate);
+
+}  // namespace roomgraph

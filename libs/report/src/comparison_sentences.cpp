@@ -1,0 +1,67 @@
+#include "roomgraph/report/comparison_sentences.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "roomgraph/base/sentence_text.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMostNames = 4;
+
+/** Which break moves most, where there are several: the first one. */
+std::string largestBreak(const Comparison& comparison) {
+  if (comparison.breaks.size() < 2) return "";
+  const MapBreak& largest = comparison.breaks.front();
+  std::string text = " The largest break: " + largest.run;
+  if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on";
+  return text + formatted(", by %.1f degrees and %.2f m.", std::abs(largest.rotation) * 180 / M_PI,
+                          largest.shift);
+}
+
+/** With two digits, and as far below the limit as these can tell. */
+std::string unsureText(double confidence) {
+  return formatted("%.2f", std::min(confidence, kSureConfidence - 0.01));
+}
+
+}  // namespace
+
+std::string breaksSentence(const Comparison& comparison) {
+  std::map<std::string, std::size_t> breaks;
+  for (const MapBreak& one : comparison.breaks) ++breaks[one.run];
+  std::vector<std::string> names;
+  for (const ComparedRun& run : comparison.runs)
+    if (breaks.count(run.name)) {
+      std::vector<std::string> more;
+      if (breaks[run.name] > 1) more.push_back(std::to_string(breaks[run.name]) + " places");
+      if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
+      names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
+    }
+  if (names.empty()) return "";
+  return counted(names.size(), "map breaks", "maps break") + ": " + listed(names, kMostNames) +
+         "." + largestBreak(comparison);
+}
+
+std::string doubtSentence(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const ComparedPair& pair : comparison.pairs)
+    if (pair.isSameSite && pair.confidence < kSureConfidence)
+      names.push_back(pair.a + " on " + pair.b + " (" + unsureText(pair.confidence) + ")");
+  if (names.empty()) return "";
+  return counted(names.size(), "pair was", "pairs were") + " aligned with a confidence below " +
+         formatted("%.1f", kSureConfidence) + ": check " + listed(names, kMostNames) + ".";
+}
+
+std::string gateSentence(const GateVerdict& gate) {
+  const std::string judged =
+      gate.candidates.empty() ? "" : " of " + listed(gate.candidates, kMostNames);
+  const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked, kMostNames) + ")";
+  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
+  return "The gate" + judged + (gate.isPassed() ? " passes" : " fails") + asked +
+         (lines.empty() ? "" : ": " + listed(lines, kMostNames)) + ".";
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,65 @@
+#include "roomgraph/report/comparison_sentences.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+/** Three runs, each aligned with each other for sure. */
+Comparison threeRuns() {
+  Comparison comparison;
+  comparison.runs.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) comparison.runs[i].name = std::string(1, char('a' + i));
+  for (const auto& [a, b] : {std::pair("a", "b"), std::pair("a", "c"), std::pair("b", "c")}) {
+    comparison.pairs.emplace_back();
+    comparison.pairs.back().a = a, comparison.pairs.back().b = b;
+    comparison.pairs.back().isSameSite = true, comparison.pairs.back().confidence = 0.97;
+  }
+  return comparison;
+}
+
+MapBreak breakOf(const std::string& run, double rotation, double shift) {
+  MapBreak one;
+  one.run = run, one.rotation = rotation, one.shift = shift;
+  return one;
+}
+
+TEST(ComparisonSentences, mapsThatBreakAreNamedByRank) {
+  Comparison comparison = threeRuns();
+  EXPECT_EQ(breaksSentence(comparison), "");
+  comparison.breaks = {breakOf("b", 0.1, 1)};
+  EXPECT_EQ(breaksSentence(comparison), "1 map breaks: b.");
+  comparison.breaks = {breakOf("b", -0.1, 3), breakOf("a", 0.1, 1), breakOf("b", 0.1, 0.5)};
+  comparison.breaks[0].keyFrame = 47;
+  EXPECT_EQ(breaksSentence(comparison),
+            "2 maps break: a and b (2 places). The largest break: b from key frame 47 on, by 5.7 "
+            "degrees and 3.00 m.");
+}
+
+TEST(ComparisonSentences, doubtIsAddedToABreak) {
+  Comparison comparison = threeRuns();
+  comparison.breaks = {breakOf("c", 0.1, 1)};
+  comparison.pairs[1].confidence = comparison.pairs[2].confidence = 0.5;
+  EXPECT_EQ(breaksSentence(comparison), "1 map breaks: c (doubtful).");
+}
+
+TEST(ComparisonSentences, unsurePairsAreNamedAndStayBelowTheLimit) {
+  Comparison comparison = threeRuns();
+  EXPECT_EQ(doubtSentence(comparison), "");
+  comparison.pairs[1].confidence = 0.8999;
+  EXPECT_EQ(doubtSentence(comparison),
+            "1 pair was aligned with a confidence below 0.9: check a on c (0.89).");
+  comparison.pairs[1].isSameSite = false;
+  EXPECT_EQ(doubtSentence(comparison), "") << "of another site";
+}
+
+TEST(ComparisonSentences, aGateSaysByHowMuchItPassesOrWhyItFails) {
+  EXPECT_EQ(gateSentence({}), "The gate passes.");
+  EXPECT_EQ(gateSentence({{}, {"c"}, {"no break"}, {"c: has no break"}}),
+            "The gate of c passes (no break): c: has no break.");
+  EXPECT_EQ(gateSentence({{"c: breaks"}, {"c"}, {"no break"}, {}}),
+            "The gate of c fails (no break): c: breaks.");
+}
+
+}  // namespace
+}  // namespace roomgraph
