@@ -106,13 +106,26 @@ TEST(Geojson, holdsNoNull) {
   EXPECT_EQ(geojsonOf(extractedStages()).find("null"), std::string::npos);
 }
 
+/** nav2's loader keeps each value of the metadata as the type that it has in JSON, and its scorers
+ *  and operations ask for a float: a whole number without a point ends them with bad_any_cast. */
+TEST(Geojson, numbersOfTheMetadataAreNoIntegers) {
+  const Features all = features(geojsonOf(extractedStages()));
+  ASSERT_FALSE(all.edges.empty());
+  for (const auto& list : {all.nodes, all.edges})
+    for (const Json& feature : list)
+      for (const char* key : {"clearance", "length", "min_clearance", "speed_limit", "penalty"})
+        if (feature["properties"]["metadata"].contains(key))
+          EXPECT_TRUE(feature["properties"]["metadata"][key].is_number_float()) << feature;
+}
+
 /** The keys that nav2's scorers and operations read by default. */
 TEST(Geojson, edgesHaveAClassASpeedLimitAndAPenalty) {
   const Features all = features(geojsonOf(sampleStages()));
   ASSERT_FALSE(all.edges.empty());
   for (const Json& edge : all.edges) {
     const Json metadata = edge["properties"]["metadata"];
-    EXPECT_TRUE(metadata["class"] == "room" || metadata["class"] == "corridor");
+    EXPECT_TRUE(metadata["class"] == "room" || metadata["class"] == "way" ||
+                metadata["class"] == "corridor");
     const double speed = metadata["speed_limit"];
     EXPECT_NEAR(speed, std::clamp(100 * metadata["min_clearance"].get<double>(), 20.0, 100.0),
                 0.51);

@@ -6,6 +6,7 @@
 
 #include "roomgraph/base/json_text.h"
 #include "roomgraph/geometry/point_json.h"
+#include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/topology/kind_names.h"
 #include "straight_pieces.h"
 
@@ -23,11 +24,13 @@ class Members {
   Members& quoted(const char* name, const char* text) {
     return add(name, "\"" + std::string(text) + "\"");
   }
-  /** nav2 stops at null, so what a thing does not have is left out. */
+  /** nav2 stops at null, so what a thing does not have is left out; and where it wants a number it
+   *  stops at one without a point, which it takes for an integer. */
   Members& number(const char* name, double value) {
     if (!std::isfinite(value)) return *this;
     std::string json;
     addNumber(json, value);
+    if (json.find_first_of(".e") == std::string::npos) json += ".0";
     return add(name, json);
   }
   Members& room(RoomId room) { return room ? add("room", room.index()) : *this; }
@@ -51,11 +54,12 @@ std::string pointText(Point p) {
   return json;
 }
 
-/** GeoJSON repeats the first point of a ring at its end. */
-std::string closedRing(Ring ring) {
+/** GeoJSON repeats the first point of a ring at its end. It may be off by `tolerance` [m]. */
+std::string closedRing(Ring ring, double tolerance) {
   if (!ring.empty()) ring.push_back(ring.front());
+  const Ring thinned = thinnedLine(ring, tolerance);
   std::string json;
-  addPoints(json, ring);
+  addPoints(json, thinned.size() > 3 ? thinned : ring);
   return json;
 }
 
@@ -99,8 +103,9 @@ class Writer {
 
   void addRoomPolygon(std::size_t r) {
     const Room& room = graph_.rooms[r].shape;
-    std::string rings = "[" + closedRing(room.polygon.outer);
-    for (const Ring& hole : room.polygon.holes) rings += "," + closedRing(hole);
+    const double halfCell = obstacles_.cellSide() / 2;  // that much the map does not tell
+    std::string rings = "[" + closedRing(room.polygon.outer, halfCell);
+    for (const Ring& hole : room.polygon.holes) rings += "," + closedRing(hole, halfCell);
     addFeature(Members()
                    .add("room", r)
                    .number("area", area(room.polygon))

@@ -25,10 +25,12 @@ namespace roomgraph {
  *  nearer to an obstacle, but no less than `clearance` [m]; speed_limit: for AdjustSpeedLimit [% of
  *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
- *  Polygons with room, area and inscribed_radius, which nav2 skips. class (SemanticScorer) is that
- *  of the vertex ("border", "room", ...), "bend", or of the edge ("room", "corridor"). nav2 refuses
- *  a graph without edges, and a node without one is none: a vertex without a way gets one within
- *  its disc of clearance, to a node of class "bend". Same graph, same bytes. */
+ *  Polygons, off by half a cell at most, with room, area and inscribed_radius, which nav2 skips.
+ *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
+ *  ("room", "way", "corridor"). All numbers but ids have a point, as nav2 casts metadata to float
+ *  and stops at an integer. It refuses a graph without edges, and a node without one is none: a
+ *  vertex without a way gets one within its disc of clearance, to a node of class "bend". Same
+ *  graph, same bytes. */
 [[nodiscard]] std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles,
                                   double clearance);
 

@@ -16,6 +16,8 @@ class ObstacleRows {
    *  that is farther. O(cells within `limit` of the segment). */
   [[nodiscard]] double clearance(Point a, Point b, double limit) const;
 
+  [[nodiscard]] double cellSide() const { return obstacles_.frame.resolution; }  ///< [m]
+
  private:
   const ObstacleCells& obstacles_;
   std::vector<std::size_t> firstInRow_;  // from row -1 to one past row `height`
