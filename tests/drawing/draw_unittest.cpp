@@ -17,7 +17,7 @@ namespace {
 TEST(Draw, thePngShowsMapRoomsAndEveryKindOfVertex) {
   const Pixels pixels = decodePng(drawPng(sampleStages()));
   EXPECT_GT(pixels.countOf(58, 62, 68), 500) << "walls";
-  EXPECT_GT(pixels.countOf(226, 229, 233), 500) << "unknown";
+  EXPECT_GT(pixels.countOf(198, 203, 211), 500) << "unknown";
   EXPECT_GT(pixels.countOf(0, 114, 178), 50) << "corridors and junctions";
   EXPECT_GT(pixels.countOf(213, 94, 0), 10) << "dead end";
   EXPECT_GT(pixels.countOf(240, 228, 66), 10) << "border vertices";

@@ -67,9 +67,8 @@ LegendItem corridorAreaLegend(std::size_t count) {
           }};
 }
 
-LegendItem clutterLegend(std::size_t count) {
-  return {groupedCount(count, "piece of clutter", "pieces of clutter"),
-          [](const Pen& pen, Point at) {
+LegendItem clutterLegend() {
+  return {"clutter", [](const Pen& pen, Point at) {
             addRing(pen, at, 5);
             finishRings(pen);
           }};

@@ -15,6 +15,6 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter);
 /** A corridor as drawAreas() shows it. */
 LegendItem corridorAreaLegend(std::size_t count);
 LegendItem passageLegend(std::size_t count);
-LegendItem clutterLegend(std::size_t count);
+LegendItem clutterLegend();
 
 }  // namespace roomgraph

@@ -14,7 +14,7 @@ static_assert(int(State::unknown) == 0 && int(State::free) == 1 && int(State::oc
 Colour stateColour(State state) {
   switch (state) {
     case State::unknown:
-      return {226, 229, 233};
+      return {198, 203, 211};
     case State::free:
       return {255, 255, 255};
     case State::occupied:

@@ -4,7 +4,7 @@
 
 namespace roomgraph {
 
-/** The grid as a picture that the graph is drawn on: free white, unknown light, occupied dark.
+/** The grid as a picture that the graph is drawn on: free white, unknown grey, occupied dark.
  *  Where a pixel stands for several cells an occupied one wins, so that no wall gets lost, then a
  *  free one. Not yet magnified. */
 PaletteImage backdrop(const Grid& grid, const View& view);

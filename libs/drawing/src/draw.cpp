@@ -20,8 +20,7 @@ std::string resolutionText(double metres) {
 std::vector<LegendItem> areaLegend(const Stages& stages) {
   std::vector<LegendItem> items;
   if (const std::size_t count = stages.areas.passages.size()) items.push_back(passageLegend(count));
-  if (const std::size_t count = stages.cleared.clutter.size())
-    items.push_back(clutterLegend(count));
+  if (!stages.cleared.clutter.empty()) items.push_back(clutterLegend());
   return items;
 }
 
