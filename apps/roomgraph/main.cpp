@@ -18,17 +18,23 @@
 #include "repair_command.h"
 #include "report_command.h"
 #include "roomgraph/base/version.h"
+#include "route_command.h"
 #include "score_rooms_command.h"
 #include "stability_command.h"
 #include "task_command.h"
 #include "terminal.h"
 #include "usage_fault.h"
+#include "where_command.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr Command kCommands[] = {
     {"extract", "Turn maps into topology graphs with rooms.", extractCommand},
+    {"route",
+     "Tell the shortest way between two places of a map, and through which doors it leads.",
+     routeCommand},
+    {"where", "Tell in which room or corridor a place of a map is.", whereCommand},
     {"compare", "Rank several maps of one site, and tell how far off each of them is.",
      compareCommand},
     {"repair", "Put the key frames of runs where all runs of a site together have them.",

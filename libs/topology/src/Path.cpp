@@ -42,16 +42,18 @@ Path piece(const Path& path, double from, double to) {
   Polyline points{placeOn(path, from)};
   std::vector<Point> obstacles;
   double along = 0;
-  for (std::size_t i = 0; i < path.obstacles.size() && along < to; ++i) {
+  for (std::size_t i = 0; i + 1 < path.points.size() && along < to; ++i) {
     const double end = along + distance(path.points[i], path.points[i + 1]);
     if (end > from) {
       points.push_back(end < to ? path.points[i + 1] : placeOn(path, to));
-      obstacles.push_back(path.obstacles[i]);
+      if (!path.obstacles.empty()) obstacles.push_back(path.obstacles[i]);
     }
     along = end;
   }
   points.back() = placeOn(path, to);
-  return makePath(std::move(points), std::move(obstacles));
+  Path part = makePath(std::move(points), std::move(obstacles));
+  if (path.obstacles.empty()) part.minClearance = path.minClearance;
+  return part;
 }
 
 }  // namespace roomgraph

@@ -27,7 +27,8 @@ struct Path {
 /** First `a`, then `b`, which starts where `a` ends. */
 [[nodiscard]] Path joined(Path a, const Path& b);
 
-/** The piece between two distances from the start [m]; 0 <= from <= to <= length. */
+/** The piece between two distances from the start [m]; 0 <= from <= to <= length. Its clearance is
+ *  that of the whole path where the obstacles are not known. */
 [[nodiscard]] Path piece(const Path& path, double from, double to);
 
 }  // namespace roomgraph

@@ -1,0 +1,20 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/topology/shortest_ways.h"
+
+namespace roomgraph {
+
+/** Far from the origin, points of a path that follow each other may differ by rounding only [m]. */
+constexpr double kSamePlace = 1e-6;
+
+/** The point of the paths that is nearest to `p`, of those with at least `minClearance`, or of any
+ *  where there is none. It is no border vertex: the room's own vertex is not one of those. Where
+ *  there is no other, halfway on the longest path. There must be an edge. O(path points). */
+[[nodiscard]] PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
+                                       Point p, double minClearance);
+
+/** Distance to the nearest obstacle of a place on a path [m]. */
+[[nodiscard]] double clearanceAt(const Path& path, double along);
+
+}  // namespace roomgraph

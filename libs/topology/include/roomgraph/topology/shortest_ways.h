@@ -1,0 +1,45 @@
+#pragma once
+#include <map>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "roomgraph/topology/TopologyGraph.h"
+
+namespace roomgraph {
+
+/** A place on a path of a graph. */
+struct PlaceOnPath {
+  EdgeId edge;
+  double along = 0;  ///< from the path's source [m]
+};
+
+/** The shortest ways from one place to all vertices that given edges reach, by Dijkstra's
+ *  algorithm. Keeps a reference to the graph. O(n log n). */
+class ShortestWays {
+ public:
+  ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges, PlaceOnPath start);
+
+  [[nodiscard]] bool reaches(VertexId v) const { return best_.count(v) > 0; }
+  /** [m]; `v` must be reached, as in pathTo(). */
+  [[nodiscard]] double lengthTo(VertexId v) const { return best_.at(v).length; }
+  [[nodiscard]] Path pathTo(VertexId v) const;
+
+ private:
+  struct Way {
+    double length;
+    HalfEdgeId last;  // none where `first` leads all the way
+    Path first;
+  };
+  using Entry = std::tuple<double, VertexId>;
+
+  void offer(VertexId v, double length, HalfEdgeId last, Path first);
+  void run();
+
+  const TopologyGraph& graph_;
+  std::map<VertexId, std::vector<HalfEdgeId>> ways_;
+  std::map<VertexId, Way> best_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> open_;
+};
+
+}  // namespace roomgraph

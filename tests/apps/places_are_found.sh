@@ -1,0 +1,19 @@
+# Where a place is, and how to get from one to another: of a map, and of the graph made from it.
+. "$(dirname "$0")/common.sh"
+rooms a.pgm
+expect 0 "$roomgraph" extract a.pgm --resolution 0.05 --format json -o g -q
+for map in g/a.json "a.pgm --resolution 0.05"; do
+  expect 0 "$roomgraph" where $map 1 1
+  grep -q '^R0: a room' out || fail "not in the left room: $map"
+  grep -q 'm wide, to R1$' out || fail "does not say where its door leads: $map"
+  expect 0 "$roomgraph" route $map --from R0 --to 6 1
+  grep -q ' m, at least 0.*m wide$' out || grep -q ' m, at least 1.*m wide$' out || fail "no width"
+  [ "$(sed -n 2p out)" = "  R0" ] || fail "does not start in R0: $map"
+  tail -n 1 out | grep -q 'to R1$' || fail "does not end in R1: $map"
+done
+expect 0 "$roomgraph" where g/a.json -5 -5
+grep -q 'in no room' out || fail "a place outside"
+expect 2 "$roomgraph" route g/a.json --from R7 --to R0
+one_line err "--from" "R0 to R1"
+expect 1 "$roomgraph" where none.json 1 1
+one_line err none.json

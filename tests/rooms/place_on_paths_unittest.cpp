@@ -1,0 +1,34 @@
+#include "place_on_paths.h"
+
+#include <gtest/gtest.h>
+
+#include "square_rooms.h"
+
+namespace roomgraph::test {
+namespace {
+
+TopologyGraph wayBetweenBorders(Polyline points) {
+  return {{{points.front(), 1, VertexKind::border, RoomId(0)},
+           {points.back(), 1, VertexKind::border, RoomId(0)}},
+          {{VertexId(0), VertexId(1), straight(points), RoomId(0)}}};
+}
+
+TEST(PlaceOnPaths, isTheNearestPointThatIsNoBorder) {
+  const TopologyGraph graph = wayBetweenBorders({{0, 0}, {3, 0}, {8, 0}});
+  EXPECT_DOUBLE_EQ(placeOnPaths(graph, {EdgeId(0)}, {3, 4}, 0.5).along, 3);
+  EXPECT_DOUBLE_EQ(placeOnPaths(graph, {EdgeId(0)}, {9, 0}, 0.5).along, 3);
+}
+
+TEST(PlaceOnPaths, isHalfwayWhereThereIsNoPoint) {
+  EXPECT_DOUBLE_EQ(
+      placeOnPaths(wayBetweenBorders({{0, 0}, {8, 0}}), {EdgeId(0)}, {0, 0}, 0.5).along, 4);
+}
+
+TEST(PlaceOnPaths, hasTheClearanceOfItsSegment) {
+  const Path path = makePath({{0, 0}, {4, 0}, {8, 0}}, {{2, 1}, {6, 3}});
+  EXPECT_DOUBLE_EQ(clearanceAt(path, 2), 1);
+  EXPECT_DOUBLE_EQ(clearanceAt(path, 6), 3);
+}
+
+}  // namespace
+}  // namespace roomgraph::test
