@@ -75,6 +75,7 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
   }
   if (arguments.alphaPx2) known.set("find_rooms", "alpha_px2", *arguments.alphaPx2);
   if (arguments.allComponents) known.set("keep_largest", "all_components", "true");
+  if (arguments.robotWidth) known.set("room_graph", "robot_width", *arguments.robotWidth);
   options.loadGrid.isResolutionGiven = !std::isnan(options.loadGrid.resolution);
   if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
 }
@@ -127,6 +128,8 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
       ->type_name("A")
       ->excludes(width);
   app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
+  app.add_option("--robot-width", arguments.robotWidth, help("room_graph", "robot_width"))
+      ->type_name("M");
 }
 
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {

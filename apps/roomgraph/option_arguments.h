@@ -14,7 +14,7 @@ struct OptionArguments {
   std::string preset = "default";
   std::optional<std::string> configFile;
   std::vector<std::string> settings;  ///< SECTION.KEY=VALUE
-  std::optional<std::string> resolution, roomWidth, alphaPx2;
+  std::optional<std::string> resolution, roomWidth, alphaPx2, robotWidth;
   std::vector<std::string> slice;  ///< empty, or low and high
   std::string layer;               ///< of a metric map
   bool allComponents = false;
@@ -27,7 +27,7 @@ void underHeading(const std::string& heading, CLI::App& app, const std::function
 void declareConfig(OptionArguments& arguments, CLI::App& app);
 /** Declares what maps are read with: --resolution, --slice and --layer. */
 void declareReading(OptionArguments& arguments, CLI::App& app);
-/** Declares --room-width, --alpha-px2 and --all-components. */
+/** Declares --room-width, --alpha-px2, --all-components and --robot-width. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
 /** Declares --output, the folder for `results`. A command writes several files for each map, which

@@ -10,6 +10,7 @@
 #include "MapText.h"
 #include "random_maps.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/rooms/find_rooms.h"
 #include "roomgraph/rooms/trace_rooms.h"
 #include "roomgraph/voronoi/voronoi_graph.h"
@@ -211,6 +212,49 @@ TEST(Extract, passesTheNotesOfTheMapOn) {
   const Stages stages = extract(map, {});
   ASSERT_FALSE(stages.notes.empty());
   EXPECT_EQ(stages.notes.front().code, "odd");
+}
+
+/** A hall of 24 x 14 m with a door below, and three shelves of 1 x 8 m with aisles of 4 to 5 m. */
+MapText warehouse() {
+  MapText map = painted(240, 140, 0.1, {});
+  const auto fill = [&](int left, int low, int width, int height, char cell) {
+    for (int y = low; y < low + height; ++y)
+      for (int x = left; x < left + width; ++x) map.cells[std::size_t(y * 240 + x)] = cell;
+  };
+  for (const int left : {50, 110, 170}) fill(left, 45, 10, 80, '#');
+  fill(0, 20, 240, 2, '#');
+  fill(100, 20, 10, 2, '.');
+  return map;
+}
+
+/** To the nearest way inside of a room [m]. */
+double distanceToWays(const Stages& stages, Point place) {
+  double nearest = 1e9;
+  for (const Edge& edge : stages.result.graph.edges())
+    for (std::size_t i = 0; edge.room && i + 1 < edge.path.points.size(); ++i)
+      nearest =
+          std::min(nearest, distanceToSegment(place, edge.path.points[i], edge.path.points[i + 1]));
+  return nearest;
+}
+
+TEST(Extract, leadsThroughTheAislesOfAHall) {
+  const Stages stages = extract(greyMap(warehouse()), {});
+  for (const double x : {2.5, 8.5, 14.5, 21.0})
+    for (const double y : {5.0, 8.0, 11.0})
+      EXPECT_LT(distanceToWays(stages, {x, y}), 1) << x << ", " << y;
+}
+
+TEST(Extract, leadsNoRobotThroughAnAisleThatIsTooNarrow) {
+  ExtractOptions options;
+  options.roomGraph.robotWidth = 6;
+  const Stages stages = extract(greyMap(warehouse()), options);
+  EXPECT_GT(distanceToWays(stages, {21.0, 11.0}), 2);
+}
+
+TEST(Extract, keepsThePapersStarInAHallWithAisles) {
+  const Stages stages = extract(greyMap(warehouse()), preset("paper"));
+  for (const GraphRoom& room : stages.result.rooms)
+    EXPECT_EQ(stages.result.graph.degree(room.vertex), room.borderVertices.size());
 }
 
 }  // namespace

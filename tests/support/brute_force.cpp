@@ -106,10 +106,21 @@ class PromiseChecker {
       if (sideOf(room.shape.polygon, room.center) != Side::inside)
         tell("room vertex is not inside of its room" + textOf(room.center));
       if (area(room.shape.polygon) <= 0) tell("room has no area" + textOf(room.center));
-      if (s_.result.graph.degree(room.vertex) != room.borderVertices.size())
-        tell("room vertex and border vertices disagree" + textOf(room.center));
+      checkWays(room, RoomId(r));
       for (const VertexId v : room.borderVertices) checkBorder(room, s_.result.graph.vertex(v));
     }
+  }
+
+  /** From the room's vertex, its ways lead to all its border vertices. */
+  void checkWays(const GraphRoom& room, RoomId id) {
+    const TopologyGraph& graph = s_.result.graph;
+    UnionFind groups(graph.vertices().size());
+    for (const Edge& edge : graph.edges())
+      if (edge.room == id)
+        groups.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
+    for (const VertexId v : room.borderVertices)
+      if (groups.find(std::uint32_t(v.index())) != groups.find(std::uint32_t(room.vertex.index())))
+        tell("a border vertex is not reached from its room" + textOf(graph.vertex(v).at));
   }
 
   void checkBorder(const GraphRoom& room, const Vertex& border) {

@@ -26,12 +26,13 @@ std::set<std::size_t> neighbours(const RoomGraph& rooms, std::size_t r) {
     open.pop_back();
     for (const HalfEdgeId h : graph.outgoing(at)) {
       const VertexId next = graph.target(h);
-      if (isSeen[next.index()]) continue;
-      isSeen[next.index()] = true;
-      if (graph.vertex(next).kind == VertexKind::room)
-        found.insert(graph.vertex(next).room.index());
-      else
+      const RoomId room = graph.edge(h).room;
+      if (room && room != RoomId(r)) {
+        found.insert(room.index());
+      } else if (!isSeen[next.index()]) {
+        isSeen[next.index()] = true;
         open.push_back(next);
+      }
     }
   }
   return found;

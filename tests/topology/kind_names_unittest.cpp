@@ -19,10 +19,16 @@ TEST(KindNames, everyKindHasItsOwnAndIsFoundByIt) {
 }
 
 TEST(KindNames, anEdgeWithARoomRunsInside) {
-  Edge edge;
-  EXPECT_STREQ(kindName(edge), "corridor");
+  const TopologyGraph graph({{{0, 0}, 1, VertexKind::room, RoomId(3)},
+                             {{1, 0}, 1, VertexKind::border, RoomId(3)},
+                             {{0, 1}, 1, VertexKind::deadEnd, RoomId(3)}},
+                            {});
+  Edge edge{VertexId(1), VertexId(0), {}, {}};
+  EXPECT_STREQ(kindName(graph, edge), "corridor");
   edge.room = RoomId(3);
-  EXPECT_STREQ(kindName(edge), "room");
+  EXPECT_STREQ(kindName(graph, edge), "room") << "from its vertex to a border";
+  edge.source = VertexId(2);
+  EXPECT_STREQ(kindName(graph, edge), "way");
 }
 
 }  // namespace

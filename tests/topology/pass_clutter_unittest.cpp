@@ -21,9 +21,7 @@ struct Passed {
   TopologyGraph before, after;
 };
 
-bool nowhere(Point) { return false; }
-
-Passed passed(const MapText& map, double maxSize, const PlaceTest& isInRoom = nowhere) {
+Passed passed(const MapText& map, double maxSize) {
   const Grid grid = gridOf(map);
   const ObstacleCells obstacles = obstacleCells(grid, thinObstacles(grid, {}), hasUnknown(map));
   const VoronoiGraph voronoi = voronoiGraph(obstacles);
@@ -37,7 +35,7 @@ Passed passed(const MapText& map, double maxSize, const PlaceTest& isInRoom = no
   ObstacleCells walls{obstacles.frame, {}};
   for (const Cell cell : obstacles.cells)
     if (cleared.grid.atOrUnknown(cell) != State::free) walls.cells.push_back(cell);
-  all.after = passClutter(all.before, isClutter, isInRoom, ObstacleRows(walls), {});
+  all.after = passClutter(all.before, isClutter, ObstacleRows(walls), {});
   return all;
 }
 
@@ -101,12 +99,6 @@ TEST(PassClutter, whatLiesBehindItKeepsItsWay) {
 
 TEST(PassClutter, goesRoundWhatIsNoClutter) {
   EXPECT_EQ(ringCount(corridor(corridorWithBoxes(5), 0.5).after), 1u);
-}
-
-TEST(PassClutter, leavesRoomsAsTheyAre) {
-  const auto isInRoom = [](Point at) { return at.x > 3; };
-  EXPECT_EQ(ringCount(passed(drawn(corridorWithBoxes(5), 0.1), 0.6, isInRoom).after), 1u)
-      << "half of the ring is in a room";
 }
 
 TEST(PassClutter, aRingThatOnlyThePoseCouldOpenStays) {

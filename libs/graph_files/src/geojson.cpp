@@ -138,7 +138,7 @@ class Writer {
     const Edge& edge = graph_.graph.edges()[e];
     const Members metadata = Members()
                                  .add("edge", e)
-                                 .quoted("class", kindName(edge))
+                                 .quoted("class", kindName(graph_.graph, edge))
                                  .room(edge.room)
                                  .number("length", edge.path.length);
     for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {

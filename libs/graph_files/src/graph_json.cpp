@@ -55,11 +55,11 @@ std::string vertexText(std::size_t id, const Vertex& vertex) {
                {"room", idOrNull(vertex.room)}});
 }
 
-std::string edgeText(std::size_t id, const Edge& edge) {
+std::string edgeText(const TopologyGraph& graph, std::size_t id, const Edge& edge) {
   const Json json{{"id", id},
                   {"source", edge.source.index()},
                   {"target", edge.target.index()},
-                  {"kind", kindName(edge)},
+                  {"kind", kindName(graph, edge)},
                   {"room", idOrNull(edge.room)},
                   {"length", rounded(edge.path.length)},
                   {"min_clearance", rounded(edge.path.minClearance)}};
@@ -158,7 +158,8 @@ std::string graphJson(const GraphFile& file) {
       "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + text(program) +
       ",\n\"input\": " + text(inputJson(file.input)) + ",\n" + optionsText(file.options) + ",\n";
   addList(all, "vertices", graph.vertices(), vertexText);
-  addList(all += ",\n", "edges", graph.edges(), edgeText);
+  addList(all += ",\n", "edges", graph.edges(),
+          [&](std::size_t id, const Edge& edge) { return edgeText(graph, id, edge); });
   addList(all += ",\n", "rooms", file.graph.rooms, roomText);
   addList(all += ",\n", "areas", file.areas.areas, areaText);
   addList(all += ",\n", "passages", file.areas.passages, passageText);

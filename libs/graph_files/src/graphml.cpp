@@ -20,7 +20,7 @@ constexpr Key kKeys[] = {
     {"clearance", "node", "clearance", "double", "distance to the nearest obstacle [m]"},
     {"room", "node", "room", "int", "id of the room that it stands for, lies in or borders"},
     {"area", "node", "area", "double", "of the room that it stands for [m2]"},
-    {"edge_kind", "edge", "kind", "string", "corridor or room"},
+    {"edge_kind", "edge", "kind", "string", "corridor, room or way"},
     {"edge_room", "edge", "room", "int", "id of the room that it runs in"},
     {"length", "edge", "length", "double", "of the path [m]"},
     {"min_clearance", "edge", "min_clearance", "double",
@@ -68,7 +68,7 @@ void addEdge(std::string& xml, const RoomGraph& graph, std::size_t e) {
   xml += "    <edge id=\"e" + std::to_string(e) + "\" source=\"n" +
          std::to_string(edge.source.index()) + "\" target=\"n" +
          std::to_string(edge.target.index()) + "\">";
-  data(xml, "edge_kind", std::string(kindName(edge)));
+  data(xml, "edge_kind", std::string(kindName(graph.graph, edge)));
   data(xml, "edge_room", edge.room);
   data(xml, "length", edge.path.length);
   data(xml, "min_clearance", edge.path.minClearance);

@@ -10,7 +10,6 @@
 #include "roomgraph/areas/drop_half_seen.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
-#include "roomgraph/rooms/RoomIndex.h"
 #include "roomgraph/rooms/cut_paths.h"
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/topology/pass_clutter.h"
@@ -70,17 +69,15 @@ RegionOutlines outlineRegions(const Stages& s) {
 
 /** Paths pass clutter on one side. */
 TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
-  if (s.cleared.clutter.empty()) return graph;
+  const auto& isOne = s.cleared.isClutter;
+  if (std::find(isOne.begin(), isOne.end(), 1) == isOne.end()) return graph;
   const auto isClutter = [&](Point obstacle) {
     return s.cleared.grid.atOrUnknown(s.grid.frame.cellAt(obstacle)) == State::free;
   };
-  const RoomIndex rooms(s.outlines.rooms());
-  const auto isInRoom = [&](Point at) { return bool(rooms.roomAt(at)); };
   ObstacleCells walls{s.obstacles.frame, {}};
   for (std::size_t i = 0; i < s.obstacles.cells.size(); ++i)
     if (!s.cleared.isClutter[i]) walls.cells.push_back(s.obstacles.cells[i]);
-  return passClutter(std::move(graph), isClutter, isInRoom, ObstacleRows(walls),
-                     s.options.deadEnds);
+  return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds);
 }
 
 /** The diagram takes more memory than all else. */

@@ -12,8 +12,6 @@ using Neighbours = RegionGroups::Neighbours;
 constexpr std::uint32_t kNone = Regions::kNone;
 /** Sums of areas that differ by less than this share are equal. */
 constexpr double kSameArea = 1e-6;
-/** A deeper niche is a way [squares round its largest disc]. */
-constexpr double kDeepestAlcove = 2.5;
 
 bool isLeftover(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                 std::uint32_t region) {

@@ -5,6 +5,7 @@
 
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/rooms/inner_paths.h"
+#include "roomgraph/rooms/inner_ways.h"
 
 namespace roomgraph {
 namespace {
@@ -68,27 +69,53 @@ bool crosses(const Path& straight, const Path& other) {
   return false;
 }
 
+/** The paths from the middle of a room to its border vertices as a graph, with those first. */
+TopologyGraph starOf(const TopologyGraph& graph, const std::vector<VertexId>& borders,
+                     InnerPaths star) {
+  std::vector<Vertex> vertices;
+  std::vector<Edge> edges;
+  const VertexId middle(borders.size());
+  for (std::size_t i = 0; i < borders.size(); ++i) {
+    vertices.push_back(graph.vertex(borders[i]));
+    edges.push_back({middle, VertexId(i), std::move(star.paths[i]), {}});
+  }
+  vertices.push_back({star.center, star.clearance, VertexKind::room, {}});
+  return {std::move(vertices), std::move(edges)};
+}
+
 class RoomBuilder {
  public:
   RoomBuilder(const TopologyGraph& graph, const ObstacleRows& obstacles, double clearance,
-              bool straightEdges)
-      : graph_(graph), obstacles_(obstacles), clearance_(clearance), straight_(straightEdges) {}
+              const RoomGraphOptions& options)
+      : graph_(graph), obstacles_(obstacles), clearance_(clearance), options_(options) {}
 
-  /** Where the room's vertex stands, and its paths to the room's border vertices. */
-  InnerPaths build(const Room& room, const RoomParts& parts) const {
+  /** The room's vertex and its ways to the border vertices, which come first. */
+  TopologyGraph build(const Room& room, const RoomParts& parts) const {
+    if (!options_.straightEdges && !parts.innerEdges.empty()) {
+      TopologyGraph ways =
+          innerWays(graph_, parts.innerEdges, options_.robotWidth, obstacles_.cellSide() / 2);
+      if (!ways.edges().empty())
+        return withRoomVertex(std::move(ways), centroid(room.polygon), leastClearance(room));
+    }
+    return starOf(graph_, parts.borderVertices, star(room, parts));
+  }
+
+ private:
+  /** Half as wide as the room gets: not in a door, nor in a corner. */
+  static double leastClearance(const Room& room) { return room.inscribedRadius / 2; }
+
+  InnerPaths star(const Room& room, const RoomParts& parts) const {
     InnerPaths star = straightPaths(room, parts, centroid(room.polygon));
-    if (straight_) return star;
+    if (options_.straightEdges) return star;
     if (sideOf(room.polygon, star.center) == Side::inside && star.clearance >= clearance_ &&
         bend(room, parts, star))
       return star;
     if (!parts.innerEdges.empty())
-      // Half as wide as the room gets: not in a door, nor in a corner.
       return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
-                        room.inscribedRadius / 2);
+                        leastClearance(room));
     return straightPaths(room, parts, graph_.vertex(parts.widest).at);
   }
 
- private:
   InnerPaths straightPaths(const Room& room, const RoomParts& parts, Point center) const {
     InnerPaths star;
     star.center = center;
@@ -147,8 +174,31 @@ class RoomBuilder {
   const TopologyGraph& graph_;
   const ObstacleRows& obstacles_;
   double clearance_;
-  bool straight_;
+  const RoomGraphOptions& options_;
 };
+
+/** Adds the ways of a room, whose first vertices are its border vertices. */
+void addRoom(const TopologyGraph& ways, RoomId id, GraphRoom room, std::vector<Vertex>& vertices,
+             std::vector<Edge>& edges, RoomGraph& result) {
+  const std::size_t borderCount = room.borderVertices.size(), first = vertices.size();
+  for (std::size_t v = borderCount; v < ways.vertices().size(); ++v) {
+    vertices.push_back(ways.vertices()[v]);
+    vertices.back().room = id;
+    if (vertices.back().kind != VertexKind::room) continue;
+    room.vertex = VertexId(vertices.size() - 1);
+    room.center = vertices.back().at;
+  }
+  const auto newId = [&](VertexId v) {
+    return v.index() < borderCount ? room.borderVertices[v.index()]
+                                   : VertexId(first + v.index() - borderCount);
+  };
+  for (Edge edge : ways.edges()) {
+    edge.source = newId(edge.source), edge.target = newId(edge.target);
+    edge.room = id;
+    edges.push_back(std::move(edge));
+  }
+  result.rooms.push_back(std::move(room));
+}
 
 Note unreachedNote(const Room& room) {
   return {"room_unreached", "a room is left out: no way of the graph leads into it",
@@ -182,6 +232,8 @@ void describe(RoomGraphOptions& options, FieldTable& table) {
   table.flag("room_graph", "straight_edges", options.straightEdges,
              "Join rooms to their border vertices by straight edges from the centroid, whatever "
              "lies between, as the paper does.");
+  table.number("room_graph", "robot_width", options.robotWidth, "m", 0, 10,
+               "Ways inside of rooms are as wide as this, and lead where they tell something.");
 }
 
 RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const ObstacleRows& obstacles,
@@ -201,18 +253,16 @@ RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const Obstac
   std::vector<Edge> edges = std::move(outer).takeEdges();
 
   RoomGraph result;
-  const RoomBuilder builder(graph, obstacles, clearance, options.straightEdges);
+  const RoomBuilder builder(graph, obstacles, clearance, options);
+  const auto borders = [&](std::size_t r) {
+    std::vector<VertexId> ids;
+    for (const VertexId v : parts[r].borderVertices) ids.push_back(newId[v.index()]);
+    return ids;
+  };
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     if (!newRoom[r]) continue;
-    InnerPaths inner = builder.build(rooms[r], parts[r]);
-    GraphRoom room{rooms[r], inner.center, VertexId(vertices.size()), {}};
-    vertices.push_back({inner.center, inner.clearance, VertexKind::room, newRoom[r]});
-    for (std::size_t i = 0; i < inner.paths.size(); ++i) {
-      room.borderVertices.push_back(newId[parts[r].borderVertices[i].index()]);
-      edges.push_back(
-          {room.vertex, room.borderVertices.back(), std::move(inner.paths[i]), newRoom[r]});
-    }
-    result.rooms.push_back(std::move(room));
+    addRoom(builder.build(rooms[r], parts[r]), newRoom[r], GraphRoom{rooms[r], {}, {}, borders(r)},
+            vertices, edges, result);
   }
   result.graph = TopologyGraph(std::move(vertices), std::move(edges));
   return result;

@@ -1,16 +1,13 @@
 #include "roomgraph/topology/dead_ends.h"
 
 #include <algorithm>
-#include <functional>
 
 namespace roomgraph {
 namespace {
 
-using IsShort = std::function<bool(const Vertex& tip, const Vertex& base, const Path& path)>;
-
 /** Removes each dead end that `isShort`, all at once; returns whether there was one. An edge with
  *  two dead ends is a whole component and stays. */
-bool removeLayer(TopologyGraph& graph, const IsShort& isShort) {
+bool removeLayer(TopologyGraph& graph, const DeadEndTest& isShort) {
   std::vector<bool> keepVertex(graph.vertices().size(), true);
   std::vector<bool> keepEdge(graph.edges().size(), true);
   bool isAny = false;
@@ -49,6 +46,12 @@ void describe(DeadEndsOptions& options, FieldTable& table) {
                "Then remove, once, all dead ends shorter than this; 0 for the reach rule.");
 }
 
+TopologyGraph removeDeadEndsWhere(TopologyGraph graph, const DeadEndTest& isShort) {
+  while (removeLayer(graph, isShort)) {
+  }
+  return graph;
+}
+
 TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options,
                              double resolution) {
   if (options.allOnce)
@@ -59,24 +62,20 @@ TopologyGraph removeDeadEnds(TopologyGraph graph, const DeadEndsOptions& options
     });
     return graph;
   }
-  const IsShort isShort = [&](const Vertex& tip, const Vertex& base, const Path& path) {
-    return isWithin(base.clearance, path.length + tip.clearance, options);
-  };
-  while (removeLayer(graph, isShort)) {
-  }
-  return graph;
+  return removeDeadEndsWhere(
+      std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
+        return isWithin(base.clearance, path.length + tip.clearance, options);
+      });
 }
 
 TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions& options,
                                      const ObstacleRows& walls) {
-  const IsShort isShort = [&](const Vertex& tip, const Vertex& base, const Path& path) {
-    const double farthest = path.length + tip.clearance;
-    return isWithin(base.clearance, farthest, options) ||
-           isWithin(walls.clearance(base.at, base.at, farthest), farthest, options);
-  };
-  while (removeLayer(graph, isShort)) {
-  }
-  return graph;
+  return removeDeadEndsWhere(
+      std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
+        const double farthest = path.length + tip.clearance;
+        return isWithin(base.clearance, farthest, options) ||
+               isWithin(walls.clearance(base.at, base.at, farthest), farthest, options);
+      });
 }
 
 }  // namespace roomgraph

@@ -1,5 +1,7 @@
 #include "roomgraph/topology/kind_names.h"
 
+#include <algorithm>
+
 namespace roomgraph {
 namespace {
 
@@ -30,6 +32,12 @@ std::optional<VertexKind> kindOfName(const std::string& name) {
   return std::nullopt;
 }
 
-const char* kindName(const Edge& edge) { return edge.room ? "room" : "corridor"; }
+const char* kindName(const TopologyGraph& graph, const Edge& edge) {
+  if (!edge.room) return "corridor";
+  const VertexKind source = graph.vertex(edge.source).kind, target = graph.vertex(edge.target).kind;
+  const bool isSpoke =
+      std::minmax(source, target) == std::minmax(VertexKind::border, VertexKind::room);
+  return isSpoke ? "room" : "way";
+}
 
 }  // namespace roomgraph

@@ -63,8 +63,8 @@ std::vector<HalfEdgeId> roundFaces(const TopologyGraph& graph) {
 /** One round of removals. */
 class ClutterPasser {
  public:
-  ClutterPasser(const TopologyGraph& graph, const PlaceTest& isClutter, const PlaceTest& isInRoom)
-      : graph_(graph), faces_(facesOf(graph, isClutter, isInRoom)) {}
+  ClutterPasser(const TopologyGraph& graph, const PlaceTest& isClutter)
+      : graph_(graph), faces_(facesOf(graph, isClutter)) {}
 
   /** Which edges stay. Worst edges join pieces of clutter to groups. All those of a group go if
    *  they are no more than its pieces less one, or one more if it also joins what is no clutter. */
@@ -90,8 +90,7 @@ class ClutterPasser {
   }
 
  private:
-  static Faces facesOf(const TopologyGraph& graph, const PlaceTest& isClutter,
-                       const PlaceTest& isInRoom) {
+  static Faces facesOf(const TopologyGraph& graph, const PlaceTest& isClutter) {
     const std::vector<HalfEdgeId> next = roundFaces(graph);
     Faces faces{std::vector<std::uint32_t>(next.size(), kNone), {}};
     for (std::size_t first = 0; first < next.size(); ++first) {
@@ -105,11 +104,6 @@ class ClutterPasser {
         h = next[h].index();
       } while (h != first);
       faces.isPassed.push_back(isPassed);
-    }
-    for (std::size_t h = 0; h < next.size(); ++h) {
-      std::uint8_t& isPassed = faces.isPassed[faces.of[h]];
-      const Polyline& points = graph.edge(HalfEdgeId(h)).path.points;
-      if (isPassed && std::any_of(points.begin(), points.end(), isInRoom)) isPassed = 0;
     }
     return faces;
   }
@@ -130,7 +124,7 @@ class ClutterPasser {
     std::vector<std::uint32_t> worst(faces_.isPassed.size(), kNone);  // per face
     for (std::size_t i = 0; i < graph_.edges().size(); ++i) {
       const EdgeId e(i);
-      if (left(e) == right(e) || graph_.edge(e).source == graph_.edge(e).target) continue;
+      if (left(e) == right(e)) continue;
       if (!isPassed(left(e)) && !isPassed(right(e))) continue;
       beside.push_back(e);
       for (const std::uint32_t face : {left(e), right(e)})
@@ -154,10 +148,9 @@ class ClutterPasser {
 }  // namespace
 
 TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
-                          const PlaceTest& isInRoom, const ObstacleRows& walls,
-                          const DeadEndsOptions& options) {
+                          const ObstacleRows& walls, const DeadEndsOptions& options) {
   for (;;) {
-    const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter, isInRoom).keptEdges();
+    const std::vector<bool> keepEdge = ClutterPasser(graph, isClutter).keptEdges();
     if (std::find(keepEdge.begin(), keepEdge.end(), false) == keepEdge.end()) return graph;
     const std::vector<bool> keepVertex(graph.vertices().size(), true);
     graph = dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));

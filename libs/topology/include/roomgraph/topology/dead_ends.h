@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/topology/TopologyGraph.h"
@@ -19,6 +21,13 @@ struct DeadEndsOptions {
   double minLengthPx = 0;  ///< then, once, all shorter than this [px]; 0 for the reach rule
 };
 void describe(DeadEndsOptions& options, FieldTable& table);
+
+/** Asked for a dead end: its tip, the vertex where it starts, and its path from either. */
+using DeadEndTest = std::function<bool(const Vertex& tip, const Vertex& base, const Path& path)>;
+
+/** Removes the dead ends for which `isShort`: all at once, then again, until none is left. A
+ *  component never vanishes: its last edge stays. O(rounds * edges). */
+[[nodiscard]] TopologyGraph removeDeadEndsWhere(TopologyGraph graph, const DeadEndTest& isShort);
 
 /** Removes the dead ends that lead nowhere: all those under the limit at once, then again, until
  *  none is left; so the answer does not depend on their order. A component never vanishes: its last

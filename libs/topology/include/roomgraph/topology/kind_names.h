@@ -12,7 +12,8 @@ namespace roomgraph {
 /** The kind of that name; none for any other text. */
 [[nodiscard]] std::optional<VertexKind> kindOfName(const std::string& name);
 
-/** "room" for a path inside of a room, "corridor" for any other. */
-[[nodiscard]] const char* kindName(const Edge& edge);
+/** "room" for a path between the vertex of a room and a border vertex, "way" for any other inside
+ *  of a room, "corridor" for those outside. */
+[[nodiscard]] const char* kindName(const TopologyGraph& graph, const Edge& edge);
 
 }  // namespace roomgraph

@@ -7,7 +7,7 @@
 namespace roomgraph {
 
 // Ours: clutter parts no paths, as it parts no rooms
-// In:   TopologyGraph without dead ends, and where clutter, walls and rooms are
+// In:   TopologyGraph without dead ends, and where clutter and walls are
 // Out:  the same with one way past each piece of clutter
 // Next: joinVertices
 
@@ -20,11 +20,9 @@ using PlaceTest = std::function<bool(Point)>;  ///< whether something is true of
  *  both go if what is connected stays so, and both stay if not: only the map's pose could decide
  *  between them.
  *
- *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. So do all ways
- *  round clutter that touch a place that `isInRoom`, as all paths of a room become one vertex, and
- *  a loop that begins and ends at one junction. Nothing is parted. O(rounds * n log n). */
+ *  Ways round anything that is not `isClutter`, asked for places of obstacles, stay. A loop that
+ *  begins and ends at one junction goes. Nothing is parted. O(rounds * n log n). */
 [[nodiscard]] TopologyGraph passClutter(TopologyGraph graph, const PlaceTest& isClutter,
-                                        const PlaceTest& isInRoom, const ObstacleRows& walls,
-                                        const DeadEndsOptions& options);
+                                        const ObstacleRows& walls, const DeadEndsOptions& options);
 
 }  // namespace roomgraph

@@ -1,0 +1,108 @@
+#include "roomgraph/rooms/inner_ways.h"
+
+#include <algorithm>
+#include <map>
+
+#include "join_leftovers.h"
+#include "place_on_paths.h"
+#include "roomgraph/base/UnionFind.h"
+#include "roomgraph/topology/dead_ends.h"
+
+namespace roomgraph {
+namespace {
+
+/** A dead end is no place where it reaches less than this [widths of the robot]. */
+constexpr double kLeastReach = 4;
+
+/** A graph of these edges alone: first its border vertices, then the others, in their order. */
+TopologyGraph partOf(const TopologyGraph& graph, const std::vector<EdgeId>& edges) {
+  const auto rank = [&](VertexId v) {
+    return std::pair(graph.vertex(v).kind != VertexKind::border, v);
+  };
+  std::map<std::pair<bool, VertexId>, VertexId> newId;
+  for (const EdgeId e : edges)
+    for (const VertexId v : {graph.edge(e).source, graph.edge(e).target}) newId[rank(v)];
+  std::vector<Vertex> vertices;
+  for (auto& [old, id] : newId) {
+    id = VertexId(vertices.size());
+    vertices.push_back(graph.vertex(old.second));
+  }
+  std::vector<Edge> part;
+  for (const EdgeId e : edges) {
+    part.push_back(graph.edge(e));
+    part.back().source = newId.at(rank(part.back().source));
+    part.back().target = newId.at(rank(part.back().target));
+  }
+  return {std::move(vertices), std::move(part)};
+}
+
+/** Without what is too narrow, but still in one piece: the widest ways hold it together. */
+TopologyGraph wideWays(TopologyGraph graph, double minClearance) {
+  const std::size_t count = graph.edges().size();
+  std::vector<std::size_t> order(count);
+  for (std::size_t e = 0; e < count; ++e) order[e] = e;
+  const auto clearance = [&](std::size_t e) { return graph.edges()[e].path.minClearance; };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return clearance(a) > clearance(b); });
+  UnionFind groups(graph.vertices().size());
+  std::vector<bool> keepEdge(count);
+  for (const std::size_t e : order) {
+    const Edge& edge = graph.edges()[e];
+    const bool isLink =
+        groups.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
+    keepEdge[e] = isLink || clearance(e) >= minClearance;
+  }
+  const std::vector<bool> keepVertex(graph.vertices().size(), true);
+  return dissolveThrough(keepOnly(std::move(graph), keepVertex, keepEdge));
+}
+
+/** Whether more than one path, or than a tree with a border vertex at each tip, is left. */
+bool tellsMore(const TopologyGraph& graph) {
+  if (graph.edges().size() < 2) return false;
+  if (graph.edges().size() >= graph.vertices().size()) return true;
+  for (std::size_t v = 0; v < graph.vertices().size(); ++v)
+    if (graph.vertices()[v].kind == VertexKind::deadEnd) return true;
+  return false;
+}
+
+}  // namespace
+
+TopologyGraph innerWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
+                        double robotWidth, double halfCell) {
+  const double minClearance = robotWidth / 2 + halfCell;
+  TopologyGraph ways = wideWays(partOf(graph, edges), minClearance);
+  ways = removeDeadEndsWhere(
+      std::move(ways), [&](const Vertex& tip, const Vertex& base, const Path& path) {
+        if (tip.kind == VertexKind::border) return false;
+        if (path.minClearance < minClearance) return true;
+        const double reach = path.length + tip.clearance - base.clearance;
+        const double width = 2 * (tip.clearance - halfCell);
+        return reach < std::max(kDeepestAlcove * width, kLeastReach * robotWidth);
+      });
+  return tellsMore(ways) ? ways : TopologyGraph();
+}
+
+TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearance) {
+  std::vector<EdgeId> edges;
+  for (std::size_t e = 0; e < ways.edges().size(); ++e) edges.push_back(EdgeId(e));
+  const PlaceOnPath place = placeOnPaths(ways, edges, center, minClearance);
+  std::vector<Vertex> vertices = std::move(ways).takeVertices();
+  std::vector<Edge> parts = std::move(ways).takeEdges();
+  Edge& whole = parts[place.edge.index()];
+  const double rest = whole.path.length - place.along;
+  const VertexId end = place.along <= rest ? whole.source : whole.target;
+  if (std::min(place.along, rest) < kSamePlace) {
+    vertices[end.index()].kind = VertexKind::room;
+    return {std::move(vertices), std::move(parts)};
+  }
+  Edge second{VertexId(vertices.size()), whole.target,
+              piece(whole.path, place.along, whole.path.length), whole.room};
+  vertices.push_back({placeOn(whole.path, place.along), clearanceAt(whole.path, place.along),
+                      VertexKind::room, whole.room});
+  whole.path = piece(whole.path, 0, place.along);
+  whole.target = second.source;
+  parts.push_back(std::move(second));
+  return {std::move(vertices), std::move(parts)};
+}
+
+}  // namespace roomgraph
