@@ -4,6 +4,7 @@
 #include "HelpFormatter.h"
 #include "archive_command.h"
 #include "carry_command.h"
+#include "check_command.h"
 #include "collect_command.h"
 #include "compare_command.h"
 #include "config_command.h"
@@ -37,6 +38,8 @@ constexpr Command kCommands[] = {
     {"where", "Tell in which room or corridor a place of a map is.", whereCommand},
     {"compare", "Rank several maps of one site, and tell how far off each of them is.",
      compareCommand},
+    {"check", "Tell of runs, each by itself, how far they are from agreeing with themselves.",
+     checkCommand},
     {"repair", "Put the key frames of runs where all runs of a site together have them.",
      repairCommand},
     {"merge", "Make one map of a site from several runs.", mergeCommand},

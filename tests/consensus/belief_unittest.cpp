@@ -1,4 +1,4 @@
-#include "belief.h"
+#include "roomgraph/consensus/belief.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "RandomNumbers.h"
-#include "belief.h"
 #include "drawn_pose_graph.h"
 #include "edge_cost.h"
+#include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 namespace {

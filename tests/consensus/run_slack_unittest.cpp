@@ -1,4 +1,4 @@
-#include "run_slack.h"
+#include "roomgraph/consensus/run_slack.h"
 
 #include <gtest/gtest.h>
 

@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "belief.h"
 #include "coarse_graph.h"
 #include "fitted_consensus.h"
 #include "move_stretches.h"
+#include "roomgraph/consensus/belief.h"
+#include "roomgraph/consensus/run_slack.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
-#include "run_slack.h"
 #include "start_poses.h"
 #include "whole_poses.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "belief.h"
 #include "edge_cost.h"
+#include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 namespace {

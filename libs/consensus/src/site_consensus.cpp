@@ -5,11 +5,11 @@
 #include <set>
 #include <utility>
 
-#include "belief.h"
 #include "lost_scans.h"
 #include "match_runs.h"
 #include "roomgraph/consensus/add_run_nodes.h"
 #include "roomgraph/consensus/add_to_consensus.h"
+#include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/find_consensus.h"
 
 namespace roomgraph {

@@ -1,6 +1,6 @@
 #include "whole_poses.h"
 
-#include "belief.h"
+#include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 namespace {

@@ -153,18 +153,6 @@ Json gateJson(const std::optional<GateVerdict>& gate) {
           {"margins", gate->margins}};
 }
 
-/** A list with one entry per line. */
-template <class Things, class ToJson>
-std::string lines(const char* name, const Things& things, const ToJson& toJson) {
-  std::string text = std::string("\"") + name + "\": [";
-  const char* separator = "\n";
-  for (const auto& thing : things) {
-    text += separator + lineOf(toJson(thing));
-    separator = ",\n";
-  }
-  return text + (things.empty() ? "],\n" : "\n],\n");
-}
-
 /** What comparisonText says of a run that has a score. */
 std::string scoreText(const RunScore& score, const std::string& coverage) {
   return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", score.score, score.low,

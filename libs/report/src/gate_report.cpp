@@ -74,10 +74,7 @@ std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) 
          " | " + figures + " | " + verdict + " |\n";
 }
 
-}  // namespace
-
-std::string gateJunit(const Comparison& comparison) {
-  const std::vector<JudgedRun> runs = judgedRuns(comparison);
+std::string junitOf(const std::vector<JudgedRun>& runs) {
   const auto failures = std::count_if(runs.begin(), runs.end(),
                                       [](const JudgedRun& run) { return !run.complaints.empty(); });
   const std::string counts =
@@ -93,6 +90,30 @@ std::string gateJunit(const Comparison& comparison) {
           ">\n   <failure message=\"" + xmlText(joined(run.complaints)) + "\"/>\n  </testcase>\n";
   }
   return text + " </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace
+
+std::string gateJunit(const Comparison& comparison) { return junitOf(judgedRuns(comparison)); }
+
+std::string gateJunit(const std::vector<RunCheck>& checks) {
+  std::vector<JudgedRun> runs;
+  for (const RunCheck& check : checks) runs.push_back({check.name, check.complaints});
+  return junitOf(runs);
+}
+
+std::string gateMarkdown(const std::vector<RunCheck>& checks) {
+  std::string text =
+      "| run | self error [m] | seen twice | breaks | gate |\n|---|---|---|---|---|\n";
+  for (const RunCheck& check : checks)
+    text += "| " + markdownText(check.name) + " | " +
+            (check.selfError ? formatted("%.3f", *check.selfError) : "-") +
+            formatted(" | %.0f %% | ", 100 * check.seenTwice) +
+            std::to_string(check.breaks.size()) + " | " +
+            (check.complaints.empty() ? "passes"
+                                      : "**" + markdownText(joined(check.complaints)) + "**") +
+            " |\n";
+  return text;
 }
 
 std::string gateMarkdown(const Comparison& comparison) {

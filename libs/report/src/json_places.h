@@ -1,4 +1,7 @@
 #pragma once
+#include <string>
+#include <vector>
+
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/rounded.h"
 #include "roomgraph/ledger/SiteRoom.h"
@@ -23,6 +26,18 @@ inline Json doorJson(const SiteDoor& door) {
           {"y", rounded(door.place.y)},
           {"width", rounded(door.width)},
           {"to", door.to.empty() ? Json(nullptr) : Json(door.to)}};
+}
+
+/** A list with one entry per line. */
+template <class Things, class ToJson>
+std::string lines(const char* name, const Things& things, const ToJson& toJson) {
+  std::string text = std::string("\"") + name + "\": [";
+  const char* separator = "\n";
+  for (const auto& thing : things) {
+    text += separator + lineOf(toJson(thing));
+    separator = ",\n";
+  }
+  return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
 }  // namespace roomgraph

@@ -1,6 +1,8 @@
 #pragma once
 #include <string>
+#include <vector>
 
+#include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
 
 namespace roomgraph {
@@ -17,5 +19,9 @@ std::string gateJunit(const Comparison& comparison);
 
 /** A Markdown page, as GitHub shows it below a job: the verdicts, and a table of the runs. */
 std::string gateMarkdown(const Comparison& comparison);
+
+/** The same of runs that were checked each by itself. */
+std::string gateJunit(const std::vector<RunCheck>& checks);
+std::string gateMarkdown(const std::vector<RunCheck>& checks);
 
 }  // namespace roomgraph

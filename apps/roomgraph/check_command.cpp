@@ -1,0 +1,128 @@
+#include "check_command.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "Command.h"
+#include "error_line.h"
+#include "note_lines.h"
+#include "option_arguments.h"
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/write_file.h"
+#include "roomgraph/check/check_gate.h"
+#include "roomgraph/check/check_run.h"
+#include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/page/check_page.h"
+#include "roomgraph/report/gate_report.h"
+#include "roomgraph/report/run_check_json.h"
+#include "run_in_order.h"
+
+namespace roomgraph {
+namespace {
+
+struct CheckArguments {
+  std::vector<std::string> files;
+  OptionArguments options;
+  std::string folder;
+  CheckGateOptions gate;
+  std::vector<std::string> failOn;
+  std::string junit, summary;  ///< files; empty for none
+  RunningArguments running;
+};
+
+void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
+  app.add_option("--fail-above", arguments.gate.maxError,
+                 "Exit with 3 if a run has a self error above this [m], or none.")
+      ->type_name("M")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--fail-on", arguments.failOn,
+                 "Exit with 3 on this: 'broken' (a run has a break).")
+      ->type_name("LIST")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember({"broken"}));
+  app.add_option("--junit", arguments.junit,
+                 "Also write the verdict of the gate as JUnit XML, for CI systems.")
+      ->type_name("FILE");
+  app.add_option("--summary", arguments.summary,
+                 "Also write a table of the runs, with the verdict of the gate, as Markdown.")
+      ->type_name("FILE");
+}
+
+/** Checks one run, and writes what it tells of itself. */
+JobReport checkFile(const std::string& file, const CheckArguments& arguments,
+                    std::optional<RunCheck>& check) {
+  JobReport report;
+  try {
+    CompareMapsOptions options = toCompareOptions(arguments.options);
+    std::vector<MapNote> notes;
+    options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
+    options.onNote = [&](const std::string& noted, const Note& note) {
+      notes.push_back({noted, note});
+    };
+    const Run run = readRuns({file}, options).runs.front();
+    if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
+    check = checkRun(run);
+    check->complaints = complaintsOf(*check, arguments.gate);
+    StagedFiles files;
+    files.add(outputFile(arguments.folder, file, "check.json"), runCheckJson(*check));
+    files.add(outputFile(arguments.folder, file, "check.html"), checkPage(*check, run));
+    files.commit();
+    if (!arguments.running.isQuiet) report.out = runCheckText(*check);
+    for (const std::string& complaint : check->complaints)
+      report.err += errorLine(check->name + ": " + complaint);
+  } catch (...) {
+    const Failure failure = currentFailure(file);
+    report.err += failure.line, report.exitCode = failure.exitCode;
+  }
+  return report;
+}
+
+int run(CheckArguments arguments) {
+  if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
+    throw UsageError("--fail-above: nan is not a length: give one in metres");
+  arguments.gate.failsOnBreaks = !arguments.failOn.empty();
+  checkOutputNames(arguments.files, arguments.folder, {"check.json", "check.html"});
+  makeWritableFolder(arguments.folder);
+  std::vector<std::optional<RunCheck>> found(arguments.files.size());
+  JobList jobs;
+  jobs.count = arguments.files.size();
+  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
+    JobReport report = checkFile(arguments.files[index], arguments, found[index]);
+    stepDone();
+    return report;
+  };
+  const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
+  std::vector<RunCheck> checks;
+  for (std::optional<RunCheck>& check : found)
+    if (check) checks.push_back(std::move(*check));
+  if (!arguments.junit.empty()) writeFileAtomically(arguments.junit, gateJunit(checks));
+  if (!arguments.summary.empty()) writeFileAtomically(arguments.summary, gateMarkdown(checks));
+  const bool fails = std::any_of(checks.begin(), checks.end(),
+                                 [](const RunCheck& check) { return !check.complaints.empty(); });
+  return fails ? kGateFailed : exitCode;
+}
+
+}  // namespace
+
+std::function<int()> checkCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<CheckArguments>();
+  app.add_option(
+         "RUN", arguments->files,
+         "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
+         "maps nothing can be told.")
+      ->type_name("")
+      ->required();
+  declareOutput(arguments->folder, "X.check.json and X.check.html", app);
+  declareCheckGate(*arguments, app);
+  declareConfig(arguments->options, app);
+  declareReading(arguments->options, app);
+  declareRunning(arguments->running, "runs", "every note on a map", app);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/align/scan_walls.h"
+
+namespace roomgraph {
+
+/** The walls of a scan as the robot saw them: what its run has made of its pose is left out. */
+struct LocalScan {
+  std::vector<WallPoint> walls;  ///< [m, robot frame], in the order of the beams
+  std::optional<double> time;    ///< [s]
+
+  /** Whether it shows enough to be looked for. */
+  bool isTelling() const { return walls.size() >= 20; }
+};
+
+/** Of each scan. O(walls). */
+inline std::vector<LocalScan> localScans(const std::vector<ScanWalls>& scans) {
+  std::vector<LocalScan> local(scans.size());
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    local[k].time = scans[k].time;
+    const Motion2D back(scans[k].pose.inverse());
+    for (const WallPoint& wall : scans[k].walls)
+      local[k].walls.push_back({back(wall.place), back.turned(wall.normal)});
+  }
+  return local;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/check/scan_map.h"
+
+namespace roomgraph {
+
+// Ours; the search over all poses in a window after Olson (2009), "correlative scan matching"
+// In:   a scan, and the map that other scans have drawn
+// Out:  where it lies there
+// Next: mendSteps, findRevisits
+
+/** How well a scan fits into a map at a pose. */
+struct ScanFit {
+  Transform2D pose;    ///< map <- robot
+  double quality = 0;  ///< share of its walls found, of those whose place the map knows; 0 to 1
+  /** How much speaks for the pose: walls found, less half of those that should have been. */
+  double score = 0;
+  double known = 0;  ///< share of its walls whose place the map knows, 0 to 1
+  /** How firmly the walls hold it in the direction in which they do least: 0 for a corridor without
+   *  an end, 0.5 for walls that face all ways. */
+  double hold = 0;
+};
+
+/** The fit at a pose as it is. O(walls). */
+ScanFit fitAt(const LocalScan& scan, const WallMap& in, const Transform2D& pose);
+
+/** The fit at the pose that a few steps from `start` come to. O(walls). */
+ScanFit fitNear(const LocalScan& scan, const WallMap& in, const Transform2D& start);
+
+/** The best fits with poses within a window around `around`, the best first, each not kSameAnswer
+ *  to a better one, at most `count`. O(poses in the window * some walls). */
+std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Transform2D& around,
+                              const PoseTolerance& window, std::size_t count);
+
+}  // namespace roomgraph

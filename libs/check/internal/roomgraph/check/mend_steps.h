@@ -1,0 +1,34 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "roomgraph/check/find_scan.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and where the run has drawn them
+// Out:  MendedSteps
+// Next: findRevisits
+
+/** What a scan and those before it, which see the same walls, say of the step between them. */
+enum class StepEvidence {
+  none,         ///< too little is seen by both
+  agrees,       ///< the scan fits where it was drawn
+  contradicts,  ///< it fits better elsewhere, and only there
+  lost          ///< it does not fit where it was drawn, and elsewhere in no place or in several
+};
+
+/** A run whose steps are as its own scans have them. */
+struct MendedSteps {
+  std::vector<Transform2D> poses;      ///< of each scan; as drawn up to the first contradiction
+  std::vector<StepEvidence> evidence;  ///< of the step to each scan; none for the first
+};
+
+/** Fits each scan into the map of the few before it: where it was drawn and, where it does not fit
+ *  there, at any turn about the place where the robot has just been. A scan that fits about as well
+ *  where it was drawn is left there, so a corridor on which it may slide contradicts nothing.
+ *  Deterministic. O(scans * (cells around a few scans)). */
+MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn);
+
+}  // namespace roomgraph

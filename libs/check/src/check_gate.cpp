@@ -1,0 +1,19 @@
+#include "roomgraph/check/check_gate.h"
+
+#include "roomgraph/base/sentence_text.h"
+
+namespace roomgraph {
+
+std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOptions& options) {
+  std::vector<std::string> complaints;
+  if (options.maxError && !check.selfError)
+    complaints.push_back(check.sentence);
+  else if (options.maxError && *check.selfError > *options.maxError)
+    complaints.push_back(
+        formatted("its self error of %.3f m is above %g m", *check.selfError, *options.maxError));
+  if (options.failsOnBreaks && !check.breaks.empty())
+    complaints.push_back("it is torn in " + counted(check.breaks.size(), "place", "places"));
+  return complaints;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,99 @@
+#include "roomgraph/check/check_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/mend_steps.h"
+#include "roomgraph/consensus/map_errors.h"
+#include "self_consensus.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kTellsTurn = 0.08, kTellsShift = 0.38;  // from which on a step is a break
+
+constexpr std::size_t kSeenBeside = 2;  // scans
+
+std::vector<Transform2D> drawnPoses(const Run& run) {
+  std::vector<Transform2D> poses;
+  for (const ScanWalls& scan : run.scans) poses.push_back(scan.pose);
+  return poses;
+}
+
+std::vector<MapBreak> breaksOf(const Run& run, const std::vector<Transform2D>& agreed) {
+  std::vector<MapBreak> breaks;
+  for (std::size_t k = 1; k < agreed.size(); ++k) {
+    const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
+    const Transform2D right = agreed[k - 1].inverse() * agreed[k];
+    const double turn = wrappedAngle(step.phi - right.phi);
+    const double shift = distance(step.shift(), right.shift());
+    if (std::abs(turn) < kTellsTurn && shift < kTellsShift) continue;
+    MapBreak tear;
+    tear.run = run.name;
+    tear.place = run.scans[k - 1].at();
+    tear.rotation = turn, tear.shift = shift;
+    tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
+    tear.torn = TornPose{run.scans[k].pose, run.scans[k - 1].pose * right};
+    breaks.push_back(tear);
+  }
+  std::stable_sort(breaks.begin(), breaks.end(),
+                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  return breaks;
+}
+
+/** Whether a scan was found again, or one of those beside it, which see the same walls. */
+bool isSeenBeside(const std::vector<bool>& isSeen, std::size_t k) {
+  const auto first = isSeen.begin() + std::ptrdiff_t(k - std::min(k, kSeenBeside));
+  const auto end = isSeen.begin() + std::ptrdiff_t(std::min(isSeen.size(), k + kSeenBeside + 1));
+  return std::find(first, end, true) != end;
+}
+
+/** The share of the path that lies at scans that were seen twice. */
+double shareOfPath(const std::vector<CheckedPose>& path) {
+  double seen = 0, all = 0;
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    const double way = distance(path[k - 1].pose.shift(), path[k].pose.shift());
+    all += way;
+    if (path[k].isSeenTwice) seen += way;
+  }
+  return all > 0 ? seen / all : 0;
+}
+
+std::string sentenceOf(const RunCheck& check) {
+  const double percent = 100 * check.seenTwice;
+  if (!check.selfError)
+    return formatted("cannot tell: %.0f %% of its path was seen twice", percent);
+  return formatted(
+      "agrees with itself within %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was "
+      "driven once, and nothing is known of slow bends there",
+      *check.selfError, percent, 100 - percent);
+}
+
+}  // namespace
+
+RunCheck checkRun(const Run& run) {
+  RunCheck check;
+  check.name = run.name, check.file = run.file, check.sha256 = run.sha256;
+  if (run.scans.empty()) {
+    check.sentence = "cannot tell: it has no scans";
+    return check;
+  }
+  const std::vector<LocalScan> scans = localScans(run.scans);
+  const MendedSteps mended = mendSteps(scans, drawnPoses(run));
+  const SelfConsensus agreed = selfConsensus(run, scans, mended);
+  for (std::size_t k = 0; k < run.scans.size(); ++k)
+    check.path.push_back({run.scans[k].keyFrame, run.scans[k].time, run.scans[k].pose,
+                          agreed.poses[k], agreed.error.errors[k],
+                          isSeenBeside(agreed.error.isSeen, k)});
+  check.seenTwice = shareOfPath(check.path);
+  check.breaks = breaksOf(run, agreed.poses);
+  if (check.seenTwice > 0.1 || !check.breaks.empty()) {
+    check.selfError = agreed.error.error;
+    check.low = agreed.error.low, check.high = agreed.error.high;
+  }
+  check.sentence = sentenceOf(check);
+  return check;
+}
+
+}  // namespace roomgraph

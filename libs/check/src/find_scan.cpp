@@ -1,0 +1,120 @@
+#include "roomgraph/check/find_scan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr NarrowingBand kScanBand{0.6, 0.15, 7};
+constexpr double kHalfFound = 0.1;  // a wall this far from another counts half [m]
+constexpr double kRoughNear = 0.3;  // the same in the search
+constexpr std::size_t kRoughWalls = 30;
+constexpr double kLeastRough = 0.3;     // quality of a pose that is worth a closer look
+constexpr std::size_t kFirstLook = 10;  // walls that tell most poses apart
+constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
+constexpr double kStep = 0.3;           // of the search [m]
+constexpr double kTurnStep = 0.05;      // [rad]
+constexpr std::size_t kTries = 6;       // poses of the search that are looked at closely
+
+/** The share of walls found, of a part of them and in the rough. */
+double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
+                    const Transform2D& pose) {
+  const Motion2D forth(pose);
+  double sum = 0, known = 0;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (i == kFirstLook && sum < kLeastRough / 2 * double(kFirstLook)) return 0;
+    const WallPoint& point = walls[i];
+    const Point at = forth(point.place);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (!hasSeen(in, cell)) continue;
+    ++known;
+    if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
+      sum += 1 / (1 + squaredNorm(wall->place - at) / (kRoughNear * kRoughNear));
+  }
+  return known * 3 > double(walls.size()) ? sum / (known + kDoubt / 3) : 0;
+}
+
+std::vector<WallPoint> someOf(const std::vector<WallPoint>& walls) {
+  std::vector<WallPoint> some;
+  const std::size_t stride = std::max<std::size_t>(1, walls.size() / kRoughWalls);
+  for (std::size_t third = 0; third < 3; ++third)  // so that the first ones are spread
+    for (std::size_t i = stride * third; i < walls.size(); i += 3 * stride)
+      some.push_back(walls[i]);
+  return some;
+}
+
+}  // namespace
+
+ScanFit fitAt(const LocalScan& scan, const WallMap& in, const Transform2D& pose) {
+  const Motion2D forth(pose);
+  double sum = 0, known = 0, xx = 0, xy = 0, yy = 0;
+  for (const WallPoint& point : scan.walls) {
+    const Point at = forth(point.place);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (!hasSeen(in, cell)) continue;
+    ++known;
+    const Point normal = forth.turned(point.normal);
+    const WallPoint* wall = nearestWall(in, cell, normal);
+    if (!wall) continue;
+    const double found = 1 / (1 + squaredNorm(wall->place - at) / (kHalfFound * kHalfFound));
+    sum += found;
+    xx += found * normal.x * normal.x, xy += found * normal.x * normal.y;
+    yy += found * normal.y * normal.y;
+  }
+  ScanFit fit{pose, 0, 0, 0, 0};
+  if (known <= 0) return fit;
+  fit.quality = sum / (known + kDoubt);
+  fit.score = sum - 0.5 * known;
+  fit.known = known / double(scan.walls.size());
+  const double trace = xx + yy;
+  if (trace > 0) fit.hold = 0.5 - std::hypot((xx - yy) / 2, xy) / trace;
+  return fit;
+}
+
+ScanFit fitNear(const LocalScan& scan, const WallMap& in, const Transform2D& start) {
+  return fitAt(scan, in, fittedPose(start, {}, kScanBand, [&](WallFit& fit, int) {
+                 for (const WallPoint& wall : scan.walls) fit.add(wall, in);
+               }));
+}
+
+std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Transform2D& around,
+                              const PoseTolerance& window, std::size_t count) {
+  const std::vector<WallPoint> some = someOf(scan.walls);
+  std::vector<std::pair<double, Transform2D>> tries;
+  const int turns = int(std::ceil(std::min(window.turn, M_PI) / kTurnStep));
+  const int steps = int(std::ceil(window.place / kStep));
+  for (int t = -turns; t <= turns; ++t)
+    for (int x = -steps; x <= steps; ++x)
+      for (int y = -steps; y <= steps; ++y) {
+        const Transform2D pose{around.x + x * kStep, around.y + y * kStep,
+                               wrappedAngle(around.phi + t * kTurnStep)};
+        const double quality = roughQuality(some, in, pose);
+        if (quality > kLeastRough) tries.emplace_back(quality, pose);
+      }
+  const std::size_t wanted = std::min(tries.size(), 30 * kTries);
+  std::partial_sort(tries.begin(), tries.begin() + std::ptrdiff_t(wanted), tries.end(),
+                    [](const auto& l, const auto& r) { return l.first > r.first; });
+  std::vector<Transform2D> starts;
+  for (std::size_t i = 0; i < wanted && starts.size() < kTries; ++i)
+    if (std::none_of(starts.begin(), starts.end(), [&](const Transform2D& known) {
+          return areNear(known, tries[i].second, {}, kSameScanStart);
+        }))
+      starts.push_back(tries[i].second);
+  std::vector<ScanFit> fits;
+  for (const Transform2D& start : starts) fits.push_back(fitNear(scan, in, start));
+  std::stable_sort(fits.begin(), fits.end(),
+                   [](const ScanFit& l, const ScanFit& r) { return l.quality > r.quality; });
+  std::vector<ScanFit> best;
+  for (const ScanFit& fit : fits)
+    if (best.size() < count && std::none_of(best.begin(), best.end(), [&](const ScanFit& known) {
+          return areNear(known.pose, fit.pose, {}, kSameScanAnswer);
+        }))
+      best.push_back(fit);
+  return best;
+}
+
+}  // namespace roomgraph

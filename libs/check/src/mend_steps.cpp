@@ -1,0 +1,210 @@
+#include "roomgraph/check/mend_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "roomgraph/base/statistics.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next is looked for
+constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
+constexpr std::size_t kOneMap = 3;       // scans for which one map of those ahead will do
+constexpr std::size_t kTogether = 3;     // scans that are looked for as one
+constexpr double kFitsWell = 0.6;        // share of its walls from which on a scan fits
+constexpr PoseTolerance kAsDrawn{0.05, 0.2};
+constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
+
+/** Whether a step by which the scans fit so much better is wrong as it was drawn. */
+struct Contradiction {
+  double mostAsDrawn, leastElsewhere, leastGain;
+
+  bool holds(const ScanFit& drawn, const ScanFit& found) const {
+    return drawn.quality < mostAsDrawn && found.quality > leastElsewhere &&
+           found.score - drawn.score > leastGain;
+  }
+};
+constexpr Contradiction kSlip{0.45, 0.52, 15}, kTear{0.15, 0.4, 40};
+constexpr double kUnusual = 6;         // walls that an unusual step costs
+constexpr double kUnlikeOthers = 1.2;  // times the score of the next best answer, of a slip
+
+/** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
+struct Gait {
+  double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
+  PoseTolerance longest;     ///< no step is longer
+  double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
+
+  Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses) {
+    std::vector<double> ways{0}, turns{0}, speeds{0};
+    for (std::size_t k = 1; k < poses.size(); ++k) {
+      const Transform2D step = poses[k - 1].inverse() * poses[k];
+      ways.push_back(norm(step.shift()));
+      turns.push_back(std::abs(step.phi));
+      if (const double time = secondsTo(scans, k)) speeds.push_back(ways.back() / time);
+    }
+    way = median(ways), turn = quantile(turns, 0.9) + 0.2;
+    longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
+    speed = 1.3 * quantile(speeds, 0.98);
+  }
+
+  /** From the scan before; 0 where that is not known. */
+  static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k) {
+    if (!scans[k].time || !scans[k - 1].time) return 0;
+    return std::max(0.0, *scans[k].time - *scans[k - 1].time);
+  }
+
+  bool isPossible(const Transform2D& step, double seconds) const {
+    return norm(step.shift()) < std::max(longest.place, seconds * speed) &&
+           std::abs(step.phi) < longest.turn;
+  }
+
+  /** What an unusual step costs, in walls: a robot that stands still, or turns round. */
+  double costOf(const Transform2D& step) const {
+    const double length = std::min(2.0, std::abs(norm(step.shift()) - way) / std::max(0.1, way));
+    const double bend = std::min(2.0, std::abs(step.phi) / turn);
+    return kUnusual * (length * length + bend * bend);
+  }
+};
+
+class Mender {
+ public:
+  Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn)
+      : scans_(scans), drawn_(drawn), gait_(scans, drawn) {}
+
+  MendedSteps mended() {
+    result_.poses = drawn_;
+    result_.evidence.assign(drawn_.size(), StepEvidence::none);
+    for (std::size_t k = 1; k < drawn_.size(); ++k) mend(k);
+    return std::move(result_);
+  }
+
+ private:
+  Transform2D step(std::size_t from, std::size_t to) const {
+    return drawn_[from].inverse() * drawn_[to];
+  }
+
+  /** Of the walls that count [m]. */
+  double range() const { return 10 + 2 * gait_.longest.place; }
+
+  bool isPossible(std::size_t k, const Transform2D& by) const {
+    return gait_.isPossible(by, Gait::secondsTo(scans_, k));
+  }
+
+  void mend(std::size_t k) {
+    // As drawn to the last bit, up to the first contradiction.
+    result_.poses[k] = isMended_ ? result_.poses[k - 1] * step(k - 1, k) : drawn_[k];
+    if (!scans_[k].isTelling()) return;
+    if (ahead_.walls.empty() || k >= aheadOf_ + kOneMap) drawAhead(k);
+    if (ahead_.walls.empty()) return;
+    const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
+    if (fit.quality >= kFitsWell) {
+      result_.evidence[k] = StepEvidence::agrees;
+      return;
+    }
+    if (aheadOf_ != k) drawAhead(k);
+    result_.evidence[k] = judge(k);
+  }
+
+  void drawAhead(std::size_t k) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = k; i-- > 0 && chosen.size() < kScansAhead;)
+      if (scans_[i].isTelling()) chosen.push_back(i);
+    ahead_ = scanMap(scans_, result_.poses, chosen, range());
+    aheadOf_ = k;
+  }
+
+  /** Where it was drawn, up to what scans are off by; as it is where the fit leads elsewhere. */
+  static ScanFit asDrawn(const LocalScan& scan, const WallMap& in, const Transform2D& drawn) {
+    const ScanFit fit = fitNear(scan, in, drawn);
+    return areNear(fit.pose, drawn, {}, kAsDrawn) ? fit : fitAt(scan, in, drawn);
+  }
+
+  /** Some scans as one, in the frame of `poses`. */
+  LocalScan together(std::size_t first, std::size_t end,
+                     const std::vector<Transform2D>& poses) const {
+    LocalScan all;
+    for (std::size_t i = first; i < end; ++i) {
+      const Motion2D forth(poses[i]);
+      for (const WallPoint& wall : scans_[i].walls)
+        if (norm(wall.place) < range())
+          all.walls.push_back({forth(wall.place), forth.turned(wall.normal)});
+    }
+    return all;
+  }
+
+  StepEvidence judge(std::size_t k) {
+    std::vector<Transform2D> fromHere(scans_.size());
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = k; i < std::min(k + kScansBehind, scans_.size()); ++i)
+      chosen.push_back(i), fromHere[i] = step(k, i);
+    const WallMap behind = scanMap(scans_, fromHere, chosen, range());
+    const LocalScan before = together(k - std::min(k, kTogether), k, result_.poses);
+    const LocalScan after = together(k, std::min(k + kTogether, scans_.size()), fromHere);
+    const auto weighed = [&](ScanFit fit) {
+      const ScanFit back = fitAt(before, behind, fit.pose.inverse());
+      const double known = std::max(1e-9, fit.known + back.known);
+      fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
+      fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
+      fit.known = known / 2;
+      return fit;
+    };
+    const ScanFit drawn = weighed(asDrawn(after, ahead_, result_.poses[k]));
+    const bool isPossibleAsDrawn = isPossible(k, step(k - 1, k));
+    if (isPossibleAsDrawn && drawn.quality >= kSlip.mostAsDrawn)
+      return drawn.quality >= 0.5 ? StepEvidence::agrees : StepEvidence::none;
+    const bool mayBeTorn = !isPossibleAsDrawn || drawn.quality < kTear.mostAsDrawn;
+    std::vector<ScanFit> found;
+    for (const ScanFit& fit : candidates(k, after, mayBeTorn)) found.push_back(weighed(fit));
+    return decide(k, drawn, found);
+  }
+
+  std::vector<ScanFit> candidates(std::size_t k, const LocalScan& after, bool mayBeTorn) const {
+    std::vector<ScanFit> found = findScan(after, ahead_, result_.poses[k], kSlipped, 2);
+    if (!mayBeTorn) return found;
+    for (const ScanFit& fit : findScan(after, ahead_, result_.poses[k - 1], gait_.longest, 4))
+      if (isPossible(k, result_.poses[k - 1].inverse() * fit.pose)) found.push_back(fit);
+    return found;
+  }
+
+  StepEvidence decide(std::size_t k, const ScanFit& drawn, const std::vector<ScanFit>& found) {
+    const bool isImpossible = !isPossible(k, step(k - 1, k)) && drawn.quality < kSlip.mostAsDrawn;
+    const auto best =
+        std::max_element(found.begin(), found.end(),
+                         [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+    if (best == found.end())
+      return isImpossible ? mendTo(k, result_.poses[k - 1]) : StepEvidence::none;
+    if (areNear(best->pose, result_.poses[k], {}, kAsDrawn)) return StepEvidence::none;
+    double second = 0;
+    for (const ScanFit& fit : found)
+      if (!areNear(fit.pose, best->pose, {}, kSameScanStart)) second = std::max(second, fit.score);
+    const bool isSlip = areNear(best->pose, result_.poses[k], {}, kSlipped) &&
+                        kSlip.holds(drawn, *best) && best->score > kUnlikeOthers * second;
+    if (isSlip || isImpossible || kTear.holds(drawn, *best)) return mendTo(k, best->pose);
+    const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
+    return isRefuted ? StepEvidence::lost : StepEvidence::none;
+  }
+
+  StepEvidence mendTo(std::size_t k, const Transform2D& pose) {
+    result_.poses[k] = pose;
+    isMended_ = true;
+    return StepEvidence::contradicts;
+  }
+
+  const std::vector<LocalScan>& scans_;
+  const std::vector<Transform2D>& drawn_;
+  Gait gait_;
+  MendedSteps result_;
+  bool isMended_ = false;
+  WallMap ahead_;
+  std::size_t aheadOf_ = 0;  // the first scan that is not in that map
+};
+
+}  // namespace
+
+MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn) {
+  return Mender(scans, drawn).mended();
+}
+
+}  // namespace roomgraph

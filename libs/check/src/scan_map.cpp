@@ -1,0 +1,104 @@
+#include "roomgraph/check/scan_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kMapCell = 0.1;   // [m]
+constexpr double kMapReach = 0.7;  // walls farther away are not looked for [m]
+constexpr double kNextWall = 0.6;  // between neighbouring walls of a scan [m]
+
+GridFrame frameAround(const std::vector<WallPoint>& walls, const std::vector<Point>& robots) {
+  Point low = robots.front(), high = low;
+  const auto include = [&](Point p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  };
+  for (const Point robot : robots) include(robot);
+  for (const WallPoint& wall : walls) include(wall.place);
+  GridFrame frame;
+  frame.resolution = kMapCell;
+  frame.origin = low - Point{kMapReach, kMapReach};
+  frame.width = int(std::ceil((high.x - low.x + 2 * kMapReach) / kMapCell));
+  frame.height = int(std::ceil((high.y - low.y + 2 * kMapReach) / kMapCell));
+  return frame;
+}
+
+/** Marks what a beam has crossed as free. */
+void clearBeam(WallMap& map, Point from, Point to) {
+  const double length = distance(from, to);
+  const int steps = int(length / map.frame.resolution);
+  for (int i = 0; i < steps; ++i) {
+    const std::size_t cell = cellIndexAt(map.frame, from + (double(i) / steps) * (to - from));
+    if (cell < map.states.size() && map.states[cell] == State::unknown)
+      map.states[cell] = State::free;
+  }
+}
+
+/** WallMap::nearest of a map with few walls: each wall is offered to the cells around it, where
+ *  addLookUp() goes through all cells. */
+void addNearest(WallMap& map) {
+  const int reach = int(map.reach / map.frame.resolution);
+  std::vector<std::uint32_t> nearest(map.frame.cellCount());
+  std::vector<float> best(map.frame.cellCount());
+  for (int octant = 0; octant < kOctants; ++octant) {
+    std::fill(nearest.begin(), nearest.end(), WallMap::kNoWall);
+    std::fill(best.begin(), best.end(), float(map.reach * map.reach));
+    const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
+    for (std::uint32_t w = 0; w < map.walls.size(); ++w) {
+      if (dot(map.walls[w].normal, axis) <= M_SQRT1_2) continue;
+      const Point place = map.walls[w].place;
+      const Cell at = map.frame.cellAt(place);
+      for (int y = at.y - reach; y <= at.y + reach; ++y)
+        for (int x = at.x - reach; x <= at.x + reach; ++x) {
+          const std::size_t cell = map.frame.index({x, y});
+          const auto off = float(squaredNorm(map.frame.center({x, y}) - place));
+          if (off < best[cell]) best[cell] = off, nearest[cell] = w;
+        }
+    }
+    map.nearest[std::size_t(octant)] = SparseIndices(nearest);
+  }
+}
+
+}  // namespace
+
+WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses,
+                const std::vector<std::size_t>& chosen, double range) {
+  WallMap map;
+  map.reach = kMapReach;
+  std::vector<Point> robots;
+  std::vector<std::size_t> ends;  // of the walls of each scan
+  for (const std::size_t k : chosen) {
+    const Motion2D forth(poses[k]);
+    for (const WallPoint& wall : scans[k].walls)
+      if (squaredNorm(wall.place) < range * range)
+        map.walls.push_back({forth(wall.place), forth.turned(wall.normal)});
+    robots.push_back(poses[k].shift());
+    ends.push_back(map.walls.size());
+  }
+  if (map.walls.empty()) return map;
+  map.frame = frameAround(map.walls, robots);
+  map.states.assign(map.frame.cellCount(), State::unknown);
+  for (const WallPoint& wall : map.walls)
+    map.states[cellIndexAt(map.frame, wall.place)] = State::occupied;
+  std::size_t w = 0;
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    for (; w < ends[i]; ++w) {
+      const Point here = map.walls[w].place;
+      clearBeam(map, robots[i], here);
+      if (w + 1 == ends[i]) continue;
+      const Point next = map.walls[w + 1].place;
+      const double gap = distance(here, next);
+      if (gap > kNextWall) continue;
+      for (double way = kMapCell; way < gap; way += kMapCell)
+        clearBeam(map, robots[i], here + (way / gap) * (next - here));
+    }
+  addNearest(map);
+  return map;
+}
+
+}  // namespace roomgraph

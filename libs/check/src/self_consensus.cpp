@@ -1,0 +1,63 @@
+#include "self_consensus.h"
+
+#include "roomgraph/check/find_revisits.h"
+#include "roomgraph/consensus/belief.h"
+#include "roomgraph/consensus/run_slack.h"
+#include "roomgraph/consensus/solve_pose_graph.h"
+
+namespace roomgraph {
+namespace {
+
+/** The run at other poses than it has. */
+PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
+                  const std::vector<Revisit>& revisits) {
+  PoseGraph graph;
+  const RunId id = graph.addRun(true);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const NodeId node = graph.addNode(poses[k], run.scans[k].ends, run.scans[k].axes);
+    if (k > 0) graph.addLink(NodeId(k - 1), node);
+  }
+  for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}, 0}, revisit);
+  return graph;
+}
+
+std::vector<Transform2D> solvedFrom(const PoseGraph& graph, const std::vector<Transform2D>& start,
+                                    StartIs startIs) {
+  GraphTrust trust{ById<RunId, double>(1, 1.0),
+                   ById<MatchGroupId, double>(graph.groups.size(), 1.0)};
+  NodePoses poses = solvePoseGraph(graph, trust, NodePoses(start), startIs).poses;
+  trust = {runSlack(graph, poses), beliefIn(graph, poses, kInlier)};
+  poses = solvePoseGraph(graph, trust, std::move(poses), StartIs::good).poses;
+  return {poses.begin(), poses.end()};
+}
+
+/** The error of the run as it was drawn, and what of it was seen twice. */
+MapError errorOf(const Run& run, const std::vector<Revisit>& revisits,
+                 const std::vector<Transform2D>& poses) {
+  std::vector<Transform2D> drawn;
+  for (const ScanWalls& scan : run.scans) drawn.push_back(scan.pose);
+  MapError error = mapError(graphAt(run, drawn, {}), RunId(0), NodePoses(poses), 1);
+  for (const Revisit& revisit : revisits)
+    for (const PoseEdge& edge : revisit)
+      error.isSeen[edge.from.index()] = error.isSeen[edge.to.index()] = true;
+  return error;
+}
+
+}  // namespace
+
+SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
+                            const MendedSteps& mended) {
+  SelfConsensus result;
+  result.poses = mended.poses;
+  std::vector<Revisit> revisits;
+  for (const StartIs startIs : {StartIs::rough, StartIs::good}) {
+    revisits = findRevisits(scans, result.poses);
+    result.poses = solvedFrom(graphAt(run, mended.poses, revisits), result.poses, startIs);
+  }
+  result.error = errorOf(run, revisits, result.poses);
+  const Transform2D back = result.error.pose.inverse();
+  for (Transform2D& pose : result.poses) pose = back * pose;
+  return result;
+}
+
+}  // namespace roomgraph

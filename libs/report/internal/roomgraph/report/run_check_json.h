@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/check/RunCheck.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   RunCheck
+// Out:  text of a file, and a line for people
+// Next: a file
+
+/** JSON of format "roomgraph/check", version 1; see the schema in share/roomgraph/schema. What
+ *  cannot be told is null. Numbers are rounded to 0.0001; metres, degrees, frame of the run. File
+ *  names without their folder. */
+std::string runCheckJson(const RunCheck& check);
+
+/** "name: what it tells of itself; its breaks", a line. */
+std::string runCheckText(const RunCheck& check);
+
+}  // namespace roomgraph

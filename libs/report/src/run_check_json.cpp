@@ -1,0 +1,61 @@
+#include "roomgraph/report/run_check_json.h"
+
+#include <cmath>
+
+#include "comparison_words.h"
+#include "json_places.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/version.h"
+
+namespace roomgraph {
+namespace {
+
+Json breakJson(const MapBreak& tear) {
+  return {{"key_frame", tear.keyFrame ? Json(*tear.keyFrame) : Json()},
+          {"time", tear.time ? Json(*tear.time) : Json()},
+          {"x", rounded(tear.place.x)},
+          {"y", rounded(tear.place.y)},
+          {"rotation_deg", rounded(tear.rotation * 180 / M_PI)},
+          {"shift_m", rounded(tear.shift)}};
+}
+
+Json poseJson(const CheckedPose& at) {
+  return {{"key_frame", at.keyFrame},         {"time", at.time ? Json(*at.time) : Json()},
+          {"x", rounded(at.pose.x)},          {"y", rounded(at.pose.y)},
+          {"phi", rounded(at.pose.phi)},      {"agreed_x", rounded(at.agreed.x)},
+          {"agreed_y", rounded(at.agreed.y)}, {"agreed_phi", rounded(at.agreed.phi)},
+          {"error_m", rounded(at.error)},     {"seen_twice", at.isSeenTwice}};
+}
+
+}  // namespace
+
+std::string runCheckJson(const RunCheck& check) {
+  const auto metres = [&](double value) {
+    return check.selfError ? Json(rounded(value)) : Json(nullptr);
+  };
+  std::string text = "{\n\"format\": \"roomgraph/check\",\n\"version\": 1,\n";
+  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
+  text += "\"name\": " + lineOf(Json(check.name)) + ",\n";
+  text += "\"file\": " + lineOf(Json(fileName(check.file))) + ",\n";
+  text += "\"sha256\": " + lineOf(Json(check.sha256)) + ",\n";
+  text += "\"self_error_m\": " + lineOf(metres(check.selfError.value_or(0))) + ",\n";
+  text += "\"self_error_low_m\": " + lineOf(metres(check.low)) + ",\n";
+  text += "\"self_error_high_m\": " + lineOf(metres(check.high)) + ",\n";
+  text += "\"seen_twice\": " + lineOf(Json(rounded(check.seenTwice))) + ",\n";
+  text += lines("breaks", check.breaks, breakJson);
+  text += lines("path", check.path, poseJson);
+  return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
+}
+
+std::string runCheckText(const RunCheck& check) {
+  std::string text = printable(check.name) + ": " + check.sentence;
+  if (!check.breaks.empty())
+    text += "; " + counted(check.breaks.size(), "break", "breaks") +
+            formatted(", the largest before key frame %zu (%.1f degrees, %.2f m)",
+                      *check.breaks.front().keyFrame, check.breaks.front().rotation * 180 / M_PI,
+                      check.breaks.front().shift);
+  return text + "\n";
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,35 @@
+# `roomgraph check` tells of each run by itself.
+. "$(dirname "$0")/common.sh"
+
+maps=$source_dir/share/roomgraph/maps
+expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz "$maps"/office_run2.simplemap.gz -o results
+[ "$(wc -l < out)" -eq 2 ] || { cat out; fail "not one line a run"; }
+python3 - results/office_run1.check.json <<'P'
+import json, sys
+check = json.load(open(sys.argv[1]))
+assert check["format"] == "roomgraph/check" and check["name"] == "office_run1", check
+assert 0 <= check["seen_twice"] <= 1 and check["path"][0]["key_frame"] == 0, check
+error = check["self_error_m"]
+assert error is None or check["self_error_low_m"] <= error <= check["self_error_high_m"], check
+P
+grep -q '<h1>office_run1</h1>' results/office_run1.check.html || fail "no page"
+
+# The same bytes each time, and on any number of threads.
+expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz "$maps"/office_run2.simplemap.gz -o again -q --threads 1
+[ ! -s out ] || fail "quiet is not quiet"
+diff -r results again || fail "another result"
+
+# A map without scans tells nothing, which is no error but for a gate.
+expect 0 "$roomgraph" check "$maps"/office.gridmap.gz -o grid
+grep -q 'cannot tell' out || fail "more is told of a grid than is known"
+expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-above 1 --junit grid.xml --summary grid.md
+grep -q 'failures="1"' grid.xml || fail "no failure in JUnit's file"
+grep -q 'cannot tell' grid.md || fail "no summary"
+
+# What cannot be read is one line, and the others are checked all the same.
+echo junk > junk.simplemap
+expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o mixed -q
+one_line err junk.simplemap
+[ -s mixed/office_run1.check.json ] || fail "the other run was not checked"
+expect 2 "$roomgraph" check
+expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms

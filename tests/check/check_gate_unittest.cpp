@@ -1,0 +1,32 @@
+#include "roomgraph/check/check_gate.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+TEST(CheckGate, whatIsNotAskedIsNoComplaint) {
+  RunCheck check;
+  check.selfError = 3, check.breaks.resize(2);
+  EXPECT_TRUE(complaintsOf(check, {}).empty());
+}
+
+TEST(CheckGate, errorsAndBreaksAreComplaints) {
+  RunCheck check;
+  check.selfError = 0.5, check.breaks.resize(2);
+  const auto complaints = complaintsOf(check, {0.3, true});
+  ASSERT_EQ(complaints.size(), 2u);
+  EXPECT_EQ(complaints[0], "its self error of 0.500 m is above 0.3 m");
+  EXPECT_EQ(complaints[1], "it is torn in 2 places");
+  EXPECT_TRUE(complaintsOf(check, {0.5, false}).empty());
+}
+
+TEST(CheckGate, whatCannotBeToldIsNotGoodEnough) {
+  RunCheck check;
+  check.sentence = "cannot tell: it has no scans";
+  EXPECT_EQ(complaintsOf(check, {0.3, false}), std::vector<std::string>{check.sentence});
+  EXPECT_TRUE(complaintsOf(check, {{}, true}).empty());
+}
+
+}  // namespace
+}  // namespace roomgraph

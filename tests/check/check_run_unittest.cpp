@@ -1,0 +1,56 @@
+#include "roomgraph/check/check_run.h"
+
+#include <gtest/gtest.h>
+
+#include "sample_drives.h"
+
+namespace roomgraph {
+namespace {
+
+RunCheck checked(const std::vector<Keyframe>& frames) { return checkRun(test::runOf(frames)); }
+
+TEST(CheckRun, aSoundRunAgreesWithItselfAndHasNoBreak) {
+  const RunCheck check = checked(test::driveForthAndBack());
+  ASSERT_TRUE(check.selfError);
+  EXPECT_LT(*check.selfError, 0.03);
+  EXPECT_TRUE(check.breaks.empty());
+  EXPECT_GT(check.seenTwice, 0.5);
+  EXPECT_NE(check.sentence.find("agrees with itself"), std::string::npos);
+}
+
+TEST(CheckRun, aTornRunIsToldBeforeItsFirstKeyFrameBehindTheTear) {
+  for (const double turn : {0.3, 1.6, -2.8}) {
+    const RunCheck check = checked(test::broken(test::driveForthAndBack(), 50, turn, {1, 2}));
+    ASSERT_EQ(check.breaks.size(), 1u) << turn;
+    EXPECT_EQ(check.breaks.front().keyFrame, 50u);
+    EXPECT_NEAR(wrappedAngle(check.breaks.front().rotation - turn), 0, 0.05);
+    ASSERT_TRUE(check.selfError);
+    EXPECT_LE(check.low, *check.selfError);
+    EXPECT_GE(check.high, *check.selfError);
+  }
+}
+
+TEST(CheckRun, ofWhatWasDrivenOnceNothingIsTold) {
+  const auto& once = test::driveOnce();
+  const RunCheck check = checked({once.begin(), once.begin() + 20});
+  EXPECT_FALSE(check.selfError);
+  EXPECT_TRUE(check.breaks.empty());
+  EXPECT_EQ(check.seenTwice, 0);
+  EXPECT_EQ(check.sentence.rfind("cannot tell", 0), 0u);
+}
+
+TEST(CheckRun, aRobotThatStandsStillTellsNothing) {
+  const std::vector<Keyframe> still(30, test::driveOnce().front());
+  const RunCheck check = checked(still);
+  EXPECT_FALSE(check.selfError);
+  EXPECT_TRUE(check.breaks.empty());
+}
+
+TEST(CheckRun, aRunWithoutScansTellsNothing) {
+  const RunCheck check = checkRun({});
+  EXPECT_FALSE(check.selfError);
+  EXPECT_NE(check.sentence.find("no scans"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace roomgraph

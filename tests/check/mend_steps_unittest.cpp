@@ -1,0 +1,62 @@
+#include "roomgraph/check/mend_steps.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample_drives.h"
+
+namespace roomgraph {
+namespace {
+
+MendedSteps mended(const std::vector<Keyframe>& frames) {
+  return mendSteps(localScans(test::runOf(frames).scans), test::posesOf(frames));
+}
+
+std::ptrdiff_t contradictions(const MendedSteps& steps) {
+  return std::count(steps.evidence.begin(), steps.evidence.end(), StepEvidence::contradicts);
+}
+
+TEST(MendSteps, aSoundDriveIsLeftAsItIs) {
+  const MendedSteps steps = mended(test::driveOnce());
+  EXPECT_EQ(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0);
+  EXPECT_EQ(contradictions(steps), 0);
+  EXPECT_GT(std::count(steps.evidence.begin(), steps.evidence.end(), StepEvidence::agrees), 30);
+}
+
+TEST(MendSteps, aTearIsMendedFromTheScansOnBothSidesOfIt) {
+  for (const double turn : {0.4, 2.2, M_PI, -1.3}) {
+    const auto torn = test::broken(test::driveOnce(), 18, turn, {2, -1});
+    const MendedSteps steps = mended(torn);
+    EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.15) << turn;
+    EXPECT_EQ(steps.evidence[18], StepEvidence::contradicts) << turn;
+    EXPECT_EQ(contradictions(steps), 1) << turn;
+  }
+}
+
+TEST(MendSteps, twoTearsAreMendedEachByItself) {
+  auto torn = test::broken(test::driveOnce(), 12, 0.8, {1, 1});
+  torn = test::broken(torn, 30, -0.5, {0, 2});
+  const MendedSteps steps = mended(torn);
+  EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.2);
+  EXPECT_EQ(contradictions(steps), 2);
+}
+
+TEST(MendSteps, theFrameChangesNothing) {
+  const auto torn = test::broken(test::driveOnce(), 18, 0.4, {2, -1});
+  const MendedSteps here = mended(torn), there = mended(test::moved(torn, {30, -8, 1.1}));
+  EXPECT_EQ(here.evidence, there.evidence);
+  EXPECT_LT(test::stepsApart(here.poses, there.poses), 0.05);
+}
+
+TEST(MendSteps, scansThatShowNothingTellNothing) {
+  std::vector<Keyframe> blind = test::driveOnce();
+  for (Keyframe& frame : blind) frame.ends.clear();
+  const MendedSteps steps = mended(blind);
+  EXPECT_EQ(std::count(steps.evidence.begin(), steps.evidence.end(), StepEvidence::none),
+            std::ptrdiff_t(blind.size()));
+  EXPECT_TRUE(mendSteps({}, {}).poses.empty());
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,57 @@
+#include "roomgraph/page/check_page.h"
+
+#include <gtest/gtest.h>
+
+namespace roomgraph {
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+Run twoScans() {
+  Run run;
+  run.scans.resize(2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    run.scans[k].keyFrame = k, run.scans[k].pose = {double(k), 0, 0};
+    run.scans[k].walls = {{{double(k) + 2, 1}, {0, -1}}};
+  }
+  run.map.walls = {{{2, 1}, {0, -1}}, {{3, 1}, {0, -1}}};
+  return run;
+}
+
+RunCheck torn() {
+  RunCheck check;
+  check.name = "a<b", check.sentence = "agrees with itself within 0.50 m", check.selfError = 0.5;
+  check.path = {{0, {}, {}, {}, 0, false}, {1, {}, {1, 0, 0}, {1, 0, 0}, 2, true}};
+  MapBreak tear;
+  tear.keyFrame = 1, tear.rotation = 0.5, tear.shift = 2;
+  tear.torn = TornPose{{1, 0, 0}, {1, 5, 0}};
+  check.breaks = {tear};
+  return check;
+}
+
+TEST(CheckPage, showsEachBreakAsDrawnAndAsItFits) {
+  const std::string page = checkPage(torn(), twoScans());
+  EXPECT_TRUE(has(page, "Break 1: before key frame 1, 28.6 degrees and 2.00 m"));
+  EXPECT_TRUE(has(page, "M3.00 -1.00h0"));  // the wall behind the break, as drawn
+  EXPECT_TRUE(has(page, "M3.00 -6.00h0"));  // and 5 m farther, as it fits
+  EXPECT_TRUE(has(page, "#b00020"));        // off by more than a metre
+}
+
+TEST(CheckPage, namesAreTextAndNothingElse) {
+  const std::string page = checkPage(torn(), twoScans());
+  EXPECT_TRUE(has(page, "<h1>a&lt;b</h1>"));
+  EXPECT_FALSE(has(page, "a<b"));
+}
+
+TEST(CheckPage, aRunOfWhichNothingIsKnownHasAPage) {
+  RunCheck check;
+  check.sentence = "cannot tell: it has no scans";
+  const std::string page = checkPage(check, {});
+  EXPECT_TRUE(has(page, "cannot tell"));
+  EXPECT_TRUE(has(page, "none is contradicted"));
+}
+
+}  // namespace
+}  // namespace roomgraph

@@ -1,0 +1,72 @@
+#include "roomgraph/report/run_check_json.h"
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <rapidjson/schema.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace roomgraph {
+namespace {
+
+RunCheck sample() {
+  RunCheck check;
+  check.name = "a", check.file = "there/a.simplemap", check.sha256 = std::string(64, '0');
+  check.selfError = 0.51234, check.low = 0.3, check.high = 0.7, check.seenTwice = 0.75;
+  MapBreak tear;
+  tear.run = "a", tear.place = {1, 2}, tear.rotation = M_PI / 4, tear.shift = -0.5;
+  tear.keyFrame = 17;
+  check.breaks = {tear};
+  check.path = {{0, std::nullopt, {}, {0.1, 0, 0}, 0.1, true},
+                {17, 12.5, {1, 2, 0.5}, {}, 1, false}};
+  check.sentence = "agrees with itself within 0.51 m";
+  return check;
+}
+
+TEST(RunCheckJson, holdsWhatWasTold) {
+  const auto json = nlohmann::json::parse(runCheckJson(sample()));
+  EXPECT_EQ(json["file"], "a.simplemap");
+  EXPECT_EQ(json["self_error_m"], 0.5123);
+  EXPECT_EQ(json["seen_twice"], 0.75);
+  EXPECT_EQ(json["breaks"][0]["key_frame"], 17);
+  EXPECT_EQ(json["breaks"][0]["rotation_deg"], 45);
+  EXPECT_TRUE(json["breaks"][0]["time"].is_null());
+  EXPECT_EQ(json["path"][1]["time"], 12.5);
+  EXPECT_EQ(json["path"].size(), 2u);
+}
+
+TEST(RunCheckJson, whatCannotBeToldIsNull) {
+  RunCheck check = sample();
+  check.selfError.reset();
+  const auto json = nlohmann::json::parse(runCheckJson(check));
+  for (const char* name : {"self_error_m", "self_error_low_m", "self_error_high_m"})
+    EXPECT_TRUE(json[name].is_null()) << name;
+}
+
+TEST(RunCheckJson, followsItsSchema) {
+  std::stringstream schemaFile;
+  schemaFile << std::ifstream(ROOMGRAPH_CHECK_SCHEMA).rdbuf();
+  rapidjson::Document schemaText, document;
+  schemaText.Parse(schemaFile.str().c_str());
+  ASSERT_FALSE(schemaText.HasParseError());
+  const rapidjson::SchemaDocument schema(schemaText);
+  RunCheck silent = sample();
+  silent.selfError.reset(), silent.breaks.clear(), silent.path.clear();
+  for (const RunCheck& check : {sample(), silent}) {
+    document.Parse(runCheckJson(check).c_str());
+    ASSERT_FALSE(document.HasParseError());
+    rapidjson::SchemaValidator validator(schema);
+    EXPECT_TRUE(document.Accept(validator)) << validator.GetInvalidSchemaKeyword();
+  }
+}
+
+TEST(RunCheckText, isOneLineWithTheLargestBreak) {
+  EXPECT_EQ(runCheckText(sample()),
+            "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17 "
+            "(45.0 degrees, -0.50 m)\n");
+}
+
+}  // namespace
+}  // namespace roomgraph
