@@ -42,12 +42,12 @@ void clearBeam(WallMap& map, Point from, Point to) {
 /** WallMap::nearest of a map with few walls: each wall is offered to the cells around it, where
  *  addLookUp() goes through all cells. */
 void addNearest(WallMap& map) {
-  const int reach = int(map.reach / map.frame.resolution);
+  const int reach = int(kMapReach / map.frame.resolution);
   std::vector<std::uint32_t> nearest(map.frame.cellCount());
   std::vector<float> best(map.frame.cellCount());
   for (int octant = 0; octant < kOctants; ++octant) {
     std::fill(nearest.begin(), nearest.end(), WallMap::kNoWall);
-    std::fill(best.begin(), best.end(), float(map.reach * map.reach));
+    std::fill(best.begin(), best.end(), float(kMapReach * kMapReach));
     const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
     for (std::uint32_t w = 0; w < map.walls.size(); ++w) {
       if (dot(map.walls[w].normal, axis) <= M_SQRT1_2) continue;
@@ -69,7 +69,6 @@ void addNearest(WallMap& map) {
 WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses,
                 const std::vector<std::size_t>& chosen, double range) {
   WallMap map;
-  map.reach = kMapReach;
   std::vector<Point> robots;
   std::vector<std::size_t> ends;  // of the walls of each scan
   for (const std::size_t k : chosen) {

@@ -11,11 +11,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kBeenThere = 5;      // the robot was at a place that it has passed this near [m]
-constexpr double kNearlyThere = 3;    // and looks at what is this near from close by [m]
-constexpr double kLeastError = 0.03;  // of the consensus where it is best [m]
-constexpr double kLargeError = 0.2;   // from which on a place is worth a look [m]
-constexpr double kMostDoubt = 0.05;   // share of the weight that has it elsewhere, for the same
+constexpr double kBeenThere = 5;        // the robot was at a place that it has passed this near [m]
+constexpr double kNearlyThere = 3;      // and looks at what is this near from close by [m]
+constexpr double kLeastCarried = 0.03;  // of the consensus where it is best [m]
+constexpr double kLargeError = 0.2;     // from which on a place is worth a look [m]
+constexpr double kMostDoubt = 0.05;     // share of the weight that has it elsewhere, for the same
 
 State stateAt(const WallMap& map, Point place) {
   const std::size_t cell = cellIndexAt(map.frame, place);
@@ -59,7 +59,8 @@ class Carrier {
       return carried;
     }
     carried.pose = route->onward.pose;
-    carried.error = std::hypot(kLeastError, std::hypot(route->there.spread, route->onward.spread));
+    carried.error =
+        std::hypot(kLeastCarried, std::hypot(route->there.spread, route->onward.spread));
     judge(place, *route, carried);
     return carried;
   }
