@@ -258,7 +258,7 @@ void ViewScene::hideRuns(const ViewState& state) {
 void ViewScene::write(const ViewState& state) {
   const auto viewport = scene_->getViewport();
   viewport->clearTextMessages();
-  mrpt::opengl::TFontParams font;
+  viz::TFontParams font;
   font.vfont_name = "sans", font.vfont_scale = 12;
   font.color = mrpt::img::TColorf(kText);
   font.draw_shadow = true, font.shadow_color = {1, 1, 1, 1};

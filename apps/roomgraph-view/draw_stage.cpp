@@ -15,7 +15,7 @@ constexpr mrpt::img::TColor kObstacles = mrptColour(ink::vermilion),
                             kVoronoi = mrptColour(ink::blue),
                             kPassages = mrptColour(ink::vermilion);
 
-viz::CSetOfObjects::Ptr setOf(const viz::CRenderizable::Ptr& object) {
+viz::CSetOfObjects::Ptr setOf(const MrptObject::Ptr& object) {
   auto set = viz::CSetOfObjects::Create();
   set->insert(object);
   return set;

@@ -1,11 +1,9 @@
 #include <gtest/gtest.h>
-#include <mrpt/maps/CColouredPointsMap.h>
-#include <mrpt/maps/CPointsMapXYZI.h>
-#include <mrpt/maps/CWeightedPointsMap.h>
 
 #include <cmath>
 
 #include "clouds.h"
+#include "point_maps.h"
 
 namespace roomgraph {
 namespace {
@@ -17,13 +15,7 @@ using test::pointsMapBytes;
 class ReadCloud : public test::Clouds {};
 
 TEST_F(ReadCloud, everyClassOfPointsGivesTheRoom) {
-  mrpt::maps::CSimplePointsMap simple;
-  mrpt::maps::CPointsMapXYZI intensity;
-  mrpt::maps::CColouredPointsMap coloured;
-  mrpt::maps::CWeightedPointsMap weighted;
-  const std::initializer_list<mrpt::maps::CPointsMap*> maps{&simple, &intensity, &coloured,
-                                                            &weighted};
-  for (mrpt::maps::CPointsMap* map : maps) {
+  for (const mrpt::maps::CPointsMap::Ptr& map : test::pointMaps()) {
     for (const auto& p : points_) map->insertPoint(p.x, p.y, p.z);
     SCOPED_TRACE(map->GetRuntimeClass()->className);
     expectRoom(load(inside(test::streamed(*map))));

@@ -1,8 +1,8 @@
 #pragma once
 
 // The only place that knows what changed between MRPT's versions: MRPT 3 moved the 3D objects from
-// mrpt::opengl to mrpt::viz and calls the scene Scene; a viewport's light has been colours,
-// numbers, and a list of lamps.
+// mrpt::opengl to mrpt::viz and calls the scene Scene and what is in it CVisualObject; a viewport's
+// light has been colours, numbers, and a list of lamps.
 
 #if __has_include(<mrpt/viz/Scene.h>)
 #include <mrpt/viz/CDisk.h>
@@ -17,6 +17,7 @@
 namespace roomgraph {
 namespace viz = mrpt::viz;
 using MrptScene = viz::Scene;
+using MrptObject = viz::CVisualObject;
 }  // namespace roomgraph
 #else
 #include <mrpt/opengl/CDisk.h>
@@ -31,6 +32,7 @@ using MrptScene = viz::Scene;
 namespace roomgraph {
 namespace viz = mrpt::opengl;
 using MrptScene = viz::COpenGLScene;
+using MrptObject = viz::CRenderizable;
 }  // namespace roomgraph
 #endif
 
