@@ -214,7 +214,7 @@ TEST(Extract, passesTheNotesOfTheMapOn) {
   EXPECT_EQ(stages.notes.front().code, "odd");
 }
 
-/** A hall of 24 x 14 m with a door below, and three shelves of 1 x 8 m with aisles of 4 to 5 m. */
+/** A hall of 24 x 13 m with a door below, and three shelves of 1 x 8 m with aisles of 5 to 6 m. */
 MapText warehouse() {
   MapText map = painted(240, 140, 0.1, {});
   const auto fill = [&](int left, int low, int width, int height, char cell) {
@@ -222,8 +222,8 @@ MapText warehouse() {
       for (int x = left; x < left + width; ++x) map.cells[std::size_t(y * 240 + x)] = cell;
   };
   for (const int left : {50, 110, 170}) fill(left, 45, 10, 80, '#');
-  fill(0, 20, 240, 2, '#');
-  fill(100, 20, 10, 2, '.');
+  fill(0, 6, 240, 2, '#');
+  fill(100, 6, 10, 2, '.');
   return map;
 }
 
