@@ -4,10 +4,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 
 #include "roomgraph/base/Error.h"
+
+/** The linker leads calls of fstat() here. */
+bool doesDiskFail = false;
+extern "C" int __real_fstat(int file, struct stat* status);
+extern "C" int __wrap_fstat(int file, struct stat* status) {
+  if (!doesDiskFail) return __real_fstat(file, status);
+  errno = EIO;
+  return -1;
+}
 
 namespace roomgraph {
 namespace {
@@ -77,6 +87,23 @@ TEST_F(InputFileTest, saysWhereAFileEndsEarly) {
   fs::resize_file(path("file"), 2);
   char all[5];
   EXPECT_THROW(file.read(0, all, 5), DataError);
+}
+
+TEST_F(InputFileTest, aDiskThatFailsIsNoDamage) {
+  const std::string name = "/proc/self/mem";  // whose first page nobody can read
+  char byte;
+  try {
+    InputFile(name, 100).read(0, &byte, 1);
+    FAIL();
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.what(), name +
+                                ": cannot be read (Input/output error): check the disk or the "
+                                "network that it is on");
+  }
+  doesDiskFail = true;
+  const std::string text = refusal(written("file", "bytes"));
+  doesDiskFail = false;
+  EXPECT_NE(text.find("cannot be looked at (Input/output error)"), std::string::npos) << text;
 }
 
 }  // namespace

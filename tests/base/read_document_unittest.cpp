@@ -33,8 +33,11 @@ TEST(ReadDocument, namesFilePlaceProblemAndRemedy) {
 }
 
 TEST(ReadDocument, refusesWhatIsNoDocumentOfTheFormat) {
-  EXPECT_EQ(complaintOf(R"({"format": "roomgraph/site"})"),
+  EXPECT_EQ(complaintOf(R"({"format": "something"})"),
             "a.json: is not of format roomgraph/graph; weigh it again");
+  EXPECT_EQ(complaintOf(R"({"format": "roomgraph/site"})"),
+            "a.json: is of format roomgraph/site, and not roomgraph/graph; give a file of that "
+            "format");
   EXPECT_EQ(complaintOf(R"({"format": "roomgraph/graph", })"),
             "a.json: is not JSON, or only a part of it; weigh it again");
 }

@@ -42,9 +42,21 @@ TEST_F(RosMapFiles, giveTheSameCellsInTheSamePlace) {
     const Grid again = reread(name, bytes);
     EXPECT_EQ(again.cells, grid_.cells) << name;
     EXPECT_EQ(again.frame.origin.x, grid_.frame.origin.x);
-    EXPECT_EQ(again.frame.origin.y, grid_.frame.origin.y);
+    EXPECT_NEAR(again.frame.origin.y, grid_.frame.origin.y, 0.5e-6);
     EXPECT_EQ(again.frame.resolution, grid_.frame.resolution);
   }
+}
+
+TEST_F(RosMapFiles, sayWhereTheyLieAsAPersonWould) {
+  const auto originOf = [&](Point origin) {
+    grid_.frame.origin = origin;
+    const std::string yaml = rosMapYaml(grid_.frame, "a.pgm");
+    const auto from = yaml.find("[");
+    return yaml.substr(from, yaml.find("]") - from + 1);
+  };
+  EXPECT_EQ(originOf({-13.5, -52.300000000000004}), "[-13.5, -52.3, 0]");
+  EXPECT_EQ(originOf({-1e-17, 0.05 * 3}), "[0, 0.15, 0]");
+  EXPECT_EQ(originOf({1.0 / 3, -100000.0000004}), "[0.333333, -100000, 0]");
 }
 
 TEST_F(RosMapFiles, lieInAnotherFrameWherePosesSaySo) {

@@ -77,6 +77,21 @@ TEST_F(BadInput, textIsRefused) {
   expectRefused("key: value\n", "is not a map of a known kind");
 }
 
+TEST_F(BadInput, whatOtherProgramsOpenIsNamed) {
+  expectRefused("{\n \"format\": \"roomgraph/comparison\", \"runs\": []}", "roomgraph-view");
+  expectRefused("{\"format\": \"roomgraph/graph\"}", "the map that it is of");
+  expectRefused(test::gzipped("\x8a"
+                              "CRoomGraph" +
+                              std::string(99, '\0')),
+                "RawLogViewer");
+  expectRefused(test::gzipped("\x8e"
+                              "CMapComparison" +
+                              std::string(99, '\0')),
+                "is a comparison");
+  expectRefused("\x93mrpt::opengl::Scene" + std::string(99, '\0'), "SceneViewer3D");
+  expectRefused("{\"format\": \"something\"}", "is not a map of a known kind");
+}
+
 TEST_F(BadInput, randomBytesAreRefused) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {

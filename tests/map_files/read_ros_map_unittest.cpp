@@ -76,6 +76,19 @@ TEST_F(RosRules, humblesUnknownStaysUnknown) {
   EXPECT_EQ(map.notes[0].code, "humble_thresholds");
 }
 
+TEST_F(RosRules, thresholdsThatAreMissingAreNoted) {
+  const std::string origin = "origin: [0, 0, 0]\n", one = origin + "occupied_thresh: 0.7\n";
+  for (const std::string& yaml : {origin, one}) {
+    const GreyMap map = load(2, "0 254", yaml);
+    ASSERT_EQ(map.notes.size(), 1u);
+    EXPECT_EQ(map.notes[0].code, "default_thresholds");
+    EXPECT_NE(map.notes[0].text.find(yaml == one ? "0.7 and 0.196" : "0.65 and 0.196"),
+              std::string::npos)
+        << map.notes[0].text;
+  }
+  EXPECT_TRUE(load(2, "0 254", one + "free_thresh: 0.2\n").notes.empty());
+}
+
 TEST_F(RosRules, theSameThresholdMeantAsItIsWrittenIsKept) {
   const std::string humble = "origin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.25\n";
   // Drawn in greys, raw, or without the grey of unknown cells.
@@ -103,7 +116,9 @@ TEST_F(RosRules, picturesMayBeBmpOrJpeg) {
 const std::string kCorner = "P2 3 2 255 254 254 205 0 0 0";
 
 TEST_F(RosRules, aQuarterTurnMovesWholeCells) {
-  const GreyMap map = loadPicture("map.pgm", kCorner, "origin: [10, 20, 1.5707963]\n");
+  const GreyMap map =
+      loadPicture("map.pgm", kCorner,
+                  "origin: [10, 20, 1.5707963]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
   ASSERT_EQ(map.frame.width, 2);
   ASSERT_EQ(map.frame.height, 3);
   EXPECT_NEAR(map.frame.origin.x, 9, 1e-9);  // 2 cells of 0.5 m to the left of the pivot

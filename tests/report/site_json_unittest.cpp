@@ -64,7 +64,8 @@ TEST(SiteFile, whatIsBrokenIsNamed) {
   EXPECT_TRUE(says(complaint(""), "is empty"));
   EXPECT_TRUE(says(complaint(good.substr(0, good.size() / 2)), "is not JSON"));
   EXPECT_TRUE(says(complaint("[]"), "is not JSON"));
-  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"), "is not of format roomgraph/site"));
+  EXPECT_TRUE(says(with("roomgraph/site", "roomgraph/graph"),
+                   "is of format roomgraph/graph, and not roomgraph/site"));
   EXPECT_TRUE(says(with("\"version\": 1", "\"version\": 2"), "version "));
   EXPECT_TRUE(says(with("\"room\":2", "\"room\":0"), "next.room "));
   EXPECT_TRUE(says(with("\"kind\":\"room\"", "\"kind\":\"hall\""), "rooms[0].kind "));

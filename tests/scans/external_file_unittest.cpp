@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
+#include <mrpt/io/lazy_load_path.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CObservationPointCloud.h>
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "clouds.h"
@@ -11,18 +15,80 @@ class ExternalFile : public test::Clouds {};
 
 TEST_F(ExternalFile, cloudsInFilesBesideTheMapAreRead) {
   writeBeside("a.bin", test::gzipped(simple_));
-  expectRoom(load(outside(3, "a.bin")));
+  expectRoom(load(outside(1, "a.bin")));
   writeBeside("a.bin", test::zstd(simple_, false));
-  expectRoom(load(outside(3, "a.bin")));
+  expectRoom(load(outside(1, "a.bin")));
   dir_.write("b.bin", simple_);
-  expectRoom(load(outside(3, "b.bin")));
+  expectRoom(load(outside(1, "b.bin")));
 }
 
-TEST_F(ExternalFile, cloudsOfTheMapThatThisOneWasMadeFromAreRead) {
+TEST_F(ExternalFile, whatMrptItselfWritesIsRead) {
+  using mrpt::obs::CObservationPointCloud;
+  std::filesystem::create_directories(dir_.path("run_Images"));
+  const std::string before = mrpt::io::getLazyLoadPathBase();
+  mrpt::io::setLazyLoadPathBase(dir_.path("run_Images"));
+  using Format = CObservationPointCloud::ExternalStorageFormat;
+  for (const Format format :
+       {Format::MRPT_Serialization, Format::KittiBinFile, Format::PlainTextFile}) {
+    SCOPED_TRACE(int(format));
+    CObservationPointCloud cloud;
+    cloud.sensorPose = sensor_;
+    cloud.pointcloud = mrpt::maps::CSimplePointsMap::Create();
+    for (const auto& p : points_) cloud.pointcloud->insertPoint(p.x, p.y, p.z);
+    const std::string name = "cloud" + std::to_string(int(format));
+    cloud.setAsExternalStorage(name, format);
+    cloud.unload();  // to the file
+    ASSERT_TRUE(test::isFile(dir_.path("run_Images/" + name)));
+    expectRoom(load(test::oneObservation(test::streamed(cloud))));
+  }
+  mrpt::io::setLazyLoadPathBase(before);
+}
+
+TEST_F(ExternalFile, storageThatIsNotKnownIsRefused) {
+  writeBeside("a.bin", simple_);
+  EXPECT_NE(errorOf(outside(4, "a.bin")).find("a kind that is not known"), std::string::npos);
+}
+
+TEST_F(ExternalFile, aMapThatWasRenamedHasItsCloudsAndSaysSo) {
   std::filesystem::create_directories(dir_.path("final_map_Images"));
   dir_.write("final_map_Images/lidar_1700000000.5.bin", test::gzipped(simple_));
-  expectRoom(load(outside(3, "lidar_1700000000.5.bin")));
-  EXPECT_NE(errorOf(outside(3, "lidar_1700000001.5.bin")).find("run_Images"), std::string::npos);
+  const std::string renamed = outside(1, "lidar_1700000000.5.bin");
+  const GreyMap map = load(renamed);
+  expectRoom(map);
+  EXPECT_EQ(map.notes.at(1).code, "other_folder");
+  EXPECT_NE(map.notes.at(1).text.find("final_map_Images"), std::string::npos);
+  EXPECT_NE(errorOf(outside(1, "lidar_1700000001.5.bin")).find("run_Images"), std::string::npos);
+
+  std::filesystem::create_directories(dir_.path("older_Images"));
+  EXPECT_NE(errorOf(renamed), "") << "nobody knows which of two";
+  dir_.write("older.simplemap.gz", "its own map");
+  EXPECT_EQ(errorOf(renamed), "") << "that one has a map";
+  std::filesystem::create_directories(dir_.path("run_Images"));
+  EXPECT_NE(errorOf(renamed), "") << "it has a folder of its own";
+}
+
+TEST_F(ExternalFile, cloudsOfAnotherMapAreLeftAlone) {
+  std::filesystem::create_directories(dir_.path("other_Images"));
+  dir_.write("other_Images/lidar_0.bin", simple_);
+  dir_.write("other.simplemap", "a map of its own");
+  EXPECT_NE(errorOf(outside(1, "lidar_0.bin")).find("lidar_0.bin"), std::string::npos);
+}
+
+TEST_F(ExternalFile, aMapOpensNoFilesOfOthers) {
+  const test::TempDir elsewhere;
+  const std::string secret = elsewhere.write("secret.bin", simple_);
+  EXPECT_NE(errorOf(outside(1, secret)), "");
+  const auto way = std::filesystem::relative(secret, dir_.path("run_Images")).string();
+  for (const std::string& name : {way, "x/../" + way, std::string(".."), std::string("/")})
+    EXPECT_NE(errorOf(outside(1, name)), "") << name;
+  writeBeside("secret.bin", simple_);
+  expectRoom(load(outside(1, secret)));  // of the name that MOLA wrote when the files lay there
+}
+
+TEST_F(ExternalFile, cloudsMayBeInFoldersBelow) {
+  std::filesystem::create_directories(dir_.path("run_Images/front"));
+  dir_.write("run_Images/front/a.bin", simple_);
+  expectRoom(load(outside(1, "front/a.bin")));
 }
 
 TEST_F(ExternalFile, filesOfKittiAndTextsAreRead) {
@@ -32,13 +98,13 @@ TEST_F(ExternalFile, filesOfKittiAndTextsAreRead) {
     text += std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
   }
   writeBeside("a.bin", kitti);
-  expectRoom(load(outside(1, "a.bin")));
+  expectRoom(load(outside(2, "a.bin")));
   writeBeside("a.txt", text);
-  expectRoom(load(outside(2, "a.txt")));
+  expectRoom(load(outside(3, "a.txt")));
 }
 
 TEST_F(ExternalFile, missingFilesAreNamedInOneLine) {
-  const std::string text = errorOf(outside(3, "lidar_17.bin"));
+  const std::string text = errorOf(outside(1, "lidar_17.bin"));
   EXPECT_NE(text.find("1 of its 1 point clouds"), std::string::npos) << text;
   EXPECT_NE(text.find("lidar_17.bin"), std::string::npos) << text;
   EXPECT_NE(text.find("run_Images"), std::string::npos) << text;
@@ -47,9 +113,21 @@ TEST_F(ExternalFile, missingFilesAreNamedInOneLine) {
 
 TEST_F(ExternalFile, damagedFilesBesideTheMapAreRefused) {
   writeBeside("a.bin", simple_.substr(0, 500));
-  EXPECT_NE(errorOf(outside(3, "a.bin")).find("a.bin"), std::string::npos);
+  EXPECT_NE(errorOf(outside(1, "a.bin")).find("a.bin"), std::string::npos);
   writeBeside("a.bin", test::streamed(test::smallGrid()));
-  EXPECT_NE(errorOf(outside(3, "a.bin")).find("COccupancyGridMap2D"), std::string::npos);
+  EXPECT_NE(errorOf(outside(1, "a.bin")).find("COccupancyGridMap2D"), std::string::npos);
+}
+
+TEST(ExternalClouds, ofAllKindsGiveTheMapOfThoseInside) {
+  const std::string archive = test::sharedFile("mrpt_new/external_clouds.tar.xz");
+  if (archive.empty()) GTEST_SKIP() << "the runs are not beside the source tree";
+  const test::TempDir dir;
+  const std::string command = "tar xJf '" + archive + "' -C '" + dir.path(".") + "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const GreyMap inside = loadGrid(dir.path("W0.simplemap"), {});
+  for (const char* outside : {"W1", "W2", "W3"})
+    EXPECT_EQ(loadGrid(dir.path(std::string(outside) + ".simplemap"), {}).grey, inside.grey)
+        << outside;
 }
 
 TEST(SlicedRun, namesTheFilesThatAreMissing) {

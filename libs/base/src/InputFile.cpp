@@ -12,11 +12,16 @@
 namespace roomgraph {
 namespace {
 
+constexpr const char* kCheckDisk = "check the disk or the network that it is on";
+
 std::string sizeText(std::uint64_t bytes) {
   constexpr std::uint64_t kGiga = 1'000'000'000, kMega = 1'000'000;
   return bytes >= kGiga ? std::to_string(bytes / kGiga) + " GB"
                         : std::to_string(bytes / kMega) + " MB";
 }
+
+/** Of the last call that failed. */
+std::string errorText() { return std::generic_category().message(errno); }
 
 }  // namespace
 
@@ -26,15 +31,15 @@ InputFile::InputFile(const std::string& name, std::uint64_t most) : name_(name) 
   if (descriptor_ < 0) {
     if (errno == ENOENT || errno == ENOTDIR)
       refuse(name, "there is no such file", "check the name");
-    refuse(name, "cannot be opened (" + std::generic_category().message(errno) + ")",
-           "check its name and its permissions");
+    refuse(name, "cannot be opened (" + errorText() + ")", "check its name and its permissions");
   }
   struct stat status {};
-  const bool isKnown = fstat(descriptor_, &status) == 0;
-  size_ = isKnown ? std::uint64_t(status.st_size) : 0;
   try {
-    if (isKnown && S_ISDIR(status.st_mode)) refuse(name, "is a directory", "name the file in it");
-    if (!isKnown || !S_ISREG(status.st_mode))
+    if (fstat(descriptor_, &status) != 0)
+      refuse(name, "cannot be looked at (" + errorText() + ")", kCheckDisk);
+    size_ = std::uint64_t(status.st_size);
+    if (S_ISDIR(status.st_mode)) refuse(name, "is a directory", "name the file in it");
+    if (!S_ISREG(status.st_mode))
       refuse(name, "is a pipe or a device", "save what it gives as a file");
     if (size_ > most) refuse(name, "is larger than " + sizeText(most), "give a smaller file");
   } catch (...) {
@@ -50,7 +55,9 @@ void InputFile::read(std::uint64_t offset, void* to, std::size_t count) const {
   while (count > 0) {
     const ssize_t done = pread(descriptor_, next, count, off_t(offset));
     if (done < 0 && errno == EINTR) continue;
-    if (done <= 0) refuse(name_, "cannot be read to its end", "check the disk, or copy it again");
+    if (done < 0) refuse(name_, "cannot be read (" + errorText() + ")", kCheckDisk);
+    if (done == 0)
+      refuse(name_, "has become shorter", "wait until it is written, or copy it again");
     next += done, count -= std::size_t(done), offset += std::uint64_t(done);
   }
 }

@@ -4,10 +4,25 @@
 #include "roomgraph/base/json_fault.h"
 
 namespace roomgraph {
+namespace {
+
+/** The format of ours that the text names first; empty for none. */
+std::string ourFormat(const std::string& text) {
+  const auto start = text.find("\"roomgraph/");
+  if (start == std::string::npos) return {};
+  const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_/", start + 1);
+  return end != std::string::npos && text[end] == '"' ? text.substr(start + 1, end - start - 1)
+                                                      : std::string();
+}
+
+}  // namespace
 
 nlohmann::ordered_json parseDocument(const std::string& text, const std::string& name,
                                      const std::string& format, const std::string& remedy) {
-  const std::string fault = jsonFault(text, format);
+  const std::string fault = jsonFault(text, format), other = ourFormat(text);
+  if (!fault.empty() && !other.empty() && other != format)
+    throw DataError(name + ": is of format " + other + ", and not " + format +
+                    "; give a file of that format");
   if (!fault.empty()) throw DataError(name + ": " + fault + "; " + remedy);
   auto json = nlohmann::ordered_json::parse(text, nullptr, false);
   if (json.is_discarded()) throw DataError(name + ": is not JSON, or only a part of it; " + remedy);

@@ -1,5 +1,8 @@
 #include "roomgraph/graph_files/ros_map.h"
 
+#include <charconv>
+#include <cmath>
+
 #include "number_text.h"
 #include "quoted_text.h"
 #include "roomgraph/images/png_bytes.h"
@@ -11,6 +14,20 @@ constexpr std::uint8_t kUnknown = 205, kFree = 254, kOccupied = 0;
 
 /** By State. */
 constexpr std::uint8_t kGreys[] = {kUnknown, kFree, kOccupied};
+
+/** The shortest text within half a micrometre of a length; the same in every locale. */
+std::string metresText(double metres) {
+  constexpr double close = 0.5e-6;
+  char text[64];
+  for (int digits = 0;; ++digits) {
+    const auto end =
+        std::to_chars(text, text + sizeof text, metres, std::chars_format::fixed, digits).ptr;
+    double again = 0;
+    std::from_chars(text, end, again);
+    if (std::abs(again - metres) <= close || digits == 6)
+      return again == 0 ? "0" : std::string(text, end);
+  }
+}
 
 std::uint8_t greyOf(State state) { return kGreys[std::size_t(state)]; }
 
@@ -41,7 +58,7 @@ std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
   const Point origin = pose(frame.origin);
   return "image: " + quotedText(picture) +
          "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
-         numberText(origin.x) + ", " + numberText(origin.y) + ", " + numberText(pose.phi) +
+         metresText(origin.x) + ", " + metresText(origin.y) + ", " + numberText(pose.phi) +
          "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
 }
 

@@ -17,10 +17,35 @@ bool isRegisteredName(const std::string& className) {
   return className.size() > 1 && className[0] == 'C' && className[1] >= 'A' && className[1] <= 'Z';
 }
 
+/** What is no map, and the programs that open it. */
+struct OtherFile {
+  const char* sign;  ///< the class of an object, or the format that JSON names
+  const char* problem;
+  const char* remedy;
+};
+constexpr OtherFile kOthers[] = {
+    {"roomgraph/comparison", "is a comparison, and no map",
+     "open it with 'roomgraph report', 'roomgraph info' or roomgraph-view"},
+    {"roomgraph/graph", "is a graph, and no map",
+     "open it with 'roomgraph info', or give the map that it is of"},
+    {"CMapComparison", "is a comparison, and no map",
+     "open it with 'roomgraph info' or RawLogViewer"},
+    {"CRoomGraph", "is a graph, and no map", "open it with 'roomgraph info' or RawLogViewer"},
+    {"COpenGLScene", "is a scene, and no map", "open it with SceneViewer3D"},
+    {"Scene", "is a scene, and no map", "open it with SceneViewer3D"},
+    {"CActionCollection", "is a log, and no map", "open it with RawLogViewer, or make a map of it"},
+};
+
 [[noreturn]] void refuseUnknown(CheckedFile& file) {
   if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
-  const std::string remedy = "give an " + mapFormatNames();
   const auto object = peekObjectHeader(file.head());
+  const std::string head(reinterpret_cast<const char*>(file.head().data), file.head().size);
+  const bool isJson = head.find_first_not_of(" \t\r\n") == head.find('{');
+  for (const OtherFile& other : kOthers)
+    if (object ? object->className == other.sign
+               : isJson && head.find('"' + std::string(other.sign) + '"') != std::string::npos)
+      refuse(file.name(), other.problem, other.remedy);
+  const std::string remedy = "give an " + mapFormatNames();
   if (object && isRegisteredName(object->className))
     refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
   refuse(file.name(), "is not a map of a known kind", remedy);

@@ -26,6 +26,7 @@ struct RosMap {
   double yaw = 0;
   bool negate = false;
   double occupiedAbove = 0.65, freeBelow = 0.196;  ///< those of map_server's own examples
+  bool hasThresholds = false;                      ///< both stand in the yaml
 };
 
 bool isText(ByteView bytes) {
@@ -73,6 +74,7 @@ RosMap parse(const YAML::Node& yaml, const std::string& file) {
   map.negate = readNegate(yaml["negate"], file);
   readOptional(yaml, "occupied_thresh", map.occupiedAbove, file);
   readOptional(yaml, "free_thresh", map.freeBelow, file);
+  map.hasThresholds = yaml["occupied_thresh"] && yaml["free_thresh"];
   if (map.freeBelow > map.occupiedAbove)
     refuse(file, "its 'free_thresh' is above its 'occupied_thresh'", "correct the yaml");
   map.mode = yaml["mode"] ? yaml["mode"].Scalar() : "trinary";
@@ -138,6 +140,12 @@ bool isSavedByHumble(const RosMap& ros, const std::vector<std::uint8_t>& grey) {
 void applyMode(const RosMap& ros, GreyMap& map) {
   map.occupiedAbove = ros.occupiedAbove;
   map.freeBelow = ros.freeBelow;
+  if (!ros.hasThresholds)
+    map.notes.push_back({"default_thresholds",
+                         formatted("it does not name both occupied_thresh and free_thresh: read "
+                                   "with %g and %g",
+                                   ros.occupiedAbove, ros.freeBelow),
+                         std::nullopt});
   if (isSavedByHumble(ros, map.grey)) {
     map.freeBelow = RosMap().freeBelow;
     map.notes.push_back({"humble_thresholds",

@@ -1,10 +1,7 @@
 #include "external_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include "point_bytes.h"
 
@@ -27,35 +24,57 @@ fs::path stemOf(const std::string& map) {
   return stem;
 }
 
-/** The folders of other maps' files, in the order of their names. */
-std::vector<fs::path> otherFolders(const fs::path& folder) {
-  std::vector<fs::path> found;
+/** Whether a map of that stem is in the folder. */
+bool hasMap(const fs::path& folder, const std::string& stem) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+    if (!entry.is_directory(error) && stemOf(entry.path().string()).filename() == stem) return true;
+  return false;
+}
+
+/** The one folder of files whose map is not there any more; empty for none or several. */
+fs::path strayFolder(const fs::path& folder) {
+  const std::string end = kFolderEnd;
+  fs::path found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    const std::string end = kFolderEnd;
-    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
-      found.push_back(entry.path());
+    if (name.size() <= end.size() || name.substr(name.size() - end.size()) != end ||
+        !entry.is_directory(error) || hasMap(folder, name.substr(0, name.size() - end.size())))
+      continue;
+    if (!found.empty()) return {};
+    found = entry.path();
   }
-  std::sort(found.begin(), found.end());
   return found;
+}
+
+/** The name, or of one that leads elsewhere its last part. */
+fs::path nameBelow(const std::string& name) {
+  const fs::path path = fs::path(name).lexically_normal();
+  return path.is_absolute() || *path.begin() == ".." ? path.filename() : path;
+}
+
+bool isFile(const fs::path& file) {
+  std::error_code error;
+  return fs::is_regular_file(file, error);
 }
 
 }  // namespace
 
 std::string externalFolder(const std::string& map) { return stemOf(map).string() + kFolderEnd; }
 
-std::string findExternalFile(const std::string& map, const std::string& name) {
+std::optional<ExternalFile> findExternalFile(const std::string& map, const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  const fs::path below = nameBelow(name), own = externalFolder(map);
   fs::path folder = fs::path(map).parent_path();
-  std::vector<fs::path> places{externalFolder(map), folder};
   if (folder.empty()) folder = ".";
-  for (fs::path& place : otherFolders(folder)) places.push_back(std::move(place));
-  for (const fs::path& place : places) {
-    const fs::path file = place / name;  // a full name stays as it is
-    std::error_code error;
-    if (fs::is_regular_file(file, error)) return file.string();
-  }
-  return "";
+  for (const fs::path& place : {own, folder})
+    if (isFile(place / below)) return ExternalFile{(place / below).string(), ""};
+  std::error_code error;
+  if (fs::exists(own, error)) return std::nullopt;
+  const fs::path stray = strayFolder(folder);
+  if (stray.empty() || !isFile(stray / below)) return std::nullopt;
+  return ExternalFile{(stray / below).string(), stray.filename().string()};
 }
 
 CloudPoints kittiPoints(const ByteReader& bytes) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 #include "roomgraph/base/byte_reader.h"
@@ -9,11 +10,18 @@ namespace roomgraph {
 /** Where MOLA puts the files of map NAME, beside it: NAME_Images. */
 std::string externalFolder(const std::string& map);
 
+struct ExternalFile {
+  std::string file;
+  std::string otherFolder;  ///< that it is in, where that is named after another map
+};
+
 /** Finds a file that a map names: in the folder NAME_Images beside map NAME, where MOLA puts them,
- *  beside the map, where its full name says, or in the folder of another map beside this one, which
- *  was made from that one or had its name: the names of the files hold sensor and time. Empty where
- *  it is nowhere. */
-std::string findExternalFile(const std::string& map, const std::string& name);
+ *  or below it, and beside the map or below that. A map that was renamed has its files in a folder
+ *  of another name: where there is no NAME_Images, but exactly one such folder whose own map is
+ *  not beside it, that one counts. A map has no say in which other files of the computer are
+ *  looked at: of a name that leads out of these folders only the last part counts. None where it
+ *  is nowhere. */
+std::optional<ExternalFile> findExternalFile(const std::string& map, const std::string& name);
 
 /** The points of a file of KITTI's: x, y, z and intensity of each as floats. */
 CloudPoints kittiPoints(const ByteReader& bytes);

@@ -22,6 +22,7 @@ struct Contents {
   double tilt = 0;                           ///< the largest of the nearly level scans [rad]
   std::map<std::string, std::size_t> kinds;  ///< observations by class
   std::string missingFile;                   ///< the first one
+  std::string otherFolder;                   ///< of another map's name that clouds are in
 };
 
 /** The clouds of a recording, decoded. */
@@ -95,15 +96,17 @@ void addScan(const RangeScan& scan, Contents& contents) {
 Contents contentsOf(const Recording& recording) {
   Contents contents;
   for (const auto& [sensor, count] : recording.sensors) {
-    contents.observations += count;
     contents.kinds[sensor.className] += count;
+    if (sensor.className != "CObservationComment") contents.observations += count;  // no sensor
   }
   for (const Recording::Frame& frame : recording.frames) {
     for (const RangeScan& scan : frame.scans) addScan(scan, contents);
     contents.clouds += frame.clouds.size();
-    for (const PointCloud& cloud : frame.clouds)
+    for (const PointCloud& cloud : frame.clouds) {
       if (!cloud.missingFile.empty() && contents.missing++ == 0)
         contents.missingFile = cloud.missingFile;
+      if (!cloud.otherFolder.empty()) contents.otherFolder = cloud.otherFolder;
+    }
   }
   return contents;
 }
@@ -193,6 +196,10 @@ void cutClouds(const Recording& recording, Decoded decoded, const Contents& cont
   refuseEmptySlice(slice, recording.file);
   addNote(placed, "slice", "its point clouds are cut: " + sliceText(slice) + " (see --slice)");
   if (contents.missing > 0) addNote(placed, "missing_clouds", missingText(contents));
+  if (!contents.otherFolder.empty())
+    addNote(placed, "other_folder",
+            "its point clouds are taken from " + contents.otherFolder +
+                ", the only folder of clouds without a map beside it");
   addSlices(recording, std::move(decoded), slice, placed);
 }
 

@@ -25,14 +25,14 @@ std::function<CloudPoints()> readPointsMap(ByteReader& in) {
   return skipPoints(in);
 }
 
-enum Storage : std::uint8_t { kInside = 0, kKitti = 1, kText = 2, kObject = 3 };
+/** As MRPT numbers them, CObservationPointCloud::ExternalStorageFormat. */
+enum Storage : std::uint8_t { kInside = 0, kObject = 1, kKitti = 2, kText = 3 };
 
 CloudPoints readExternalPoints(const std::string& name, std::uint8_t storage) {
   CheckedFile file(name);
   ByteReader bytes(file.content(), name);
-  if (storage == kKitti) return kittiPoints(bytes);
-  if (storage == kText) return textPoints(bytes);
-  return readPointsMap(bytes)();
+  if (storage == kObject) return readPointsMap(bytes)();
+  return storage == kKitti ? kittiPoints(bytes) : textPoints(bytes);
 }
 
 void readPointCloud(ByteReader& in, PointCloud& cloud) {
@@ -44,11 +44,17 @@ void readPointCloud(ByteReader& in, PointCloud& cloud) {
     cloud.points = readPointsMap(in);
     return;
   }
-  const std::string name = readText(in), file = findExternalFile(in.file(), name);
-  if (file.empty())
+  const std::string name = readText(in);
+  if (storage > kText)
+    refuse(in.file(), "keeps point clouds in files of a kind that is not known here",
+           "save it with the clouds inside");
+  const auto found = findExternalFile(in.file(), name);
+  if (!found) {
     cloud.missingFile = name;
-  else
-    cloud.points = [=] { return readExternalPoints(file, storage); };
+    return;
+  }
+  cloud.otherFolder = found->otherFolder;
+  cloud.points = [file = found->file, storage] { return readExternalPoints(file, storage); };
 }
 
 /** The layout of MRPT 2.11 on first tells where the matrices are kept; earlier ones begin with the

@@ -32,7 +32,8 @@ namespace roomgraph {
  *    unknown, and uses the thresholds, too. Pixels that are not opaque are unknown. The cells of a
  *    map whose origin has a yaw are turned into the map frame ("turned"), as a grid here is always
  *    along its axes. Maps that ROS 2 Humble saved, whose free_thresh of 0.25 would make unknown
- *    cells free, are read with 0.196 ("humble_thresholds"). source.sha256 is that of the yaml
+ *    cells free, are read with 0.196 ("humble_thresholds"). Where a threshold is missing, 0.65 or
+ *    0.196 is taken ("default_thresholds"). source.sha256 is that of the yaml
  *    followed by the picture.
  *  - A bare picture (png of any depth, pgm, bmp, jpeg): options.resolution, with a note that it is
  *    a guess unless it was given ("assumed_resolution"); lower left corner at (0, 0). Transparent

@@ -23,6 +23,8 @@ struct PointCloud {
   std::function<CloudPoints()> points = [] { return CloudPoints(); };
   /** Where the points are kept in a file beside the map that is not there: its name. */
   std::string missingFile;
+  /** The folder of such a file where that is named after another map. */
+  std::string otherFolder;
 };
 
 }  // namespace roomgraph
