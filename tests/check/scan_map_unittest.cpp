@@ -9,7 +9,7 @@ namespace roomgraph {
 namespace {
 
 TEST(ScanMap, aScanFindsItsOwnWallsInItsMap) {
-  const Run run = test::runOf(test::driveOnce());
+  const roomgraph::Run run = test::runOf(test::driveOnce());
   const std::vector<LocalScan> scans = localScans(run.scans);
   const WallMap map = scanMap(scans, test::posesOf(test::driveOnce()), {10}, 30);
   ASSERT_EQ(map.walls.size(), scans[10].walls.size());

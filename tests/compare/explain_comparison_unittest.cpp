@@ -107,7 +107,7 @@ TEST(VerdictOf, copiesOfOneFileSayNothing) {
             "All 3 runs are copies of one file, which say nothing about each other.");
   copies.runs[1].sha256 = "another";
   const std::string said = verdictOf(copies);
-  EXPECT_EQ(said.rfind("a is the best map", 0), 0u) << said;
+  EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
   EXPECT_NE(said.find(". a and a#3 are copies of one file."), std::string::npos) << said;
 }
 

@@ -36,6 +36,11 @@ struct Found {
     for (const std::size_t i : site.members) site.runs.push_back(&runs[i]);
     site.poses.resize(members);
     consensus.errors = ById<RunId, MapError>(members);
+    consensus.graph.runs = ById<RunId, GraphRun>(members);
+    for (std::size_t i = 0; i < members; ++i) {
+      consensus.graphRuns.push_back(RunId(i));
+      consensus.siteRuns.add(i);
+    }
     breaks.resize(members);
     measures.runs.resize(members);
     measures.pairs = PairTable<std::vector<Measure>>(members);

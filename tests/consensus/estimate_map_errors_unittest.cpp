@@ -247,6 +247,10 @@ TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
   const DistinctMaps maps(bends);
   Consensus consensus;
   consensus.errors = ById<RunId, MapError>(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    consensus.graphRuns.push_back(RunId(i));
+    consensus.siteRuns.add(i);
+  }
   consensus.errors[RunId(0)].error = 42;
   EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
   for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);

@@ -22,8 +22,6 @@ TEST(BendField, goesToTheSiteAndBack) {
       const Transform2D place = besideScan(site.runs[run], k);
       const auto in = there(place);
       ASSERT_TRUE(in);
-      EXPECT_TRUE(in->isSeen);
-      EXPECT_TRUE(in->isKnown);
       EXPECT_LT(in->doubt, 0.5);
       const auto again = back(in->pose);
       ASSERT_TRUE(again);

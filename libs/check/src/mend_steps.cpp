@@ -42,7 +42,7 @@ struct Gait {
       const Transform2D step = poses[k - 1].inverse() * poses[k];
       ways.push_back(norm(step.shift()));
       turns.push_back(std::abs(step.phi));
-      if (const double time = secondsTo(scans, k)) speeds.push_back(ways.back() / time);
+      if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
     }
     way = median(ways), turn = quantile(turns, 0.9) + 0.2;
     longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};

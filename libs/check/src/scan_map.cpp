@@ -93,8 +93,8 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
       const Point next = map.walls[w + 1].place;
       const double gap = distance(here, next);
       if (gap > kNextWall) continue;
-      for (double way = kMapCell; way < gap; way += kMapCell)
-        clearBeam(map, robots[i], here + (way / gap) * (next - here));
+      for (int step = 1; step * kMapCell < gap; ++step)
+        clearBeam(map, robots[i], here + (step * kMapCell / gap) * (next - here));
     }
   addNearest(map);
   return map;

@@ -24,10 +24,11 @@ State stateAt(const WallMap& map, Point place) {
 
 /** Whether a map has a free cell up to `reach` away from a place. */
 bool isFreeNear(const WallMap& map, Point place, double reach) {
-  const double step = map.frame.resolution;
-  for (double x = -reach; x <= reach; x += step)
-    for (double y = -reach; y <= reach; y += step)
-      if (stateAt(map, place + Point{x, y}) == State::free) return true;
+  const int cells = int(reach / map.frame.resolution);
+  for (int x = -cells; x <= cells; ++x)
+    for (int y = -cells; y <= cells; ++y)
+      if (stateAt(map, place + map.frame.resolution * Point{double(x), double(y)}) == State::free)
+        return true;
   return false;
 }
 

@@ -70,7 +70,7 @@ class PlacesTable {
 
 std::string lineOf(const Cells& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + cell;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i == 0 ? "" : ",") + cells[i];
   return line + "\n";
 }
 

@@ -21,11 +21,11 @@ namespace roomgraph {
 struct Recording {
   /** What was recorded at one place. Its number is its index, from 0, in the order of the file. */
   struct Frame {
-    mrpt::poses::CPose3D robot;  ///< map <- robot
+    std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
+    mrpt::poses::CPose3D robot;                    ///< map <- robot
+    std::size_t begin = 0, end = 0;  ///< of a simplemap: its bytes in the inflated file
     std::vector<RangeScan> scans;
     std::vector<PointCloud> clouds;
-    std::optional<mrpt::poses::CPose2D> odometry;  ///< the last one, in the robot's odometry frame
-    std::size_t begin = 0, end = 0;  ///< of a simplemap: its bytes in the inflated file
   };
   /** A kind of observation, whether it is used or stepped over. */
   struct Sensor {

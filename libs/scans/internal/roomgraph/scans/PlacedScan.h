@@ -12,12 +12,12 @@ namespace roomgraph {
 
 /** A level scan of a run, and the place that it is seen from. */
 struct PlacedScan {
-  std::size_t keyFrame = 0;    ///< number of its frame in the Recording
-  mrpt::poses::CPose3D robot;  ///< map <- robot
-  mrpt::poses::CPose3D from;   ///< map <- what the scan's sensor counts from: mostly the robot
   std::optional<mrpt::poses::CPose2D> odometry;  ///< see Recording
+  mrpt::poses::CPose3D robot;                    ///< map <- robot
+  mrpt::poses::CPose3D from;  ///< map <- what the scan's sensor counts from: mostly the robot
   RangeScan scan;
-  std::uint64_t id = 0;  ///< see Keyframe::scanId
+  std::size_t keyFrame = 0;  ///< number of its frame in the Recording
+  std::uint64_t id = 0;      ///< see Keyframe::scanId
 };
 
 }  // namespace roomgraph
