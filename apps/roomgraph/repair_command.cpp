@@ -165,7 +165,7 @@ std::function<int()> repairCommand(CLI::App& app) {
               "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and site.g2o",
               app);
   app.add_option("--format", arguments->format,
-                 "'mola': also write X.loop_constraints.yaml, for the pipeline of MOLA's "
+                 "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "
                  "mola-sm-lc-cli: key frames of a run that were at the same place.")
       ->type_name("NAME");
   app.add_option("--only", arguments->only,

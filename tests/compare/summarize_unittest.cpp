@@ -146,6 +146,9 @@ TEST(Summarize, measuresOfAPairAreThoseOfItsRuns) {
   found.site.runs = {&found.runs[1], &found.runs[2]};
   found.site.poses.resize(2), found.consensus.errors = ById<RunId, MapError>(2),
                               found.breaks.resize(2);
+  found.consensus.graph.runs = ById<RunId, GraphRun>(2);
+  found.consensus.graphRuns = {RunId(0), RunId(1)};
+  found.consensus.siteRuns = ById<RunId, std::size_t>(std::vector<std::size_t>{0, 1});
   found.scores.resize(2), found.measures.runs.resize(2);
   found.measures.pairs = PairTable<std::vector<Measure>>(2);
   found.measures.pairs(0, 1) = {{"bend", 0.25, "m", 500, {}, {}, true}};

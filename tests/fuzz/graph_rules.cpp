@@ -47,11 +47,6 @@ class Rules {
            "path does not end on its vertices", e);
     expect(std::abs(length(points) - edge.path.length) <= near_ * double(points.size()),
            "length is not that of the path", e);
-    if (!edge.room) return;
-    const bool isRoomToBorder =
-        (source.kind == VertexKind::room && target.kind == VertexKind::border) ||
-        (target.kind == VertexKind::room && source.kind == VertexKind::border);
-    expect(isRoomToBorder, "edge in a room does not join its vertex and a border", e);
   }
 
   void checkVertex(std::size_t v) {

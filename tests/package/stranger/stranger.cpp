@@ -1,5 +1,5 @@
 // Closes one room with walls and expects to get it back.
-#include <roomgraph/roomgraph.h>
+#include <roomgraph/pipeline/extract.h>
 
 #include <cstdio>
 
