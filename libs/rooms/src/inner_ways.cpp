@@ -86,7 +86,7 @@ TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearan
   std::vector<EdgeId> edges;
   for (std::size_t e = 0; e < ways.edges().size(); ++e) edges.push_back(EdgeId(e));
   const PlaceOnPath place = placeOnPaths(ways, edges, center, minClearance);
-  std::vector<Vertex> vertices = std::move(ways).takeVertices();
+  std::vector<Vertex> vertices = ways.vertices();
   std::vector<Edge> parts = std::move(ways).takeEdges();
   Edge& whole = parts[place.edge.index()];
   const double rest = whole.path.length - place.along;
