@@ -80,6 +80,41 @@ void declareNaming(ArchiveArguments& arguments, CLI::App& app) {
   declareSite(arguments, app);
 }
 
+void declareRemoving(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option(
+         "RUN", arguments.run,
+         "Its file as 'list' names it, with or without the folder, or at least eight digits "
+         "of its SHA-256.")
+      ->type_name("")
+      ->required();
+  declareSite(arguments, app);
+}
+
+void declareRenaming(ArchiveArguments& arguments, CLI::App& app) {
+  app.add_option("ROBOT", arguments.robot, "Its name, as 'list' tells it.")
+      ->type_name("")
+      ->required();
+  app.add_option("NAME", arguments.name, "The name that its runs are to have.")
+      ->type_name("")
+      ->required();
+  declareSite(arguments, app);
+}
+
+void declareReport(ArchiveArguments& arguments, CLI::App& app) {
+  declareSite(arguments, app);
+  declareWatch(arguments, app);
+  app.add_option("-o,--output", arguments.page,
+                 "Also write the report as a page for the browser, with plots.")
+      ->type_name("FILE");
+  declareQuiet(arguments.isQuiet, app);
+  app.add_flag("--fail-on-alarm", arguments.failsOnAlarm,
+               "Exit with 3 if the maps of a robot get worse, or tell nothing of the site two "
+               "nights in a row, with a line on stderr for each.");
+  app.add_flag("--fail-on-latest", arguments.failsOnLatest,
+               "Exit with 3 if the latest map of a robot may not be rolled out, or nothing tells "
+               "yet whether it may, with a line on stderr for each.");
+}
+
 void declareExport(ArchiveArguments& arguments, CLI::App& app) {
   declareSite(arguments, app);
   declareWatch(arguments, app);
@@ -137,9 +172,27 @@ int listRooms(const ArchiveArguments& arguments) {
   return kDone;
 }
 
-int nameRoom(const ArchiveArguments& arguments) {
+/** @throws UsageError where it is no name. */
+void checkName(const ArchiveArguments& arguments) {
   if (printable(arguments.name) != arguments.name || arguments.name.empty())
     throw UsageError("NAME: is empty or no text of one line: choose another name");
+}
+
+int removeRun(const ArchiveArguments& arguments) {
+  Archive archive(arguments.archive, Archive::Access::existing);
+  archive.removeRun(siteToAddTo(arguments, archive), arguments.run);
+  return kDone;
+}
+
+int renameRobot(const ArchiveArguments& arguments) {
+  checkName(arguments);
+  Archive archive(arguments.archive, Archive::Access::existing);
+  archive.renameRobot(siteToAddTo(arguments, archive), arguments.robot, arguments.name);
+  return kDone;
+}
+
+int nameRoom(const ArchiveArguments& arguments) {
+  checkName(arguments);
   Archive archive(arguments.archive, Archive::Access::existing);
   archive.nameRoom(siteToAddTo(arguments, archive), arguments.room, arguments.name);
   return kDone;
@@ -152,17 +205,21 @@ void writeOutput(const ArchiveArguments& arguments, const std::string& file,
   writeFileAtomically(file, text);
 }
 
-/** One line on stderr for each robot whose maps are an alarm, or none; whether there was one. */
-bool tellAlarms(const std::vector<WatchedSite>& sites) {
-  bool isAlarm = false;
+/** One line on stderr for each robot whose maps are not as they should be; whether there was one. */
+bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& arguments) {
+  bool isAnyWrong = false;
   for (const WatchedSite& site : sites)
     for (const RobotWatch& robot : site.watch.robots) {
-      if (!robot.errors.isAlarm()) continue;
+      const bool isAlarm = arguments.failsOnAlarm && robot.isAlarm();
+      const bool isKept = arguments.failsOnLatest && robot.rollout != Rollout::yes;
+      if (!isAlarm && !isKept) continue;
+      const std::string text = (isKept ? robot.advice : "") + (isKept && isAlarm ? "; " : "") +
+                               (isAlarm ? robot.sentence : "");
       printError(printable(site.history.site) + ": " + printable(robot.robot) + ": " +
-                 printable(robot.sentence));
-      isAlarm = true;
+                 printable(text));
+      isAnyWrong = true;
     }
-  return isAlarm;
+  return isAnyWrong;
 }
 
 int report(const ArchiveArguments& arguments) {
@@ -171,7 +228,7 @@ int report(const ArchiveArguments& arguments) {
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeOutput(arguments, arguments.page, historyPage(sites, arguments.watch));
-  return arguments.failsOnAlarm && tellAlarms(sites) ? kGateFailed : kDone;
+  return tellFaults(sites, arguments) ? kGateFailed : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {
@@ -197,26 +254,24 @@ std::function<int()> archiveCommand(CLI::App& app) {
   app.require_subcommand(1);
   arguments->add = app.add_subcommand(
       "add", "Compare runs with some of those in the archive, and keep the results.");
-  arguments->report =
-      app.add_subcommand("report", "Tell whether maps get worse, and which rooms have changed.");
+  arguments->report = app.add_subcommand(
+      "report",
+      "Tell whether the latest maps may be rolled out, whether maps get worse, and "
+      "which rooms have changed.");
   arguments->list = app.add_subcommand("list", "List the runs.");
   arguments->rooms = app.add_subcommand("rooms", "List the rooms with their ids and names.");
   arguments->naming = app.add_subcommand("name", "Give a room a name, which it keeps.");
+  arguments->removing =
+      app.add_subcommand("remove", "Take a run out, with its figures; its file stays.");
+  arguments->renaming = app.add_subcommand("rename", "Give the runs of a robot another name.");
+  declareRemoving(*arguments, *arguments->removing);
+  declareRenaming(*arguments, *arguments->renaming);
   declareSite(*arguments, *arguments->rooms);
   declareNaming(*arguments, *arguments->naming);
   arguments->exporting =
       app.add_subcommand("export", "Write all that is known, for other programs.");
   declareAdd(*arguments, *arguments->add);
-  declareSite(*arguments, *arguments->report);
-  declareWatch(*arguments, *arguments->report);
-  arguments->report
-      ->add_option("-o,--output", arguments->page,
-                   "Also write the report as a page for the browser, with plots.")
-      ->type_name("FILE");
-  declareQuiet(arguments->isQuiet, *arguments->report);
-  arguments->report->add_flag("--fail-on-alarm", arguments->failsOnAlarm,
-                              "Exit with 3 if the maps of a robot get worse, with a line on "
-                              "stderr for each.");
+  declareReport(*arguments, *arguments->report);
   declareSite(*arguments, *arguments->list);
   declareExport(*arguments, *arguments->exporting);
   return [arguments] {
@@ -224,6 +279,8 @@ std::function<int()> archiveCommand(CLI::App& app) {
     if (arguments->list->parsed()) return list(*arguments);
     if (arguments->rooms->parsed()) return listRooms(*arguments);
     if (arguments->naming->parsed()) return nameRoom(*arguments);
+    if (arguments->removing->parsed()) return removeRun(*arguments);
+    if (arguments->renaming->parsed()) return renameRobot(*arguments);
     return arguments->report->parsed() ? report(*arguments) : exportAll(*arguments);
   };
 }

@@ -91,10 +91,13 @@ grep -qx '  R1  Kitchen, small' out || { cat out; fail "no name"; }
 expect 1 "$roomgraph" archive site.db name R77 Attic
 one_line err R77
 expect 0 "$roomgraph" archive site.db report
-grep -q '^  anna: ' out || fail "no line on anna"
+grep -q '^  anna: yes, the map of 2026-11-01 may be rolled out; ' out || { cat out; fail "no line on anna"; }
+grep -q '^  robot: no, the map of .* fits no other map of the site' out || { cat out; fail "the hall may go out"; }
+expect 3 "$roomgraph" archive site.db report --fail-on-latest -q
+one_line err 'site: robot: no, the map of'
 expect 0 "$roomgraph" archive site.db report --fail-on-alarm -q -o page.html
 [ ! -s out ] || fail "-q prints"
-grep -q "<h1>Too few nights to see a trend</h1>" page.html || fail "no page"
+grep -q "<h1>1 robot of 2 needs attention</h1>" page.html || { grep "<h1>" page.html; fail "no page"; }
 expect 0 "$roomgraph" archive site.db export -o runs.csv
 [ "$(wc -l < runs.csv)" = 7 ] || fail "not a line per run in the csv"
 expect 0 "$roomgraph" archive site.db export --format json -o archive.json
@@ -111,6 +114,18 @@ grep -q 'anna: its map is above the limit of 0.30 m; no good one is known$' out 
 expect 3 "$roomgraph" archive bad.db report --fail-on-alarm -q
 one_line err 'roomgraph: site: anna: its map is above the limit'
 expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
+
+# A run that should not be there is taken out, and a robot gets another name.
+cp site.db less.db
+expect 1 "$roomgraph" archive less.db remove none.pgm
+one_line err none.pgm
+expect 0 "$roomgraph" archive less.db remove hall.pgm
+[ "$(count less.db)" = 5 ] || fail "the hall is still there"
+expect 0 "$roomgraph" archive less.db rename robot anna
+expect 0 "$roomgraph" archive less.db report --fail-on-latest -q
+expect 1 "$roomgraph" archive less.db rename robot anna
+one_line err robot
+whole less.db
 
 # The archive is not replaced by what is told of it.
 cp site.db before.db

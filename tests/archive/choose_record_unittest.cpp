@@ -45,10 +45,18 @@ TEST(ChooseRecord, tornAndUnsureRunsAreNotAmongTheBest) {
   EXPECT_EQ(chooseRecord(some, 4, any), (Indices{16, 17, 18, 19}));
 }
 
-TEST(ChooseRecord, runsOfAnotherSiteAreNever) {
+TEST(ChooseRecord, runsOfAnotherSiteAreNeverOnceAnotherHasComeSince) {
   std::vector<KnownRun> some = runs(6);
-  some[5].isPlaced = some[0].isPlaced = false;
-  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{1, 2, 3, 4}));
+  some[4].isPlaced = some[0].isPlaced = false;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{1, 2, 3, 5}));
+}
+
+TEST(ChooseRecord, upToAThirdAreTheLatestThatLieElsewhere) {
+  std::vector<KnownRun> some = runs(20);
+  for (std::size_t i = 15; i < 20; ++i) some[i].isPlaced = false;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 2, 13, 14, 17, 18, 19}));
+  some[19].isPlaced = true;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 2, 3, 12, 13, 14, 19}));
 }
 
 TEST(ChooseRecord, noMoreThanAHundredFilesAreAskedFor) {
@@ -85,15 +93,19 @@ TEST(ChooseRecord, isWhatItsSentenceSays) {
     const std::vector<KnownRun> some = anyRuns(random, random.below(160));
     const std::size_t most = 1 + random.below(12);
     const auto isUsable = [](const KnownRun& run) { return run.sha256.back() != '3'; };
-    Indices last;  // of the site, the latest first
-    for (std::size_t i = some.size(); i-- > 0 && last.size() < 100;)
+    Indices last, since;  // of the site, and of others since its last run, the latest first
+    for (std::size_t i = some.size(); i-- > 0 && last.size() < 100;) {
       if (some[i].isPlaced) last.push_back(i);
+      if (last.empty()) since.push_back(i);
+    }
     Indices expected;
     const auto take = [&](std::size_t i, std::size_t upTo) {
       const bool isNew = std::find(expected.begin(), expected.end(), i) == expected.end();
       if (isNew && isUsable(some[i]) && expected.size() < upTo) expected.push_back(i);
     };
-    for (const std::size_t i : last) take(i, most / 2);
+    for (const std::size_t i : since) take(i, (most + 2) / 3);
+    const std::size_t half = (expected.size() + most) / 2;
+    for (const std::size_t i : last) take(i, half);
     Indices best;
     for (const std::size_t i : last)
       if (some[i].error && !some[i].isBroken) best.push_back(i);

@@ -97,13 +97,23 @@ TEST(ExportHistory, prometheusHasEachGaugeOnceWithItsHelp) {
             std::string::npos);
   EXPECT_EQ(text.find("roomgraph_map_error_metres{site=\"office \\\"A\\\"\",robot=\"=berta\"}"),
             std::string::npos);
+  EXPECT_NE(text.find("roomgraph_may_roll_out{site=\"office \\\"A\\\"\",robot=\"anna\"} 1\n"),
+            std::string::npos);
+  EXPECT_NE(text.find("roomgraph_may_roll_out{site=\"office \\\"A\\\"\",robot=\"=berta\"} 0\n"),
+            std::string::npos);
   EXPECT_NE(text.find("# TYPE roomgraph_declining gauge\n"), std::string::npos);
 }
 
 TEST(ExportHistory, textHasALinePerRobot) {
   const std::string text = historyText(oneSite()[0]);
-  EXPECT_NE(text.find("  anna: its map is as good as ever\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("  =berta: no run of it can be judged yet\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  anna: yes, the map of 1970-01-12 may be rolled out; its map is as good "
+                      "as ever\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("  =berta: no, the map of 1970-01-13 fits no other map of the site, and no "
+                      "good one is known; no run of it can be judged yet\n"),
+            std::string::npos)
+      << text;
   EXPECT_EQ(text.rfind("office \"A\": 13 runs\n", 0), 0u) << text;
   WatchedSite young;
   young.history.site = "lab";

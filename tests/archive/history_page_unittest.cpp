@@ -32,17 +32,29 @@ TEST(HistoryPage, needsNoOtherFileAndRunsNothing) {
   const std::string page = historyPage({siteOf("office", 0.1)}, {});
   for (const char* part : {"http://", "https://", "<script", "src=", "url("})
     EXPECT_FALSE(has(page, part)) << part;
-  EXPECT_TRUE(has(page, "<h1>No robot&apos;s map") || has(page, "<h1>No robot's map"));
+  EXPECT_TRUE(has(page, "<h1>anna: yes, the map of 1970-01-12 may be rolled out</h1>"));
 }
 
 TEST(HistoryPage, aRobotOfFewNightsIsNotCalledSound) {
   const std::string alone = historyPage({siteOf("new", 0.1, 9)}, {});
-  EXPECT_TRUE(has(alone, "<h1>Too few nights to see a trend</h1>"));
   EXPECT_TRUE(has(alone, "<td class=\"state unsure\">too few nights</td>"));
   EXPECT_FALSE(has(alone, "as ever"));
   const std::string both = historyPage({siteOf("new", 0.1, 9), siteOf("old", 0.1)}, {});
+  const std::string young = historyPage({siteOf("new", 0.1, 9), siteOf("newer", 0.1, 8)}, {});
+  EXPECT_TRUE(has(young, "<h1>Too few nights to see a trend</h1>"));
   EXPECT_TRUE(has(both, "<h1>No alarm, but 1 of 2 robots has too few nights to see a trend</h1>"));
   EXPECT_TRUE(has(both, "<td class=\"state\">as ever</td>"));
+}
+
+TEST(HistoryPage, aMapThatMayNotBeRolledOutIsTheHeadline) {
+  WatchedSite site = siteOf("office", 0.1);
+  site.history.runs.push_back(test::historyRun("anna", 12, 3));
+  site.watch = watchSite(site.history, {});
+  const std::string page = historyPage({site}, {});
+  EXPECT_TRUE(has(page,
+                  "<h1>anna: no, the map of 1970-01-13 is 3.00 m off, with a limit of 0.30 m: keep "
+                  "that of 1970-01-12</h1>"));
+  EXPECT_TRUE(has(page, "<td class=\"state bad\">keep the old</td>"));
 }
 
 TEST(HistoryPage, namesAreText) {

@@ -50,6 +50,65 @@ TEST(WatchSite, theRobotThatGetsWorseAlarmsAndTheOtherDoesNot) {
   EXPECT_TRUE(watch.robots[1].errors.isAlarm());
 }
 
+/** Twelve sound nights of anna. */
+SiteHistory twelveNights() {
+  SiteHistory history;
+  for (int n = 0; n < 12; ++n) history.runs.push_back(historyRun("anna", n, 0.1));
+  return history;
+}
+
+RobotWatch annaIn(const SiteHistory& history) { return watchSite(history, {}).robots.at(0); }
+
+TEST(WatchSite, aSoundMapMayBeRolledOut) {
+  const RobotWatch anna = annaIn(twelveNights());
+  EXPECT_EQ(anna.rollout, Rollout::yes);
+  EXPECT_EQ(anna.advice, "yes, the map of 1970-01-12 may be rolled out");
+  EXPECT_FALSE(anna.isAlarm());
+}
+
+TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
+  SiteHistory history = twelveNights();
+  history.runs.push_back(historyRun("anna", 12, 2.5));
+  EXPECT_EQ(annaIn(history).rollout, Rollout::no);
+  EXPECT_EQ(annaIn(history).advice,
+            "no, the map of 1970-01-13 is 2.50 m off, with a limit of 0.30 m: keep that of "
+            "1970-01-12");
+  Measure breaks = history.runs.back().figures.front();
+  breaks.name = kBreaks, breaks.value = 2;
+  history.runs.back().figures.push_back(breaks);
+  EXPECT_EQ(annaIn(history).advice,
+            "no, the map of 1970-01-13 breaks in 2 places: keep that of 1970-01-12");
+  EXPECT_FALSE(annaIn(history).isAlarm()) << "one bad night is no trend";
+}
+
+TEST(WatchSite, mapsThatTellNothingOfTheSiteAreAnAlarmFromTheSecondNightOn) {
+  SiteHistory history = twelveNights();
+  for (int n = 12; n < 14; ++n) {
+    HistoryRun run = historyRun("anna", n, 0.1);
+    run.isPlaced = false, run.figures.clear();
+    history.runs.push_back(run);
+    const RobotWatch anna = annaIn(history);
+    EXPECT_EQ(anna.rollout, Rollout::no);
+    EXPECT_EQ(anna.unjudged, std::size_t(n - 11));
+    EXPECT_EQ(anna.isAlarm(), n == 13);
+  }
+  EXPECT_EQ(annaIn(history).sentence, "its last 2 maps tell nothing of the site");
+  EXPECT_EQ(annaIn(history).advice,
+            "no, the map of 1970-01-14 fits no other map of the site: keep that of 1970-01-12");
+  history.runs.push_back(historyRun("anna", 14, 0.1));
+  EXPECT_FALSE(annaIn(history).isAlarm());
+}
+
+TEST(WatchSite, theFirstNightsAreNotKnownYet) {
+  SiteHistory history;
+  for (int n = 0; n < 2; ++n) {
+    history.runs.push_back(historyRun("anna", n, 0.1));
+    history.runs.back().figures[0].isMeaningful = false;
+    EXPECT_EQ(annaIn(history).rollout, Rollout::unknown);
+    EXPECT_FALSE(annaIn(history).isAlarm());
+  }
+}
+
 TEST(WatchSite, aDoorThatIsWalledUpIsNamedWithItsNight) {
   const SiteHistory history = sixtyNights();
   const SiteWatch watch = watchSite(history, {});

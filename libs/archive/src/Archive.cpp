@@ -4,9 +4,11 @@
 #include <map>
 
 #include "Database.h"
+#include "edit_runs.h"
 #include "figures_of.h"
 #include "name_known_rooms.h"
 #include "read_history.h"
+#include "reform_site.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/version.h"
@@ -61,6 +63,7 @@ class Archive::Tables {
   Added record(const Addition& addition) {
     Transaction transaction(database);
     const std::int64_t site = siteOf(addition.site);
+    reformSite(database, site, addition.comparison);
     std::vector<RunToWrite> runs = newRuns(site, addition);
     if (runs.empty()) return {};
     Added added;
@@ -153,11 +156,12 @@ class Archive::Tables {
     return runs;
   }
 
-  /** The runs that are there, but had no figures to be trusted when they came. */
+  /** The runs that are there, but had no figures to be trusted, or no place, when they came. */
   void addStale(std::int64_t site, const Comparison& comparison, std::vector<RunToWrite>& runs) {
+    if (!isKnownSite(site, comparison)) return;
     for (const ComparedRun& run : comparison.runs) {
       const std::int64_t key = keyOf(site, run.sha256);
-      if (!key || !run.score || hasTrustedError(key) || !isPlaced(key)) continue;
+      if (!key || !run.score || hasTrustedError(key)) continue;
       RunToWrite stale;
       stale.compared = &run, stale.reason = run.reason, stale.known = key;
       runs.push_back(stale);
@@ -172,8 +176,12 @@ class Archive::Tables {
     try {
       if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database.file());
     } catch (const DataError& error) {
-      comparison.rooms.clear();
-      return error.what();
+      if (!areRoomsOutvoted(database, site, comparison)) {
+        comparison.rooms.clear();
+        return error.what();
+      }
+      ledger = {};
+      nameKnownRooms(comparison, ledger, database.file());
     }
     Statement(database, "UPDATE site SET ledger = ? WHERE id = ?")
         .with(siteJson(ledger), site)
@@ -198,7 +206,8 @@ class Archive::Tables {
              const Comparison& found) {
     std::int64_t key = run.known;
     if (key) {
-      Statement(database, "UPDATE run SET comparison = ?, reason = ? WHERE id = ?")
+      Statement(database,
+                "UPDATE run SET comparison = ?, reason = ?, state = 'placed' WHERE id = ?")
           .with(comparison, run.reason, key)
           .run();
       Statement(database, "DELETE FROM figure WHERE run = ?").with(key).run();
@@ -271,6 +280,15 @@ SiteHistory Archive::history(const std::string& site) const {
 }
 
 Added Archive::record(const Addition& addition) { return tables_->record(addition); }
+
+void Archive::removeRun(const std::string& site, const std::string& run) {
+  roomgraph::removeRun(tables_->database, site, run);
+}
+
+void Archive::renameRobot(const std::string& site, const std::string& robot,
+                          const std::string& name) {
+  roomgraph::renameRobot(tables_->database, site, robot, name);
+}
 
 void Archive::nameRoom(const std::string& site, const std::string& id, const std::string& name) {
   tables_->nameRoom(site, id, name);

@@ -25,6 +25,8 @@ class Choice {
     }
   }
 
+  std::size_t count() const { return chosen_.size(); }
+
   std::vector<std::size_t> inOrder() {
     std::sort(chosen_.begin(), chosen_.end());
     return chosen_;
@@ -41,15 +43,18 @@ class Choice {
 
 std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
                                       const std::function<bool(const KnownRun&)>& isUsable) {
-  std::vector<std::size_t> latest, best;
-  for (std::size_t i = runs.size(); i-- > 0 && latest.size() < kLast;)
+  std::vector<std::size_t> latest, best, elsewhere;
+  for (std::size_t i = runs.size(); i-- > 0 && latest.size() < kLast;) {
     if (runs[i].isPlaced) latest.push_back(i);
+    if (latest.empty()) elsewhere.push_back(i);
+  }
   for (const std::size_t i : latest)
     if (runs[i].error && !runs[i].isBroken) best.push_back(i);
   std::stable_sort(best.begin(), best.end(),
                    [&](std::size_t l, std::size_t r) { return *runs[l].error < *runs[r].error; });
   Choice choice(runs, isUsable);
-  choice.fill(latest, most / 2);
+  choice.fill(elsewhere, (most + 2) / 3);
+  choice.fill(latest, (choice.count() + most) / 2);
   choice.fill(best, most);
   choice.fill(latest, most);
   return choice.inOrder();

@@ -84,7 +84,11 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
               {"p", errors.change->p}};
   return {{"robot", utf8Text(robot.robot)},
           {"judged_runs", robot.runs.size()},
-          {"alarm", errors.isAlarm()},
+          {"may_roll_out",
+           robot.rollout == Rollout::unknown ? Json(nullptr) : Json(robot.rollout == Rollout::yes)},
+          {"advice", utf8Text(robot.advice)},
+          {"unjudged_nights", robot.unjudged},
+          {"alarm", robot.isAlarm()},
           {"over_limit", errors.isOverLimit},
           {"declining", errors.isDeclining},
           {"changed", errors.isChanged},
@@ -139,7 +143,7 @@ struct GaugeKind {
 
 Gauge latestFigure(const char* name) {
   return [name](const SiteHistory& history, const RobotWatch& robot) {
-    return robot.runs.empty() ? std::nullopt : valueOf(history.runs[robot.runs.back()], name);
+    return trustedFigure(history.runs[robot.latest], name);
   };
 }
 
@@ -149,6 +153,13 @@ Gauge flag(bool ErrorWatch::*member) {
 
 const std::vector<GaugeKind>& gauges() {
   static const std::vector<GaugeKind> kGauges{
+      {"roomgraph_may_roll_out", "1 where the latest map may be rolled out, 0 where it may not.",
+       [](const SiteHistory&, const RobotWatch& robot) -> std::optional<double> {
+         if (robot.rollout == Rollout::unknown) return {};
+         return robot.rollout == Rollout::yes;
+       }},
+      {"roomgraph_unjudged_nights", "Latest runs in a row that tell nothing of the site.",
+       [](const SiteHistory&, const RobotWatch& robot) { return double(robot.unjudged); }},
       {"roomgraph_map_error_metres", "How far the latest map lies from where the walls are.",
        latestFigure(kMapError)},
       {"roomgraph_score", "Score of the latest map, 0 to 100.", latestFigure(kScore)},
@@ -226,7 +237,8 @@ std::string historyText(const WatchedSite& site) {
   std::string text =
       printable(site.history.site) + ": " + counted(site.history.runs.size(), "run", "runs") + "\n";
   for (const RobotWatch& robot : site.watch.robots)
-    text += "  " + printable(robot.robot) + ": " + printable(robot.sentence) + "\n";
+    text += "  " + printable(robot.robot) + ": " + printable(robot.advice) + "; " +
+            printable(robot.sentence) + "\n";
   for (const RoomChange& change : site.watch.changes)
     text += "  " + printable(changeText(change, site.history)) + "\n";
   return text;

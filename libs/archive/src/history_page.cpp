@@ -33,6 +33,7 @@ std::string metres(std::optional<double> value) {
 
 /** The larger, the more it needs attention. */
 int needOf(const RobotWatch& robot) {
+  if (robot.rollout == Rollout::no || robot.isLost()) return 6;
   if (robot.errors.isOverLimit) return 5;
   if (robot.errors.isDeclining) return 4;
   if (robot.errors.isChanged) return 3;
@@ -41,14 +42,13 @@ int needOf(const RobotWatch& robot) {
 }
 
 const char* stateOf(const RobotWatch& robot) {
-  constexpr const char* kStates[] = {"as ever",     "too few nights", "not judged",
-                                     "worse since", "gets worse",     "above limit"};
+  constexpr const char* kStates[] = {"as ever",    "too few nights", "not judged",  "worse since",
+                                     "gets worse", "above limit",    "keep the old"};
   return kStates[needOf(robot)];
 }
 
 std::optional<double> latestError(const Row& row) {
-  if (row.robot->runs.empty()) return {};
-  return trustedFigure(row.site->history.runs[row.robot->runs.back()], kMapError);
+  return trustedFigure(row.site->history.runs[row.robot->latest], kMapError);
 }
 
 std::vector<Row> rowsByNeed(const std::vector<WatchedSite>& sites) {
@@ -73,12 +73,17 @@ std::string calmHeadline(const std::vector<Row>& rows) {
          " too few nights to see a trend";
 }
 
+bool needsAttention(const Row& row) {
+  return row.robot->isAlarm() || row.robot->rollout == Rollout::no;
+}
+
 std::string headline(const std::vector<Row>& rows) {
-  const auto alarms = std::size_t(std::count_if(
-      rows.begin(), rows.end(), [](const Row& row) { return row.robot->errors.isAlarm(); }));
+  const auto alarms = std::size_t(std::count_if(rows.begin(), rows.end(), needsAttention));
   if (rows.empty()) return "No runs yet";
+  if (rows.size() == 1)
+    return rows[0].robot->robot + ": " + rows[0].robot->advice +
+           (rows[0].robot->isAlarm() ? "; " + rows[0].robot->sentence : "");
   if (alarms == 0) return calmHeadline(rows);
-  if (rows.size() == 1) return "Robot " + rows[0].robot->robot + ": " + rows[0].robot->sentence;
   return counted(alarms, "robot", "robots") + " of " + std::to_string(rows.size()) +
          (alarms == 1 ? " needs attention" : " need attention");
 }
@@ -86,14 +91,14 @@ std::string headline(const std::vector<Row>& rows) {
 std::string rowHtml(const Row& row, const WatchOptions& options) {
   const RobotWatch& robot = *row.robot;
   const auto& runs = row.site->history.runs;
-  const char* kind = robot.errors.isAlarm() ? " bad" : robot.errors.isTooShort ? " unsure" : "";
+  const char* kind = needsAttention(row) ? " bad" : robot.errors.isTooShort ? " unsure" : "";
   return std::string("<tr><td class=\"state") + kind + "\">" + stateOf(robot) +
          "</td><th scope=\"row\">" + xmlText(row.site->history.site) + "</th><td>" +
          xmlText(robot.robot) + "</td><td>" + errorSparkline(*row.site, robot, options) +
          "</td><td class=\"n\">" + metres(latestError(row)) + "</td><td class=\"n\">" +
          std::to_string(robot.runs.size()) + "</td><td>" + dayText(runs[robot.latest].time) +
          "</td><td>" + (robot.lastGood ? dayText(runs[*robot.lastGood].time) : "–") +
-         "</td><td class=\"why\">" + xmlText(robot.sentence) + "</td></tr>\n";
+         "</td><td class=\"why\">" + xmlText(robot.advice + "; " + robot.sentence) + "</td></tr>\n";
 }
 
 std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options) {

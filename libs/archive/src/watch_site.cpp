@@ -21,16 +21,23 @@ constexpr double kAreaShare = 0.15;  // smaller changes of a room's area are dra
 
 bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
 
+/** Placed runs of a site without which nothing tells how wrong a map is. */
+constexpr std::size_t kLeastOthers = 2;
+
 RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
                       const WatchOptions& options) {
   RobotWatch watch;
   watch.robot = robot;
   Samples errors;
+  std::size_t others = 0;
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
+    const bool isJudgeable = !run.isPlaced || others >= kLeastOthers;
+    others += run.isPlaced ? 1 : 0;
     if (run.robot != robot) continue;
     watch.latest = i;
     const auto error = run.isPlaced ? trustedFigure(run, kMapError) : std::nullopt;
+    watch.unjudged = error || !isJudgeable ? 0 : watch.unjudged + 1;
     if (!error) continue;
     watch.runs.push_back(i);
     errors.push_back({run.time / kDay, *error});
@@ -38,6 +45,38 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
   }
   watch.errors = watchErrors(errors, options);
   return watch;
+}
+
+/** Why the latest map may not be rolled out; empty where it may, or nothing is known yet. */
+std::string faultOf(const RobotWatch& watch, const HistoryRun& latest,
+                    const WatchOptions& options) {
+  if (!latest.isPlaced) return "fits no other map of the site";
+  const auto error = trustedFigure(latest, kMapError);
+  if (!error) return watch.unjudged > 0 ? "cannot be judged" : "";
+  const double breaks = trustedFigure(latest, kBreaks).value_or(0);
+  if (breaks > 0)
+    return formatted(breaks == 1 ? "breaks in %.0f place" : "breaks in %.0f places", breaks);
+  if (*error > options.limit)
+    return formatted("is %.2f m off, with a limit of %.2f m", *error, options.limit);
+  return "";
+}
+
+/** May the latest map be rolled out; if not, which one stays? */
+void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& options) {
+  const auto dayOf = [&](std::size_t run) { return dayText(history.runs[run].time); };
+  const std::string map = "the map of " + dayOf(watch.latest);
+  const std::string fault = faultOf(watch, history.runs[watch.latest], options);
+  if (!fault.empty()) {
+    watch.rollout = Rollout::no;
+    watch.advice = "no, " + map + " " + fault +
+                   (watch.lastGood ? ": keep that of " + dayOf(*watch.lastGood)
+                                   : ", and no good one is known");
+  } else if (watch.lastGood == watch.latest) {
+    watch.rollout = Rollout::yes;
+    watch.advice = "yes, " + map + " may be rolled out";
+  } else {
+    watch.advice = "not known yet: too few runs to judge " + map;
+  }
 }
 
 std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
@@ -58,6 +97,8 @@ std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
   if (errors.isChanged)
     return "its map has been worse since " + dayOf(watch.runs[errors.change->first]) + ", by " +
            formatted("%.2f m", errors.change->after - errors.change->before);
+  if (watch.isLost())
+    return "its last " + std::to_string(watch.unjudged) + " maps tell nothing of the site";
   if (watch.runs.empty()) return "no run of it can be judged yet";
   if (errors.isTooShort) return "too few nights to see a trend";
   return "its map is as good as ever";
@@ -109,6 +150,7 @@ SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
   for (const HistoryRun& run : history.runs) robots.insert(run.robot);
   for (const std::string& robot : robots) {
     watch.robots.push_back(watchRobot(robot, history, options));
+    advise(watch.robots.back(), history, options);
     watch.robots.back().sentence = sentenceOf(watch.robots.back(), history, options);
   }
   for (const auto& [key, series] : seriesOf(history))

@@ -38,9 +38,9 @@ struct KnownRun {
 };
 
 /** One file that keeps, of every run of one or several sites, where it comes from, its figures and
- *  what it has of each room. It only ever grows, in transactions: a call that is killed has added
- *  a run wholly or not at all. Several programs may use one at a time. All but the constructor,
- *  record() and nameRoom() change nothing. Errors are DataErrors of one line. */
+ *  what it has of each room. It changes in transactions: a call that is killed has added a run wholly
+ *  or not at all. Several programs may use one at a time. All but the constructor, record(),
+ *  nameRoom(), removeRun() and renameRobot() change nothing. Errors are DataErrors of one line. */
 class Archive {
  public:
   enum class Access { existing, orNew };
@@ -59,13 +59,22 @@ class Archive {
 
   /** Keeps the runs that are not known yet, each once for all, and the figures of those that had
    *  none to be trusted before. Its rooms get the ids and names that the site knows, and new ones
-   *  are remembered once two runs have them. With nothing new it changes nothing. O(runs of the
+   *  are remembered once two runs have them. Where three or more runs agree with each other, and are
+   *  more than the site has, they become the site. With nothing new it changes nothing. O(runs of the
    *  comparison * rooms), however many runs there are already. */
   Added record(const Addition& addition);
 
   /** Gives a room of a site another name, which it keeps; its id stays.
    *  @throws DataError where there is no such room. */
   void nameRoom(const std::string& site, const std::string& id, const std::string& name);
+
+  /** Takes a run out, with its figures; those of other runs stay. `run` is its file as listed, the
+   *  name of that file, or at least eight digits of its SHA-256.
+   *  @throws DataError where there is no such run, or where several could be meant. */
+  void removeRun(const std::string& site, const std::string& run);
+
+  /** Gives the runs of a robot another name. @throws DataError where there is no such robot. */
+  void renameRobot(const std::string& site, const std::string& robot, const std::string& name);
 
  private:
   class Tables;

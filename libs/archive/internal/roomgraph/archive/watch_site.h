@@ -14,6 +14,9 @@ namespace roomgraph {
 // Out:  SiteWatch
 // Next: historyText, historyJson
 
+/** Whether the latest map of a robot may be rolled out. */
+enum class Rollout { yes, no, unknown };
+
 /** What the maps of one robot say, over time. */
 struct RobotWatch {
   std::string robot;
@@ -21,7 +24,17 @@ struct RobotWatch {
   ErrorWatch errors;              ///< its indices are ones into `runs`
   std::optional<std::size_t> lastGood;  ///< into SiteHistory::runs: not above the limit, not torn
   std::size_t latest = 0;               ///< into SiteHistory::runs
-  std::string sentence;                 ///< for people, without the name of the robot
+  /** Latest runs in a row that lie elsewhere, or cannot be judged though the site is known. */
+  std::size_t unjudged = 0;
+  /** Of `latest`: yes where it is judged, has no break and is not above the limit; unknown while
+   *  the site has fewer than three runs. */
+  Rollout rollout = Rollout::unknown;
+  std::string advice;    ///< for people: whether it may, why not, and which map stays
+  std::string sentence;  ///< for people, without the name of the robot: what is seen over time
+
+  /** The maps get worse, or two nights in a row tell nothing of them. */
+  bool isAlarm() const { return errors.isAlarm() || isLost(); }
+  bool isLost() const { return unjudged > 1; }
 };
 
 /** A room that is different for good. */
@@ -40,7 +53,7 @@ struct SiteWatch {
 
 /** Judges each robot by watchErrors, and says which rooms have changed and stayed so: five runs
  *  must agree. Rooms are judged by placed runs without a break. Runs of another site and errors
- *  that cannot be trusted count for nothing. O(runs * (window^2 + rooms)). */
+ *  that cannot be trusted count for nothing in the trend, and against the robot in `unjudged`. O(runs * (window^2 + rooms)). */
 SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options);
 
 /** One line for people: "R3 Kitchen: 2 doors instead of 3 since 2026-11-02". */

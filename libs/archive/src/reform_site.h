@@ -1,0 +1,20 @@
+#pragma once
+#include <cstdint>
+
+#include "Database.h"
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+/** Where more runs agree with each other than a site has, they are the site: a wrong first map
+ *  locks nobody out. The runs that were placed before become runs of another site and lose their
+ *  figures, those of the comparison that are known are placed, and the rooms begin anew. Changes
+ *  nothing where a placed run is among the compared ones, or where the comparison has fewer than
+ *  three. To be called within a transaction. O(runs of the site). */
+void reformSite(Database& database, std::int64_t site, const Comparison& comparison);
+
+/** Whether the rooms that a site knows have been seen by fewer runs than agree in a comparison, of
+ *  which there must be three: rooms of a bad first night. O(sightings of the site). */
+bool areRoomsOutvoted(Database& database, std::int64_t site, const Comparison& comparison);
+
+}  // namespace roomgraph
