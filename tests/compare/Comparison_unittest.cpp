@@ -11,16 +11,59 @@ ComparedPair pairOf(const std::string& a, const std::string& b, double confidenc
   return pair;
 }
 
-TEST(Comparison, aPlaceIsDoubtfulIfMostPairsAre) {
+ComparedRun runOf(const std::string& name, double error) {
+  ComparedRun run;
+  run.name = name, run.score.emplace();
+  run.score->mapError = error, run.score->errorHigh = 1.5 * error;
+  run.score->share = 0.9, run.score->isMeaningful = true;
+  return run;
+}
+
+Comparison ofFour() {
   Comparison comparison;
+  for (const char* name : {"a", "b", "c", "d"}) comparison.runs.push_back(runOf(name, 0.1));
+  return comparison;
+}
+
+TEST(Comparison, aPlaceIsDoubtfulWhereNoChainOfSurePairsLeadsToMostOthers) {
+  Comparison comparison = ofFour();
   EXPECT_FALSE(comparison.isPlaceDoubtful("a")) << "nothing speaks against it";
-  comparison.pairs = {pairOf("a", "b", 0.99), pairOf("a", "c", 0.3), pairOf("b", "c", 0.4)};
-  EXPECT_FALSE(comparison.isPlaceDoubtful("a")) << "one of two";
-  EXPECT_TRUE(comparison.isPlaceDoubtful("c"));
-  comparison.pairs[2].isSameSite = false;
-  EXPECT_TRUE(comparison.isPlaceDoubtful("c")) << "the other one still is";
-  comparison.pairs[1].isSameSite = false;
-  EXPECT_FALSE(comparison.isPlaceDoubtful("c")) << "those of other sites do not count";
+  comparison.pairs = {pairOf("a", "b", 0.99), pairOf("b", "c", 0.95), pairOf("a", "c", 0.4),
+                      pairOf("a", "d", 0.8),  pairOf("b", "d", 0.3),  pairOf("c", "d", 0.3)};
+  for (const char* name : {"a", "b", "c"}) EXPECT_FALSE(comparison.isPlaceDoubtful(name)) << name;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("d"));
+  comparison.pairs[3].isSameSite = comparison.pairs[4].isSameSite = false;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("d")) << "one pair is left";
+  comparison.pairs[5].isSameSite = false;
+  EXPECT_FALSE(comparison.isPlaceDoubtful("d")) << "pairs of other sites do not count";
+}
+
+TEST(Comparison, oneBadRunLeavesNoDoubtOnSureOnes) {
+  Comparison comparison = ofFour();
+  comparison.pairs = {pairOf("a", "b", 0.95), pairOf("a", "c", 0.5), pairOf("a", "d", 0.5),
+                      pairOf("b", "c", 0.5),  pairOf("b", "d", 0.5), pairOf("c", "d", 0.5)};
+  EXPECT_FALSE(comparison.isPlaceDoubtful("a"));
+  comparison.pairs[5].confidence = 0.95;
+  EXPECT_FALSE(comparison.isPlaceDoubtful("a")) << "two halves of one size";
+  comparison.pairs[0].confidence = 0.5;
+  EXPECT_TRUE(comparison.isPlaceDoubtful("a"));
+}
+
+TEST(Comparison, certaintyNamesTheWorstDoubt) {
+  Comparison comparison = ofFour();
+  ComparedRun& a = comparison.runs[0];
+  const auto word = [&] { return std::string(certaintyText(comparison.certaintyOf(a))); };
+  EXPECT_EQ(word(), "sure");
+  a.score->share = 0.5;
+  EXPECT_EQ(word(), "likely");
+  a.score->share = 0.9, a.score->errorHigh = 0.31;
+  EXPECT_EQ(word(), "likely");
+  a.score->errorHigh = 0.1, a.measures = {{"coverage", 0.4, "1", 5000, {}, {}, true}};
+  EXPECT_EQ(word(), "likely");
+  comparison.pairs = {pairOf("a", "b", 0.5)};
+  EXPECT_EQ(word(), "doubtful");
+  a.score->isMeaningful = false;
+  EXPECT_EQ(word(), "cannot tell");
 }
 
 }  // namespace

@@ -73,14 +73,14 @@ TEST(ReasonOf, saysWherePlacesAreDoubtful) {
     pair.a = a, pair.b = b, pair.isSameSite = true, pair.confidence = confidence;
     comparison.pairs.push_back(pair);
   }
-  const std::string doubt = "; doubtful, as most of its pairs are aligned with little confidence";
+  const std::string doubt = "; doubtful, as no pair that is sure joins it to most of the others";
   EXPECT_EQ(reasonOf(comparison.runs[0], comparison).find(doubt), std::string::npos);
   EXPECT_NE(reasonOf(comparison.runs[2], comparison).find(doubt), std::string::npos);
   EXPECT_EQ(verdictOf(comparison).rfind("a is the best map", 0), 0u);
   comparison.pairs[0].confidence = 0.7;
   const std::string said = verdictOf(comparison);
   EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(said.find("; but most of its pairs are aligned with little confidence"),
+  EXPECT_NE(said.find("; but no pair that is sure joins it to most of the others"),
             std::string::npos);
 }
 

@@ -31,7 +31,7 @@ struct Found {
       scores.back().emplace();
       scores.back()->mapError = errors[i], scores.back()->isMeaningful = true;
       scores.back()->score = 100 - 100 * errors[i], scores.back()->low = scores.back()->score - 5;
-      scores.back()->others = members - 1;
+      scores.back()->others = members - 1, scores.back()->share = 1;
     }
     for (const std::size_t i : site.members) site.runs.push_back(&runs[i]);
     site.poses.resize(members);

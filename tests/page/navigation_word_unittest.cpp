@@ -30,7 +30,7 @@ TEST(NavigationWord, goesByTheErrorAndItsInterval) {
       starts(navigationWord(bestWith(0.2, 0.4)),
              "Navigation with best: good enough with a localisation that corrects itself, and "
              "for lengths and areas; not for docking"));
-  EXPECT_TRUE(starts(navigationWord(bestWith(0.5, 0.9)), "Navigation with best: doubtful"));
+  EXPECT_TRUE(starts(navigationWord(bestWith(0.5, 0.9)), "Navigation with best: perhaps"));
 }
 
 TEST(NavigationWord, aBreakIsNeverGoodEnough) {
@@ -42,14 +42,29 @@ TEST(NavigationWord, aBreakIsNeverGoodEnough) {
       starts(navigationWord(comparison), "Navigation with best: not good enough. It breaks"));
 }
 
+TEST(NavigationWord, theBestRunWithoutABreakIsNamedForDriving) {
+  Comparison comparison = bestWith(0.01, 0.02);
+  comparison.runs[1] = comparison.runs[0];
+  comparison.runs[1].name = "sound", comparison.runs[1].score->mapError = 0.05;
+  comparison.breaks = {{"best", {}, 0.1, 0.5, {}, {}}};
+  EXPECT_NE(
+      navigationWord(comparison)
+          .find(" To drive: sound, which has no break, and its map error is about 0.05 m, and "
+                "most likely no more than 0.02 m; to measure: best."),
+      std::string::npos)
+      << navigationWord(comparison);
+  comparison.runs[1].score->isMeaningful = false;
+  EXPECT_EQ(navigationWord(comparison).find("To drive"), std::string::npos);
+}
+
 TEST(NavigationWord, doubtIsNeverGoodEnough) {
   Comparison comparison = bestWith(0, 0.02);
   comparison.pairs.resize(1);
   comparison.pairs[0].a = "best", comparison.pairs[0].isSameSite = true;
   comparison.pairs[0].confidence = 0.6;
   EXPECT_EQ(navigationWord(comparison),
-            "Navigation with best: cannot be told, most of its pairs are aligned with little "
-            "confidence.");
+            "Navigation with best: cannot be told, no pair that is sure joins it to most of the "
+            "others.");
 }
 
 TEST(NavigationWord, saysNothingOfMapsThatCannotBeJudged) {

@@ -5,6 +5,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   an archive, and one of its runs or robots
+// Out:  the archive without that run, or with another name for that robot
+// Next: watchSite
+
 /** Takes a run out of a site, with its figures and sightings. The figures of other runs stay as
  *  they were told while it was there. `run` is its file as it is listed, the name of that file, or
  *  at least eight digits of its SHA-256.

@@ -6,6 +6,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   an archive, and Comparison
+// Out:  the site anew, where more runs agree with each other than it has
+// Next: Archive::record
+
 /** Where more runs agree with each other than a site has, they are the site: a wrong first map
  *  locks nobody out. The runs that were placed before become runs of another site and lose their
  *  figures, those of the comparison that are known are placed, and the rooms begin anew. Changes

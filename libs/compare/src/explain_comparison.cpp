@@ -9,8 +9,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLittle = 0.6;  // share of the walls below which it is worth a word
-
 /** What decided the score of a run. */
 std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const RunScore& score = *run.score;
@@ -23,8 +21,8 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
     text += formatted("; it breaks in %ld place%s", long(count), count == 1 ? "" : "s");
   if (comparison.isPlaceDoubtful(run.name))
-    text += "; doubtful, as most of its pairs are aligned with little confidence";
-  if (score.share < kLittle)
+    text += "; doubtful, as no pair that is sure joins it to most of the others";
+  if (score.share < kMostWalls)
     text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
@@ -83,7 +81,7 @@ std::string verdictOf(const Comparison& result) {
   const auto coverage = coverageOf(best);
   const bool isPartial = coverage && *coverage < kPartialCoverage;
   const bool isDoubtful = result.isPlaceDoubtful(best.name);
-  const bool isBest = !isPartial && !isDoubtful && isBetterThanAny(best, result);
+  const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text =
       best.name + (isBest ? " is the best map" : " has the smallest error") +
       formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
@@ -93,7 +91,7 @@ std::string verdictOf(const Comparison& result) {
   if (isPartial)
     text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
                       100 * *coverage);
-  if (isDoubtful) text += "; but most of its pairs are aligned with little confidence";
+  if (isDoubtful) text += "; but no pair that is sure joins it to most of the others";
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   text += ".";
   for (const std::vector<std::string>& names : copies)

@@ -25,8 +25,22 @@ std::string wordFor(const RunScore& score) {
   if (score.mapError <= kForLengths)
     return "good enough with a localisation that corrects itself, and for lengths and areas; not "
            "for docking, or goals and zones that robots share";
-  return "doubtful: a slow bend does no harm to a localisation that corrects itself, a bend in one "
+  return "perhaps: a slow bend does no harm to a localisation that corrects itself, a bend in one "
          "place does";
+}
+
+bool isBroken(const ComparedRun& run, const Comparison& comparison) {
+  return std::any_of(comparison.breaks.begin(), comparison.breaks.end(),
+                     [&](const MapBreak& tear) { return tear.run == run.name; });
+}
+
+/** Where the best run breaks: the best one without a break, of which something can be told. */
+std::string toDrive(const Comparison& comparison) {
+  for (const ComparedRun& run : comparison.runs)
+    if (comparison.certaintyOf(run) <= Certainty::likely && !isBroken(run, comparison))
+      return " To drive: " + run.name + ", which has no break, and " + errorText(*run.score) +
+             "; to measure: " + comparison.runs[0].name + ".";
+  return "";
 }
 
 }  // namespace
@@ -36,15 +50,16 @@ std::string navigationWord(const Comparison& comparison) {
     return "";
   const ComparedRun& best = comparison.runs[0];
   const std::string start = "Navigation with " + best.name + ": ";
-  if (!best.score->isMeaningful) return start + "cannot be told, there is too little to judge by.";
-  if (comparison.isPlaceDoubtful(best.name))
-    return start + "cannot be told, most of its pairs are aligned with little confidence.";
-  const auto breaks = std::count_if(comparison.breaks.begin(), comparison.breaks.end(),
-                                    [&](const MapBreak& tear) { return tear.run == best.name; });
-  if (breaks > 0)
+  const Certainty certainty = comparison.certaintyOf(best);
+  if (certainty == Certainty::cannotTell)
+    return start + "cannot be told, there is too little to judge by.";
+  if (certainty == Certainty::doubtful)
+    return start + "cannot be told, no pair that is sure joins it to most of the others.";
+  if (isBroken(best, comparison))
     return start +
-           "not good enough. It breaks, and a robot that drives across a break is lost for a " +
-           "moment.";
+           "not good enough. It breaks, and a robot that drives across a break is lost for a "
+           "moment." +
+           toDrive(comparison);
   return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";
 }
 

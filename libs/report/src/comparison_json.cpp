@@ -41,7 +41,7 @@ Json pathJson(const std::vector<PathPose>& path) {
   return json;
 }
 
-Json runJson(const ComparedRun& run) {
+Json runJson(const ComparedRun& run, const Comparison& comparison) {
   const auto of = [&](double RunScore::*member) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
@@ -55,6 +55,7 @@ Json runJson(const ComparedRun& run) {
                {"map_error_low", of(&RunScore::errorLow)},
                {"map_error_high", of(&RunScore::errorHigh)},
                {"meaningful", run.score && run.score->isMeaningful},
+               {"certainty", certaintyText(comparison.certaintyOf(run))},
                {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
                {"reason", run.reason},
                {"shared_walls", of(&RunScore::share)},
@@ -174,7 +175,8 @@ std::string comparisonJson(const Comparison& comparison) {
   const Json reference = comparison.reference ? Json(*comparison.reference) : Json(nullptr);
   text += "\"reference\": " + lineOf(reference) + ",\n";
   if (!comparison.core.empty()) text += "\"core\": " + lineOf(Json(comparison.core)) + ",\n";
-  text += lines("runs", comparison.runs, runJson);
+  text += lines("runs", comparison.runs,
+                [&](const ComparedRun& run) { return runJson(run, comparison); });
   text += lines("pairs", comparison.pairs, pairJson);
   text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name},

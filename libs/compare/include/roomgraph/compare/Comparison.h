@@ -17,6 +17,15 @@ constexpr double kPartialCoverage = 0.7;
 /** Pairs of less confidence are worth a look. */
 constexpr double kSureConfidence = 0.9;
 
+/** Of its walls, so many were found in other maps of a run that is told for sure. */
+constexpr double kMostWalls = 0.6;
+
+/** How sure what is told of a run is; see Comparison::certaintyOf. */
+enum class Certainty { sure, likely, doubtful, cannotTell };
+
+/** "sure", "likely", "doubtful" or "cannot tell", in JSON and for people. */
+[[nodiscard]] const char* certaintyText(Certainty certainty);
+
 /** Where the robot was at a key frame, as the run's map has it. */
 struct PathPose {
   std::size_t keyFrame = 0;     ///< its number in the file of the run, from 0
@@ -91,9 +100,16 @@ struct Comparison {
   std::optional<GateVerdict> gate;       ///< none where nothing was asked
   std::vector<std::string> files;        ///< all that was written of it, without their folder
 
-  /** Whether the confidence of most pairs of a run is below kSureConfidence: then it may lie in the
-   *  wrong place, and its breaks and its error may be those of that place. O(pairs). */
+  /** Whether a run may lie in the wrong place, so that its breaks and its error may be those of that
+   *  place: no chain of pairs of kSureConfidence joins it to most of the others. False for a run
+   *  without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
+
+  /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
+   *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it shows
+   *  less than kPartialCoverage of the site, where the others have less than kMostWalls of its walls,
+   *  or where the interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
+  [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 };
 
 }  // namespace roomgraph
