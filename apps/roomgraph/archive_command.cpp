@@ -205,7 +205,8 @@ void writeOutput(const ArchiveArguments& arguments, const std::string& file,
   writeFileAtomically(file, text);
 }
 
-/** One line on stderr for each robot whose maps are not as they should be; whether there was one. */
+/** One line on stderr for each robot whose maps are not as they should be; whether there is one.
+ */
 bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& arguments) {
   bool isAnyWrong = false;
   for (const WatchedSite& site : sites)

@@ -38,8 +38,8 @@ struct KnownRun {
 };
 
 /** One file that keeps, of every run of one or several sites, where it comes from, its figures and
- *  what it has of each room. It changes in transactions: a call that is killed has added a run wholly
- *  or not at all. Several programs may use one at a time. All but the constructor, record(),
+ *  what it has of each room. It changes in transactions: a call that is killed has added a run
+ *  wholly or not at all. Several programs may use one at a time. All but the constructor, record(),
  *  nameRoom(), removeRun() and renameRobot() change nothing. Errors are DataErrors of one line. */
 class Archive {
  public:
@@ -59,9 +59,9 @@ class Archive {
 
   /** Keeps the runs that are not known yet, each once for all, and the figures of those that had
    *  none to be trusted before. Its rooms get the ids and names that the site knows, and new ones
-   *  are remembered once two runs have them. Where three or more runs agree with each other, and are
-   *  more than the site has, they become the site. With nothing new it changes nothing. O(runs of the
-   *  comparison * rooms), however many runs there are already. */
+   *  are remembered once two runs have them. Where three or more runs agree with each other, and
+   *  are more than the site has, they become the site. With nothing new it changes nothing. O(runs
+   *  of the comparison * rooms), however many runs there are already. */
   Added record(const Addition& addition);
 
   /** Gives a room of a site another name, which it keeps; its id stays.

@@ -53,7 +53,8 @@ struct SiteWatch {
 
 /** Judges each robot by watchErrors, and says which rooms have changed and stayed so: five runs
  *  must agree. Rooms are judged by placed runs without a break. Runs of another site and errors
- *  that cannot be trusted count for nothing in the trend, and against the robot in `unjudged`. O(runs * (window^2 + rooms)). */
+ *  that cannot be trusted count for nothing in the trend, and against the robot in `unjudged`.
+ *  O(runs * (window^2 + rooms)). */
 SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options);
 
 /** One line for people: "R3 Kitchen: 2 doors instead of 3 since 2026-11-02". */
