@@ -291,6 +291,8 @@ def the_picture_is_in_the_first_screen(browser):
     browser.settle()
     check(browser.value("document.querySelector('#map').getBoundingClientRect().bottom") <= 900,
           "the map ends below the first screen")
+    check(browser.value("document.querySelector('.layers.runs').getBoundingClientRect().bottom") < 900,
+          "the ranking ends below the first screen")
 
 
 def it_is_dark_where_that_is_preferred(browser, folder):

@@ -226,7 +226,11 @@ data pageTables(const Comparison& comparison) {
   const Tables tables(comparison);
   data page;
   page.set("version", version());
-  page.set("verdict", text(comparison.verdict));
+  // The first sentence is the headline, what qualifies it stands below.
+  const std::size_t end = std::min(comparison.verdict.find(". "), comparison.verdict.size() - 1);
+  page.set("verdict", text(comparison.verdict.substr(0, end + 1)));
+  page.set("caveats",
+           text(comparison.verdict.substr(std::min(end + 2, comparison.verdict.size()))));
   page.set("counts", pageCounts(comparison));
   page.set("summary", rowsOf(pageSummary(comparison), [](const std::string& sentence, std::size_t) {
              return text(sentence);

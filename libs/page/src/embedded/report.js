@@ -163,7 +163,7 @@
   map.createPane("rooms").style.zIndex = 410;
   map.createPane("paths").style.zIndex = 415;
   map.createPane("poses").style.zIndex = 416;
-  map.createPane("labels").style.zIndex = 420;  // below the markers
+  map.createPane("labels").style.zIndex = 610;  // above the marks of breaks
   map.getPane("labels").style.pointerEvents = "none";
 
   const layers = {};  // by name, as in data-layer
@@ -271,15 +271,21 @@
     return svg;
   }
 
+  /** Of the mark of a break [px]: the larger, the further it moves what lies ten metres behind it. */
+  function breakSide(aBreak) {
+    const moved = Math.abs(aBreak.shift_m) + 10 * Math.abs(aBreak.rotation_deg) * Math.PI / 180;
+    return Math.round(Math.min(30, Math.max(13, 12 + 6 * moved)));
+  }
+
   function makeBreak(aBreak, i) {
     const run = data.runs[placeOf.get(aBreak.run)] || {name: "", colour: "#000"};
-    const icon = element("span");
-    icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="26" height="26" aria-hidden="true">' +
+    const icon = element("span"), side = breakSide(aBreak);
+    icon.innerHTML = '<svg viewBox="-12 -12 24 24" width="' + side + '" height="' + side + '" aria-hidden="true">' +
       '<path d="M0,-10.5L11,9H-11Z" stroke="#fff" stroke-width="2" stroke-linejoin="round"/>' +
       '<path d="M-3.5,7L1.5,1L-2,-0.5L2,-6" fill="none" stroke="#fff" stroke-width="1.8"/></svg>';
     icon.querySelector("path").setAttribute("fill", run.colour);
     const marker = L.marker([aBreak.y, aBreak.x], {keyboard: false, alt: "Break of " + run.name,
-      icon: L.divIcon({className: "break-mark", html: icon, iconSize: [26, 26]})});
+      icon: L.divIcon({className: "break-mark", html: icon, iconSize: [side, side]})});
     marker.on("click", () => markBreak(i, true));
     return marker;
   }
@@ -324,9 +330,11 @@
       else lines.push({colour: colour, points: [[run.path[k - 1].y, run.path[k - 1].x], [at.y, at.x]]});
     });
     return L.layerGroup(lines.map((line) => L.polyline(line.points,
-      {pane: "paths", color: line.colour, weight: 2.5, opacity: 0.9, interactive: false})));
+      {pane: "paths", color: line.colour, weight: 2.5, opacity: pathOpacity, interactive: false})));
   }
 
+  // Of several runs the paths are light, so that those of one run can be told by pointing at it.
+  const pathOpacity = data.runs.length > 2 ? 0.45 : 0.9;
   const paths = data.runs.map(makePath);
 
   function legendOfPaths() {
@@ -445,6 +453,7 @@
     data.runs.forEach((other, i) => {
       const layer = layers["run-" + i];
       if (layer.setOpacity) layer.setOpacity(run === null || i === run ? 1 : 0.08);
+      paths[i].eachLayer((line) => line.setStyle({opacity: run === null ? pathOpacity : i === run ? 1 : 0}));
     });
   }
 

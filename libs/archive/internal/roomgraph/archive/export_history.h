@@ -26,8 +26,8 @@ std::string historyCsv(const std::vector<WatchedSite>& sites);
 std::string historyJson(const std::vector<WatchedSite>& sites);
 
 /** The state of each robot in each site as Prometheus' node_exporter collects it from text files:
- *  whether its latest map may be rolled out, the figures of that map, where they can be trusted, and
- *  the alarms, 0 or 1. */
+ *  whether its latest map may be rolled out, the figures of that map, where they can be trusted,
+ *  and the alarms, 0 or 1. */
 std::string historyPrometheus(const std::vector<WatchedSite>& sites);
 
 /** A few lines for people: each robot, then the rooms that have changed. */

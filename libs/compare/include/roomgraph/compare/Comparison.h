@@ -101,14 +101,15 @@ struct Comparison {
   std::vector<std::string> files;        ///< all that was written of it, without their folder
 
   /** Whether a run may lie in the wrong place, so that its breaks and its error may be those of
-   *  that place: no chain of pairs of kSureConfidence joins it to most of the others. False for a run
-   *  without pairs. O(pairs). */
+   *  that place: no chain of pairs of kSureConfidence joins it to most of the others. False for a
+   *  run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
    *  shows less than kPartialCoverage of the site, where the others have less than kMostWalls of
-   *  its walls, or where the interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
+   *  its walls, or where the interval ends above twice its error and 0.1 m; else *sure*.
+   *  O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 };
 
