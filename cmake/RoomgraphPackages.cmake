@@ -1,5 +1,6 @@
 # Debian packages, by cpack: roomgraph (the program), roomgraph-view (the window, where there is
-# mrpt-gui), roomgraph-mrpt (the library that MRPT's programs load) and libroomgraph-dev.
+# mrpt-gui), roomgraph-mrpt (the library that MRPT's programs load), libroomgraph-dev and, where
+# there is pybind11, python3-roomgraph.
 set(CPACK_GENERATOR DEB)
 # Who builds them answers for them: as Debian's tools have it, DEBFULLNAME and DEBEMAIL.
 set(packager "$ENV{DEBFULLNAME}")
@@ -16,6 +17,9 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program mrpt dev)
 if(TARGET roomgraph_view)
   list(APPEND CPACK_COMPONENTS_ALL view)
+endif()
+if(TARGET roomgraph_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -47,6 +51,19 @@ file(WRITE "${PROJECT_BINARY_DIR}/debian/triggers" "activate-noawait ldconfig\n"
 set(CPACK_DEBIAN_MRPT_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/triggers")
 set(CPACK_DEBIAN_MRPT_PACKAGE_CONTROL_STRICT_PERMISSION TRUE)
 
+# An extension module is of one minor version of Python.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-roomgraph)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+if(TARGET roomgraph_python)
+  math(EXPR next_python "${Python_VERSION_MINOR} + 1")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+  "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-numpy, fonts-dejavu-core")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-networkx, python3-pandas")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "rooms and paths of 2D grid maps - Python module
+ Extracts topology graphs with rooms from maps of MRPT, ROS and from pictures
+ or arrays, compares several maps of one building, and mends them.")
+
 # What a program that links the static libraries needs, see roomgraph-config.cmake.
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libroomgraph-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
@@ -62,7 +79,8 @@ file(READ "${PROJECT_SOURCE_DIR}/LICENSE" own_licence)
 file(READ "${PROJECT_SOURCE_DIR}/libs/page/src/embedded/licences.txt" embedded_licences)
 file(WRITE "${PROJECT_BINARY_DIR}/copyright" "${own_licence}\n${embedded_licences}")
 # What is compiled into the program, as Debian tells of it.
-foreach(package libcli11-dev nlohmann-json3-dev libkainjow-mustache-dev libceres-dev)
+foreach(package libcli11-dev nlohmann-json3-dev libkainjow-mustache-dev libceres-dev
+    pybind11-dev)
   if(EXISTS "/usr/share/doc/${package}/copyright")
     file(READ "/usr/share/doc/${package}/copyright" licence)
     file(APPEND "${PROJECT_BINARY_DIR}/copyright" "\nOf ${package}, parts of which are compiled in:\n\n${licence}")

@@ -14,6 +14,7 @@ mkdir -p "$work"
 
 packages=(roomgraph roomgraph-mrpt libroomgraph-dev)
 [ ! -x "$build/bin/roomgraph-view" ] || packages+=(roomgraph-view)
+[ ! -d "$build/python" ] || packages+=(python3-roomgraph)
 for package in "${packages[@]}"; do
   mkdir "$work/$package"
   dpkg-deb -x "$work"/packages/"${package}"_*.deb "$work/$package"
@@ -28,6 +29,11 @@ roomgraph=$work/roomgraph/usr/bin/roomgraph
 "$roomgraph" --version
 "$roomgraph" extract "$work/roomgraph/usr/share/roomgraph/maps/office.yaml" -o "$work/results" -q
 test -s "$work/results/office.json"
+if [ -d "$build/python" ]; then
+  PYTHONPATH="$work/python3-roomgraph/usr/lib/python3/dist-packages" /usr/bin/python3 -c '
+import roomgraph, sys
+assert roomgraph.extract(sys.argv[1]).rooms' "$work/roomgraph/usr/share/roomgraph/maps/office.yaml"
+fi
 dpkg-deb -f "$work"/packages/roomgraph_*.deb Depends | grep -q libmrpt-maps
 if command -v lintian > /dev/null; then
   lintian --allow-root --fail-on error "$work"/packages/*.deb

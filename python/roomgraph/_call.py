@@ -1,0 +1,32 @@
+"""What all functions are called with."""
+
+from __future__ import annotations
+
+import logging
+from typing import Callable, Mapping, Optional, Union
+
+from . import _core
+
+Options = Mapping[str, Union[str, int, float, bool]]
+Progress = Callable[[int, int], None]
+
+_logger = logging.getLogger("roomgraph")
+
+
+def new_call(
+    preset: str,
+    options: Optional[Options],
+    threads: int = 0,
+    progress: Optional[Progress] = None,
+) -> _core.Call:
+    """The same arguments for the extension module."""
+    settings = [(name, _text_of(value)) for name, value in (options or {}).items()]
+    return _core.Call(preset, settings, threads, _tell, progress)
+
+
+def _text_of(value: Union[str, int, float, bool]) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _tell(is_warning: bool, text: str) -> None:
+    _logger.log(logging.WARNING if is_warning else logging.INFO, "%s", text)

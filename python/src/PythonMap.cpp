@@ -1,0 +1,41 @@
+#include "PythonMap.h"
+
+#include <cmath>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+/** As many cells as maps in files may have. */
+constexpr std::size_t kMostCells = 400'000'000;
+/** The thresholds of ROS's map_server, for the percents that the greys stand for. */
+constexpr double kOccupiedAbove = 0.65, kFreeBelow = 0.196;
+
+}  // namespace
+
+ArrayMap arrayMap(const std::string& name, const std::string& sha256,
+                  const pybind11::array_t<std::uint8_t, pybind11::array::c_style |
+                                                            pybind11::array::forcecast>& grey,
+                  double resolution, double x, double y) {
+  if (grey.ndim() != 2 || grey.size() == 0 || std::size_t(grey.size()) > kMostCells)
+    throw UsageError(name + ": is no array of rows and columns with 1 to 400 million cells");
+  if (!(resolution >= 1e-4 && resolution <= 1e3) || !std::isfinite(x) || !std::isfinite(y))
+    throw UsageError(name +
+                     ": give the side of a cell as resolution (0.0001 to 1000 m), and its lower "
+                     "left corner as origin [m]");
+  ArrayMap array;
+  GreyMap& map = array.map;
+  map.frame = {int(grey.shape(1)), int(grey.shape(0)), resolution, {x, y}};
+  map.grey.assign(grey.data(), grey.data() + grey.size());
+  map.occupiedAbove = kOccupiedAbove, map.freeBelow = kFreeBelow;
+  map.source.file = name, map.source.kind = "array", map.source.sha256 = sha256;
+  return array;
+}
+
+const std::string& fileOf(const PythonMap& map) {
+  const auto* file = std::get_if<std::string>(&map);
+  return file ? *file : std::get<ArrayMap>(map).map.source.file;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,105 @@
+#include "read_maps.h"
+
+#include <algorithm>
+
+#include "PythonThreads.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/compare/prepare_run.h"
+#include "roomgraph/map_files/load_grid.h"
+
+namespace roomgraph {
+namespace {
+
+namespace py = pybind11;
+
+/** Adds the run of an array. @throws DataError where it has no wall. */
+void addArray(const ArrayMap& array, const ExtractOptions& options, std::vector<Run>& runs) {
+  runs.push_back(prepareRun(array.map.source.file, array.map, {}, options));
+}
+
+void addOrLeaveOut(const ArrayMap& array, const PythonCall& call, const ExtractOptions& options,
+                   ReadRuns& read) {
+  try {
+    addArray(array, options, read.runs);
+  } catch (const DataError& error) {
+    tell(call, true, error.what());
+    const std::string& name = array.map.source.file;
+    read.leftOut.push_back({name, name, error.what()});
+  }
+}
+
+/** The place of the run of this name in the order of sortRuns, which they are brought into. */
+std::optional<std::size_t> sortWithReference(std::vector<Run>& runs,
+                                             const std::optional<std::string>& reference) {
+  sortRuns(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (runs[i].name == reference) return i;
+  return std::nullopt;
+}
+
+/** Sets SECTION.KEY. */
+void set(FieldTable& table, const std::string& name, const std::string& value) {
+  const std::size_t dot = std::min(name.find('.'), name.size());
+  if (dot == name.size())
+    throw UsageError(name + ": write options as SECTION.KEY, as 'roomgraph config' lists them");
+  table.set(name.substr(0, dot), name.substr(dot + 1), value);
+}
+
+}  // namespace
+
+CompareMapsOptions optionsOf(const PythonCall& call) {
+  CompareMapsOptions options;
+  options.extract = preset(call.preset);
+  FieldTable table = describe(options);
+  for (const auto& [name, value] : call.settings) {
+    set(table, name, value);
+    options.extract.loadGrid.isResolutionGiven |= name == "load_grid.resolution";
+  }
+  options.compare.forEach = onPythonThreads(call.threads, call.progress);
+  options.onUnread = [&call](const LeftOutRun& run) {
+    tell(call, true, run.file + ": " + run.reason);
+  };
+  options.onNote = [&call](const std::string& file, const Note& note) {
+    tell(call, false, file + ": " + note.text);
+  };
+  return options;
+}
+
+void tell(const PythonCall& call, bool isWarning, const std::string& text) {
+  const py::gil_scoped_acquire lock;
+  // Names of files need not be UTF-8.
+  call.tell(isWarning, py::reinterpret_steal<py::str>(
+                           PyUnicode_DecodeUTF8(text.data(), Py_ssize_t(text.size()), "replace")));
+}
+
+GreyMap readGrid(const PythonMap& map, const PythonCall& call, const LoadGridOptions& options) {
+  if (const auto* array = std::get_if<ArrayMap>(&map)) return array->map;
+  GreyMap read = loadGrid(fileOf(map), options);
+  for (const Note& note : read.notes) tell(call, false, fileOf(map) + ": " + note.text);
+  return read;
+}
+
+ReadRuns readMaps(const std::vector<PythonMap>& maps, const std::optional<PythonMap>& reference,
+                  const PythonCall& call, CompareMapsOptions& options) {
+  std::vector<std::string> files;
+  for (const PythonMap& map : maps)
+    if (std::holds_alternative<std::string>(map)) files.push_back(fileOf(map));
+  const auto* truth = reference ? std::get_if<ArrayMap>(&*reference) : nullptr;
+  if (reference && !truth) options.reference = fileOf(*reference);
+  ReadRuns read;
+  if (!files.empty() || !options.reference.empty()) read = readRuns(files, options);
+  std::optional<std::string> name;
+  if (read.reference) name = read.runs[*read.reference].name;
+  for (const PythonMap& map : maps)
+    if (const auto* array = std::get_if<ArrayMap>(&map))
+      addOrLeaveOut(*array, call, options.extract, read);
+  if (truth) {
+    addArray(*truth, options.extract, read.runs);
+    name = options.reference = truth->map.source.file;
+  }
+  if (read.runs.empty()) throw DataError("no map could be used: give maps that have walls");
+  read.reference = sortWithReference(read.runs, name);
+  return read;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,170 @@
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "bindings.h"
+#include "read_maps.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/compressed.h"
+#include "roomgraph/relate/relate_runs.h"
+#include "roomgraph/repair/carry_places.h"
+#include "roomgraph/repair/key_frame_moves.h"
+#include "roomgraph/repair/repair_runs.h"
+#include "roomgraph/repair/trajectory_tum.h"
+#include "roomgraph/scans/read_stored_poses.h"
+
+namespace roomgraph {
+namespace {
+
+namespace py = pybind11;
+using Unlocked = py::call_guard<py::gil_scoped_release>;
+
+/** Runs, and what they know together. `solved` names those of `read`, which stay where they are. */
+struct Solved {
+  ReadRuns read;
+  SolvedSite site;
+};
+
+std::unique_ptr<Solved> solve(const std::vector<PythonMap>& maps,
+                              const std::optional<PythonMap>& reference, const PythonCall& call) {
+  CompareMapsOptions options = optionsOf(call);
+  ReadRuns read = readMaps(maps, reference, call, options);
+  const CompareRunsOptions& compare = options.compare;
+  const MapPairs related = relateRuns(
+      read.runs, {compare.areAligned, read.reference, std::size_t(compare.core)}, compare.forEach);
+  SolvedSite site = solveSite(read.runs, related, read.reference, compare.forEach);
+  std::unique_ptr<Solved> solved(new Solved{std::move(read), std::move(site)});
+  for (std::size_t i = 0; i < solved->read.runs.size(); ++i)
+    if (!std::binary_search(solved->site.site.members.begin(), solved->site.site.members.end(), i))
+      tell(call, true,
+           solved->read.runs[i].file + ": does not lie in the site of the others: left out");
+  return solved;
+}
+
+const char* nameOf(RepairState state) {
+  switch (state) {
+    case RepairState::mended:
+      return "mended";
+    case RepairState::kept:
+      return "kept";
+    case RepairState::reference:
+      return "reference";
+    case RepairState::lost:
+      break;
+  }
+  return "lost";
+}
+
+/** A run after its repair, and its file. */
+struct MendedRun {
+  std::string name, file, simplemap, tum;
+  RepairedRun repaired;
+};
+
+MendedRun mendedRun(const Run& run, RepairedRun repaired) {
+  CheckedFile file(run.file);
+  const StoredPoses stored = readStoredPoses(file);
+  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
+  const std::string content = movePoses(file.content(), file.name(), stored, moves);
+  return {run.name, run.file, compressed(content, file.compression()), trajectoryTum(stored, moves),
+          std::move(repaired)};
+}
+
+std::vector<MendedRun> repair(const std::vector<PythonMap>& maps,
+                              const std::optional<PythonMap>& reference, const PythonCall& call) {
+  if (maps.size() + (reference ? 1 : 0) < 2)
+    throw UsageError(
+        "repair: nothing tells where one run alone is wrong: give two, or a reference");
+  const auto solved = solve(maps, reference, call);
+  std::vector<MendedRun> mended;
+  for (RepairedRun& repaired : repairRuns(solved->site, rejoinPieces(solved->site)))
+    mended.push_back(mendedRun(solved->read.runs[repaired.run], std::move(repaired)));
+  if (mended.empty())
+    throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
+  return mended;
+}
+
+py::dict dictOf(const MendedRun& run) {
+  const RepairedRun& repaired = run.repaired;
+  const auto count = py::ssize_t(repaired.poses.size());
+  py::array_t<double> poses({count, py::ssize_t(3)});
+  auto rows = poses.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const Transform2D& pose = repaired.poses[std::size_t(i)];
+    rows(i, 0) = pose.x, rows(i, 1) = pose.y, rows(i, 2) = pose.phi;
+  }
+  py::dict dict;
+  dict["name"] = run.name, dict["file"] = run.file;
+  dict["state"] = nameOf(repaired.state), dict["reason"] = repaired.reason;
+  dict["moved"] = repaired.moved, dict["moved_most"] = repaired.movedMost;
+  dict["moved_most_at"] = repaired.movedMostAt, dict["poses"] = poses;
+  dict["simplemap"] = py::bytes(run.simplemap), dict["tum"] = run.tum;
+  return dict;
+}
+
+/** The place of a map in the site. */
+std::size_t placeOf(const PythonMap& map, const Solved& solved) {
+  const Site& site = solved.site.site;
+  for (std::size_t i = 0; i < site.runs.size(); ++i)
+    if (site.runs[i]->file == fileOf(map)) return i;
+  throw DataError(fileOf(map) +
+                  ": does not lie in the other map: nothing can be carried; give runs that lie in "
+                  "both as 'via'");
+}
+
+using NamedPose = std::tuple<std::string, double, double, double>;
+
+std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const PythonMap& from,
+                                const PythonMap& to, const std::vector<PythonMap>& via,
+                                const PythonCall& call) {
+  std::vector<Place> places;
+  for (const auto& [name, x, y, yaw] : poses) places.push_back({name, {x, y, yaw}});
+  std::vector<PythonMap> maps{from, to};
+  maps.insert(maps.end(), via.begin(), via.end());
+  const auto solved = solve(maps, std::nullopt, call);
+  const SolvedSite& site = solved->site;
+  return carryPlaces(places, site, rejoinPieces(site), placeOf(from, *solved),
+                     placeOf(to, *solved));
+}
+
+py::tuple tupleOf(const CarriedPlace& place) {
+  py::object pose = py::none();
+  if (place.pose) pose = py::make_tuple(place.pose->x, place.pose->y, place.pose->phi);
+  return py::make_tuple(pose, nameOf(place.state), place.error, place.reason);
+}
+
+/** Calls without Python's lock, and makes a Python object of each of what comes back. */
+template <class Work, class ToObject>
+py::list unlocked(const Work& work, const ToObject& toObject) {
+  decltype(work()) found;
+  {
+    const py::gil_scoped_release released;
+    found = work();
+  }
+  py::list list;
+  for (const auto& one : found) list.append(toObject(one));
+  return list;
+}
+
+}  // namespace
+
+void bindSite(py::module_& module) {
+  module.def(
+      "repair",
+      [](const std::vector<PythonMap>& maps, const std::optional<PythonMap>& reference,
+         const PythonCall& call) {
+        return unlocked([&] { return repair(maps, reference, call); }, dictOf);
+      },
+      py::arg("maps"), py::arg("reference"), py::arg("call"));
+  module.def(
+      "carry",
+      [](const std::vector<NamedPose>& places, const PythonMap& from, const PythonMap& to,
+         const std::vector<PythonMap>& via, const PythonCall& call) {
+        return unlocked([&] { return carry(places, from, to, via, call); }, tupleOf);
+      },
+      py::arg("places"), py::arg("old"), py::arg("new"), py::arg("via"), py::arg("call"));
+}
+
+}  // namespace roomgraph
