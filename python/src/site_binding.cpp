@@ -63,13 +63,13 @@ struct MendedRun {
   RepairedRun repaired;
 };
 
-MendedRun mendedRun(const Run& run, RepairedRun repaired) {
+MendedRun mendedRun(const Run& run, const RepairedRun& repaired) {
   CheckedFile file(run.file);
   const StoredPoses stored = readStoredPoses(file);
   const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
   const std::string content = movePoses(file.content(), file.name(), stored, moves);
   return {run.name, run.file, compressed(content, file.compression()), trajectoryTum(stored, moves),
-          std::move(repaired)};
+          repaired};
 }
 
 std::vector<MendedRun> repair(const std::vector<PythonMap>& maps,
@@ -79,8 +79,8 @@ std::vector<MendedRun> repair(const std::vector<PythonMap>& maps,
         "repair: nothing tells where one run alone is wrong: give two, or a reference");
   const auto solved = solve(maps, reference, call);
   std::vector<MendedRun> mended;
-  for (RepairedRun& repaired : repairRuns(solved->site, rejoinPieces(solved->site)))
-    mended.push_back(mendedRun(solved->read.runs[repaired.run], std::move(repaired)));
+  for (const RepairedRun& repaired : repairRuns(solved->site, rejoinPieces(solved->site)))
+    mended.push_back(mendedRun(solved->read.runs[repaired.run], repaired));
   if (mended.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
   return mended;

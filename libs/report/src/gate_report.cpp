@@ -74,6 +74,17 @@ std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) 
          " | " + figures + " | " + verdict + " |\n";
 }
 
+/** One line: what the gate says of whom, or without a gate what this is. */
+std::string headingOf(const Comparison& comparison) {
+  if (!comparison.gate)
+    return "## " + counted(comparison.runs.size(), "map", "maps") + " compared\n\n";
+  constexpr std::size_t mostNames = 3;
+  const GateVerdict& gate = *comparison.gate;
+  const std::string names = listed(gate.candidates, mostNames);
+  return std::string("## The gate ") + (gate.isPassed() ? "passes" : "fails") +
+         (names.empty() ? "" : ": " + markdownText(names)) + "\n\n";
+}
+
 std::string junitOf(const std::vector<JudgedRun>& runs) {
   const auto failures = std::count_if(runs.begin(), runs.end(),
                                       [](const JudgedRun& run) { return !run.complaints.empty(); });
@@ -118,16 +129,16 @@ std::string gateMarkdown(const std::vector<RunCheck>& checks) {
 
 std::string gateMarkdown(const Comparison& comparison) {
   const std::vector<JudgedRun> judged = judgedRuns(comparison);
-  std::string text = "## " + markdownText(comparison.verdict) + "\n\n";
+  std::string text = headingOf(comparison);
   if (comparison.gate) {
-    text += comparison.gate->isPassed() ? "The gate passes" : "**The gate fails**";
-    const std::string asked = joined(comparison.gate->asked);
-    text += (asked.empty() ? "" : ": asked was " + markdownText(asked)) + ".\n\n";
     const GateVerdict& gate = *comparison.gate;
+    const std::string asked = joined(gate.asked);
+    if (!asked.empty()) text += "Asked was " + markdownText(asked) + ".\n\n";
     const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
     for (const std::string& line : lines) text += "- " + markdownText(line) + "\n";
     if (!lines.empty()) text += "\n";
   }
+  text += markdownText(comparison.verdict) + "\n\n";
   text +=
       "| rank | run | map error [m] | in 4 of 5 cases [m] | score | gate |\n"
       "|---|---|---|---|---|---|\n";

@@ -17,7 +17,8 @@ namespace roomgraph {
  *  passes. */
 std::string gateJunit(const Comparison& comparison);
 
-/** A Markdown page, as GitHub shows it below a job: the verdicts, and a table of the runs. */
+/** A Markdown page, as GitHub shows it below a job: a heading of one line, why the gate fails or by
+ *  how much it passes, the verdict of the comparison, and a table of the runs. */
 std::string gateMarkdown(const Comparison& comparison);
 
 /** The same of runs that were checked each by itself. */
