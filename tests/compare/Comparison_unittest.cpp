@@ -66,5 +66,18 @@ TEST(Comparison, certaintyNamesTheWorstDoubt) {
   EXPECT_EQ(word(), "cannot tell");
 }
 
+TEST(Comparison, copiesAndEditsAreSetsOfRuns) {
+  using Sets = std::vector<std::vector<std::string>>;
+  Comparison comparison;
+  EXPECT_EQ(comparison.copies(), Sets{});
+  comparison.pairs = {pairOf("a", "b", 1), pairOf("c", "d", 1), pairOf("b", "d", 1),
+                      pairOf("e", "f", 1)};
+  comparison.pairs[0].areCopies = comparison.pairs[1].areCopies = true;
+  EXPECT_EQ(comparison.copies(), (Sets{{"a", "b"}, {"c", "d"}}));
+  EXPECT_EQ(comparison.edits(), comparison.copies()) << "a copy is an edit, too";
+  comparison.pairs[2].areEdits = true;
+  EXPECT_EQ(comparison.edits(), (Sets{{"a", "b", "c", "d"}}));
+}
+
 }  // namespace
 }  // namespace roomgraph

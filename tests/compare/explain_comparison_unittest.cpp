@@ -16,6 +16,12 @@ ComparedRun scored(const std::string& name, double error) {
   return run;
 }
 
+ComparedPair copyOf(const std::string& a, const std::string& b) {
+  ComparedPair pair;
+  pair.a = a, pair.b = b, pair.areCopies = true;
+  return pair;
+}
+
 Comparison ofRuns(const std::vector<ComparedRun>& runs) {
   Comparison comparison;
   comparison.runs = runs;
@@ -102,13 +108,28 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
 
 TEST(VerdictOf, copiesOfOneFileSayNothing) {
   Comparison copies = ofRuns({scored("a", 0.1), scored("a#2", 0.1), scored("a#3", 0.1)});
-  for (ComparedRun& run : copies.runs) run.sha256 = "same";
+  copies.pairs = {copyOf("a", "a#2"), copyOf("a", "a#3"), copyOf("a#2", "a#3")};
   EXPECT_EQ(verdictOf(copies),
-            "All 3 runs are copies of one file, which say nothing about each other.");
-  copies.runs[1].sha256 = "another";
-  const std::string said = verdictOf(copies);
-  EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(said.find(". a and a#3 are copies of one file."), std::string::npos) << said;
+            "All 3 runs are copies of one map, which say nothing about each other: nothing can be "
+            "compared.");
+  EXPECT_EQ(copiesNote(copies), "") << "it is said already";
+  EXPECT_NE(reasonOf(copies.runs[2], copies).find("; a copy of a"), std::string::npos);
+  copies.pairs[0].areCopies = copies.pairs[2].areCopies = false;
+  EXPECT_EQ(verdictOf(copies).rfind("a has the smallest error", 0), 0u) << verdictOf(copies);
+  EXPECT_EQ(copiesNote(copies), " a#3 is a copy of a.");
+}
+
+TEST(VerdictOf, aReferenceIsComparedWithItsCopies) {
+  Comparison copies = ofRuns({scored("a", 0), scored("plan", 0)});
+  copies.pairs = {copyOf("a", "plan")}, copies.reference = "plan";
+  EXPECT_EQ(verdictOf(copies).rfind("a ", 0), 0u) << verdictOf(copies);
+}
+
+TEST(Notes, editsCountAsOneDrive) {
+  Comparison edits = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.1)});
+  edits.pairs = {copyOf("a", "b")};
+  edits.pairs[0].areCopies = false, edits.pairs[0].areEdits = true;
+  EXPECT_EQ(copiesNote(edits), " 2 maps are edits of one (a and b), and count as one drive.");
 }
 
 TEST(VerdictOf, saysWhereNothingCanBeSaid) {

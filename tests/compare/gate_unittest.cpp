@@ -78,7 +78,7 @@ TEST(Gate, breaksAndOtherSitesAreNamed) {
   options.failsOnBreaks = options.failsOnOtherSites = true;
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
             (Lines{"good: breaks at (1.0, 2.0) by 5.7 degrees and 0.50 m",
-                   "other: is not of the same site"}));
+                   "other: is not of the same site (is of another site)"}));
 }
 
 /** Runs a to e with these map errors; the last one cannot be trusted. */
@@ -148,12 +148,27 @@ TEST(Gate, aCandidateThatIsNotComparedIsNeverGood) {
   GateOptions options;
   options.candidates = {"other"};
   EXPECT_FALSE(options.asksNothing());
-  EXPECT_EQ(gateVerdict(sample(), options).complaints, Lines{"other: is not of the same site"});
+  EXPECT_EQ(gateVerdict(sample(), options).complaints,
+            Lines{"other: is not of the same site (is of another site)"});
   options.candidates = {"damaged"};
   EXPECT_EQ(gateVerdict(sample(), options).complaints, Lines{"damaged: could not be read"});
   options.candidates = {"good"};
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
             Lines{"good: its map error cannot be told: too little to compare"});
+}
+
+TEST(Gate, aCopyOfTheRecordIsNoCandidate) {
+  Comparison comparison = fiveRuns();
+  comparison.pairs.resize(1);
+  comparison.pairs[0].a = "a", comparison.pairs[0].b = "b", comparison.pairs[0].areCopies = true;
+  GateOptions options;
+  options.candidates = {"b"};
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"b: is a copy of a, which is of the record"});
+  options.candidates = {"a", "b"};
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed()) << "both are new";
+  options.candidates.clear(), options.maxError = 1;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints.size(), 1u) << "e alone";
 }
 
 TEST(Gate, nothingToJudgeIsNoPass) {

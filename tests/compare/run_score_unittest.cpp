@@ -58,6 +58,27 @@ TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
   }
 }
 
+TEST(ScoreRuns, editsOfOnePictureAreOneWitness) {
+  PairBends bends = allBends(4, 0.3);
+  for (const auto& [i, j] : {PairOfThings{0, 1}, {1, 2}}) bends(i, j).areEdits = true;
+  const auto scores = scored(bends, errorsOf({0.2, 0.2, 0.2, 0.2}), {}, {});
+  for (const auto& score : scores) {
+    EXPECT_EQ(score->others, 1u);
+    EXPECT_FALSE(score->isMeaningful) << "two drives";
+  }
+  EXPECT_GT(scores[0]->trust, 0);
+  EXPECT_EQ(scores[1]->trust, 0) << "it has spoken already";
+}
+
+TEST(ScoreRuns, editsOfOnePictureAloneMeanNothing) {
+  PairBends bends = allBends(3, 0.3);
+  for (const auto& [i, j] : bends.pairs()) bends(i, j).areEdits = true;
+  for (const auto& score : scored(bends, errorsOf({0.2, 0.2, 0.2}), {}, {})) {
+    EXPECT_EQ(score->others, 2u) << "they are compared with each other";
+    EXPECT_FALSE(score->isMeaningful);
+  }
+}
+
 TEST(ScoreRuns, thePieceOfASiteHasNoSayAndNoMeaning) {
   PairBends bends = allBends(4, 0.35);
   for (std::size_t i = 0; i < 3; ++i) bends(i, 3).share = 0.05;

@@ -100,6 +100,15 @@ TEST(Summarize, runsOfNoSiteAreLeftOutWithAReason) {
   EXPECT_EQ(comparison.pairs.size(), 3u) << "how it lies to the others is told";
 }
 
+TEST(Summarize, aMirroredRunIsNamedAsSuch) {
+  Found found({"a", "b", "c"}, {0.1, 0.2}, 2);
+  found.related(0, 2).alignment.isMirrored = found.related(1, 2).alignment.isMirrored = true;
+  EXPECT_EQ(found.comparison().leftOut[0].reason, "is mirrored: is the lidar mounted upside down?");
+  found.related(1, 2).alignment.isMirrored = false;
+  EXPECT_EQ(found.comparison().leftOut[0].reason, "does not lie in the same site as the others")
+      << "one of two";
+}
+
 TEST(Summarize, otherSitesAreNamedWithTheirRuns) {
   Found found({"a", "b", "z", "y"}, {0.1, 0.2}, 2);
   found.site.others = {{2, 3}};

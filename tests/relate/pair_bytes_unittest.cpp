@@ -54,7 +54,8 @@ MapPair anyPair(std::uint32_t seed) {
   if (seed % 4 > 1) alignment.runnerUp = anyCandidate(random);
   for (std::size_t i = 0; i < seed % 5; ++i) alignment.poses.push_back(random.pose(30));
   any.bInA = anyWalls(random, seed % 7), any.aInB = anyWalls(random, seed % 6);
-  any.areIdentical = seed % 5 == 0;
+  any.areIdentical = seed % 5 == 0, any.areEdits = seed % 2 == 0;
+  alignment.isMirrored = seed % 3 == 1;
   return any;
 }
 
@@ -103,6 +104,7 @@ TEST(PairBytes, holdAllOfAPairExactly) {
     const auto read = pairOfBytes(pairBytes(pair), map, map);
     ASSERT_TRUE(read) << seed;
     EXPECT_EQ(read->areIdentical, pair.areIdentical);
+    EXPECT_EQ(read->areEdits, pair.areEdits);
     const Alignment &l = read->alignment, &r = pair.alignment;
     expectSame(l.pose, r.pose);
     EXPECT_EQ(l.confidence, r.confidence);
@@ -111,6 +113,7 @@ TEST(PairBytes, holdAllOfAPairExactly) {
     EXPECT_EQ(l.overlap, r.overlap);
     EXPECT_EQ(l.isSameSite, r.isSameSite);
     EXPECT_EQ(l.isAmbiguous, r.isAmbiguous);
+    EXPECT_EQ(l.isMirrored, r.isMirrored);
     expectSame(l.best, r.best);
     expectSame(l.runnerUp, r.runnerUp);
     ASSERT_EQ(l.poses.size(), r.poses.size());
@@ -126,6 +129,8 @@ TEST(PairBytes, eachFieldChangesThem) {
   const std::string bytes = pairBytes(pair);
   const std::vector<std::function<void(MapPair&)>> changes{
       [](MapPair& p) { p.areIdentical = !p.areIdentical; },
+      [](MapPair& p) { p.areEdits = !p.areEdits; },
+      [](MapPair& p) { p.alignment.isMirrored = !p.alignment.isMirrored; },
       [](MapPair& p) { p.alignment.isSameSite = !p.alignment.isSameSite; },
       [](MapPair& p) { p.alignment.isAmbiguous = !p.alignment.isAmbiguous; },
       [](MapPair& p) { p.alignment.siteConfidence = 2; },

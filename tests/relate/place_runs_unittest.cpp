@@ -71,6 +71,19 @@ TEST(PlaceRuns, allLieWhereTheyReallyDo) {
   }
 }
 
+TEST(PlaceRuns, aMirrorImageIsNotOfTheSiteThoughItFitsOneRunByChance) {
+  RunsOfABuilding five;
+  for (const std::size_t other : {0u, 1u, 2u}) {
+    five.join(other, 4, 0);
+    five.related(other, 4).alignment.isMirrored = true;
+  }
+  five.join(3, 4, 0.6);
+  EXPECT_EQ(five.placed().members, (std::vector<std::size_t>{0, 1, 2, 3}));
+  five.join(3, 4, 0.95), five.join(2, 4, 0.95), five.join(1, 4, 0.95);
+  five.related(1, 4).alignment.isMirrored = five.related(2, 4).alignment.isMirrored = false;
+  EXPECT_EQ(five.placed().members.size(), 5u) << "one pair is wrong, three are sure";
+}
+
 TEST(PlaceRuns, theFrameIsThatOfTheReference) {
   const RunsOfABuilding five;
   for (const std::size_t reference : {0u, 3u}) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "drawn_building.h"
+#include "roomgraph/align/mirrored.h"
 #include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
@@ -99,6 +100,33 @@ TEST(RelateMaps, framesThatContradictEachOtherAreNotTakenForOne) {
   EXPECT_TRUE(areOfOneSite({0.05, 0, 0.005}));
   EXPECT_FALSE(areOfOneSite({4, 2, 1}));
   EXPECT_FALSE(areOfOneSite({90, 0, 0}));
+}
+
+TEST(RelateMaps, aMirroredMapIsNotOfTheSameSite) {
+  const MapPair pair = relateMaps(three().b, mirrored(three().hub));
+  EXPECT_TRUE(pair.alignment.isMirrored);
+  EXPECT_FALSE(pair.alignment.isSameSite);
+  EXPECT_EQ(pair.alignment.confidence, 0);
+  EXPECT_TRUE(pair.bInA.patches.empty());
+  for (const MapPair& sound : {three().hubAndA, three().hubAndB})
+    EXPECT_FALSE(sound.alignment.isMirrored);
+}
+
+TEST(RelateMaps, aSymmetricHallIsNotMirrored) {
+  const MapPair pair =
+      relateMaps(mapOf(test::squareHall({})), mapOf(test::squareHall({4, 1, 0.2})));
+  EXPECT_FALSE(pair.alignment.isMirrored) << "it is its own mirror image";
+  EXPECT_TRUE(pair.alignment.isSameSite);
+}
+
+TEST(RelateMaps, editsOfOnePictureAreTold) {
+  const Grid picture = drawnBuilding(1, {});
+  Grid moved = picture;
+  moved.frame.origin = {7, 8};
+  EXPECT_TRUE(relateMaps(mapOf(picture), mapOf(moved)).areEdits);
+  EXPECT_FALSE(relateMaps(mapOf(picture), mapOf(moved)).areIdentical);
+  EXPECT_FALSE(three().hubAndB.areEdits);
+  EXPECT_TRUE(relateAlignedMaps(mapOf(picture), mapOf(picture)).areEdits);
 }
 
 TEST(RelateMaps, copiesHaveNoBend) {

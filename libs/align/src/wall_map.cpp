@@ -145,6 +145,27 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
   return points;
 }
 
+bool isEdge(const Grid& grid, Cell c) {
+  if (grid.at(c) != State::occupied) return false;
+  for (const Cell beside :
+       {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}})
+    if (grid.atOrUnknown(beside) != State::occupied) return true;
+  return false;
+}
+
+DrawnEdges edgesOf(const Grid& grid) {
+  const CellBox box = knownBox(grid);
+  const GridFrame& from = grid.frame;
+  DrawnEdges edges;
+  if (box.x1 <= box.x0) return edges;
+  edges.frame.resolution = from.resolution;
+  edges.frame.origin = from.origin + from.resolution * Point{double(box.x0), double(box.y0)};
+  edges.frame.width = box.x1 - box.x0, edges.frame.height = box.y1 - box.y0;
+  for (int y = box.y0; y < box.y1; ++y)
+    for (int x = box.x0; x < box.x1; ++x) edges.isEdge.push_back(isEdge(grid, {x, y}));
+  return edges;
+}
+
 /** Spreads what `better` prefers from each cell to its neighbours, forth and back. It takes the
  *  cell and its index, the index of the neighbour, and whether that lies across a corner. */
 template <class Better>
@@ -249,6 +270,7 @@ WallMap bareWallMap(const Grid& grid) {
   map.turns = turnsOf(sides);
   map.walls = thinned(sides, map.frame);
   map.patches = wallPatches(map.walls);
+  map.edges = edgesOf(grid);
   map.freeCells = freeCellsOf(map.frame, map.states);
   const auto free = std::count(map.states.begin(), map.states.end(), State::free);
   map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;

@@ -1,39 +1,33 @@
 #include "roomgraph/compare/Comparison.h"
 
-#include <map>
+#include <algorithm>
+#include <set>
 
 namespace roomgraph {
 namespace {
 
-/** Runs that are joined by pairs that are sure: each by the name of one of them. */
-class SureGroups {
- public:
-  explicit SureGroups(const Comparison& comparison) {
-    for (const ComparedPair& pair : comparison.pairs)
-      if (pair.isSameSite && pair.confidence >= kSureConfidence)
-        heads_[headOf(pair.a)] = headOf(pair.b);
-    for (const ComparedRun& run : comparison.runs) ++sizes_[headOf(run.name)];
-  }
+using Names = std::vector<std::string>;
 
-  /** Whether no group of which it is not is larger. */
-  bool isInLargest(const std::string& run) const {
-    const std::size_t own = sizes_.at(headOf(run));
-    for (const auto& [head, size] : sizes_)
-      if (size > own) return false;
-    return own > 1;
+/** The runs in sets that pairs join, each run's name among those of one set. */
+template <class IsJoined>
+std::vector<Names> setsOf(const std::vector<ComparedPair>& pairs, const IsJoined& isJoined) {
+  std::vector<std::set<std::string>> sets;
+  for (const ComparedPair& pair : pairs) {
+    if (!isJoined(pair)) continue;
+    std::set<std::string> joined{pair.a, pair.b};
+    const auto isPart = [&](const std::set<std::string>& set) {
+      if (set.count(pair.a) + set.count(pair.b) == 0) return false;
+      joined.insert(set.begin(), set.end());
+      return true;
+    };
+    sets.erase(std::remove_if(sets.begin(), sets.end(), isPart), sets.end());
+    sets.push_back(std::move(joined));
   }
-
- private:
-  std::string headOf(std::string run) const {
-    for (auto found = heads_.find(run); found != heads_.end() && found->second != run;
-         found = heads_.find(run))
-      run = found->second;
-    return run;
-  }
-
-  std::map<std::string, std::string> heads_;
-  std::map<std::string, std::size_t> sizes_;
-};
+  std::vector<Names> names;
+  for (const auto& set : sets) names.emplace_back(set.begin(), set.end());
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 }  // namespace
 
@@ -51,11 +45,26 @@ const char* certaintyText(Certainty certainty) {
 }
 
 bool Comparison::isPlaceDoubtful(const std::string& run) const {
-  bool hasPairs = false, isThere = false;
-  for (const ComparedPair& pair : pairs)
-    hasPairs = hasPairs || (pair.isSameSite && (pair.a == run || pair.b == run));
-  for (const ComparedRun& one : runs) isThere = isThere || one.name == run;
-  return hasPairs && isThere && !SureGroups(*this).isInLargest(run);
+  const auto isOfRun = [&](const ComparedPair& pair) {
+    return pair.isSameSite && (pair.a == run || pair.b == run);
+  };
+  if (std::none_of(pairs.begin(), pairs.end(), isOfRun)) return false;
+  std::size_t own = 0, largest = 0;
+  for (const Names& names : setsOf(pairs, [](const ComparedPair& pair) {
+         return pair.isSameSite && pair.confidence >= kSureConfidence;
+       })) {
+    largest = std::max(largest, names.size());
+    if (std::binary_search(names.begin(), names.end(), run)) own = names.size();
+  }
+  return own == 0 || own < largest;
+}
+
+std::vector<std::vector<std::string>> Comparison::copies() const {
+  return setsOf(pairs, [](const ComparedPair& pair) { return pair.areCopies; });
+}
+
+std::vector<std::vector<std::string>> Comparison::edits() const {
+  return setsOf(pairs, [](const ComparedPair& pair) { return pair.areCopies || pair.areEdits; });
 }
 
 Certainty Comparison::certaintyOf(const ComparedRun& run) const {

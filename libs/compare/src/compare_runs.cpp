@@ -8,7 +8,7 @@
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/run_score.h"
-#include "roomgraph/consensus/estimate_map_errors.h"
+#include "roomgraph/consensus/errors_by_bends.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/ledger/site_rooms.h"
 #include "roomgraph/measures/measure_site.h"

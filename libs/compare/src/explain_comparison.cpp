@@ -1,7 +1,6 @@
 #include "explain_comparison.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 #include "roomgraph/base/sentence_text.h"
@@ -40,15 +39,12 @@ bool isBetterThanAny(const ComparedRun& best, const Comparison& comparison) {
   });
 }
 
-/** The runs of each file that was given more than once. */
-std::vector<std::vector<std::string>> copiesIn(const Comparison& comparison) {
-  std::map<std::string, std::vector<std::string>> names;
-  for (const ComparedRun& run : comparison.runs)
-    if (!run.sha256.empty()) names[run.sha256].push_back(run.name);
-  std::vector<std::vector<std::string>> copies;
-  for (auto& [sha256, runs] : names)
-    if (runs.size() > 1) copies.push_back(std::move(runs));
-  return copies;
+/** The run that a run is a later copy of. */
+std::optional<std::string> originalOf(const std::string& run, const Comparison& comparison) {
+  for (const std::vector<std::string>& names : comparison.copies())
+    if (names.front() != run && std::count(names.begin(), names.end(), run) > 0)
+      return names.front();
+  return {};
 }
 
 }  // namespace
@@ -59,6 +55,7 @@ std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
                        : comparison.runs.size() < 2
                            ? "no other run to compare it with"
                            : "none of its walls could be followed in another run";
+  if (const auto original = originalOf(run.name, comparison)) reason += "; a copy of " + *original;
   if (run.isScaleEstimated) reason += formatted("; %.4f m per cell, estimated", run.resolution);
   return reason;
 }
@@ -66,10 +63,12 @@ std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
 std::string verdictOf(const Comparison& result) {
   if (result.runs.size() < 2)
     return "Fewer than two runs of one site are left: nothing can be compared.";
-  const auto copies = copiesIn(result);
-  if (!copies.empty() && copies[0].size() == result.runs.size())
-    return formatted("All %zu runs are copies of one file, which say nothing about each other.",
-                     result.runs.size());
+  const auto copies = result.copies();
+  if (!result.reference && !copies.empty() && copies[0].size() == result.runs.size())
+    return formatted(
+        "All %zu runs are copies of one map, which say nothing about each other: "
+        "nothing can be compared.",
+        result.runs.size());
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
@@ -93,9 +92,22 @@ std::string verdictOf(const Comparison& result) {
                       100 * *coverage);
   if (isDoubtful) text += "; but no pair that is sure joins it to most of the others";
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
-  text += ".";
-  for (const std::vector<std::string>& names : copies)
-    text += " " + listed(names) + " are copies of one file.";
+  return text + ".";
+}
+
+std::string copiesNote(const Comparison& comparison) {
+  std::string text;
+  const auto copies = comparison.copies(), edits = comparison.edits();
+  for (const std::vector<std::string>& names : copies) {
+    if (names.size() == comparison.runs.size()) return text;  // which is the verdict already
+    const std::vector<std::string> later(names.begin() + 1, names.end());
+    text += " " + listed(later) + (later.size() == 1 ? " is a copy of " : " are copies of ") +
+            names.front() + ".";
+  }
+  for (const std::vector<std::string>& names : edits)
+    if (std::find(copies.begin(), copies.end(), names) == copies.end())
+      text += formatted(" %zu maps are edits of one (", names.size()) + listed(names) +
+              "), and count as one drive.";
   return text;
 }
 

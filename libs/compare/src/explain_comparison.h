@@ -20,6 +20,9 @@ std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites);
 /** The same on runs that share the scans of one drive. */
 std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t runsOfSite);
 
+/** The same on copies of a map and edits of a picture. */
+std::string copiesNote(const Comparison& comparison);
+
 /** The same on runs whose drives are not known, as they have no scans. */
 std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSite);
 

@@ -51,6 +51,7 @@ class Judge {
     for (const ComparedRun& run : comparison_.runs) {
       if (run.name == comparison_.reference || !isJudged(run.name)) continue;
       ++judged;
+      judgeCopy(run);
       judgeScore(run);
       judgeError(run);
       judgeCoverage(run);
@@ -78,6 +79,17 @@ class Judge {
     if (left < 0) return complain(run, text);
     const auto [closest, isFirst] = closest_.insert({figure, {left, run + ": " + text}});
     if (!isFirst && left < closest->second.first) closest->second = {left, run + ": " + text};
+  }
+
+  /** Last night's map, handed in again, says nothing of tonight's drive. */
+  void judgeCopy(const ComparedRun& run) {
+    if (options_.candidates.empty()) return;
+    for (const Lines& names : comparison_.copies()) {
+      if (!contains(names, run.name)) continue;
+      for (const std::string& other : names)
+        if (!isJudged(other))
+          return complain(run.name, "is a copy of " + other + ", which is of the record");
+    }
   }
 
   void judgeScore(const ComparedRun& run) {
@@ -124,10 +136,11 @@ class Judge {
 
   void judgeLeftOut(const LeftOutRun& run) {
     if (options_.minScore) complain(run.name, "has no score");
-    if (run.isOtherSite && options_.failsOnOtherSites)
-      complain(run.name, "is not of the same site");
+    // The reason tells a mirrored map, or one of another storey, from one of another building.
+    if (run.isOtherSite && (options_.failsOnOtherSites || needsError()))
+      complain(run.name, "is not of the same site (" + run.reason + ")");
     else if (needsError())
-      complain(run.name, run.isOtherSite ? "is not of the same site" : "could not be read");
+      complain(run.name, "could not be read");
   }
 
   Lines asked() const {

@@ -16,14 +16,17 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
 }
 
-/** Falls with the error; runs that have little in common with any other are not asked. */
-void setTrust(RunScores& scores, const PairBends& bends, const RunScoreOptions& options) {
+/** Falls with the error; runs that have little in common with any other are not asked. Of edits
+ *  of one picture, one is. */
+void setTrust(RunScores& scores, const PairBends& bends, const DistinctMaps& maps,
+              const RunScoreOptions& options) {
   const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.leastShare; };
   bool areAllSmall = true;
   for (std::size_t i = 0; i < scores.size(); ++i) areAllSmall = areAllSmall && isSmall(i);
   double most = 0;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i] || (isSmall(i) && !areAllSmall)) continue;
+    if (maps.count() > 1 && !maps.isVoice(i)) continue;
     scores[i]->trust = std::pow(kTrustFloor + scores[i]->mapError, -4);
     most = std::max(most, scores[i]->trust);
   }
@@ -66,14 +69,15 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
     scores[i].emplace();
     grade(*scores[i], errors[i], options);
   }
-  setTrust(scores, bends, options);
+  setTrust(scores, bends, maps, options);
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (scores[i]) weigh(scores, i, bends, maps, reference);
   const std::size_t minOthers = reference ? 1 : kFewestOthers;
+  const bool haveWitness = reference || maps.count() > 1;
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (auto& score = scores[i])
-      score->isMeaningful = score->support >= kFewestWalls && score->others >= minOthers &&
-                            mostShare(bends, i) >= options.leastShare;
+      score->isMeaningful = haveWitness && score->support >= kFewestWalls &&
+                            score->others >= minOthers && mostShare(bends, i) >= options.leastShare;
   return scores;
 }
 

@@ -47,9 +47,11 @@ void rank(std::vector<ComparedRun>& runs) {
   }
 }
 
-ComparedPair pairOf(const Run& a, const Run& b, const Alignment& alignment) {
+ComparedPair pairOf(const Run& a, const Run& b, const MapPair& related) {
+  const Alignment& alignment = related.alignment;
   ComparedPair pair;
   pair.a = a.name, pair.b = b.name;
+  pair.areCopies = related.areIdentical;
   pair.isSameSite = alignment.isSameSite;
   if (alignment.best) pair.transform = alignment.pose;
   pair.confidence = alignment.confidence;
@@ -63,11 +65,13 @@ ComparedPair pairOf(const Run& a, const Run& b, const Alignment& alignment) {
 std::vector<ComparedPair> pairsOf(const std::vector<Run>& runs, const MapPairs& related,
                                   const Findings& found) {
   PairTable<ComparedPair> pairs(runs.size(), related.pairs());
-  for (const auto& [a, b] : pairs.pairs())
-    pairs(a, b) = pairOf(runs[a], runs[b], related(a, b).alignment);
+  for (const auto& [a, b] : pairs.pairs()) pairs(a, b) = pairOf(runs[a], runs[b], related(a, b));
   const std::vector<std::size_t>& members = found.site.members;
-  for (const auto& [i, j] : found.measures.pairs.pairs())
-    pairs(members[i], members[j]).measures = found.measures.pairs(i, j);
+  for (const auto& [i, j] : found.measures.pairs.pairs()) {
+    ComparedPair& pair = pairs(members[i], members[j]);
+    pair.measures = found.measures.pairs(i, j);
+    pair.areEdits = found.pairs(i, j).areEdits && !pair.areCopies;
+  }
   return pairs.values();
 }
 
@@ -91,11 +95,25 @@ std::vector<std::string> namesOf(const std::vector<Run>& runs,
   return names;
 }
 
-std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const Site& site) {
+/** Whether a run that is not of the site is the mirror image of most of it, as far as it was looked
+ *  for there. */
+bool isMirroredIn(const MapPairs& related, std::size_t run, const Site& site) {
+  std::size_t looked = 0, mirrored = 0;
+  for (const std::size_t other : related.othersOf(run)) {
+    if (!std::binary_search(site.members.begin(), site.members.end(), other)) continue;
+    ++looked, mirrored += related(run, other).alignment.isMirrored;
+  }
+  return 2 * mirrored > looked;
+}
+
+std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& related,
+                                  const Site& site) {
   std::vector<LeftOutRun> leftOut;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (std::binary_search(site.members.begin(), site.members.end(), i)) continue;
-    std::string reason = "does not lie in the same site as the others";
+    std::string reason = isMirroredIn(related, i, site)
+                             ? "is mirrored: is the lidar mounted upside down?"
+                             : "does not lie in the same site as the others";
     for (const std::vector<std::size_t>& other : site.others)
       if (std::binary_search(other.begin(), other.end(), i))
         reason = "lies in another site: " + listed(namesOf(runs, other));
@@ -142,8 +160,8 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   result.pairs = pairsOf(runs, related, found);
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);
-  result.leftOut = leftOutOf(runs, found.site);
-  result.verdict = verdictOf(result) + caveatsOf(runs, found);
+  result.leftOut = leftOutOf(runs, related, found.site);
+  result.verdict = verdictOf(result) + copiesNote(result) + caveatsOf(runs, found);
   return result;
 }
 

@@ -222,43 +222,4 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   return errors;
 }
 
-std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
-                                    const DistinctMaps& maps) {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < bends.things(); ++i)
-    if (maps.isFirst(i)) kept.push_back(i);
-  std::vector<std::optional<double>> told;
-  for (const std::size_t run : kept) told.push_back(site.runs[run]->map.axisDeviation);
-  const auto placeOf = [&](std::size_t i) {
-    const auto place = std::lower_bound(kept.begin(), kept.end(), maps.firstOf(i));
-    return std::size_t(place - kept.begin());
-  };
-  std::vector<PairOfThings> keptPairs;
-  for (const auto& [i, j] : bends.pairs())
-    if (maps.isFirst(i) && maps.isFirst(j)) keptPairs.emplace_back(placeOf(i), placeOf(j));
-  PairBends some(kept.size(), keptPairs);
-  for (const auto& [i, j] : keptPairs) some(i, j) = bends(kept[i], kept[j]);
-  std::optional<std::size_t> truth;
-  if (site.reference) truth = placeOf(*site.reference);
-  const auto found = estimateMapErrors(some, told, truth);
-  std::vector<MapError> errors(bends.things());
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (const auto& error = found[placeOf(i)]) errors[i] = *error;
-    const bool isCopyOfAll = kept.size() == 1 && errors.size() > 1;
-    const bool isKnown = found[placeOf(i)] || truth == placeOf(i) || isCopyOfAll;
-    errors[i].seen = isCopyOfAll ? 1 : isKnown ? mostShare(bends, i) : 0;
-  }
-  return errors;
-}
-
-std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
-                                 const Consensus& consensus) {
-  const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
-                                     [](const Run* run) { return !run->scans.empty(); });
-  if (!haveScans) return errorsByBends(site, bends, maps);
-  std::vector<MapError> errors;
-  for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
-  return errors;
-}
-
 }  // namespace roomgraph

@@ -17,7 +17,7 @@ constexpr double kLeastTrust = 1e-3;
 
 /** Cells by who has seen them free. */
 struct SeenCells {
-  /** Of runs with the same map, which may be placed apart, only the first is a witness. */
+  /** Of edits of one picture, which may be placed apart, only the first is a witness. */
   struct Witnesses {
     std::uint32_t count = 0, first = 0, last = 0;
   };
@@ -29,12 +29,12 @@ struct SeenCells {
 std::vector<bool> witnessesOf(const DistinctMaps& maps, const Trust& trust) {
   std::vector<double> sorted;
   for (std::size_t i = 0; i < trust.size(); ++i)
-    if (maps.isFirst(i)) sorted.push_back(trust[i]);
+    if (maps.isVoice(i)) sorted.push_back(trust[i]);
   std::sort(sorted.rbegin(), sorted.rend());
   const double least = sorted.size() > 1 ? kLeastTrust * sorted[1] : 0;
   std::vector<bool> isWitness;
   for (std::size_t i = 0; i < trust.size(); ++i)
-    isWitness.push_back(maps.isFirst(i) && trust[i] >= least);
+    isWitness.push_back(maps.isVoice(i) && trust[i] >= least);
   return isWitness;
 }
 

@@ -121,6 +121,7 @@ void visitAlignment(Archive& archive, AnAlignment& alignment) {
   archive.number(alignment.confidence), archive.number(alignment.siteConfidence);
   archive.number(alignment.overlap);
   archive.number(alignment.isSameSite), archive.number(alignment.isAmbiguous);
+  archive.number(alignment.isMirrored);
   archive.number(alignment.runnerUpConfidence);
   if (archive.isThere(alignment.best)) visitCandidate(archive, *alignment.best);
   if (archive.isThere(alignment.runnerUp)) visitCandidate(archive, *alignment.runnerUp);
@@ -142,7 +143,7 @@ void visitWalls(Archive& archive, Walls& walls) {
 
 template <typename Archive, typename Pair>
 void visitPair(Archive& archive, Pair& pair) {
-  archive.number(pair.areIdentical);
+  archive.number(pair.areIdentical), archive.number(pair.areEdits);
   visitAlignment(archive, pair.alignment);
   visitWalls(archive, pair.bInA);
   visitWalls(archive, pair.aInB);

@@ -21,18 +21,44 @@ Point middleOfWalls(const WallMap& map) {
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
 }
 
+/** Which pairs join their runs into one site. */
+class JoinedPairs {
+ public:
+  explicit JoinedPairs(const MapPairs& related) : related_(related), balance_(related.things()) {
+    for (const auto& [a, b] : related.pairs()) {
+      const Alignment& alignment = related(a, b).alignment;
+      const bool isSure = isJoined(related(a, b)) && alignment.confidence >= kSurelyJoined;
+      for (const std::size_t run : {a, b}) balance_[run] += int(alignment.isMirrored) - int(isSure);
+    }
+  }
+
+  bool operator()(std::size_t a, std::size_t b) const {
+    return isJoined(related_(a, b)) && isImage(a) == isImage(b);
+  }
+
+ private:
+  static constexpr double kSurelyJoined = 0.9;  // confidence
+
+  /** Whether a run is the mirror image of more runs than it surely lies in: then one that it lies
+   *  in by chance, as a bent map does, does not make it one of theirs. */
+  bool isImage(std::size_t run) const { return balance_[run] > 0; }
+
+  const MapPairs& related_;
+  std::vector<int> balance_;
+};
+
 /** The runs in sets of those that are joined, that of the site first; see placeRuns. */
-std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related,
+std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related, const JoinedPairs& areJoined,
                                               std::optional<std::size_t> reference) {
   const std::size_t runs = related.things();
   UnionFind sets(runs);
   for (const auto& [a, b] : related.pairs())
-    if (isJoined(related(a, b))) sets.join(std::uint32_t(a), std::uint32_t(b));
+    if (areJoined(a, b)) sets.join(std::uint32_t(a), std::uint32_t(b));
   std::vector<std::vector<std::size_t>> sites(runs);
   std::vector<double> confidence(runs);
   for (std::uint32_t i = 0; i < runs; ++i) sites[sets.find(i)].push_back(i);
   for (const auto& [a, b] : related.pairs())
-    if (isJoined(related(a, b)))
+    if (areJoined(a, b))
       confidence[sets.find(std::uint32_t(a))] += related(a, b).alignment.confidence;
   const auto set = [&](std::size_t run) { return sets.find(std::uint32_t(run)); };
   const auto rank = [&](const std::vector<std::size_t>& site) {
@@ -97,7 +123,8 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
                std::optional<std::size_t> reference) {
   Site site;
   if (runs.empty()) return site;
-  auto sites = sitesIn(related, reference);
+  const JoinedPairs areJoined(related);
+  auto sites = sitesIn(related, areJoined, reference);
   site.members = std::move(sites.front());
   for (std::size_t i = 1; i < sites.size() && sites[i].size() > 1; ++i)
     site.others.push_back(std::move(sites[i]));
@@ -110,7 +137,7 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
   std::vector<PairPose> used;
   for (const auto& [i, j] : pairsWithin(site, related)) {
     const MapPair& pair = related(site.members[i], site.members[j]);
-    if (isJoined(pair))
+    if (areJoined(site.members[i], site.members[j]))
       used.push_back(
           {i, j, pair.alignment.pose, pair.alignment.confidence, middleOfWalls(site.runs[j]->map)});
   }
@@ -132,6 +159,8 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
       const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
       MapPair& pair = pairs(i, j);
       pair = related(site.members[i], site.members[j]);
+      // Scans tell for themselves of which drive they are, and weigh accordingly.
+      if (!site.runs[i]->scans.empty() && !site.runs[j]->scans.empty()) pair.areEdits = false;
       if (!contradicts(pair, inSite, middleOfWalls(site.mapOf(j)))) continue;
       MapPair again = pair;
       follow(again, maps(site.mapOf(i)), maps(site.mapOf(j)), {inSite});
@@ -153,7 +182,8 @@ PairBends bendsOf(const MapPairs& pairs) {
     for (const FollowedWalls* way : {&pair.bInA, &pair.aInB})
       for (const FollowedPatch& patch : way->patches) walls += patch.walls;
     bends(i, j) = {std::max(pair.bInA.bend, pair.aInB.bend),
-                   std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical};
+                   std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical,
+                   pair.areEdits};
   }
   return bends;
 }

@@ -6,7 +6,9 @@
 
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/mirrored.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/shared_edges.h"
 #include "roomgraph/base/majority.h"
 
 namespace roomgraph {
@@ -26,9 +28,32 @@ constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are 
 constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
+constexpr double kSurelyPlaced = 0.9;     // confidence from which on nothing else is asked
+constexpr double kClearlyMirrored = 0.7;  // how much better the mirror image must score: in pairs
+                                          // of sound maps it scores less by 0.9 or more
+
 /** In a symmetric building the runner-up may be right as well. */
 bool isSure(const MapPair& pair) {
   return pair.alignment.confidence >= kMajority && pair.alignment.runnerUpConfidence < kAlsoLikely;
+}
+
+/** Whether b fits better as its own mirror image. One that surely fits as it is is not asked, so
+ *  that only pairs in doubt cost a second search. */
+bool isMirrored(const WallMap& a, const WallMap& b, const Alignment& alignment) {
+  if (alignment.isSameSite && alignment.confidence >= kSurelyPlaced) return false;
+  const Alignment image = alignMaps(a, mirrored(b));
+  return image.isSameSite && image.best->score >= alignment.best->score + kClearlyMirrored;
+}
+
+/** What is to be known of two maps beside their alignment. */
+void compare(MapPair& pair, const WallMap& a, const WallMap& b) {
+  const Alignment& alignment = pair.alignment;
+  pair.areIdentical = areIdentical(a, b);
+  if (!alignment.isSameSite) return;
+  std::vector<Transform2D> likeliest{alignment.pose};
+  if (alignment.runnerUp) likeliest.push_back(alignment.runnerUp->pose);
+  pair.areEdits = pair.areIdentical || areEdits(a.edges, b.edges, likeliest);
+  follow(pair, a, b, alignment.poses);
 }
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */
@@ -101,8 +126,11 @@ MapPair swapped(MapPair pair) {
 MapPair relateMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
   pair.alignment = alignMaps(a, b);
-  pair.areIdentical = areIdentical(a, b);
-  if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
+  if (pair.alignment.best && isMirrored(a, b, pair.alignment)) {
+    pair.alignment.isMirrored = true, pair.alignment.isSameSite = false;
+    pair.alignment.confidence = pair.alignment.siteConfidence = 0;
+  }
+  compare(pair, a, b);
   return pair;
 }
 
@@ -120,23 +148,29 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Wal
   const bool areSure = isSure(hubAndA) && isSure(hubAndB);
   if (!pair.alignment.isSameSite && areSure) return relateMaps(a, b);
   pair.alignment.isAmbiguous |= hubAndA.alignment.isAmbiguous || hubAndB.alignment.isAmbiguous;
-  pair.areIdentical = areIdentical(a, b);
-  if (pair.alignment.isSameSite) follow(pair, a, b, pair.alignment.poses);
+  compare(pair, a, b);
   return pair;
+}
+
+Alignment alignmentAt(const WallMap& a, const WallMap& b, std::vector<Transform2D> poses) {
+  Alignment alignment;
+  alignment.pose = poses.front();
+  alignment.best = AlignmentCandidate{alignment.pose, verifyAlignment(a, b, alignment.pose), 0};
+  alignment.overlap = alignment.best->evidence.overlap;
+  alignment.isSameSite = true;
+  alignment.siteConfidence = alignment.confidence = 1;
+  alignment.poses = std::move(poses);
+  return alignment;
 }
 
 MapPair relateAlignedMaps(const WallMap& a, const WallMap& b) {
   MapPair pair;
+  pair.alignment = alignmentAt(a, b, {{}});
   Alignment& alignment = pair.alignment;
-  alignment.best = AlignmentCandidate{};
-  alignment.best->evidence = verifyAlignment(a, b, {});
-  alignment.overlap = alignment.best->evidence.overlap;
   alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
   alignment.isSameSite = alignment.siteConfidence >= kNotAtOdds;
-  alignment.confidence = alignment.isSameSite ? 1 : alignment.siteConfidence;
-  alignment.poses = {{}};
-  pair.areIdentical = areIdentical(a, b);
-  if (alignment.isSameSite) follow(pair, a, b, alignment.poses);
+  if (!alignment.isSameSite) alignment.confidence = alignment.siteConfidence;
+  compare(pair, a, b);
   return pair;
 }
 

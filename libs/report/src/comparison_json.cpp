@@ -76,14 +76,16 @@ Json pairJson(const ComparedPair& pair) {
   if (pair.runnerUp)
     runnerUp = {{"transform", poseJson(*pair.runnerUp)},
                 {"confidence", numberOrNull(pair.runnerUpConfidence)}};
-  return {{"a", pair.a},
-          {"b", pair.b},
-          {"same_site", pair.isSameSite},
-          {"transform", poseJson(pair.transform)},
-          {"confidence", numberOrNull(pair.confidence)},
-          {"overlap", numberOrNull(pair.overlap)},
-          {"runner_up", runnerUp},
-          {"measures", measuresJson(pair.measures)}};
+  Json json = {{"a", pair.a},
+               {"b", pair.b},
+               {"same_site", pair.isSameSite},
+               {"transform", poseJson(pair.transform)},
+               {"confidence", numberOrNull(pair.confidence)},
+               {"overlap", numberOrNull(pair.overlap)},
+               {"runner_up", runnerUp},
+               {"measures", measuresJson(pair.measures)}};
+  if (pair.areCopies || pair.areEdits) json["one_picture"] = pair.areCopies ? "copies" : "edits";
+  return json;
 }
 
 Json breakJson(const MapBreak& tear) {

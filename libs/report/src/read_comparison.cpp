@@ -105,6 +105,12 @@ ComparedPair pair(const JsonNode& node) {
     pair.runnerUpConfidence = next["confidence"].number();
   }
   pair.measures = measures(node["measures"]);
+  if (node.contains("one_picture")) {
+    const std::string told = node["one_picture"].text();
+    if (told != "copies" && told != "edits")
+      throw Broken{node["one_picture"].place, "is neither copies nor edits"};
+    (told == "copies" ? pair.areCopies : pair.areEdits) = true;
+  }
   return pair;
 }
 

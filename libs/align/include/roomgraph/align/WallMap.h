@@ -13,6 +13,13 @@
 
 namespace roomgraph {
 
+/** The cells at the edges of what is drawn as occupied, on the map's own cells, however small: two
+ *  drives never share them, edits of one picture do. */
+struct DrawnEdges {
+  GridFrame frame;           ///< around them, on the cells of the map as it was read
+  std::vector<bool> isEdge;  ///< row-major
+};
+
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct WallMap {
   static constexpr std::uint32_t kNoWall = SparseIndices::kNone;  ///< a cell without a wall near it
@@ -30,6 +37,7 @@ struct WallMap {
   double freeArea = 0;                   ///< [m2]
   std::vector<double> turns;  ///< how much wall faces which way, over equal steps of the circle
   WallPatches patches;        ///< of `walls`
+  DrawnEdges edges;
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
   std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
   std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice

@@ -26,6 +26,8 @@ struct Alignment {
   double siteConfidence = 0;  ///< the probability that both maps show the same building, 0 to 1
   double overlap = 0;         ///< share of the smaller map's free space that is free in both
   bool isSameSite = false;
+  /** `b` fits far better as its own mirror image: then it does not show the same site. */
+  bool isMirrored = false;
   bool isAmbiguous = false;  ///< the runner-up is about as good, as in a symmetric building
   std::optional<AlignmentCandidate> best;      ///< none where a map has no walls
   std::optional<AlignmentCandidate> runnerUp;  ///< the best that is not near `best`

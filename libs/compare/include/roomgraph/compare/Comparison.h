@@ -51,8 +51,10 @@ struct ComparedRun {
 
 /** Two runs, placed or not. */
 struct ComparedPair {
-  std::string a, b;                      ///< names
-  bool isSameSite = false;               ///< the two maps show one building
+  std::string a, b;         ///< names
+  bool isSameSite = false;  ///< the two maps show one building
+  bool areCopies = false;   ///< they are the same, cell by cell
+  bool areEdits = false;    ///< or no copies, but edits of one picture, one without scans
   std::optional<Transform2D> transform;  ///< a <- b; none where a run has no walls
   double confidence = 0;                 ///< probability that it is right
   double overlap = 0;                    ///< share of the smaller free space that is free in both
@@ -111,6 +113,11 @@ struct Comparison {
    *  its walls, or where the interval ends above twice its error and 0.1 m; else *sure*.
    *  O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
+
+  /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
+  [[nodiscard]] std::vector<std::vector<std::string>> copies() const;
+  /** The same of each picture of which there are several edits, copies among them. */
+  [[nodiscard]] std::vector<std::vector<std::string>> edits() const;
 };
 
 }  // namespace roomgraph

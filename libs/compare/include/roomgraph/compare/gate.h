@@ -22,8 +22,8 @@ struct GateOptions {
   bool failsOnCoverage = false;    ///< a run has seen less than kPartialCoverage
   bool failsOnBreaks = false;      ///< a run has a break
   bool failsOnOtherSites = false;  ///< a run is of another site
-  /** Names of the runs that are judged: the others are the record. Each must be there, and have a
-   *  map error that can be trusted. Empty where all are judged. */
+  /** Names of the runs that are judged: the others are the record. Each must be there, have a map
+   *  error that can be trusted, and be no copy of one of the record. Empty where all are judged. */
   std::vector<std::string> candidates;
 
   [[nodiscard]] bool asksNothing() const {

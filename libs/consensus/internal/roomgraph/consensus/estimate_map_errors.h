@@ -3,17 +3,15 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/consensus/site_consensus.h"
-#include "roomgraph/relate/DistinctMaps.h"
+#include "roomgraph/consensus/map_errors.h"
 #include "roomgraph/relate/PairBend.h"
-#include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 
 // Ours
 // In:   how far each two maps bend apart, and how far each is from right angles
 // Out:  MapError of each map
-// Next: scoreRuns
+// Next: errorsByBends
 
 /** Fitted to simulated runs whose true error is known, see docs/method.md;
  *  benchmarks/score_accuracy judges them. */
@@ -47,16 +45,5 @@ constexpr double kLeastErrorSpread = 0.15;  ///< of an error's log, however many
 std::vector<std::optional<MapError>> estimateMapErrors(
     const PairBends& bends, const std::vector<std::optional<double>>& deviations,
     std::optional<std::size_t> truth);
-
-/** The map errors of all runs of a site from the bends of their maps alone, for runs without
- *  scans: one estimate for all copies of a map. `seen` is the largest share of walls in common with
- *  another map, 0 for a run that has none. Cost: that of estimateMapErrors. */
-std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
-                                    const DistinctMaps& maps);
-
-/** The map error of each run of a site: that of the consensus where all runs have scans, else that
- *  of errorsByBends, as patches of walls alone make a poor pose graph. */
-std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
-                                 const Consensus& consensus);
 
 }  // namespace roomgraph

@@ -15,6 +15,7 @@ struct PairBend {
   double share = 0;  ///< of the walls it was seen on, 0 to 1; 0 where nothing could be compared
   double walls = 0;  ///< wall points it was seen on
   bool areIdentical = false;  ///< the maps are the same
+  bool areEdits = false;      ///< of one picture, which is one drive
 };
 
 using PairBends = PairTable<PairBend>;

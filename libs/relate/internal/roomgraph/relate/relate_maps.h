@@ -14,6 +14,7 @@ struct MapPair {
   Alignment alignment;        ///< of b in a
   FollowedWalls bInA, aInB;   ///< nothing where they are not of the same site
   bool areIdentical = false;  ///< cell by cell
+  bool areEdits = false;      ///< of one picture, or identical: see areEdits
 };
 
 /** Aligns two maps, and follows the walls of each in the other. Swapping them swaps the answers.
@@ -30,6 +31,10 @@ MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const Wal
 /** The same for two maps whose frames are said to be the same: their pose is nothing, and sure.
  *  Maps that contradict each other there are not of the same site. */
 MapPair relateAlignedMaps(const WallMap& a, const WallMap& b);
+
+/** That of maps which are known to lie in each other at the first of `poses`, and in part at the
+ *  others (a <- b). O(verifyAlignment). */
+Alignment alignmentAt(const WallMap& a, const WallMap& b, std::vector<Transform2D> poses);
 
 /** The same pair with b named first. */
 MapPair swapped(MapPair pair);

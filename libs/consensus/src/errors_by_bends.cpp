@@ -1,0 +1,89 @@
+#include "roomgraph/consensus/errors_by_bends.h"
+
+#include <algorithm>
+#include <map>
+
+#include "roomgraph/consensus/estimate_map_errors.h"
+#include "roomgraph/relate/most_share.h"
+
+namespace roomgraph {
+namespace {
+
+/** The errors of some runs, which are ascending, among themselves. */
+std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>& some,
+                                                 const Site& site, const PairBends& bends) {
+  const auto placeOf = [&](std::size_t run) {
+    return std::size_t(std::lower_bound(some.begin(), some.end(), run) - some.begin());
+  };
+  const auto has = [&](std::size_t run) {
+    return std::binary_search(some.begin(), some.end(), run);
+  };
+  std::vector<std::optional<double>> told;
+  for (const std::size_t run : some) told.push_back(site.runs[run]->map.axisDeviation);
+  std::vector<PairOfThings> pairs;
+  for (const auto& [i, j] : bends.pairs())
+    if (has(i) && has(j)) pairs.emplace_back(placeOf(i), placeOf(j));
+  PairBends among(some.size(), pairs);
+  for (const auto& [i, j] : pairs) among(i, j) = bends(some[i], some[j]);
+  std::optional<std::size_t> truth;
+  if (site.reference && has(*site.reference)) truth = placeOf(*site.reference);
+  return estimateMapErrors(among, told, truth);
+}
+
+/** The run that speaks for the picture of another one: the reference for its own. Where all are of
+ *  one picture, each map speaks for itself. */
+std::size_t voiceFor(std::size_t run, const Site& site, const DistinctMaps& maps) {
+  const auto voice = [&](std::size_t i) {
+    return maps.count() == 1 ? maps.firstOf(i) : maps.voiceOf(i);
+  };
+  const bool isOfTruth = site.reference && voice(run) == voice(*site.reference);
+  return isOfTruth ? *site.reference : voice(run);
+}
+
+/** The error of a run, which takes the place of its own voice among the others. */
+std::optional<MapError> errorBeside(std::vector<std::size_t> voices, std::size_t run,
+                                    const Site& site, const PairBends& bends,
+                                    const DistinctMaps& maps) {
+  const std::size_t own = voiceFor(run, site, maps);
+  if (own != site.reference)
+    voices.erase(std::remove(voices.begin(), voices.end(), own), voices.end());
+  const auto place = voices.insert(std::lower_bound(voices.begin(), voices.end(), run), run);
+  const auto index = std::size_t(place - voices.begin());
+  return errorsAmong(voices, site, bends)[index];
+}
+
+}  // namespace
+
+std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
+                                    const DistinctMaps& maps) {
+  const std::size_t n = bends.things();
+  std::vector<std::size_t> voices;
+  for (std::size_t i = 0; i < n; ++i)
+    if (voiceFor(i, site, maps) == i) voices.push_back(i);
+  const auto among = errorsAmong(voices, site, bends);
+  std::map<std::size_t, std::optional<MapError>> known;  // of each map
+  for (std::size_t k = 0; k < voices.size(); ++k) known[voices[k]] = among[k];
+  std::vector<MapError> errors(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t map = maps.firstOf(i);
+    const bool isTruth = site.reference && map == maps.firstOf(*site.reference);
+    if (known.count(map) == 0) known[map] = errorBeside(voices, map, site, bends, maps);
+    if (!isTruth && known[map]) errors[i] = *known[map];
+    errors[i].seen = isTruth || known[map] ? mostShare(bends, i) : 0;
+  }
+  return errors;
+}
+
+std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
+                                 const Consensus& consensus) {
+  const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
+                                     [](const Run* run) { return !run->scans.empty(); });
+  // Copies say nothing of each other.
+  if (maps.areCopies() && !site.reference) return std::vector<MapError>(site.runs.size());
+  if (!haveScans) return errorsByBends(site, bends, maps);
+  std::vector<MapError> errors;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
+  return errors;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,94 @@
+#include "roomgraph/align/shared_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
+
+namespace roomgraph {
+namespace {
+
+using test::drawnBuilding;
+
+DrawnEdges edgesOf(const Grid& grid) { return bareWallMap(grid).edges; }
+
+const Grid& building() {
+  static const Grid grid = drawnBuilding(3, {});
+  return grid;
+}
+
+/** The picture with each cell as `cellOf` says, in its frame. */
+Grid edited(const std::function<State(Cell)>& cellOf) {
+  Grid grid = building();
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x)
+      grid.cells[grid.frame.index({x, y})] = cellOf({x, y});
+  return grid;
+}
+
+Grid quarterTurned(const Grid& grid) {
+  Grid turned;
+  turned.frame = grid.frame;
+  std::swap(turned.frame.width, turned.frame.height);
+  turned.frame.origin = {0, 0};
+  turned.cells.resize(grid.cells.size());
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x)
+      turned.cells[turned.frame.index({grid.frame.height - 1 - y, x})] = grid.at({x, y});
+  return turned;
+}
+
+TEST(SharedEdges, areAllOfTheSamePictureWhereverItsOriginIs) {
+  Grid moved = building();
+  moved.frame.origin = moved.frame.origin + Point{3.02, -7.01};
+  const SharedEdges shared = sharedEdges(edgesOf(building()), edgesOf(moved), {{-3, 7, 0.001}});
+  EXPECT_EQ(shared.ofA, 1);
+  EXPECT_EQ(shared.ofB, 1);
+}
+
+TEST(SharedEdges, aQuarterTurnIsFollowed) {
+  const Grid turned = quarterTurned(building());
+  const GridFrame& frame = building().frame;
+  // turned <- building: (x, y) of the picture comes to (height - y, x).
+  const Transform2D pose{frame.height * frame.resolution + frame.origin.y, -frame.origin.x, M_PI_2};
+  EXPECT_EQ(sharedEdges(edgesOf(turned), edgesOf(building()), {pose}).ofB, 1);
+  EXPECT_TRUE(areEdits(edgesOf(turned), edgesOf(building()), {{}, pose}));
+  EXPECT_FALSE(areEdits(edgesOf(turned), edgesOf(building()), {{}})) << "it lies elsewhere";
+}
+
+TEST(AreEdits, aCropAndAnErasedWallAreEdits) {
+  const int width = building().frame.width;
+  const Grid half =
+      edited([&](Cell c) { return c.x < width / 2 ? building().at(c) : State::unknown; });
+  const Grid erased = edited([&](Cell c) {
+    const bool isWall = building().at(c) == State::occupied && c.x > width / 3 && c.x < width / 2;
+    return isWall ? State::free : building().at(c);
+  });
+  EXPECT_TRUE(areEdits(edgesOf(building()), edgesOf(half), {{}}));
+  EXPECT_TRUE(areEdits(edgesOf(erased), edgesOf(building()), {{}}));
+}
+
+TEST(AreEdits, theSameBuildingDrawnTwiceIsNoEdit) {
+  for (const Transform2D& pose : {Transform2D{0.02, 0.03, 0.01}, Transform2D{2, 1, 0.4}}) {
+    const Grid other = drawnBuilding(3, pose);
+    const Transform2D back = pose.inverse();
+    EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(other), {back})) << pose.phi;
+  }
+}
+
+TEST(AreEdits, aMapOfOtherCellsOrWithNextToNothingDrawnIsNone) {
+  Grid coarse = building();
+  coarse.frame.resolution = 0.06;
+  EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(coarse), {{}}));
+  EXPECT_FALSE(areEdits(edgesOf(building()), edgesOf(building()), {})) << "without a pose";
+  EXPECT_FALSE(areEdits(edgesOf(Grid{}), edgesOf(building()), {{}}));
+  const Grid speck =
+      edited([](Cell c) { return c.x == 50 && c.y < 60 ? State::occupied : State::free; });
+  EXPECT_FALSE(areEdits(edgesOf(speck), edgesOf(speck), {{}}));
+}
+
+}  // namespace
+}  // namespace roomgraph
