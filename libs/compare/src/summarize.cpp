@@ -7,7 +7,7 @@
 
 #include "explain_comparison.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/consensus/shared_drives.h"
+#include "roomgraph/relate/shared_drives.h"
 #include "run_path.h"
 
 namespace roomgraph {

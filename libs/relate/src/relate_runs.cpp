@@ -10,6 +10,7 @@
 #include "choose_core.h"
 #include "choose_judges.h"
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/relate/join_drives.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -181,6 +182,7 @@ MapPairs relateRuns(const std::vector<Run>& runs, const RelateRunsOptions& optio
   RelatedPairs relating(runs, options, forEach, kept);
   std::vector<std::size_t> core = SiteBySite(runs, options, relating).relate();
   MapPairs related = relating.all();
+  if (!options.areAligned) joinDrives(related, runs, forEach);
   if (core.size() < runs.size()) related.core = std::move(core);
   return related;
 }

@@ -7,9 +7,9 @@
 namespace roomgraph {
 
 // Ours
-// In:   the runs of a site
+// In:   the runs
 // Out:  which of them are of one drive
-// Next: summarize
+// Next: joinDrives, summarize
 
 /** The runs that share the scans of one drive, see `sharesDrive`: sets of two or more, ascending.
  *  Of two runs the scans of the shorter one count, without those that show nothing. Runs without

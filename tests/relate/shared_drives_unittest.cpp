@@ -1,4 +1,4 @@
-#include "roomgraph/consensus/shared_drives.h"
+#include "roomgraph/relate/shared_drives.h"
 
 #include <gtest/gtest.h>
 
