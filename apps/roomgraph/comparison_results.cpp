@@ -124,11 +124,13 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
                  "less than " +
                      std::to_string(percent) +
                      " % of what at least two runs have seen), 'broken' (a run has a break), "
-                     "'not-same-site' (a run is of another site).")
+                     "'not-same-site' (a run is of another site, or mirrored), 'walls' (walls that "
+                     "others have are gone from a run, it has some that no other has, or thicker "
+                     "ones).")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"coverage", "broken", "not-same-site"}));
+      ->check(CLI::IsMember({"coverage", "broken", "not-same-site", "walls"}));
   app.add_option("--junit", arguments.junit,
                  "Also write the verdict of the gate as JUnit XML, for CI systems.")
       ->type_name("FILE");
@@ -150,7 +152,7 @@ GateOptions gateOf(const GateArguments& arguments) {
   gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
   gate.maxWorse = arguments.failWorseBy;
   gate.failsOnCoverage = isAsked("coverage"), gate.failsOnBreaks = isAsked("broken");
-  gate.failsOnOtherSites = isAsked("not-same-site");
+  gate.failsOnOtherSites = isAsked("not-same-site"), gate.failsOnWalls = isAsked("walls");
   return gate;
 }
 

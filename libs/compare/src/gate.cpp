@@ -7,6 +7,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {
@@ -55,6 +56,7 @@ class Judge {
       judgeScore(run);
       judgeError(run);
       judgeCoverage(run);
+      judgeWalls(run);
     }
     judgeBreaks();
     for (const LeftOutRun& run : comparison_.leftOut)
@@ -108,6 +110,42 @@ class Judge {
     hold("coverage", run.name, value - kPartialCoverage, coverageText(value));
   }
 
+  void judgeWalls(const ComparedRun& run) {
+    if (!options_.failsOnWalls) return;
+    const auto judge = [&](const char* name, double most, const char* text) {
+      const Measure* measure = find(run.measures, name);
+      if (!measure || !measure->isMeaningful) return;
+      const double value = *measure->value, left = most - value;
+      hold(name, run.name, left,
+           formatted(text, 100 * value, left < 0 ? "more" : "no more", 100 * most));
+    };
+    judge("walls_missing", kMostMissing,
+          "lacks %.0f %% of the walls that two others have, %s than %.0f %%");
+    judge("walls_added", kMostAdded,
+          "has %.0f %% of its walls where others have seen free space, %s than %.0f %%");
+    judgeSharpness(run);
+  }
+
+  /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it. */
+  void judgeSharpness(const ComparedRun& run) {
+    const auto sharpness = [](const ComparedRun& of) -> std::optional<double> {
+      const Measure* measure = find(of.measures, "wall_sharpness");
+      return measure && measure->isMeaningful ? measure->value : std::nullopt;
+    };
+    std::vector<double> others;
+    for (const ComparedRun& other : comparison_.runs)
+      if (const auto value = sharpness(other); value && other.name != run.name)
+        others.push_back(*value);
+    const auto own = sharpness(run);
+    if (!own || others.size() < kFewestOthers) return;
+    const double usual = median(others);
+    const bool areThin = *own * kMostThinned<usual, areThick = *own> usual * kMostThinned;
+    if (areThin || areThick)
+      complain(run.name, formatted("its walls are too %s: wall_sharpness is %.2f, that of the "
+                                   "others %.2f",
+                                   areThin ? "thin" : "thick", *own, usual));
+  }
+
   void judgeBreaks() {
     for (const MapBreak& found : comparison_.breaks)
       if (options_.failsOnBreaks && isJudged(found.run)) complain(found.run, breakText(found));
@@ -156,6 +194,7 @@ class Judge {
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
     if (options_.failsOnBreaks) lines.push_back("no break");
     if (options_.failsOnOtherSites) lines.push_back("the same site");
+    if (options_.failsOnWalls) lines.push_back("walls as the others have them");
     if (lines.empty()) lines.push_back("a map error that can be told");
     return lines;
   }

@@ -8,6 +8,7 @@
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 #include "run_measures.h"
+#include "wall_sightings.h"
 
 namespace roomgraph {
 
@@ -23,6 +24,7 @@ struct SiteEvidence {
 
   std::vector<MeasuredValue> coverage;  ///< of each run: what one covers hangs on all
   DistanceTable distances;
+  SightingTable sightings;
   RoomCounts rooms;
   ComparedGraphs graphs;
 };

@@ -28,6 +28,7 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
                               breaks,
                               coverageOf(site, maps, trust),
                               distancesOf(site, pairs.pairs(), forEach),
+                              wallSightings(site, pairs, forEach),
                               roomCounts(site, pairs.pairs(), forEach),
                               comparedGraphs(site, pairs, forEach)};
   SiteMeasures all{std::vector<std::vector<Measure>>(n),

@@ -23,6 +23,16 @@ MeasureRow wallDistance(const MeasureKind& kind, double share) {
           }};
 }
 
+MeasureRow ofSightings(const MeasureKind& kind,
+                       MeasuredValue (*figure)(const SightingTable&, const DistinctMaps&,
+                                               const Trust&, std::size_t)) {
+  return {kind,
+          [figure](const SiteEvidence& all, std::size_t run) {
+            return figure(all.sightings, all.maps, all.trust, run);
+          },
+          {}};
+}
+
 std::vector<MeasureRow> wallRows() {
   return {
       {{"coverage", "Coverage", "1", kArea,
@@ -59,7 +69,13 @@ std::vector<MeasureRow> wallRows() {
                    0.5),
       wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls,
                     "90th percentile of the same distances."},
-                   0.9)};
+                   0.9),
+      ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls,
+                   "Of the walls that two others have, the share where it shows free space."},
+                  wallsMissingOf),
+      ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
+                   "Share of its walls where the others show free space."},
+                  wallsAddedOf)};
 }
 
 std::vector<MeasureRow> roomRows() {

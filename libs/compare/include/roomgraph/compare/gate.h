@@ -12,6 +12,11 @@ namespace roomgraph {
 // Out:  what is wrong with it
 // Next: the end of a nightly job
 
+// What walls may differ by, which is more than they do where furniture moves.
+constexpr double kMostMissing = 0.15;  ///< of `walls_missing`
+constexpr double kMostAdded = 0.2;     ///< of `walls_added`
+constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below the others' median
+
 /** What must not be. */
 struct GateOptions {
   std::optional<double> minScore;  ///< each run must have a score, and this one at least
@@ -22,13 +27,16 @@ struct GateOptions {
   bool failsOnCoverage = false;    ///< a run has seen less than kPartialCoverage
   bool failsOnBreaks = false;      ///< a run has a break
   bool failsOnOtherSites = false;  ///< a run is of another site
+  /** More than kMostMissing of the walls that others have are gone from a run, more than kMostAdded
+   *  of its own are in no other, or they are so much thinner or thicker, see kMostThinned. */
+  bool failsOnWalls = false;
   /** Names of the runs that are judged: the others are the record. Each must be there, have a map
    *  error that can be trusted, and be no copy of one of the record. Empty where all are judged. */
   std::vector<std::string> candidates;
 
   [[nodiscard]] bool asksNothing() const {
     return !minScore && !maxError && !maxWorse && !failsOnCoverage && !failsOnBreaks &&
-           !failsOnOtherSites && candidates.empty();
+           !failsOnOtherSites && !failsOnWalls && candidates.empty();
   }
 };
 

@@ -1,0 +1,43 @@
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "MeasuredValue.h"
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/relate/DistinctMaps.h"
+#include "roomgraph/relate/MapPairs.h"
+#include "roomgraph/relate/Site.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the runs of a site, placed, and how each two of them lie in each other, place by place
+// Out:  which walls of a run are there in others
+// Next: measureSite
+
+/** What another map has where a wall of this one is. */
+enum class WallSighting : std::uint8_t { unknown, found, free };
+
+struct SightingTable {
+  DirectedTable<std::vector<WallSighting>> in;  ///< of each wall point of a run, in another one
+  std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
+};
+
+/** Of all pairs. Each wall is looked for where the patch of walls next to it was followed to, so
+ *  that bends are no missing walls. O(pairs * walls). */
+SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach);
+
+/** Of one run: `walls_missing`, of the straight walls of each other run that a third one has, too,
+ *  and of which this one has seen the place, the share that it has not: it shows free space there.
+ *  Furniture, which moves, is seldom as straight. Weighted by trust. Edits of one picture are one
+ *  voice. Support in wall points. */
+MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
+                             const Trust& trust, std::size_t run);
+
+/** Of one run: `walls_added`, the share of its walls of which two others have seen the place, where
+ *  all of these show free space. Support in wall points. */
+MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
+                           const Trust& trust, std::size_t run);
+
+}  // namespace roomgraph

@@ -1,0 +1,96 @@
+#include "wall_sightings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "drawn_building.h"
+#include "roomgraph/align/wall_map.h"
+#include "roomgraph/relate/place_runs.h"
+
+namespace roomgraph {
+namespace {
+
+using test::drawnBuilding;
+
+/** A building, cell by cell as `cellOf` says. */
+Grid edited(const std::function<State(const Grid&, Cell)>& cellOf) {
+  const Grid grid = drawnBuilding(1, {2, 1, 0.3});
+  Grid result = grid;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x)
+      result.cells[grid.frame.index({x, y})] = cellOf(grid, {x, y});
+  return result;
+}
+
+/** Runs of one building: the first one is as given, the second one is bent, two more are sound. */
+struct Four {
+  std::vector<roomgraph::Run> runs{4};
+  MapPairs related{4};
+  Site site;
+  MapPairs pairs;
+  Trust trust{1, 0.5, 1, 1};
+
+  explicit Four(const Grid& first) {
+    runs[0].map = wallMap(first);
+    runs[1].map = wallMap(test::bent(drawnBuilding(1, {-3, 0, 2}), 0.03));
+    runs[2].map = wallMap(drawnBuilding(1, {0.4, 0.7, -1}));
+    runs[3].map = wallMap(drawnBuilding(1, {9, 9, 0.6}));
+    for (const auto& [a, b] : related.pairs()) related(a, b) = relateMaps(runs[a].map, runs[b].map);
+    site = placeRuns(runs, related, {});
+    pairs = pairsInSite(site, related, oneByOne);
+  }
+  Four(const Four&) = delete;
+
+  MeasuredValue measured(MeasuredValue (*figure)(const SightingTable&, const DistinctMaps&,
+                                                 const Trust&, std::size_t),
+                         std::size_t run = 0) const {
+    return figure(wallSightings(site, pairs, oneByOne), DistinctMaps(bendsOf(pairs)), trust, run);
+  }
+};
+
+const Four& sound() {
+  static const Four four(drawnBuilding(1, {2, 1, 0.3}));
+  return four;
+}
+
+TEST(WallSightings, aSoundMapLacksNoWallsAndABentOneDoesNotEither) {
+  for (const std::size_t run : {0u, 1u, 2u}) {
+    EXPECT_LT(*sound().measured(wallsMissingOf, run).value, 0.02) << run;
+    EXPECT_LT(*sound().measured(wallsAddedOf, run).value, 0.02) << run;
+  }
+  EXPECT_TRUE(sound().measured(wallsMissingOf).hasEnoughOthers);
+  EXPECT_GT(sound().measured(wallsAddedOf).support, kFewestWalls);
+}
+
+TEST(WallSightings, wallsThatAreErasedAreMissing) {
+  const Four four(edited([](const Grid& grid, Cell c) {
+    const bool isMiddle =
+        std::abs(c.x - grid.frame.width / 2) < 80 && std::abs(c.y - grid.frame.height / 2) < 60;
+    const State state = grid.at(c);
+    return isMiddle && state == State::occupied ? State::free : state;
+  }));
+  EXPECT_GT(*four.measured(wallsMissingOf).value, 0.1);
+  EXPECT_LT(*four.measured(wallsMissingOf, 2).value, 0.02) << "nobody else has lost any";
+  EXPECT_LT(*four.measured(wallsAddedOf, 2).value, 0.02) << "two others have it, too";
+}
+
+TEST(WallSightings, specksAreAdded) {
+  const Four four(edited([](const Grid& grid, Cell c) {
+    const bool isSpeck = c.x % 12 == 0 && c.y % 12 == 0 && grid.at(c) == State::free;
+    return isSpeck ? State::occupied : grid.at(c);
+  }));
+  EXPECT_GT(*four.measured(wallsAddedOf).value, 0.3);
+  EXPECT_LT(*four.measured(wallsMissingOf, 2).value, 0.02) << "no third one has them";
+}
+
+TEST(WallSightings, copiesAreNoWitnesses) {
+  Four four(drawnBuilding(1, {2, 1, 0.3}));
+  for (const auto& [a, b] : {PairOfThings{1, 2}, {1, 3}, {2, 3}}) four.pairs(a, b).areEdits = true;
+  EXPECT_FALSE(four.measured(wallsMissingOf).value) << "no wall is confirmed";
+  EXPECT_FALSE(four.measured(wallsAddedOf).value);
+}
+
+}  // namespace
+}  // namespace roomgraph
