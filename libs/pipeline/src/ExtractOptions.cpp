@@ -20,7 +20,6 @@ ExtractOptions paperPreset() {
   options.clearClutter.maxSize = 0;
   options.findRooms.alphaPx2 = 250;
   options.shortDeadEnds.minLengthPx = 20;
-  options.joinDoors.maxDepth = 0;
   options.roomGraph.straightEdges = true;
   return options;
 }
@@ -41,7 +40,6 @@ FieldTable describe(ExtractOptions& options) {
   describe(options.findRooms, table);
   describe(options.splitAtDoors, table);
   describe(options.shortDeadEnds, table);
-  describe(options.joinDoors, table);
   describe(options.roomGraph, table);
   return table;
 }

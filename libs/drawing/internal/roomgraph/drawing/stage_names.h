@@ -20,7 +20,6 @@ enum class ShownStage {
   borderVertices,
   cut,
   cleaned,
-  doors,
   result,
   areas
 };
