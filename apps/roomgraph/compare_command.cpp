@@ -25,6 +25,7 @@
 #include "roomgraph/report/site_json.h"
 #include "run_in_order.h"
 #include "site_maps.h"
+#include "trajectory_files.h"
 
 namespace roomgraph {
 namespace {
@@ -205,6 +206,9 @@ void writeResults(Comparison comparison, const std::vector<Run>& runs,
     more = addBreakFiles(comparison, runs, options.loadGrid, folder, staged);
   if (arguments.writesSiteMaps)
     for (std::string& name : addSiteMaps(comparison, options, folder, staged))
+      more.push_back(std::move(name));
+  if (files.hasTrajectories())
+    for (std::string& name : addTrajectories(comparison, folder, staged))
       more.push_back(std::move(name));
   addResults(comparison, runs, files, more, staged);
   staged.commit();

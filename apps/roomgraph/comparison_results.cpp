@@ -47,6 +47,9 @@ constexpr ComparisonFile kFiles[] = {
     {"roomgraph", "comparison.roomgraph", true, comparisonObjectFile},
 };
 
+/** The format of a file for each run, which "all" leaves out. */
+constexpr char kTrajectories[] = "evo";
+
 std::vector<std::string> allFormats() {
   std::vector<std::string> names;
   for (const ComparisonFile& file : kFiles)
@@ -58,9 +61,13 @@ std::vector<std::string> allFormats() {
 
 ResultFiles::ResultFiles(std::filesystem::path folder, const std::string& formats)
     : folder_(std::move(folder)) {
-  const std::vector<std::string> chosen = chosenFormats(formats, allFormats());
+  const std::vector<std::string> chosen = chosenFormats(formats, allFormats(), {kTrajectories});
+  const auto isChosen = [&](const char* format) {
+    return std::count(chosen.begin(), chosen.end(), format) > 0;
+  };
   for (const ComparisonFile& file : kFiles)
-    if (std::count(chosen.begin(), chosen.end(), file.format) > 0) files_.push_back(&file);
+    if (isChosen(file.format)) files_.push_back(&file);
+  hasTrajectories_ = isChosen(kTrajectories);
 }
 
 std::string ResultFiles::nameOf(const ComparisonFile& file) const {
@@ -98,7 +105,11 @@ std::string listedFiles() {
 
 void declareFormats(std::string& formats, CLI::App& app) {
   app.add_option("--format", formats,
-                 "What to write, as a comma-separated list: " + listedFormats(allFormats()) + ".")
+                 "What to write, as a comma-separated list: " +
+                     listedFormats(allFormats(), {kTrajectories}) +
+                     ". Only where it is named, 'evo' writes of each run with scans its path in "
+                     "the frame of the site (comparison.RUN.tum), and the error along it for "
+                     "evo_res (comparison.RUN.evo.zip).")
       ->type_name("LIST")
       ->capture_default_str();
 }

@@ -24,6 +24,8 @@ class ResultFiles {
   std::vector<std::string> keepDrawn();
 
   const std::filesystem::path& folder() const { return folder_; }
+  /** Whether the list names files of trajectories, see addTrajectories; "all" does not. */
+  bool hasTrajectories() const { return hasTrajectories_; }
   std::vector<std::string> names() const;
   void add(const Comparison& saved, const std::vector<Run>& runs, StagedFiles& staged) const;
 
@@ -32,6 +34,7 @@ class ResultFiles {
 
   std::filesystem::path folder_;
   std::vector<const ComparisonFile*> files_;
+  bool hasTrajectories_ = false;
 };
 
 /** The names of all files of a comparison, for the help. */

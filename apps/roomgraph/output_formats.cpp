@@ -53,28 +53,39 @@ std::vector<std::string> allFormats() {
 
 }  // namespace
 
-std::string listedFormats(const std::vector<std::string>& known) {
+std::string listedFormats(const std::vector<std::string>& known,
+                          const std::vector<std::string>& more) {
+  std::vector<std::string> names = known;
+  names.emplace_back("all");
+  names.insert(names.end(), more.begin(), more.end());
+  const std::string last = names.back();
+  names.pop_back();
   std::string text;
-  for (const std::string& name : known) text += (text.empty() ? "" : ", ") + name;
-  return text + " or all";
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text + " or " + last;
 }
 
 std::vector<std::string> chosenFormats(const std::string& list,
-                                       const std::vector<std::string>& known) {
+                                       const std::vector<std::string>& known,
+                                       const std::vector<std::string>& more) {
   std::vector<std::string> chosen;
   const auto add = [&](const std::string& name) {
     if (std::count(chosen.begin(), chosen.end(), name) == 0) chosen.push_back(name);
+  };
+  const auto isIn = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::count(names.begin(), names.end(), name) > 0;
   };
   std::istringstream in(list);
   for (std::string name; std::getline(in, name, ',');) {
     if (name == "all")
       for (const std::string& each : known) add(each);
-    else if (std::count(known.begin(), known.end(), name) > 0)
+    else if (isIn(known, name) || isIn(more, name))
       add(name);
     else
-      throw UsageError("there is no format '" + name + "': --format takes " + listedFormats(known));
+      throw UsageError("there is no format '" + name + "': --format takes " +
+                       listedFormats(known, more));
   }
-  if (chosen.empty()) throw UsageError("--format is empty: it takes " + listedFormats(known));
+  if (chosen.empty()) throw UsageError("--format is empty: it takes " + listedFormats(known, more));
   return chosen;
 }
 

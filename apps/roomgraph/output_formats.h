@@ -13,13 +13,15 @@ struct OutputFormat {
   bool isDefault = true;  ///< written where nothing else is asked for
 };
 
-/** "a, b or all", for people. */
-std::string listedFormats(const std::vector<std::string>& known);
+/** "a, b, all or c", for people, where "all" does not stand for c, one of `more`. */
+std::string listedFormats(const std::vector<std::string>& known,
+                          const std::vector<std::string>& more = {});
 
 /** The names of a comma-separated list, in the order of the list, each once; "all" stands for every
- *  one of `known`. Throws UsageError for a name that is none of them. */
+ *  one of `known`, and for none of `more`. Throws UsageError for a name that is none of them. */
 std::vector<std::string> chosenFormats(const std::string& list,
-                                       const std::vector<std::string>& known);
+                                       const std::vector<std::string>& known,
+                                       const std::vector<std::string>& more = {});
 
 /** The names of all formats of a result, for people. */
 std::string formatNames();

@@ -1,8 +1,8 @@
 #include "site_maps.h"
 
-#include <cctype>
 #include <set>
 
+#include "file_word.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/graph_files/maps_viewer.h"
@@ -13,18 +13,6 @@
 
 namespace roomgraph {
 namespace {
-
-/** The name of a run as part of that of a file: names may be paths, and YAML and TOML have signs of
- *  their own. */
-std::string fileWord(const std::string& name, std::set<std::string>& taken) {
-  std::string word;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    word += byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '.' ? c : '_';
-  }
-  while (!taken.insert(word).second) word += '_';
-  return word;
-}
 
 /** The run's own cells; the wall maps that are compared are coarser. */
 Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {

@@ -1,0 +1,17 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/compare/Comparison.h"
+
+namespace roomgraph {
+
+/** The path of each run with scans in the frame of the site (comparison.RUN.tum), and the error
+ *  along it for evo_res (comparison.RUN.evo.zip). Returns their names.
+ *  @throws UsageError where one of them would replace a run. */
+std::vector<std::string> addTrajectories(const Comparison& comparison,
+                                         const std::filesystem::path& folder, StagedFiles& staged);
+
+}  // namespace roomgraph
