@@ -10,7 +10,7 @@
 
 namespace roomgraph {
 
-/** What is asked of `roomgraph archive`. */
+/** What is asked of `roomgraph archive`, and of `roomgraph watch`. */
 struct ArchiveArguments {
   std::string archive;
   std::string site;  ///< empty for the only one, or the name of the archive
@@ -27,5 +27,12 @@ struct ArchiveArguments {
   CLI::App *rooms = nullptr, *naming = nullptr, *removing = nullptr, *renaming = nullptr;
   CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
 };
+
+/** Declares --site. */
+void declareSite(ArchiveArguments& arguments, CLI::App& app);
+/** Declares --limit. */
+void declareWatch(ArchiveArguments& arguments, CLI::App& app);
+/** Declares how runs are added: --site, --robot, --compare-with and so on. */
+void declareAdding(ArchiveArguments& arguments, CLI::App& app);
 
 }  // namespace roomgraph

@@ -17,23 +17,6 @@
 namespace roomgraph {
 namespace {
 
-AddRunOptions optionsOf(const ArchiveArguments& arguments) {
-  AddRunOptions options;
-  options.robot = arguments.robot, options.most = arguments.most;
-  options.kept = arguments.kept;
-  if (!arguments.time.empty()) {
-    options.time = parseTime(arguments.time);
-    if (!options.time)
-      throw UsageError("--time: " + arguments.time + " is not a time: give 2026-11-22T03:00");
-  }
-  options.compare = toCompareOptions(arguments.options);
-  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
-  options.compare.onUnread = [](const LeftOutRun& run) {
-    printError(run.file + ": is not compared with: " + run.reason);
-  };
-  return options;
-}
-
 std::string lineOf(const std::string& file, const AddedRun& run) {
   std::string text = printable(file) + ": ";
   if (run.wasKnown) return text + "is known already\n";
@@ -56,6 +39,23 @@ std::string missingText(const std::set<std::string>& files) {
 
 }  // namespace
 
+AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
+  AddRunOptions options;
+  options.robot = arguments.robot, options.most = arguments.most;
+  options.kept = arguments.kept;
+  if (!arguments.time.empty()) {
+    options.time = parseTime(arguments.time);
+    if (!options.time)
+      throw UsageError("--time: " + arguments.time + " is not a time: give 2026-11-22T03:00");
+  }
+  options.compare = toCompareOptions(arguments.options);
+  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
+  options.compare.onUnread = [](const LeftOutRun& run) {
+    printError(run.file + ": is not compared with: " + run.reason);
+  };
+  return options;
+}
+
 std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archive) {
   if (!arguments.site.empty()) return arguments.site;
   const std::vector<std::string> sites = archive.sites();
@@ -67,7 +67,7 @@ std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archiv
 }
 
 int addToArchive(const ArchiveArguments& arguments) {
-  AddRunOptions options = optionsOf(arguments);
+  AddRunOptions options = addOptionsOf(arguments);
   Archive archive(arguments.archive, Archive::Access::orNew);
   options.site = siteToAddTo(arguments, archive);
   std::optional<PairFolder> cache;

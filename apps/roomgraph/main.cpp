@@ -25,6 +25,7 @@
 #include "task_command.h"
 #include "terminal.h"
 #include "usage_fault.h"
+#include "watch_command.h"
 #include "where_command.h"
 
 namespace roomgraph {
@@ -48,6 +49,8 @@ constexpr Command kCommands[] = {
      reportCommand},
     {"archive", "Keep the runs of a site night by night, and tell whether its maps get worse.",
      archiveCommand},
+    {"watch", "Add each map that is written into a folder to an archive, and tell how good it is.",
+     watchCommand},
     {"plan", "Write the tasks that bring an archive of many sites up to date.", planCommand},
     {"task", "Do a task of a plan, unless it has been done.", taskCommand},
     {"collect", "Put the results of the tasks of a plan into the archive.", collectCommand},
