@@ -157,6 +157,35 @@ TEST(Gate, aCandidateThatIsNotComparedIsNeverGood) {
             Lines{"good: its map error cannot be told: too little to compare"});
 }
 
+/** Three runs, the first with these walls. */
+Comparison withWalls(double missing, double added, double sharpness) {
+  Comparison comparison = fiveRuns();
+  comparison.runs.resize(3);
+  for (ComparedRun& run : comparison.runs)
+    run.measures = {{"walls_missing", 0.01, "1", 5000, {}, {}, true},
+                    {"walls_added", 0.02, "1", 5000, {}, {}, true},
+                    {"wall_sharpness", 0.8, "1", 5000, {}, {}, true}};
+  std::vector<Measure>& first = comparison.runs[0].measures;
+  first[0].value = missing, first[1].value = added, first[2].value = sharpness;
+  return comparison;
+}
+
+TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
+  GateOptions options;
+  options.failsOnWalls = true;
+  EXPECT_FALSE(options.asksNothing());
+  EXPECT_TRUE(gateVerdict(withWalls(0.14, 0.19, 0.5), options).isPassed());
+  EXPECT_EQ(gateVerdict(withWalls(0.3, 0.4, 0.2), options).complaints,
+            (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
+                   "a: has 40 % of its walls where others have seen free space, more than 20 %",
+                   "a: its walls are too thin: wall_sharpness is 0.20, that of the others 0.80"}));
+  EXPECT_EQ(gateVerdict(withWalls(0, 0, 3), options).complaints,
+            Lines{"a: its walls are too thick: wall_sharpness is 3.00, that of the others 0.80"});
+  Comparison little = withWalls(0.3, 0.4, 0.8);
+  for (Measure& measure : little.runs[0].measures) measure.isMeaningful = false;
+  EXPECT_TRUE(gateVerdict(little, options).isPassed()) << "nobody can tell";
+}
+
 TEST(Gate, aCopyOfTheRecordIsNoCandidate) {
   Comparison comparison = fiveRuns();
   comparison.pairs.resize(1);
