@@ -10,8 +10,32 @@ namespace {
 struct Seen {
   std::vector<LocalScan> scans = localScans(test::runOf(test::driveOnce()).scans);
   std::vector<Transform2D> poses = test::posesOf(test::driveOnce());
-  WallMap map = scanMap(scans, poses, {8, 9, 11, 12}, 30);
+  WallMap map = scanMap(scans, poses, {7, 8, 9, 11, 12, 13}, 30);
 };
+
+TEST(FindScan, aScanIsFoundAtAnyTurn) {
+  const Seen seen;
+  for (const double turn : {0.0, 0.7, 2.0, M_PI}) {
+    const Transform2D& right = seen.poses[10];
+    const Transform2D around{right.x + 0.8, right.y - 0.5, wrappedAngle(right.phi + turn)};
+    const auto found = findScan(seen.scans[10], seen.map, around, {M_PI, 1.5}, 2);
+    ASSERT_FALSE(found.empty());
+    EXPECT_LT(distance(found.front().pose.shift(), right.shift()), 0.1) << turn;
+    EXPECT_NEAR(wrappedAngle(found.front().pose.phi - right.phi), 0, 0.02) << turn;
+    EXPECT_GT(found.front().quality, 0.7);
+    EXPECT_NEAR(found.front().known, fitAt(seen.scans[10], seen.map, right).known, 0.05);
+  }
+}
+
+TEST(FindScan, aWrongPoseHasFewerOfTheWalls) {
+  const Seen seen;
+  const ScanFit right = fitAt(seen.scans[10], seen.map, seen.poses[10]);
+  const Transform2D turned = seen.poses[10] * Transform2D{0, 0, 0.5};
+  const ScanFit wrong = fitAt(seen.scans[10], seen.map, turned);
+  EXPECT_GT(right.score, 20);
+  EXPECT_LT(wrong.score, 0);
+  EXPECT_LT(wrong.quality, right.quality - 0.3);
+}
 
 TEST(FindScan, aCorridorWithoutEndHoldsAScanInOneDirectionOnly) {
   LocalScan scan;

@@ -24,6 +24,24 @@ TEST(MendSteps, aSoundDriveIsLeftAsItIs) {
   EXPECT_GT(std::count(steps.evidence.begin(), steps.evidence.end(), StepEvidence::agrees), 30);
 }
 
+TEST(MendSteps, aTearIsMendedFromTheScansOnBothSidesOfIt) {
+  for (const double turn : {0.4, 2.2, M_PI, -1.3}) {
+    const auto torn = test::broken(test::driveOnce(), 18, turn, {2, -1});
+    const MendedSteps steps = mended(torn);
+    EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.15) << turn;
+    EXPECT_EQ(steps.evidence[18], StepEvidence::contradicts) << turn;
+    EXPECT_EQ(contradictions(steps), 1) << turn;
+  }
+}
+
+TEST(MendSteps, twoTearsAreMendedEachByItself) {
+  auto torn = test::broken(test::driveOnce(), 12, 0.8, {1, 1});
+  torn = test::broken(torn, 30, -0.5, {0, 2});
+  const MendedSteps steps = mended(torn);
+  EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.2);
+  EXPECT_EQ(contradictions(steps), 2);
+}
+
 TEST(MendSteps, theFrameChangesNothing) {
   const auto torn = test::broken(test::driveOnce(), 18, 0.4, {2, -1});
   const MendedSteps here = mended(torn), there = mended(test::moved(torn, {30, -8, 1.1}));

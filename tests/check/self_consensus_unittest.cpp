@@ -19,5 +19,12 @@ TEST(SelfConsensus, aSoundRunAgreesWithItself) {
   EXPECT_LT(test::stepsApart(consensus.poses, test::posesOf(test::driveForthAndBack())), 0.05);
 }
 
+TEST(SelfConsensus, aTornRunIsLaidAsItWasDriven) {
+  const auto torn = test::broken(test::driveForthAndBack(), 50, 0.6, {1, 2});
+  const SelfConsensus consensus = agreed(torn);
+  EXPECT_GT(consensus.error.error, 1);
+  EXPECT_LT(test::stepsApart(consensus.poses, test::posesOf(test::driveForthAndBack())), 0.2);
+}
+
 }  // namespace
 }  // namespace roomgraph

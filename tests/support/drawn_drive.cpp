@@ -10,13 +10,18 @@ struct Row {
   int y = 0, from = 0, to = 0;
 };
 
+/** The longest free row; of several beside each other the middle one, so that the robot does not
+ *  scrape along a wall, where half of its beams would meet what is at its feet. */
 Row longestRow(const Grid& grid) {
   Row best;
+  int last = 0;  // of the rows from `best` on that are as long
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0, from = 0; x < grid.frame.width; ++x) {
       if (grid.at({x, y}) != State::free) from = x + 1;
-      if (x + 1 - from > best.to - best.from) best = {y, from, x + 1};
+      if (x + 1 - from > best.to - best.from) best = {y, from, x + 1}, last = y;
+      if (from == best.from && x + 1 == best.to && y == last + 1) last = y;
     }
+  best.y = (best.y + last) / 2;
   return best;
 }
 

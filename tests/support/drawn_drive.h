@@ -6,8 +6,8 @@
 
 namespace roomgraph::test {
 
-/** A drive along the longest free row of a map, a scan of 270 degrees each half metre, with true
- *  poses. */
+/** A drive along the longest free row of a map, of several beside each other the middle one, with a
+ *  scan of 270 degrees each half metre and true poses. */
 std::vector<Keyframe> drawnDrive(const Grid& grid);
 
 /** The same drive with everything from scan `from` on turned about the robot and shifted. */
