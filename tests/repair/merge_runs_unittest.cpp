@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "repaired_site.h"
 #include "roomgraph/base/Error.h"
 
@@ -12,17 +14,19 @@ MergedRun mergedRun(std::vector<Keyframe> scans, double day) {
   return {"day " + std::to_string(day), std::move(scans), 1e9 + 86400 * day};
 }
 
-/** What most of the drive's scans look through: a place in the corridor. */
-Point inCorridor() { return test::drive(0)[15].pose.shift(); }
+/** A place beside the way along the corridor, which many scans look through. */
+Point inCorridor() { return test::drive(0)[15].pose({0, 0.7}); }
 
-/** The scans with a box of half a metre around a place, as far as their beams cross it. */
+/** The scans with a round box of half a metre around a place: beams that meet it end there. */
 std::vector<Keyframe> withBox(std::vector<Keyframe> scans, Point middle) {
+  constexpr double radius = 0.25;
   for (Keyframe& scan : scans)
     for (Point& end : scan.ends) {
       const Point eye = scan.pose.shift(), there = scan.pose(end) - eye;
-      const double along = dot(middle - eye, there) / squaredNorm(there);
-      if (along < 0 || along > 1 || distance(eye + along * there, middle) > 0.25) continue;
-      if (distance(eye, middle) > 0.6) end = along * end;
+      const double length = norm(there), along = dot(middle - eye, there) / length;
+      const double beside = distance(eye + (along / length) * there, middle);
+      if (along < 0 || along > length || beside > radius) continue;
+      end = (along - std::sqrt(radius * radius - beside * beside)) / length * end;
     }
   return scans;
 }
@@ -39,11 +43,22 @@ bool isWallNear(const MergedMap& merged, Point place) {
 
 MergedMap merged(const std::vector<MergedRun>& runs) { return mergeRuns(runs, {}, oneByOne); }
 
+TEST(MergeRuns, whatStoodThereOnceGoes) {
+  const auto empty = test::drive(1), box = withBox(test::drive(2), inCorridor());
+  ASSERT_TRUE(isWallNear(merged({mergedRun(box, 0)}), inCorridor()));
+  const MergedMap map = merged({mergedRun(box, 0), mergedRun(empty, 1), mergedRun(empty, 2)});
+  EXPECT_FALSE(isWallNear(map, inCorridor()));
+  for (const auto& scans : map.leftOut) EXPECT_TRUE(scans.empty());
+}
+
 TEST(MergeRuns, whatTheLatestTwoHaveStays) {
   const auto empty = test::drive(1), box = withBox(test::drive(2), inCorridor());
   const MergedRun first = mergedRun(empty, 0), second = mergedRun(empty, 1),
                   third = mergedRun(empty, 2), fourth = mergedRun(box, 3), last = mergedRun(box, 4);
   EXPECT_TRUE(isWallNear(merged({first, second, third, fourth, last}), inCorridor()));
+  EXPECT_FALSE(isWallNear(merged({mergedRun(box, 0), mergedRun(box, 1), mergedRun(box, 2),
+                                  mergedRun(empty, 3), mergedRun(empty, 4)}),
+                          inCorridor()));
 }
 
 TEST(MergeRuns, scansInTheWrongPlaceAreLeftOut) {
@@ -53,7 +68,7 @@ TEST(MergeRuns, scansInTheWrongPlaceAreLeftOut) {
       merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1), mergedRun(wrong, 2)});
   EXPECT_TRUE(map.leftOut[0].empty());
   EXPECT_TRUE(map.leftOut[1].empty());
-  EXPECT_FALSE(map.leftOut[2].empty());
+  EXPECT_GE(map.leftOut[2].size(), 6u);
   EXPECT_LE(map.leftOut[2].size(), 10u);
 }
 

@@ -12,7 +12,9 @@ namespace roomgraph {
 namespace {
 
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
-constexpr double kContradicted = 0.5;    // share of the ends of a scan that is left out
+constexpr double kToldOf = 0.1;          // share of the beams of a scan that tells of all of it
+constexpr double kSurelyWall = 0.5;      // wall share from which on a run has a wall there
+constexpr double kBehindWall = 0.5;      // so far behind a wall nothing is seen that grazes it [m]
 constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is looked through
 constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well
 constexpr double kSecondsPerDay = 86400;
@@ -47,6 +49,9 @@ class Merger {
   }
 
  private:
+  /** What other runs say of a beam. */
+  enum class Word { none, with, against };
+
   void setFrame() {
     double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
     const auto add = [&](Point p) {
@@ -80,8 +85,9 @@ class Merger {
     return votes;
   }
 
-  /** Whether most runs that have seen a cell well, but this one, look through all around it. */
-  bool isFreeForOthers(std::size_t r, Cell at, const std::vector<CellVotes>& votes) const {
+  /** What the runs that have seen a cell well, but this one, say of a beam that ends there: it is
+   *  contradicted if most look through all around it. */
+  Word othersOn(std::size_t r, Cell at, const std::vector<CellVotes>& votes) const {
     std::size_t free = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
       if (other == r || votes[other].seen(frame_.index(at)) < kSureBeams) continue;
@@ -92,17 +98,44 @@ class Merger {
             most = std::max(most, votes[other].wallShare(frame_.index(near)));
       ++known, free += most <= kClearlyFree;
     }
-    return known > 0 && 2 * free > known;
+    if (known == 0) return Word::none;
+    return 2 * free > known ? Word::against : Word::with;
+  }
+
+  /** Whether a cell is wall to most runs that have seen it well, but this one. */
+  bool isWallForOthers(std::size_t r, std::size_t cell, const std::vector<CellVotes>& votes) const {
+    std::size_t walls = 0, known = 0;
+    for (std::size_t other = 0; other < votes.size(); ++other) {
+      if (other == r || votes[other].seen(cell) < kSureBeams) continue;
+      ++known, walls += votes[other].wallShare(cell) >= kSurelyWall;
+    }
+    return 2 * walls > known;
+  }
+
+  /** Whether a beam has gone through a wall of others: it goes on well behind it. */
+  bool goesThrough(std::size_t r, Point eye, Point end, const std::vector<CellVotes>& votes) const {
+    const double length = distance(eye, end);
+    if (length <= kBehindWall) return false;
+    bool isThrough = false;
+    passBeam(frame_, eye, eye + (1 - kBehindWall / length) * (end - eye),
+             [&](std::size_t cell) { isThrough = isThrough || isWallForOthers(r, cell, votes); });
+    return isThrough;
   }
 
   std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
     std::vector<std::size_t> scans;
     for (std::size_t k = 0; k < runs_[r].scans.size(); ++k) {
       const Keyframe& scan = runs_[r].scans[k];
-      const auto bad = std::count_if(scan.ends.begin(), scan.ends.end(), [&](Point end) {
-        return isFreeForOthers(r, frame_.cellAt(scan.pose(end)), votes);
-      });
-      if (double(bad) > kContradicted * double(scan.ends.size())) scans.push_back(k);
+      std::size_t with = 0, against = 0;
+      for (const Point inScan : scan.ends) {
+        const Point end = scan.pose(inScan);
+        const Word word = goesThrough(r, scan.pose.shift(), end, votes)
+                              ? Word::against
+                              : othersOn(r, frame_.cellAt(end), votes);
+        with += word == Word::with, against += word == Word::against;
+      }
+      if (against > with && double(against) > kToldOf * double(scan.ends.size()))
+        scans.push_back(k);
     }
     if (2 * scans.size() > runs_[r].scans.size()) {
       scans.resize(runs_[r].scans.size());
@@ -123,11 +156,12 @@ class Merger {
     }
     for (auto r = order_.rbegin(); areTimed_ && r != order_.rend() && asked < 2; ++r) {
       if (votes[*r].seen(cell) < kSureBeams) continue;
-      ++asked, agreeing +=
-               votes[*r].wallShare(cell) <= kClearlyFree ? -1 : votes[*r].wallShare(cell) >= 0.5;
+      ++asked, agreeing += votes[*r].wallShare(cell) <= kClearlyFree
+                               ? -1
+                               : votes[*r].wallShare(cell) >= kSurelyWall;
     }
     if (all <= 0) return std::nullopt;
-    if (agreeing == 2) return std::max(wall / all, 0.5);
+    if (agreeing == 2) return std::max(wall / all, kSurelyWall);
     if (agreeing == -2) return std::min(wall / all, kClearlyFree);
     return wall / all;
   }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <cstdlib>
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
@@ -7,13 +8,29 @@
 
 namespace roomgraph {
 
+/** All cells that a beam passes, from that of `eye` to the one before that of `end`, in this order
+ *  (Bresenham 1965): `visit` is told each. Both must lie in the frame. */
+template <class Visit>
+void passBeam(const GridFrame& frame, Point eye, Point end, const Visit& visit) {
+  Cell at = frame.cellAt(eye);
+  const Cell last = frame.cellAt(end);
+  const int width = std::abs(last.x - at.x), height = -std::abs(last.y - at.y);
+  const int stepX = at.x < last.x ? 1 : -1, stepY = at.y < last.y ? 1 : -1;
+  for (int error = width + height; at.x != last.x || at.y != last.y;) {
+    visit(frame.index(at));
+    const int twice = 2 * error;
+    if (twice >= height) error += height, at.x += stepX;
+    if (twice <= width) error += width, at.y += stepY;
+  }
+}
+
 /** What the beams of one run say of each cell: how many ended in it, and how many passed. */
 class CellVotes {
  public:
   explicit CellVotes(const GridFrame& frame) : frame_(frame), votes_(frame.cellCount()) {}
 
   /** A beam from `eye` to where it met something; both must lie in the frame. The cell of the end
-   *  gets a hit, all between a pass (Bresenham 1965). */
+   *  gets a hit, all between a pass. */
   void addBeam(Point eye, Point end);
 
   std::uint32_t seen(std::size_t cell) const { return votes_[cell].hits + votes_[cell].passes; }

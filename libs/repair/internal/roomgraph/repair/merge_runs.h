@@ -42,8 +42,9 @@ struct MergedMap {
 /** Draws one map of all scans. Each run has a vote on each cell that its beams have met or passed:
  *  wall by the share that ended there. A cell is wall where the votes are, and, where the two runs
  *  made last have the same to say, as they say: so people, moved chairs and doubled walls go. Scans
- *  most of whose ends lie where others look through are left out first. The same for any order of
- *  the runs of different times. O(beams * their lengths).
+ *  are left out first of whose beams, as far as others know their ends, most end where others look
+ *  through, or go through what is wall to them. The same for any order of the runs of different
+ *  times. O(beams * their lengths).
  *  @throws DataError where they reach over more cells than a map may have. */
 MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
                     const ForEach& forEach);
