@@ -16,7 +16,6 @@ constexpr double kBeside = 4;     // from a scan to the robot's way through a ma
 constexpr std::size_t kMaps = 2;  // in which a scan is looked for
 constexpr double kSureRevisit = 0.7;
 constexpr double kLeastScore = 8, kRevisitQuality = 0.5, kLeastHold = 0.08;
-constexpr double kRival = 0.85;
 constexpr double kDriftPlace = 0.02, kDriftTurn = 0.003;  // per metre of path
 constexpr PoseTolerance kLeastWindow{0.1, 0.6}, kMostWindow{0.5, 3};
 
@@ -123,10 +122,10 @@ class Finder {
     const ScanFit here = fitNear(scans_[k], stretch.map, poses_[k]);
     if (here.quality >= kSureRevisit && isGood(here)) return here.pose;
     const auto found = findScan(scans_[k], stretch.map, poses_[k], windowOf(pathTo(k, stretch)), 2);
-    if (isGood(here) && (found.empty() || found.front().score < here.score / kRival))
+    if (isGood(here) && (found.empty() || found.front().score < here.score / kRivalScore))
       return here.pose;
     if (found.empty() || !isGood(found.front())) return std::nullopt;
-    if (found.size() > 1 && found[1].score > kRival * found[0].score) return std::nullopt;
+    if (found.size() > 1 && found[1].score > kRivalScore * found[0].score) return std::nullopt;
     return found.front().pose;
   }
 

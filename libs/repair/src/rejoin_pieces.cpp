@@ -2,109 +2,121 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <optional>
-#include <unordered_set>
+#include <numeric>
 
-#include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/check/find_scan.h"
+#include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kScansAtTear = 8;       // beside a tear, that are looked up
-constexpr double kBornOutBy = 0.15;           // share of walls that bears a tear out
-constexpr double kIndexCell = 2 * kSameWall;  // of the index [m]
+constexpr std::size_t kProbes = 12;  // scans of a piece that are looked up, evenly
+constexpr double kNearProbe = 10;    // from these to the scans of other runs that tell of them [m]
+constexpr double kRange = 15;        // of the walls of those [m]
 
-/** All walls that the runs but one have seen, where they really lie. */
+/** What the runs but one have seen near some places, where it really lies. */
 class OtherWalls {
  public:
-  OtherWalls(const SolvedSite& solved, std::size_t but) {
+  OtherWalls(const SolvedSite& solved, std::size_t but, const std::vector<Point>& places) {
+    std::vector<LocalScan> scans;
+    std::vector<Transform2D> poses;
     for (std::size_t i = 0; i < solved.site.runs.size(); ++i) {
       if (i == but || solved.maps.firstOf(i) == solved.maps.firstOf(but)) continue;
-      const std::vector<ScanWalls>& scans = solved.site.runs[i]->scans;
-      const std::vector<Transform2D> poses = solved.posesOf(i);
-      for (std::size_t k = 0; k < scans.size(); ++k) {
-        const Motion2D there(poses[k] * scans[k].pose.inverse());
-        for (const WallPoint& wall : scans[k].walls) cells_.insert(keyOf(there(wall.place)));
+      const std::vector<LocalScan> local = localScans(solved.site.runs[i]->scans);
+      const std::vector<Transform2D> real = solved.posesOf(i);
+      for (std::size_t k = 0; k < local.size(); ++k) {
+        if (std::none_of(places.begin(), places.end(), [&](Point place) {
+              return distance(place, real[k].shift()) < kNearProbe;
+            }))
+          continue;
+        scans.push_back(local[k]);
+        poses.push_back(real[k]);
       }
     }
+    std::vector<std::size_t> all(scans.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    if (!all.empty()) map_ = scanMap(scans, poses, all, kRange);
   }
 
-  /** Share of the walls of a scan that lie beside such walls, if it lies at `pose`. */
-  double share(const ScanWalls& scan, const Transform2D& pose) const {
-    if (scan.walls.empty()) return 0;
-    const Motion2D there(pose * scan.pose.inverse());
-    const auto found =
-        std::count_if(scan.walls.begin(), scan.walls.end(), [&](const WallPoint& wall) {
-          const Point p = there(wall.place);
-          for (const double x : {-kSameWall, kSameWall})
-            for (const double y : {-kSameWall, kSameWall})
-              if (cells_.count(keyOf(p + Point{x, y})) > 0) return true;
-          return false;
-        });
-    return double(found) / double(scan.walls.size());
+  /** How much speaks for a scan to lie about there, see ScanFit. */
+  double score(const LocalScan& scan, const Transform2D& pose) const {
+    return map_.walls.empty() ? 0 : fitNear(scan, map_, pose).score;
   }
 
  private:
-  static std::int64_t keyOf(Point p) {
-    constexpr std::int64_t row = std::int64_t(1) << 32;
-    return std::int64_t(std::floor(p.y / kIndexCell)) * row +
-           std::int64_t(std::floor(p.x / kIndexCell));
-  }
-
-  std::unordered_set<std::int64_t> cells_;
+  WallMap map_;
 };
 
 class Rejoiner {
  public:
   Rejoiner(const SolvedSite& solved, const std::vector<Transform2D>& poses, std::size_t run)
-      : solved_(solved), run_(run), scans_(solved.site.runs[run]->scans), poses_(poses) {}
+      : solved_(solved),
+        run_(run),
+        scans_(solved.site.runs[run]->scans),
+        poses_(poses),
+        local_(localScans(scans_)) {}
 
   std::vector<Transform2D> rejoined() {
+    std::vector<std::pair<double, std::size_t>> tears;  // the largest first
     for (std::size_t k = 1; k < scans_.size(); ++k)
-      if (isTorn(k)) tears_.push_back(k);
-    for (std::size_t t = 0; t < tears_.size(); ++t) rejoin(t);
+      if (isTorn(k)) tears.emplace_back(-poseDistance(offAt(k), {}), k);
+    std::sort(tears.begin(), tears.end());
+    for (const auto& [size, tear] : tears) rejoin(tear);
     return poses_;
   }
 
  private:
   Transform2D step(std::size_t k) const { return scans_[k - 1].pose.inverse() * scans_[k].pose; }
 
-  bool isTorn(std::size_t k) const {
-    const Transform2D off = (poses_[k - 1] * step(k)).inverse() * poses_[k];
-    return norm(off.shift()) > kBreakShift || std::abs(off.phi) > kBreakRotation;
-  }
+  /** How a scan lies off from where the link of the one before has it. */
+  Transform2D offAt(std::size_t k) const { return (poses_[k - 1] * step(k)).inverse() * poses_[k]; }
 
-  /** Moves the smaller part beside a tear to where its links have it, unless that fits worse. */
-  void rejoin(std::size_t t) {
-    const std::size_t tear = tears_[t];
-    if (!isTorn(tear)) return;
-    const std::size_t from = t == 0 ? 0 : tears_[t - 1];
-    const std::size_t to = t + 1 == tears_.size() ? scans_.size() : tears_[t + 1];
+  /** So far that it may lie in a look-alike place: of what is nearer the consensus knows best. */
+  bool isTorn(std::size_t k) const { return !areNear(offAt(k), {}, {}, kBesideItself); }
+
+  /** Moves the smaller part beside a tear to where its links have it, unless that fits worse. The
+   *  parts reach to the larger tears that are borne out. */
+  void rejoin(std::size_t tear) {
+    const auto next = std::lower_bound(bornOut_.begin(), bornOut_.end(), tear);
+    const std::size_t from = next == bornOut_.begin() ? 0 : *std::prev(next);
+    const std::size_t to = next == bornOut_.end() ? scans_.size() : *next;
     const bool isLater = to - tear < tear - from;
     const Transform2D before = poses_[tear - 1] * step(tear);
     const Transform2D motion =
         isLater ? before * poses_[tear].inverse() : poses_[tear] * before.inverse();
-    const std::size_t first = isLater ? tear : tear - std::min(kScansAtTear, tear - from);
-    const std::size_t last = isLater ? tear + std::min(kScansAtTear, to - tear) : tear;
-    if (!walls_) walls_.emplace(solved_, run_);
-    double torn = 0, joined = 0;
-    for (std::size_t k = first; k < last; ++k) {
-      torn += walls_->share(scans_[k], poses_[k]);
-      joined += walls_->share(scans_[k], motion * poses_[k]);
+    if (isBornOut(isLater ? tear : from, isLater ? to : tear, motion)) {
+      bornOut_.insert(next, tear);
+      return;
     }
-    if (torn > joined + kBornOutBy * double(last - first)) return;
     for (std::size_t k = isLater ? tear : from; k < (isLater ? to : tear); ++k)
       poses_[k] = motion * poses_[k];
+  }
+
+  /** Whether some scans fit clearly better where they lie than moved by `motion`. */
+  bool isBornOut(std::size_t first, std::size_t end, const Transform2D& motion) const {
+    std::vector<std::size_t> probes;
+    std::vector<Point> places;
+    for (std::size_t i = 0; i < std::min(kProbes, end - first); ++i) {
+      probes.push_back(first + i * (end - first) / std::min(kProbes, end - first));
+      places.push_back(poses_[probes.back()].shift());
+      places.push_back(motion(places.back()));
+    }
+    const OtherWalls walls(solved_, run_, places);
+    double torn = 0, joined = 0;
+    for (const std::size_t k : probes) {
+      torn += walls.score(local_[k], poses_[k]);
+      joined += walls.score(local_[k], motion * poses_[k]);
+    }
+    return joined < kRivalScore * torn;
   }
 
   const SolvedSite& solved_;
   std::size_t run_;
   const std::vector<ScanWalls>& scans_;
   std::vector<Transform2D> poses_;
-  std::vector<std::size_t> tears_;
-  std::optional<OtherWalls> walls_;
+  std::vector<std::size_t> bornOut_;  // tears, ascending
+  std::vector<LocalScan> local_;
 };
 
 }  // namespace

@@ -12,6 +12,9 @@ namespace roomgraph {
 // Out:  where it lies there
 // Next: mendSteps, findRevisits
 
+/** Of the score of one fit, from which on another one is about as good. */
+constexpr double kRivalScore = 0.85;
+
 /** How well a scan fits into a map at a pose. */
 struct ScanFit {
   Transform2D pose;    ///< map <- robot
