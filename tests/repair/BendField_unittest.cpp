@@ -22,12 +22,25 @@ TEST(BendField, goesToTheSiteAndBack) {
       const Transform2D place = besideScan(site.runs[run], k);
       const auto in = there(place);
       ASSERT_TRUE(in);
-      EXPECT_LT(in->doubt, 0.5);
+      EXPECT_TRUE(in->isSeen);
+      EXPECT_TRUE(in->isKnown);
       const auto again = back(in->pose);
       ASSERT_TRUE(again);
       EXPECT_LT(poseDistance(again->pose, place), 0.15) << run << " " << k;
     }
   }
+}
+
+TEST(BendField, onlyATornRunHasAPlaceTwice) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const auto isTwice = [&](std::size_t run, std::size_t scan) {
+    const BendField there(site.solved, site.real, run, BendField::Way::toSite);
+    return there(besideScan(site.runs[run], scan))->rival > BendField::kSameCopy;
+  };
+  for (std::size_t k = 0; k < site.runs[0].scans.size(); ++k) EXPECT_FALSE(isTwice(0, k)) << k;
+  EXPECT_TRUE(isTwice(1, 19)) << "just before the break";
+  EXPECT_TRUE(isTwice(1, 20)) << "and just behind it";
+  EXPECT_FALSE(isTwice(1, 2)) << "far from it";
 }
 
 TEST(BendField, tellsNothingOfWhatIsFarAway) {

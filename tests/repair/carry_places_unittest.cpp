@@ -23,13 +23,14 @@ TEST(CarryPlaces, placesFollowATornMap) {
   ASSERT_EQ(carried.size(), places.size());
   std::size_t sure = 0;
   for (std::size_t k = 0; k < carried.size(); ++k) {
-    // Just before the break at 20 the torn map has the place twice, and either may be meant.
-    if (carried[k].state != CarryState::carried || k == 18 || k == 19) continue;
+    if (carried[k].state != CarryState::carried) continue;
     ++sure;
     EXPECT_LT(distance(carried[k].pose->shift(), there[k].pose.shift()), 0.15) << k;
     EXPECT_TRUE(carried[k].reason.empty());
   }
-  EXPECT_GT(sure, carried.size() / 4);
+  EXPECT_GE(2 * sure, carried.size());
+  for (const std::size_t k : {18, 19, 21})  // beside the break at 20
+    EXPECT_EQ(carried[k].state, CarryState::unsure) << k;
 }
 
 TEST(CarryPlaces, whatNobodyHasBeenNearIsUnseen) {
@@ -38,6 +39,16 @@ TEST(CarryPlaces, whatNobodyHasBeenNearIsUnseen) {
   EXPECT_EQ(carried[0].state, CarryState::unseen);
   EXPECT_FALSE(carried[0].pose);
   EXPECT_FALSE(carried[0].reason.empty());
+}
+
+TEST(CarryPlaces, aPlaceInANewWallIsGone) {
+  test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const Place place{"goal", site.runs[0].scans[10].pose};
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::carried);
+  WallMap& map = site.runs[1].map;
+  for (std::size_t cell = 0; cell < map.states.size(); ++cell)
+    if (distance(map.placeOf(cell), place.pose.shift()) < 0.6) map.states[cell] = State::occupied;
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::gone);
 }
 
 }  // namespace

@@ -9,10 +9,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kEarshot = 12;    // a node says nothing of places farther away [m]
-constexpr double kBlend = 1;       // over so much the word passes from node to node [m]
-constexpr double kUnseen = 0.01;   // what a node's word is worth through a wall
-constexpr double kSameCopy = 0.5;  // what lies farther apart is another copy of the place [m]
+constexpr double kEarshot = 12;   // a node says nothing of places farther away [m]
+constexpr double kBlend = 1;      // over so much the word passes from node to node [m]
+constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
+// Who marks a place may mean what a node this near has drawn, or one farther off that sees it [m].
+constexpr double kMeant = 3, kMeantInSight = 6;
 
 /** The mean of poses that say about the same. */
 template <class Words>
@@ -35,8 +36,15 @@ BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size
   const std::vector<bool> isSeen = solved.consensus.errorOf(run).isSeen;
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const Transform2D& was = scans[k].pose;
-    nodes_.push_back(way == Way::toSite ? Node{was, real[k], isSeen[k]}
-                                        : Node{real[k], was, isSeen[k]});
+    Node node{
+        way == Way::toSite ? was : real[k], way == Way::toSite ? real[k] : was, isSeen[k], {}};
+    const Motion2D back(was.inverse());
+    for (const WallPoint& wall : scans[k].walls) {  // and beside it, up to the next wall
+      const std::size_t sector = sectorOf(back(wall.place));
+      for (const std::size_t step : {std::size_t(0), std::size_t(1), kSectors - 1})
+        node.looks.set((sector + step) % kSectors);
+    }
+    nodes_.push_back(node);
   }
 }
 
@@ -45,12 +53,19 @@ BendField::BendField(const SolvedSite& solved, std::size_t from, std::size_t to)
   for (const FollowedPatch& patch : followedIn(solved.pairs, from, to).patches) {
     const Point middle = patches[patch.patch].middle;
     const Transform2D node{middle.x, middle.y, 0};
-    nodes_.push_back({node, patch.pose * node});
+    nodes_.push_back({node, patch.pose * node, true, {}});
   }
+}
+
+std::size_t BendField::sectorOf(Point inNode) {
+  const double turns = std::atan2(inNode.y, inNode.x) / (2 * M_PI) + 0.5;
+  return std::min(std::size_t(turns * double(kSectors)), kSectors - 1);
 }
 
 bool BendField::isInSight(const Node& node, Point place, Point carried) const {
   if (!map_) return true;
+  const Point inNode = node.from.inverse()(place);
+  if (norm(inNode) > kSameWall && !node.looks.test(sectorOf(inNode))) return false;
   const Point eye = way_ == Way::toSite ? node.from.shift() : node.to.shift();
   const Point there = way_ == Way::toSite ? place : carried;
   const double length = distance(eye, there), step = map_->frame.resolution / 2;
@@ -98,16 +113,16 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
       });
   const Transform2D about = first.pose;
   const double most = support(first);
-  double all = 0;
-  for (const Word& word : words) all += word.weight;
+  Carried carried;
+  for (const Word& word : words)
+    if (word.distance < (word.isSeen ? kMeantInSight : kMeant))
+      carried.rival = std::max(carried.rival, distance(word.pose.shift(), about.shift()));
   words.erase(std::remove_if(words.begin(), words.end(),
                              [&](const Word& word) {
                                return distance(word.pose.shift(), about.shift()) >= kSameCopy;
                              }),
               words.end());
-  Carried carried;
   carried.pose = meanOf(words, about);
-  carried.doubt = 1 - most / all;
   carried.nearest = HUGE_VAL;
   double squares = 0, farthest = HUGE_VAL;
   for (const Word& word : words) {

@@ -5,17 +5,23 @@
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/find_scan.h"
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/relate/place_runs.h"
 #include "roomgraph/repair/BendField.h"
+#include "roomgraph/repair/view_from.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kBeenThere = 5;        // the robot was at a place that it has passed this near [m]
-constexpr double kNearlyThere = 3;      // and looks at what is this near from close by [m]
 constexpr double kLeastCarried = 0.03;  // of the consensus where it is best [m]
 constexpr double kLargeError = 0.2;     // from which on a place is worth a look [m]
-constexpr double kMostDoubt = 0.05;     // share of the weight that has it elsewhere, for the same
+constexpr double kViewRange = 6;        // of what lies around a place [m]
+constexpr double kLeastKnown = 0.5;     // share of that which the new map must have seen
+constexpr double kLeastSame = 0.5;      // share of the walls of that which must be there again
+constexpr double kOwnPlace = 0.3;       // farther off they belong to another place [m]
+constexpr PoseTolerance kRivalWindow{0.3, 2.5};  // where rivals are looked for
 
 State stateAt(const WallMap& map, Point place) {
   const std::size_t cell = cellIndexAt(map.frame, place);
@@ -37,13 +43,34 @@ struct Route {
   BendField::Carried there, onward;
 };
 
+/** Whether most pairs of a run are sure of how it lies in the others. */
+bool areMostSureOf(std::size_t run, const MapPairs& pairs) {
+  const std::vector<std::size_t>& others = pairs.othersOf(run);
+  const auto sure = std::count_if(others.begin(), others.end(), [&](std::size_t other) {
+    return pairs(std::min(run, other), std::max(run, other)).alignment.confidence >=
+           kSureConfidence;
+  });
+  return 2 * std::size_t(sure) > others.size();
+}
+
+/** All that was thought of as to how run `from` may lie in run `to`. */
+std::vector<Transform2D> otherPoses(std::size_t from, std::size_t to, const MapPairs& pairs) {
+  const Alignment& alignment = pairs(std::min(from, to), std::max(from, to)).alignment;
+  std::vector<Transform2D> poses = alignment.poses;
+  if (alignment.runnerUp) poses.push_back(alignment.runnerUp->pose);
+  if (from < to)  // they say where `to` lies in `from`
+    for (Transform2D& pose : poses) pose = pose.inverse();
+  return poses;
+}
+
 class Carrier {
  public:
   Carrier(const SolvedSite& solved, const RealPoses& real, std::size_t from, std::size_t to)
       : old_(solved.site.mapOf(from)), new_(solved.site.mapOf(to)) {
     const auto hasScans = [&](std::size_t run) { return !solved.site.runs[run]->scans.empty(); };
     isThroughSite_ = hasScans(from) && hasScans(to);
-    isPlaceSure_ = isSure(solved, from) && isSure(solved, to);
+    isPlaceSure_ = areMostSureOf(from, solved.pairs) && areMostSureOf(to, solved.pairs);
+    otherPoses_ = otherPoses(from, to, solved.pairs);
     if (isThroughSite_) {
       fields_.emplace_back(solved, real, from, BendField::Way::toSite);
       fields_.emplace_back(solved, real, to, BendField::Way::toRun);
@@ -89,29 +116,55 @@ class Carrier {
       return flag(CarryState::gone, "what was free is a wall now");
     if (wasFree && stateAt(new_, at) == State::occupied)
       return flag(CarryState::unsure, "it lies in a wall, with free space beside it");
-    if (!isPlaceSure_) return flag(CarryState::unsure, "the maps may lie in each other otherwise");
-    if (std::max(route.there.doubt, route.onward.doubt) > kMostDoubt)
-      return flag(CarryState::unsure, "one of the maps has the place twice");
-    if (carried.error > kLargeError) return flag(CarryState::unsure, "the maps bend here");
-    if (!route.there.isKnown || !route.onward.isKnown)
-      return flag(CarryState::unsure, "one map alone has been here");
-    if (route.onward.nearest > kNearlyThere &&
-        (!route.onward.isSeen || stateAt(new_, at) == State::unknown))
-      return flag(CarryState::unsure, "the new map has hardly seen it");
+    if (const std::string doubt = doubtOf(place, route, carried); !doubt.empty())
+      return flag(CarryState::unsure, doubt);
   }
 
-  /** Whether most pairs of a run are sure of how it lies in the others. */
-  static bool isSure(const SolvedSite& solved, std::size_t run) {
-    const std::vector<std::size_t>& others = solved.pairs.othersOf(run);
-    const auto sure = std::count_if(others.begin(), others.end(), [&](std::size_t other) {
-      return solved.pairs(std::min(run, other), std::max(run, other)).alignment.confidence >=
-             kSureConfidence;
-    });
-    return 2 * std::size_t(sure) > others.size();
+  /** What speaks against it, in words; empty for nothing. */
+  std::string doubtOf(const Place& place, const Route& route, const CarriedPlace& carried) const {
+    if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy)
+      return "one of the maps has the place twice";
+    if (carried.error > kLargeError) return "the maps bend here";
+    const LocalScan view = viewFrom(old_, place.pose, kViewRange);
+    if (!view.isTelling()) return doubtUnseen(route, carried);
+    const Transform2D& at = *carried.pose;
+    const ScanFit here = fitNear(view, new_, at);
+    if (here.known < kLeastKnown) return "the new map has hardly seen what lies around it";
+    if (here.quality < kLeastSame) return "what lies around it looks otherwise on the new map";
+    const double off = distance(here.pose.shift(), at.shift());
+    if (off > kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
+    for (const ScanFit& other : findScan(view, new_, at, kRivalWindow, 1))
+      if (other.score * kRivalScore > here.score)
+        return formatted("what lies around it fits better %.1f m beside",
+                         distance(other.pose.shift(), at.shift()));
+    return isPlaceSure_ || !looksAlikeElsewhere(place, view, here)
+               ? ""
+               : "the maps may lie in each other otherwise";
+  }
+
+  /** Whether what lies around a place fits about as well where the maps may lie in each other
+   *  otherwise, as in a building that repeats itself. */
+  bool looksAlikeElsewhere(const Place& place, const LocalScan& view, const ScanFit& here) const {
+    return otherPoses_.empty() ||
+           std::any_of(otherPoses_.begin(), otherPoses_.end(), [&](const Transform2D& pose) {
+             const ScanFit fit = fitNear(view, new_, pose * place.pose);
+             return !areNear(fit.pose, here.pose, {}, kSameAnswer) &&
+                    fit.score > kRivalScore * here.score;
+           });
+  }
+
+  /** The same of a place of which the old map shows too little to know it by. */
+  std::string doubtUnseen(const Route& route, const CarriedPlace& carried) const {
+    if (!isPlaceSure_) return "the maps may lie in each other otherwise";
+    if (!route.there.isKnown || !route.onward.isKnown) return "one map alone has been here";
+    if (!route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown)
+      return "the new map has hardly seen it";
+    return "";
   }
 
   const WallMap &old_, &new_;
   bool isPlaceSure_ = false;
+  std::vector<Transform2D> otherPoses_;  // new <- old
   bool isThroughSite_ = false;
   std::vector<BendField> fields_;
 };

@@ -1,4 +1,5 @@
 #pragma once
+#include <bitset>
 #include <optional>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace roomgraph {
 class BendField {
  public:
   enum class Way { toSite, toRun };
+  /** What lies farther apart is another copy of a place [m]. */
+  static constexpr double kSameCopy = 0.5;
 
   /** Of a run of the site, by its key frames. The site must outlive this. */
   BendField(const SolvedSite& solved, const RealPoses& poses, std::size_t run, Way way);
@@ -23,7 +26,7 @@ class BendField {
     Transform2D pose;
     double spread = 0;     ///< of what the nodes say, as a standard deviation [m]
     double nearest = 0;    ///< how far the nearest node is that has seen it, else any [m]
-    double doubt = 0;      ///< share of the weight of nodes that have it elsewhere, 0 to 1
+    double rival = 0;      ///< how far off the word lies that differs most, of nodes near by [m]
     bool isSeen = false;   ///< a node has seen it
     bool isKnown = false;  ///< by others, too: the nodes were found in other runs
   };
@@ -32,9 +35,11 @@ class BendField {
   std::optional<Carried> operator()(const Transform2D& place) const;
 
  private:
+  static constexpr std::size_t kSectors = 60;
   struct Node {
     Transform2D from, to;  ///< frame <- node, in both
     bool isKnown = true;
+    std::bitset<kSectors> looks;  ///< at which bearings it has seen walls
   };
   /** What a node says of a place. */
   struct Word {
@@ -44,6 +49,7 @@ class BendField {
   };
 
   std::vector<Word> wordsOn(const Transform2D& place) const;
+  static std::size_t sectorOf(Point inNode);
   bool isInSight(const Node& node, Point place, Point carried) const;
 
   std::vector<Node> nodes_;
