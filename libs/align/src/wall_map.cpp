@@ -5,6 +5,7 @@
 
 #include "axis_deviation.h"
 #include "roomgraph/grid/clear_wall_rims.h"
+#include "search_data.h"
 #include "wall_doubling.h"
 #include "wall_sharpness.h"
 
@@ -13,8 +14,6 @@ namespace {
 
 constexpr double kFineCell = 0.05;      // walls are looked for on cells no smaller than this [m]
 constexpr double kNormalRadius = 0.25;  // of the window that gives a wall its direction [m]
-constexpr double kFreeSpacing = 0.2;    // of freeCells [m]
-constexpr int kTurnBins = 180;
 
 /** The cells that are not unknown, as a box of cells; empty where x1 <= x0. */
 struct CellBox {
@@ -237,25 +236,6 @@ std::vector<float> depthsOf(const GridFrame& frame, const std::vector<State>& st
   return depth;
 }
 
-std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
-  std::vector<double> turns(kTurnBins, 0);
-  for (const WallPoint& side : sides) {
-    const double turn = std::atan2(side.normal.y, side.normal.x) / (2 * M_PI);
-    turns[std::size_t((turn - std::floor(turn)) * kTurnBins) % kTurnBins] += 1;
-  }
-  return turns;
-}
-
-std::vector<std::uint32_t> freeCellsOf(const GridFrame& frame, const std::vector<State>& states) {
-  const int step = std::max(1, int(std::lround(kFreeSpacing / frame.resolution)));
-  std::vector<std::uint32_t> cells;
-  for (int y = step / 2; y < frame.height; y += step)
-    for (int x = step / 2; x < frame.width; x += step)
-      if (states[frame.index({x, y})] == State::free)
-        cells.push_back(std::uint32_t(frame.index({x, y})));
-  return cells;
-}
-
 }  // namespace
 
 WallMap bareWallMap(const Grid& grid) {
@@ -267,13 +247,10 @@ WallMap bareWallMap(const Grid& grid) {
   map.frame = coarse.frame;
   map.states = coarse.cells;
   const std::vector<WallPoint> sides = wallSides(fine);
-  map.turns = turnsOf(sides);
   map.walls = thinned(sides, map.frame);
   map.patches = wallPatches(map.walls);
   map.edges = edgesOf(grid);
-  map.freeCells = freeCellsOf(map.frame, map.states);
-  const auto free = std::count(map.states.begin(), map.states.end(), State::free);
-  map.freeArea = double(free) * map.frame.resolution * map.frame.resolution;
+  addSearchData(map, sides);
   return map;
 }
 

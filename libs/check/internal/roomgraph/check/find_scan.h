@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/check/scan_map.h"
+#include "roomgraph/align/scan_map.h"
 
 namespace roomgraph {
 

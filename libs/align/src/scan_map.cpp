@@ -1,9 +1,12 @@
-#include "roomgraph/check/scan_map.h"
+#include "roomgraph/align/scan_map.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
+#include "search_data.h"
 
 namespace roomgraph {
 namespace {
@@ -97,6 +100,20 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
         clearBeam(map, robots[i], here + (step * kMapCell / gap) * (next - here));
     }
   addNearest(map);
+  return map;
+}
+
+WallMap stretchMap(const std::vector<ScanWalls>& scans, std::size_t first, std::size_t end) {
+  const std::vector<ScanWalls> some(scans.begin() + std::ptrdiff_t(first),
+                                    scans.begin() + std::ptrdiff_t(end));
+  std::vector<Transform2D> poses;
+  for (const ScanWalls& scan : some) poses.push_back(scan.pose);
+  std::vector<std::size_t> all(some.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  WallMap map = scanMap(localScans(some), poses, all, HUGE_VAL);
+  if (map.walls.empty()) return map;
+  addSearchData(map, map.walls);
+  addLookUp(map);
   return map;
 }
 

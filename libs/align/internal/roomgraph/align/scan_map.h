@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/WallMap.h"
-#include "roomgraph/check/LocalScan.h"
 
 namespace roomgraph {
 
@@ -18,5 +18,9 @@ namespace roomgraph {
  *  the scans have none there. O(walls + cells within `range`). */
 WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses,
                 const std::vector<std::size_t>& chosen, double range);
+
+/** The map that successive scans of a run draw, from `first` to before `end`, in the frame of the
+ *  run: with all that alignMaps needs. Cost: that of scanMap and addLookUp. */
+WallMap stretchMap(const std::vector<ScanWalls>& scans, std::size_t first, std::size_t end);
 
 }  // namespace roomgraph

@@ -1,10 +1,12 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
+#include "RandomNumbers.h"
 #include "drawn_building.h"
 #include "drawn_drive.h"
-#include "roomgraph/check/LocalScan.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph::test {
@@ -20,6 +22,16 @@ inline std::vector<Keyframe> driveForthAndBack() {
   std::vector<Keyframe> frames = driveOnce();
   for (std::size_t k = frames.size(); k-- > 0;) frames.push_back(frames[k]);
   for (std::size_t k = 0; k < frames.size(); ++k) frames[k].number = k;
+  return frames;
+}
+
+/** The same with each frame off on its own, by a standard deviation of so much each way [m]. */
+inline std::vector<Keyframe> shaken(std::vector<Keyframe> frames, double by) {
+  RandomNumbers random(5);
+  for (Keyframe& frame : frames) {
+    const Point off = random.place(std::sqrt(3.0) * by);
+    frame.pose.x += off.x, frame.pose.y += off.y;
+  }
   return frames;
 }
 

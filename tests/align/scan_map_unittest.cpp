@@ -1,8 +1,10 @@
-#include "roomgraph/check/scan_map.h"
+#include "roomgraph/align/scan_map.h"
 
 #include <gtest/gtest.h>
 
+#include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 #include "sample_drives.h"
 
 namespace roomgraph {
@@ -38,6 +40,19 @@ TEST(ScanMap, wallsOutOfRangeAreLeftOut) {
   for (const WallPoint& wall : map.walls) EXPECT_LT(distance(wall.place, robot), 4);
   EXPECT_TRUE(scanMap(scans, test::posesOf(test::driveOnce()), {}, 30).walls.empty());
   EXPECT_TRUE(scanMap(scans, test::posesOf(test::driveOnce()), {10}, 0.01).walls.empty());
+}
+
+TEST(StretchMap, isAlignedLikeTheMapOfARun) {
+  const Transform2D there{5, -3, 2.5};
+  const WallMap building = wallMap(test::drawnBuilding(4, there));
+  const auto scans = test::runOf(test::driveOnce()).scans;
+  const Alignment found = alignMaps(building, stretchMap(scans, 5, 30));
+  EXPECT_NEAR(wrappedAngle(found.pose.phi - there.phi), 0, 0.03);
+  EXPECT_LT(distance(found.pose(scans[10].at()), there(scans[10].at())), 0.2);
+}
+
+TEST(StretchMap, ofScansWithoutWallsHasNone) {
+  EXPECT_TRUE(stretchMap({ScanWalls{}, ScanWalls{}}, 0, 2).walls.empty());
 }
 
 }  // namespace

@@ -1,0 +1,30 @@
+#include "roomgraph/align/step_hold.h"
+
+#include <algorithm>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kNear = 0.2, kAlike = 0.8;  // of walls that are the same [m, cosine]
+constexpr double kInCommon = 0.15;           // of scans that follow each other, at least
+
+}  // namespace
+
+double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
+  const auto isThere = [&](const WallPoint& wall) {
+    return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
+      return distance(one.place, wall.place) < kNear && dot(one.normal, wall.normal) > kAlike;
+    });
+  };
+  const auto count = std::count_if(scan.walls.begin(), scan.walls.end(), isThere);
+  return scan.walls.empty() ? 1 : double(count) / double(scan.walls.size());
+}
+
+double stepHold(const std::vector<ScanWalls>& scans, std::size_t k) {
+  if (k == 0 || k >= scans.size()) return 1;
+  double common = commonWalls(scans[k - 1], scans[k]);
+  if (k > 1 && common < kInCommon) common = std::max(common, commonWalls(scans[k - 2], scans[k]));
+  return std::min(1.0, common / kInCommon);
+}
+
+}  // namespace roomgraph
