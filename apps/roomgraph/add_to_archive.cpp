@@ -40,6 +40,8 @@ std::string missingText(const std::set<std::string>& files) {
 }  // namespace
 
 AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
+  if (arguments.robot.empty())
+    throw UsageError("--robot: is empty: name the robot, or leave the option out");
   AddRunOptions options;
   options.robot = arguments.robot, options.most = arguments.most;
   options.kept = arguments.kept;

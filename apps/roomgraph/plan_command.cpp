@@ -36,7 +36,7 @@ int run(const PlanArguments& arguments) {
   };
   const std::string folder = std::filesystem::path(arguments.list).parent_path().string();
   const std::vector<ListedRun> listed =
-      readRunList(readFile(arguments.list), arguments.list, folder);
+      readRunList(readFile(arguments.list), arguments.list, folder, options.onUnread);
   const Archive archive(arguments.archive, Archive::Access::orNew);
   const std::vector<FleetTask> tasks = planFleet(listed, archive, options);
   const FleetFolder fleet(arguments.folder);

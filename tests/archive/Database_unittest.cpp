@@ -51,6 +51,22 @@ TEST(Database, aNameWithAMeaningForSqliteIsAFile) {
   std::filesystem::current_path(before);
 }
 
+TEST(Database, anEmptyFileIsNoArchiveUnlessOneMayBeMade) {
+  const test::Folder folder;
+  const std::string file = folder.file("a.db");
+  std::ofstream(file).close();
+  try {
+    Database database(file, false);
+    FAIL() << "an empty file is an archive";
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.what(), file +
+                                ": is empty: it may have been lost in a crash or a copy: bring "
+                                "back a copy of it");
+  }
+  EXPECT_EQ(std::filesystem::file_size(file), 0u);
+  Database(file, true).run("CREATE TABLE t (a INTEGER)");
+}
+
 TEST(Database, failuresAreOneLineWithFileAndRemedy) {
   const test::Folder folder;
   const std::string text = folder.file("text.db");

@@ -8,11 +8,14 @@
 namespace roomgraph {
 namespace {
 
+/** Throws what is told of the first bad line. */
+void refuseLine(const std::string& line) { throw DataError(line); }
+
 TEST(ReadRunList, namesItsColumnsInAnyOrder) {
   const auto runs = readRunList(
       "file,note,site,time,robot\r\na.simplemap,x,office,2026-11-22,anna\n\n"
       "\"b, \"\"2\"\".yaml\",,lab,,\n/maps/c.yaml,,lab\n",
-      "list.csv", "/data");
+      "list.csv", "/data", refuseLine);
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_EQ(runs[0].site, "office");
   EXPECT_EQ(runs[0].file, "/data/a.simplemap");
@@ -27,7 +30,7 @@ TEST(ReadRunList, namesItsColumnsInAnyOrder) {
 TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
   const auto complaint = [](const std::string& text) -> std::string {
     try {
-      readRunList(text, "list.csv", "");
+      readRunList(text, "list.csv", "", refuseLine);
     } catch (const DataError& error) {
       return error.what();
     }
@@ -39,10 +42,27 @@ TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
             std::string::npos);
   EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is not a time"),
             std::string::npos);
-  EXPECT_EQ(complaint("site,file\n"), "");
+  EXPECT_EQ(complaint("site,file\n\n").rfind("list.csv: lists no run", 0), 0u);
   EXPECT_EQ(complaint("site,file\n\"open,b"),
             "list.csv: line 2 has no site or no file: fill it in, "
             "or take the line out");
+}
+
+TEST(ReadRunList, aBadLineCostsItselfAlone) {
+  std::vector<std::string> bad;
+  const auto keep = [&](const std::string& line) { bad.push_back(line); };
+  const auto runs = readRunList("site,file,time\na,b,soon\na,c,\n,d,\n", "list.csv", "/", keep);
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].file, "/c");
+  ASSERT_EQ(bad.size(), 2u);
+  EXPECT_NE(bad[0].find("line 2: 'soon'"), std::string::npos);
+  EXPECT_NE(bad[1].find("line 4 has no site"), std::string::npos);
+}
+
+TEST(ReadRunList, takesWhatSpreadsheetsWrite) {
+  const auto runs = readRunList("\xef\xbb\xbfsite,file\r\na,b\r\n", "list.csv", "/", refuseLine);
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_EQ(runs[0].site, "a");
 }
 
 TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
@@ -54,13 +74,13 @@ TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
     for (std::size_t i = random.below(30); i > 0; --i)
       text += letters[random.below(letters.size())];
     try {
-      for (const ListedRun& run : readRunList(text, "list.csv", "/data")) {
+      for (const ListedRun& run : readRunList(text, "list.csv", "/data", refuseLine)) {
         EXPECT_FALSE(run.site.empty());
         EXPECT_EQ(run.file[0], '/');
       }
       ++read;
     } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("list.csv: line ", 0), 0u) << error.what();
+      EXPECT_EQ(std::string(error.what()).rfind("list.csv: li", 0), 0u) << error.what();
       ++refused;
     }
   }
@@ -70,7 +90,8 @@ TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
 
 TEST(ReadRunList, aFileIsInTheFolderOfTheListUnlessItSaysOtherwise) {
   const auto fileOf = [](const std::string& file) {
-    return readRunList("site,file\na," + file + "\n", "list.csv", "/data/night")[0].file;
+    return readRunList("site,file\na," + file + "\n", "list.csv", "/data/night", refuseLine)[0]
+        .file;
   };
   EXPECT_EQ(fileOf("m.yaml"), "/data/night/m.yaml");
   EXPECT_EQ(fileOf("../m.yaml"), "/data/m.yaml");

@@ -55,7 +55,7 @@ class Archive::Tables {
   Tables(const std::string& file, Access access) : database(file, access == Access::orNew) {
     // What an answer from the disk is worth must not depend on what reads at the same time. Where
     // another program is just doing the same, its mode will do.
-    database.tryRun("PRAGMA journal_mode = WAL");
+    if (!database.isReadOnly()) database.tryRun("PRAGMA journal_mode = WAL");
     database.run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
     migrate(database, schemaSteps());
   }

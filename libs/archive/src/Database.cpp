@@ -1,6 +1,7 @@
 #include "Database.h"
 
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -30,18 +31,44 @@ const char* remedyOf(int code) {
   }
 }
 
+/** Whoever writes an archive also makes files beside it. */
+bool mayBeWritten(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return access(path.c_str(), W_OK) == 0 && access(folder.c_str(), W_OK) == 0;
+}
+
+/** The name that SQLite opens a file by that may only be read. Where no log lies beside it, nobody
+ *  is writing to it, and SQLite need not make one to see that. */
+std::string readOnlyUri(const std::string& path) {
+  std::string uri = "file:";
+  for (const char c : path) {
+    constexpr char digits[] = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '%' || c == '?' || c == '#')
+      uri += {'%', digits[byte >> 4u], digits[byte & 15u]};
+    else
+      uri += c;
+  }
+  return uri + (std::filesystem::exists(path + "-wal") ? "?mode=ro" : "?immutable=1");
+}
+
 }  // namespace
 
 Database::Database(const std::string& file, bool mayMake) : file_(file) {
   // Names such as ":memory:" and "file:x" are files like any other here.
   const std::string path = std::filesystem::absolute(file).string();
-  const int flags = SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0);
   const bool exists = std::filesystem::exists(path);
   if (!mayMake && !exists)
     refuse(file, "there is no such archive", "make it with 'roomgraph archive " + file + " add'");
   if (exists && !std::filesystem::is_regular_file(path))
     refuse(file, "is not a regular file", remedyOf(SQLITE_NOTADB));
-  if (sqlite3_open_v2(path.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
+  if (!mayMake && std::filesystem::file_size(path) == 0)
+    refuse(file, "is empty: it may have been lost in a crash or a copy", remedyOf(SQLITE_CORRUPT));
+  isReadOnly_ = exists && !mayBeWritten(path);
+  int flags = SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0);
+  if (isReadOnly_) flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
+  const std::string name = isReadOnly_ ? readOnlyUri(path) : path;
+  if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ ? sqlite3_extended_errcode(handle_) : SQLITE_NOMEM;
     sqlite3_close(handle_);
     refuse(file, sqlite3_errstr(code), remedyOf(code));

@@ -12,7 +12,8 @@ namespace roomgraph {
 /** An SQLite file. All that fails is a DataError with one line: file, problem, remedy. */
 class Database {
  public:
-  /** @throws DataError where the file is not there, unless it may be made. */
+  /** A file that may not be written is opened to be read.
+   *  @throws DataError where the file is not there, or empty, unless it may be made. */
   Database(const std::string& file, bool mayMake);
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -26,6 +27,7 @@ class Database {
   std::int64_t number(const std::string& sql);
 
   const std::string& file() const { return file_; }
+  bool isReadOnly() const { return isReadOnly_; }
   sqlite3* handle() const { return handle_; }
   /** Throws what the last call on the database ended with. */
   [[noreturn]] void fail() const;
@@ -33,6 +35,7 @@ class Database {
  private:
   std::string file_;
   sqlite3* handle_ = nullptr;
+  bool isReadOnly_ = false;
 };
 
 /** One SQL statement with its values. */

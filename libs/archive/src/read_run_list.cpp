@@ -18,35 +18,55 @@ std::optional<std::size_t> columnOf(const Cells& names, const char* name) {
   return std::size_t(found - names.begin());
 }
 
+/** Where the columns are. */
+struct Columns {
+  std::optional<std::size_t> site, file, robot, time;
+};
+
+/** @throws DataError for a line that says too little, or something else. */
+ListedRun runOf(const Cells& cells, const Columns& columns, const std::string& folder,
+                const std::string& where) {
+  const auto cell = [&](std::optional<std::size_t> column) {
+    return column && *column < cells.size() ? cells[*column] : std::string();
+  };
+  if (cell(columns.site).empty() || cell(columns.file).empty())
+    throw DataError(where + " has no site or no file: fill it in, or take the line out");
+  ListedRun run{
+      cell(columns.site), "", cell(columns.robot).empty() ? "robot" : cell(columns.robot), {}};
+  run.file = std::filesystem::absolute(std::filesystem::path(folder) / cell(columns.file))
+                 .lexically_normal()
+                 .string();
+  const std::string time = cell(columns.time);
+  if (!time.empty() && !(run.time = parseTime(time)))
+    throw DataError(where + ": '" + time + "' is not a time: give 2026-11-22T03:00");
+  return run;
+}
+
 }  // namespace
 
 std::vector<ListedRun> readRunList(const std::string& text, const std::string& name,
-                                   const std::string& folder) {
+                                   const std::string& folder,
+                                   const std::function<void(const std::string&)>& onBadLine) {
   CsvReader reader(text);
   const Cells names = reader.nextLine();
-  const auto site = columnOf(names, "site"), file = columnOf(names, "file");
-  const auto robot = columnOf(names, "robot"), time = columnOf(names, "time");
-  if (!site || !file)
+  const Columns columns{columnOf(names, "site"), columnOf(names, "file"), columnOf(names, "robot"),
+                        columnOf(names, "time")};
+  if (!columns.site || !columns.file)
     throw DataError(name +
                     ": has no columns 'site' and 'file': name the columns in its first line");
   std::vector<ListedRun> runs;
   while (!reader.isAtEnd()) {
     const Cells cells = reader.nextLine();
     if (cells.size() == 1 && cells[0].empty()) continue;
-    const auto cell = [&](std::optional<std::size_t> column) {
-      return column && *column < cells.size() ? cells[*column] : std::string();
-    };
-    const std::string where = name + ": line " + std::to_string(reader.line());
-    if (cell(site).empty() || cell(file).empty())
-      throw DataError(where + " has no site or no file: fill it in, or take the line out");
-    ListedRun run{cell(site), "", cell(robot).empty() ? "robot" : cell(robot), {}};
-    run.file = std::filesystem::absolute(std::filesystem::path(folder) / cell(file))
-                   .lexically_normal()
-                   .string();
-    if (!cell(time).empty() && !(run.time = parseTime(cell(time))))
-      throw DataError(where + ": '" + cell(time) + "' is not a time: give 2026-11-22T03:00");
-    runs.push_back(run);
+    try {
+      runs.push_back(
+          runOf(cells, columns, folder, name + ": line " + std::to_string(reader.line())));
+    } catch (const DataError& error) {
+      onBadLine(error.what());
+    }
   }
+  if (runs.empty())
+    throw DataError(name + ": lists no run: look at what has written it, or add one");
   return runs;
 }
 

@@ -9,8 +9,9 @@ namespace roomgraph {
  *  commas. Whatever stands behind a closing quote is no part of any cell. */
 class CsvReader {
  public:
-  /** `text` must outlive this. */
-  explicit CsvReader(const std::string& text) : text_(text) {}
+  /** `text` must outlive this. A byte order mark, as spreadsheets put before it, is skipped. */
+  explicit CsvReader(const std::string& text)
+      : text_(text), at_(text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0) {}
 
   bool isAtEnd() const { return at_ >= text_.size(); }
   std::size_t line() const { return line_; }  ///< the number of the last one, from 1
@@ -23,7 +24,7 @@ class CsvReader {
   std::string quotedCell();
 
   const std::string& text_;
-  std::size_t at_ = 0, line_ = 0;
+  std::size_t at_, line_ = 0;
 };
 
 }  // namespace roomgraph

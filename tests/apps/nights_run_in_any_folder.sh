@@ -1,0 +1,28 @@
+# share/roomgraph/parallel/night: a folder's name is a name and nothing else, and lists as spreadsheets leave them.
+. "$(dirname "$0")/common.sh"
+command -v parallel > /dev/null || { echo "skipped: there is no GNU parallel"; exit 77; }
+mkdir bin maps
+ln -s "$roomgraph" bin/roomgraph
+PATH=$PWD/bin:$PATH
+night=$source_dir/share/roomgraph/parallel/night
+rooms maps/a.pgm
+rooms maps/b.pgm 164
+printf '\xef\xbb\xbfsite,file,time\r\noffice,maps/a.pgm,2026-11-01\r\noffice,maps/b.pgm,2026-11-02\r\n' > list.csv
+
+for folder in 'my night' 'n$(touch pwned)' 'n;touch pwned;x' "it's"; do
+  rm -f a.db
+  expect 0 "$night" list.csv a.db "$folder" --resolution 0.05
+  [ "$(sqlite3 a.db 'SELECT count(*) FROM run')" = 2 ] || { cat err; fail "nothing is done in '$folder'"; }
+  [ -s "$folder/fleet.html" ] || fail "no page in '$folder'"
+done
+[ ! -e pwned ] || fail "the name of a folder was executed"
+
+# A line that is wrong costs itself alone, and is told; a list without any run is an export that has failed.
+rm a.db
+printf 'site,file,time\noffice,maps/a.pgm,tonight\noffice,maps/b.pgm,2026-11-02\n' > bad.csv
+expect 1 "$night" bad.csv a.db bad --resolution 0.05
+grep -q "bad.csv: line 2: 'tonight' is not a time" err || { cat err; fail "the bad line is not told"; }
+[ "$(sqlite3 a.db 'SELECT count(*) FROM run')" = 1 ] || fail "the good line is not done"
+echo site,file > empty.csv
+expect 1 "$night" empty.csv a.db empty
+grep -q 'empty.csv: lists no run' err || { cat err; fail "an empty list is not told"; }
