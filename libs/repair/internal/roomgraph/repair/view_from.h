@@ -1,6 +1,6 @@
 #pragma once
 #include "roomgraph/align/WallMap.h"
-#include "roomgraph/check/LocalScan.h"
+#include "roomgraph/align/LocalScan.h"
 
 namespace roomgraph {
 
