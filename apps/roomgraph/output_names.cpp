@@ -14,6 +14,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
@@ -50,6 +51,21 @@ std::string pictureOf(const std::string& mapFile) {
     if (first == std::string::npos) return {};
     const auto last = line.find_last_not_of(" \t\r\"'");
     return (fs::path(mapFile).parent_path() / line.substr(first, last + 1 - first)).string();
+  }
+  return {};
+}
+
+/** Whether a file is a ROS map that this program has not written. */
+bool isForeignMap(const std::string& file) {
+  return !pictureOf(file).empty() && firstLines(file).rfind(kRosMapMark, 0) != 0;
+}
+
+/** The ROS map of somebody else that is a file, or that has it for its picture; empty for none. */
+std::string foreignMapOf(const std::string& file) {
+  if (isForeignMap(file)) return file;
+  for (const char* extension : {".yaml", ".yml"}) {
+    const std::string yaml = fs::path(file).replace_extension(extension).string();
+    if (isForeignMap(yaml) && areSameFile(pictureOf(yaml), file)) return yaml;
   }
   return {};
 }
@@ -117,6 +133,9 @@ void checkOutputNames(const std::vector<std::string>& mapFiles, const std::strin
     if (identity && inputs.count(*identity) > 0)
       throw UsageError(result + ": would replace a map that is read: choose another folder with " +
                        "--output, or other formats with --format");
+    if (const std::string map = foreignMapOf(result); !map.empty())
+      throw UsageError(result + ": would replace a part of the map " + map + ", which roomgraph " +
+                       "has not written: choose another folder with --output");
   }
 }
 

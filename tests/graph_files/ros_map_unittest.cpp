@@ -51,6 +51,7 @@ TEST_F(RosMapFiles, sayWhereTheyLieAsAPersonWould) {
   const auto originOf = [&](Point origin) {
     grid_.frame.origin = origin;
     const std::string yaml = rosMapYaml(grid_.frame, "a.pgm");
+    EXPECT_EQ(yaml.rfind(std::string(kRosMapMark) + "\nimage: ", 0), 0u) << yaml;
     const auto from = yaml.find("[");
     return yaml.substr(from, yaml.find("]") - from + 1);
   };

@@ -56,7 +56,7 @@ std::string mapPng(const Grid& grid) {
 std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
                        const Transform2D& pose) {
   const Point origin = pose(frame.origin);
-  return "image: " + quotedText(picture) +
+  return kRosMapMark + ("\nimage: " + quotedText(picture)) +
          "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
          metresText(origin.x) + ", " + metresText(origin.y) + ", " + numberText(pose.phi) +
          "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";

@@ -17,6 +17,10 @@ std::string mapPgm(const Grid& grid);
 /** The same as a PNG. */
 std::string mapPng(const Grid& grid);
 
+/** The first line of such a file: whoever finds another one there has a map that is somebody
+ *  else's. */
+constexpr char kRosMapMark[] = "# Written by roomgraph.";
+
 /** The yaml that places such a picture, by the name of its file, with thresholds for its greys;
  *  in another frame where `pose` (that frame <- frame of the map) says so, by its origin's yaw. */
 std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
