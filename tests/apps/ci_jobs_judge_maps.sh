@@ -44,6 +44,10 @@ grep -v '^#' "$gate" | grep -oE 'ROOMGRAPH_[A-Z_]+' | sort -u | diff told - || f
 for job in "$source_dir/action.yml" "$source_dir/share/roomgraph/ci/gitlab.yml"; do
   grep -oE '^ +ROOMGRAPH_[A-Z_]+:' "$job" | tr -d ' :' | sort -u | diff told - || fail "$job sets others"
 done
+# The action names each thing that --fail-on takes.
+for thing in $(tr -d '\n' < help | grep -oE -- '--fail-on LIST .*--junit' | grep -oE "'[a-z-]+'" | tr -d "'"); do
+  sed -n '/fail-on:/,/description/p' "$source_dir/action.yml" | grep -qE "[ ;]$thing[,.]" || fail "the action does not name $thing"
+done
 # Inputs of the action are those that it uses, and docs/ci.md names no other.
 sed -n '/^inputs:/,/^runs:/p' "$source_dir/action.yml" | grep -oE '^  [a-z-]+:' | tr -d ' :' | sort > inputs
 grep -oE 'inputs\.[a-z-]+' "$source_dir/action.yml" | sed 's/inputs\.//' | sort -u | diff inputs - || fail "inputs differ"
