@@ -49,14 +49,18 @@ const Measure& measureOf(const RunOrPair& of, const std::string& name) {
                        [&](const Measure& m) { return m.name == name; });
 }
 
-TEST(CompareRuns, identicalRunsDoNotBendAndHaveNoScore) {
+TEST(CompareRuns, identicalRunsHaveScore100AndNoDistance) {
   const Grid map = drawnBuilding(2, {5, 6, 0.3});
   const Comparison result = compared({run("a", map), run("b", map)});
   ASSERT_EQ(result.runs.size(), 2u);
-  EXPECT_EQ(result.verdict.rfind("All 2 runs are copies of one map", 0), 0u) << result.verdict;
   for (const ComparedRun& one : result.runs) {
-    EXPECT_FALSE(one.score) << "copies say nothing of each other";
-    EXPECT_EQ(one.rank, 0u);
+    ASSERT_TRUE(one.score);
+    EXPECT_EQ(one.score->score, 100);
+    EXPECT_EQ(measureOf(one, "bend").value, 0);
+    EXPECT_EQ(one.score->mapError, 0);
+    EXPECT_EQ(one.rank, 1u);
+    EXPECT_FALSE(one.score->isMeaningful) << "two runs only";
+    EXPECT_EQ(measureOf(one, "wall_distance_p90").value, 0);
     EXPECT_EQ(measureOf(one, "coverage").value, 1);
   }
   EXPECT_EQ(result.pairs[0].measures[0].value, 0);

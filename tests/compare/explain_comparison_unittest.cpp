@@ -110,8 +110,7 @@ TEST(VerdictOf, copiesOfOneFileSayNothing) {
   Comparison copies = ofRuns({scored("a", 0.1), scored("a#2", 0.1), scored("a#3", 0.1)});
   copies.pairs = {copyOf("a", "a#2"), copyOf("a", "a#3"), copyOf("a#2", "a#3")};
   EXPECT_EQ(verdictOf(copies),
-            "All 3 runs are copies of one map, which say nothing about each other: nothing can be "
-            "compared.");
+            "All 3 runs are copies of one file, which say nothing about each other.");
   EXPECT_EQ(copiesNote(copies), "") << "it is said already";
   EXPECT_NE(reasonOf(copies.runs[2], copies).find("; a copy of a"), std::string::npos);
   copies.pairs[0].areCopies = copies.pairs[2].areCopies = false;

@@ -109,6 +109,14 @@ TEST(Summarize, aMirroredRunIsNamedAsSuch) {
       << "one of two";
 }
 
+TEST(Summarize, anotherStoreyIsNamedAsSuch) {
+  Found found({"a", "b", "c"}, {0.1, 0.2}, 2);
+  found.related(0, 2).areStoreys = found.related(1, 2).areStoreys = true;
+  EXPECT_EQ(found.comparison().leftOut[0].reason,
+            "does not lie in the same site as the others; its outer walls agree, its inner ones do "
+            "not: another storey?");
+}
+
 TEST(Summarize, otherSitesAreNamedWithTheirRuns) {
   Found found({"a", "b", "z", "y"}, {0.1, 0.2}, 2);
   found.site.others = {{2, 3}};

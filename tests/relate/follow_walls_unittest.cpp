@@ -89,6 +89,15 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
   EXPECT_GT(moved, 0.2 * double(broken.walls.size())) << "of the half that lies 2 m away";
 }
 
+TEST(FollowWalls, theMisfitIsThatOfAllWallsWhetherFollowedOrNot) {
+  const WallMap map = mapOf(drawnBuilding(4, {}));
+  const WallMap turned = mapOf(bent(drawnBuilding(4, {}), 0.3));
+  EXPECT_LT(followWalls(map, map, {{}}).misfit, 0.05);
+  const FollowedWalls found = followWalls(turned, map, {{}});
+  EXPECT_GT(found.misfit, 0.2);
+  EXPECT_LE(found.misfit, 1);
+}
+
 TEST(FollowWalls, withoutAPoseOrWallsNothingIsFound) {
   const WallMap map = mapOf(drawnBuilding(4, {}));
   EXPECT_TRUE(followWalls(map, map, {}).patches.empty());

@@ -55,6 +55,7 @@ MapPair anyPair(std::uint32_t seed) {
   for (std::size_t i = 0; i < seed % 5; ++i) alignment.poses.push_back(random.pose(30));
   any.bInA = anyWalls(random, seed % 7), any.aInB = anyWalls(random, seed % 6);
   any.areIdentical = seed % 5 == 0, any.areEdits = seed % 2 == 0;
+  any.areStoreys = seed % 4 == 3;
   alignment.isMirrored = seed % 3 == 1;
   return any;
 }
@@ -69,6 +70,7 @@ void expectSame(const FollowedWalls& l, const FollowedWalls& r) {
   expectSame(l.pose, r.pose);
   EXPECT_EQ(l.bend, r.bend);
   EXPECT_EQ(l.share, r.share);
+  EXPECT_EQ(l.misfit, r.misfit);
   ASSERT_EQ(l.patches.size(), r.patches.size());
   for (std::size_t i = 0; i < l.patches.size(); ++i) {
     EXPECT_EQ(l.patches[i].patch, r.patches[i].patch);
@@ -105,6 +107,7 @@ TEST(PairBytes, holdAllOfAPairExactly) {
     ASSERT_TRUE(read) << seed;
     EXPECT_EQ(read->areIdentical, pair.areIdentical);
     EXPECT_EQ(read->areEdits, pair.areEdits);
+    EXPECT_EQ(read->areStoreys, pair.areStoreys);
     const Alignment &l = read->alignment, &r = pair.alignment;
     expectSame(l.pose, r.pose);
     EXPECT_EQ(l.confidence, r.confidence);
@@ -130,6 +133,7 @@ TEST(PairBytes, eachFieldChangesThem) {
   const std::vector<std::function<void(MapPair&)>> changes{
       [](MapPair& p) { p.areIdentical = !p.areIdentical; },
       [](MapPair& p) { p.areEdits = !p.areEdits; },
+      [](MapPair& p) { p.areStoreys = !p.areStoreys; },
       [](MapPair& p) { p.alignment.isMirrored = !p.alignment.isMirrored; },
       [](MapPair& p) { p.alignment.isSameSite = !p.alignment.isSameSite; },
       [](MapPair& p) { p.alignment.isAmbiguous = !p.alignment.isAmbiguous; },

@@ -79,9 +79,25 @@ TEST(PlaceRuns, aMirrorImageIsNotOfTheSiteThoughItFitsOneRunByChance) {
   }
   five.join(3, 4, 0.6);
   EXPECT_EQ(five.placed().members, (std::vector<std::size_t>{0, 1, 2, 3}));
-  five.join(3, 4, 0.95), five.join(2, 4, 0.95), five.join(1, 4, 0.95);
-  five.related(1, 4).alignment.isMirrored = five.related(2, 4).alignment.isMirrored = false;
-  EXPECT_EQ(five.placed().members.size(), 5u) << "one pair is wrong, three are sure";
+  for (const std::size_t other : {1u, 2u}) {
+    five.join(other, 4, 0.95);
+    five.related(other, 4).alignment.isMirrored = false;
+  }
+  EXPECT_EQ(five.placed().members.size(), 5u) << "one pair is wrong, two are sure";
+}
+
+TEST(PlaceRuns, storeysStayApartThoughOnePairIsTakenForOne) {
+  RunsOfABuilding five;  // 0, 1 and 2 are of one storey, 3 and 4 of another
+  for (const std::size_t low : {0u, 1u, 2u})
+    for (const std::size_t high : {3u, 4u}) {
+      five.join(low, high, 0);
+      five.related(low, high).areStoreys = true;
+    }
+  five.join(2, 4, 0.7);
+  five.related(2, 4).areStoreys = false;
+  const Site site = five.placed();
+  EXPECT_EQ(site.members, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(site.others, (std::vector<std::vector<std::size_t>>{{3, 4}}));
 }
 
 TEST(PlaceRuns, theFrameIsThatOfTheReference) {

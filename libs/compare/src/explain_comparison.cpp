@@ -65,10 +65,8 @@ std::string verdictOf(const Comparison& result) {
     return "Fewer than two runs of one site are left: nothing can be compared.";
   const auto copies = result.copies();
   if (!result.reference && !copies.empty() && copies[0].size() == result.runs.size())
-    return formatted(
-        "All %zu runs are copies of one map, which say nothing about each other: "
-        "nothing can be compared.",
-        result.runs.size());
+    return formatted("All %zu runs are copies of one file, which say nothing about each other.",
+                     result.runs.size());
   const ComparedRun &best = result.runs[0], &next = result.runs[1];
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "

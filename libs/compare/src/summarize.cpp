@@ -95,15 +95,15 @@ std::vector<std::string> namesOf(const std::vector<Run>& runs,
   return names;
 }
 
-/** Whether a run that is not of the site is the mirror image of most of it, as far as it was looked
- *  for there. */
-bool isMirroredIn(const MapPairs& related, std::size_t run, const Site& site) {
-  std::size_t looked = 0, mirrored = 0;
+/** Whether this is so of most pairs of a run that is not of the site with those that are. */
+template <class IsSo>
+bool isSoInMost(const MapPairs& related, std::size_t run, const Site& site, const IsSo& isSo) {
+  std::size_t looked = 0, so = 0;
   for (const std::size_t other : related.othersOf(run)) {
     if (!std::binary_search(site.members.begin(), site.members.end(), other)) continue;
-    ++looked, mirrored += related(run, other).alignment.isMirrored;
+    ++looked, so += isSo(related(run, other)) ? 1 : 0;
   }
-  return 2 * mirrored > looked;
+  return 2 * so > looked;
 }
 
 std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& related,
@@ -111,12 +111,16 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& 
   std::vector<LeftOutRun> leftOut;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (std::binary_search(site.members.begin(), site.members.end(), i)) continue;
-    std::string reason = isMirroredIn(related, i, site)
-                             ? "is mirrored: is the lidar mounted upside down?"
-                             : "does not lie in the same site as the others";
+    const bool isMirrored =
+        isSoInMost(related, i, site, [](const MapPair& pair) { return pair.alignment.isMirrored; });
+    const bool isStorey =
+        isSoInMost(related, i, site, [](const MapPair& pair) { return pair.areStoreys; });
+    std::string reason = "does not lie in the same site as the others";
     for (const std::vector<std::size_t>& other : site.others)
       if (std::binary_search(other.begin(), other.end(), i))
         reason = "lies in another site: " + listed(namesOf(runs, other));
+    if (isMirrored) reason = "is mirrored: is the lidar mounted upside down?";
+    if (isStorey) reason += "; its outer walls agree, its inner ones do not: another storey?";
     leftOut.push_back({runs[i].name, runs[i].file, reason, true});
   }
   return leftOut;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/most_share.h"
@@ -52,6 +53,16 @@ std::optional<MapError> errorBeside(std::vector<std::size_t> voices, std::size_t
   return errorsAmong(voices, site, bends)[index];
 }
 
+/** How far the walls of a run lie from those of that other one that they fit best: what is not
+ *  followed, such as the torn end of a map, is in it. */
+double leastMisfit(std::size_t run, const PairBends& bends, const DistinctMaps& maps) {
+  std::optional<double> least;
+  for (const std::size_t other : bends.othersOf(run))
+    if (maps.isMeasuredAgainst(run, other) && bends(run, other).share > 0)
+      least = std::min(least.value_or(bends(run, other).misfit), bends(run, other).misfit);
+  return least.value_or(0);
+}
+
 }  // namespace
 
 std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
@@ -68,8 +79,12 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
     const std::size_t map = maps.firstOf(i);
     const bool isTruth = site.reference && map == maps.firstOf(*site.reference);
     if (known.count(map) == 0) known[map] = errorBeside(voices, map, site, bends, maps);
-    if (!isTruth && known[map]) errors[i] = *known[map];
-    errors[i].seen = isTruth || known[map] ? mostShare(bends, i) : 0;
+    if (!isTruth && known[map]) {
+      errors[i] = *known[map];
+      errors[i].high = std::max(errors[i].high, leastMisfit(i, bends, maps));
+    }
+    const bool isCopyOfAll = maps.areCopies() && n > 1;
+    errors[i].seen = isCopyOfAll ? 1 : isTruth || known[map] ? mostShare(bends, i) : 0;
   }
   return errors;
 }
@@ -78,8 +93,6 @@ std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const
                                  const Consensus& consensus) {
   const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
                                      [](const Run* run) { return !run->scans.empty(); });
-  // Copies say nothing of each other.
-  if (maps.areCopies() && !site.reference) return std::vector<MapError>(site.runs.size());
   if (!haveScans) return errorsByBends(site, bends, maps);
   std::vector<MapError> errors;
   for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));

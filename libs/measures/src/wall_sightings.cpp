@@ -1,81 +1,24 @@
 #include "wall_sightings.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
-#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSameWallIfBent = 0.3;  // how far apart the same wall may lie where maps bend [m]
-constexpr std::size_t kConfirm = 2;      // voices that make sure of a wall, or of free space
-
-/** For each patch of a map where the nearest one that was found lies in another map. */
-std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls& followed) {
-  std::vector<Transform2D> poses;
-  for (const WallPatch& patch : map.patches) {
-    double nearest = std::numeric_limits<double>::infinity();
-    poses.push_back(followed.pose);
-    for (const FollowedPatch& found : followed.patches) {
-      const double far = distance(map.patches[found.patch].middle, patch.middle);
-      if (found.layer == 0 && far < nearest) nearest = far, poses.back() = found.pose;
-    }
-  }
-  return poses;
-}
-
-/** Whether a wall goes on straight for 2 m, to one side, to the other, or to both: furniture, which
- *  moves, seldom does. */
-bool isStraight(const WallMap& map, const WallPoint& wall) {
-  constexpr int kSteps = 20, kMostGaps = 2;  // of 0.1 m; nearer than kSameWall is on the line
-  const Point along = 0.1 * Point{-wall.normal.y, wall.normal.x};
-  for (const int first : {-kSteps, -kSteps / 2, 0}) {
-    int gaps = 0;
-    for (int step = first; step <= first + kSteps && gaps <= kMostGaps; ++step) {
-      const Point at = wall.place + double(step) * along;
-      const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, at), wall.normal);
-      gaps += !next || distance(next->place, at) >= kSameWall;
-    }
-    if (gaps <= kMostGaps) return true;
-  }
-  return false;
-}
-
-/** What `in` has at a place. */
-WallSighting sightingAt(const WallMap& in, Point at, Point normal) {
-  const std::size_t cell = cellIndexAt(in.frame, at);
-  if (cell >= in.states.size()) return WallSighting::unknown;
-  const WallPoint* wall = nearestWall(in, cell, normal);
-  if (wall && distance(wall->place, at) < kSameWallIfBent) return WallSighting::found;
-  return in.depths[cell] > kSameWallIfBent ? WallSighting::free : WallSighting::unknown;
-}
-
-std::vector<WallSighting> sightingsIn(const WallMap& of, const WallMap& in,
-                                      const FollowedWalls& followed) {
-  std::vector<WallSighting> seen(of.walls.size(), WallSighting::unknown);
-  if (followed.patches.empty()) return seen;
-  const std::vector<Transform2D> poses = posesOfPatches(of, followed);
-  for (std::size_t p = 0; p < poses.size(); ++p) {
-    const Motion2D motion(poses[p]);
-    for (const std::uint32_t i : of.patches[p].own)
-      seen[i] = sightingAt(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal));
-  }
-  return seen;
-}
+constexpr std::size_t kConfirm = 2;  // voices that make sure of a wall, or of free space
 
 /** Of the walls of each run. */
-std::vector<std::vector<bool>> straightWalls(const Site& site, const ForEach& forEach) {
+std::vector<std::vector<bool>> straightOf(const Site& site, const ForEach& forEach) {
   std::vector<std::vector<bool>> straight(site.runs.size());
   forEach(straight.size(), [&](std::size_t run) {
     FullMaps maps;
-    const WallMap& map = maps(site.mapOf(run));
-    for (const WallPoint& wall : map.walls) straight[run].push_back(isStraight(map, wall));
+    straight[run] = straightWalls(maps(site.mapOf(run)));
   });
   return straight;
 }
@@ -132,15 +75,15 @@ Count addedBy(const SightingTable& sightings, const std::vector<std::size_t>& ot
 }  // namespace
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  SightingTable table{{site.runs.size(), pairs.pairs()}, straightWalls(site, forEach)};
+  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach)};
   const auto jobs = pairJobs(pairs.pairs(), [&](std::size_t i) { return site.mapOf(i).isBare(); });
   forEach(jobs.size(), [&](std::size_t job) {
     FullMaps maps;
     for (const std::size_t k : jobs[job]) {
       const auto [i, j] = pairs.pairs()[k];
       const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
-      table.in(i, j) = sightingsIn(a, b, followedIn(pairs, i, j));
-      table.in(j, i) = sightingsIn(b, a, followedIn(pairs, j, i));
+      table.in(i, j) = sightWalls(a, b, followedIn(pairs, i, j));
+      table.in(j, i) = sightWalls(b, a, followedIn(pairs, j, i));
     }
   });
   return table;

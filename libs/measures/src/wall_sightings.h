@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "MeasuredValue.h"
@@ -8,6 +7,7 @@
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
+#include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 
@@ -16,16 +16,13 @@ namespace roomgraph {
 // Out:  which walls of a run are there in others
 // Next: measureSite
 
-/** What another map has where a wall of this one is. */
-enum class WallSighting : std::uint8_t { unknown, found, free };
-
+/** Which walls of each run are there in the others. */
 struct SightingTable {
   DirectedTable<std::vector<WallSighting>> in;  ///< of each wall point of a run, in another one
   std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
 };
 
-/** Of all pairs. Each wall is looked for where the patch of walls next to it was followed to, so
- *  that bends are no missing walls. O(pairs * walls). */
+/** Of all pairs, see sightWalls. O(pairs * walls). */
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach);
 
 /** Of one run: `walls_missing`, of the straight walls of each other run that a third one has, too,

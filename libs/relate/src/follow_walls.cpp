@@ -39,6 +39,21 @@ struct Offer {
   }
 };
 
+/** See FollowedWalls::misfit. */
+double misfitAt(const WallMap& of, const WallMap& in, const Transform2D& pose) {
+  const Motion2D forth(pose);
+  double squares = 0, known = 0;
+  for (const WallPoint& wall : of.walls) {
+    const Point at = forth(wall.place);
+    const std::size_t cell = cellIndexAt(in.frame, at);
+    if (!hasSeen(in, cell)) continue;
+    const WallPoint* there = nearestWall(in, cell, forth.turned(wall.normal));
+    squares += there ? std::min(1.0, squaredNorm(there->place - at)) : 1;
+    ++known;
+  }
+  return known > 0 ? std::sqrt(squares / known) : 0;
+}
+
 class Follower {
  public:
   Follower(const WallMap& of, const WallMap& in)
@@ -214,6 +229,7 @@ class Follower {
     }
     result_.bend = std::sqrt(squares / fit.weight());
     result_.share = fit.weight() / double(of_.walls.size());
+    result_.misfit = misfitAt(of_, in_, result_.pose);
   }
 
   const WallMap &of_, &in_;

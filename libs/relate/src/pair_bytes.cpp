@@ -132,7 +132,7 @@ void visitAlignment(Archive& archive, AnAlignment& alignment) {
 template <typename Archive, typename Walls>
 void visitWalls(Archive& archive, Walls& walls) {
   visitPose(archive, walls.pose);
-  archive.number(walls.bend), archive.number(walls.share);
+  archive.number(walls.bend), archive.number(walls.share), archive.number(walls.misfit);
   const std::size_t patches = archive.count(walls.patches);
   for (std::size_t i = 0; i < patches; ++i) {
     auto& patch = walls.patches[i];
@@ -144,6 +144,7 @@ void visitWalls(Archive& archive, Walls& walls) {
 template <typename Archive, typename Pair>
 void visitPair(Archive& archive, Pair& pair) {
   archive.number(pair.areIdentical), archive.number(pair.areEdits);
+  archive.number(pair.areStoreys);
   visitAlignment(archive, pair.alignment);
   visitWalls(archive, pair.bInA);
   visitWalls(archive, pair.aInB);

@@ -24,27 +24,36 @@ Point middleOfWalls(const WallMap& map) {
 /** Which pairs join their runs into one site. */
 class JoinedPairs {
  public:
-  explicit JoinedPairs(const MapPairs& related) : related_(related), balance_(related.things()) {
-    for (const auto& [a, b] : related.pairs()) {
-      const Alignment& alignment = related(a, b).alignment;
-      const bool isSure = isJoined(related(a, b)) && alignment.confidence >= kSurelyJoined;
-      for (const std::size_t run : {a, b}) balance_[run] += int(alignment.isMirrored) - int(isSure);
-    }
-  }
+  explicit JoinedPairs(const MapPairs& related) : related_(related) {}
 
+  /** A pair that is not sure joins them only if third runs do not speak against it: one that surely
+   *  lies in one of both, and of which the other is the mirror image, or another storey. A bent map
+   *  lies in many by chance. */
   bool operator()(std::size_t a, std::size_t b) const {
-    return isJoined(related_(a, b)) && isImage(a) == isImage(b);
+    const MapPair& pair = related_(a, b);
+    if (!isJoined(pair)) return false;
+    if (pair.alignment.confidence >= kSurePose) return true;
+    int votes = 0;
+    for (const std::size_t third : related_.othersOf(a)) {
+      if (third == b || !related_.has(third, b)) continue;
+      const bool inA = isSure(a, third), inB = isSure(b, third);
+      votes += int(inA && inB);
+      votes -= int((inA && isStranger(b, third)) || (inB && isStranger(a, third)));
+    }
+    return votes >= 0;
   }
 
  private:
-  static constexpr double kSurelyJoined = 0.9;  // confidence
+  static constexpr double kSurePose = 0.9;  // confidence
 
-  /** Whether a run is the mirror image of more runs than it surely lies in: then one that it lies
-   *  in by chance, as a bent map does, does not make it one of theirs. */
-  bool isImage(std::size_t run) const { return balance_[run] > 0; }
+  bool isSure(std::size_t a, std::size_t b) const {
+    return isJoined(related_(a, b)) && related_(a, b).alignment.confidence >= kSurePose;
+  }
+  bool isStranger(std::size_t a, std::size_t b) const {
+    return related_(a, b).alignment.isMirrored || related_(a, b).areStoreys;
+  }
 
   const MapPairs& related_;
-  std::vector<int> balance_;
 };
 
 /** The runs in sets of those that are joined, that of the site first; see placeRuns. */
@@ -182,8 +191,11 @@ PairBends bendsOf(const MapPairs& pairs) {
     for (const FollowedWalls* way : {&pair.bInA, &pair.aInB})
       for (const FollowedPatch& patch : way->patches) walls += patch.walls;
     bends(i, j) = {std::max(pair.bInA.bend, pair.aInB.bend),
-                   std::min(pair.bInA.share, pair.aInB.share), walls, pair.areIdentical,
-                   pair.areEdits};
+                   std::min(pair.bInA.share, pair.aInB.share),
+                   walls,
+                   pair.areIdentical,
+                   pair.areEdits,
+                   std::max(pair.bInA.misfit, pair.aInB.misfit)};
   }
   return bends;
 }

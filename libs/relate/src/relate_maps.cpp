@@ -10,6 +10,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/relate/are_storeys.h"
 
 namespace roomgraph {
 namespace {
@@ -24,6 +25,7 @@ FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   return all;
 }
 
+constexpr double kHardlyBent = 1;    // a bend beside which aliases count for nothing [m]
 constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are said to be the same
 constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
@@ -54,6 +56,10 @@ void compare(MapPair& pair, const WallMap& a, const WallMap& b) {
   if (alignment.runnerUp) likeliest.push_back(alignment.runnerUp->pose);
   pair.areEdits = pair.areIdentical || areEdits(a.edges, b.edges, likeliest);
   follow(pair, a, b, alignment.poses);
+  pair.areStoreys = areStoreys(pair, a, b);
+  if (!pair.areStoreys) return;
+  pair.alignment.isSameSite = false;
+  pair.bInA = pair.aInB = {};
 }
 
 /** The poses of the map's pieces in the hub (hub <- map), largest first. */

@@ -22,8 +22,7 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
                                     const DistinctMaps& maps);
 
 /** The map error of each run of a site: that of the consensus where all runs have scans, else that
- *  of errorsByBends, as patches of walls alone make a poor pose graph. Of copies of one map there
- *  is none, unless one of them is the truth: they say nothing of each other. */
+ *  of errorsByBends, as patches of walls alone make a poor pose graph. */
 std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
                                  const Consensus& consensus);
 

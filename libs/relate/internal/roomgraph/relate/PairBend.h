@@ -16,6 +16,7 @@ struct PairBend {
   double walls = 0;  ///< wall points it was seen on
   bool areIdentical = false;  ///< the maps are the same
   bool areEdits = false;      ///< of one picture, which is one drive
+  double misfit = 0;          ///< the larger one of both ways, see FollowedWalls [m]
 };
 
 using PairBends = PairTable<PairBend>;

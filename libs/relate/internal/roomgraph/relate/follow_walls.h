@@ -27,6 +27,9 @@ struct FollowedWalls {
   Transform2D pose;                    ///< in <- of, that fits all of them best
   double bend = 0;   ///< root mean square displacement of the walls that `pose` leaves over [m]
   double share = 0;  ///< of the walls that were found, 0 to 1
+  /** Root mean square distance, at `pose`, of all walls whose place the other map has seen to those
+   *  there; each is at most 1 m [m]. */
+  double misfit = 0;
 };
 
 /** Around a wall, of what counts in the fit of a patch. */
@@ -35,9 +38,11 @@ constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 /** Looks for each patch of `of` in `in`, starting where the first of `poses` (in <- of) fits and
  *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
  *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
- *  and next to what was found, as walls can be there twice. Nothing is found where there is no
- *  pose. A map followed in itself from where it lies hardly bends. Deterministic. O(patches *
- *  points of a patch). */
+ *  and next to what was found, as walls can be there twice. A place that looks alike may be found
+ *  so, too. Nothing is found where there is no pose. A map followed in itself from where it lies
+ *  hardly bends.
+ *
+ *  Deterministic. O(patches * points of a patch). */
 FollowedWalls followWalls(const WallMap& of, const WallMap& in,
                           const std::vector<Transform2D>& poses);
 

@@ -15,6 +15,7 @@ struct MapPair {
   FollowedWalls bInA, aInB;   ///< nothing where they are not of the same site
   bool areIdentical = false;  ///< cell by cell
   bool areEdits = false;      ///< of one picture, or identical: see areEdits
+  bool areStoreys = false;    ///< of one building, see areStoreys: then not of the same site
 };
 
 /** Aligns two maps, and follows the walls of each in the other. Swapping them swaps the answers.

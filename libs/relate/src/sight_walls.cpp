@@ -1,0 +1,71 @@
+#include "roomgraph/relate/sight_walls.h"
+
+#include <limits>
+
+#include "roomgraph/align/nearest_wall.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kSameWallIfBent = 0.3;  // how far apart the same wall may lie where maps bend [m]
+
+/** For each patch of a map where the nearest one that was found lies in another map. */
+std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls& followed) {
+  std::vector<Transform2D> poses;
+  for (const WallPatch& patch : map.patches) {
+    double nearest = std::numeric_limits<double>::infinity();
+    poses.push_back(followed.pose);
+    for (const FollowedPatch& found : followed.patches) {
+      const double far = distance(map.patches[found.patch].middle, patch.middle);
+      if (found.layer == 0 && far < nearest) nearest = far, poses.back() = found.pose;
+    }
+  }
+  return poses;
+}
+
+bool isStraight(const WallMap& map, const WallPoint& wall) {
+  constexpr int kSteps = 20, kMostGaps = 2;  // of 0.1 m; nearer than kSameWall is on the line
+  const Point along = 0.1 * Point{-wall.normal.y, wall.normal.x};
+  for (const int first : {-kSteps, -kSteps / 2, 0}) {
+    int gaps = 0;
+    for (int step = first; step <= first + kSteps && gaps <= kMostGaps; ++step) {
+      const Point at = wall.place + double(step) * along;
+      const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, at), wall.normal);
+      gaps += !next || distance(next->place, at) >= kSameWall;
+    }
+    if (gaps <= kMostGaps) return true;
+  }
+  return false;
+}
+
+/** What `in` has at a place. */
+WallSighting sightingAt(const WallMap& in, Point at, Point normal) {
+  const std::size_t cell = cellIndexAt(in.frame, at);
+  if (cell >= in.states.size()) return WallSighting::unknown;
+  const WallPoint* wall = nearestWall(in, cell, normal);
+  if (wall && distance(wall->place, at) < kSameWallIfBent) return WallSighting::found;
+  return in.depths[cell] > kSameWallIfBent ? WallSighting::free : WallSighting::unknown;
+}
+
+}  // namespace
+
+std::vector<WallSighting> sightWalls(const WallMap& of, const WallMap& in,
+                                     const FollowedWalls& followed) {
+  std::vector<WallSighting> seen(of.walls.size(), WallSighting::unknown);
+  if (followed.patches.empty()) return seen;
+  const std::vector<Transform2D> poses = posesOfPatches(of, followed);
+  for (std::size_t p = 0; p < poses.size(); ++p) {
+    const Motion2D motion(poses[p]);
+    for (const std::uint32_t i : of.patches[p].own)
+      seen[i] = sightingAt(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal));
+  }
+  return seen;
+}
+
+std::vector<bool> straightWalls(const WallMap& map) {
+  std::vector<bool> straight;
+  for (const WallPoint& wall : map.walls) straight.push_back(isStraight(map, wall));
+  return straight;
+}
+
+}  // namespace roomgraph
