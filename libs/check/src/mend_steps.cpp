@@ -26,9 +26,10 @@ struct Contradiction {
            found.score - drawn.score > leastGain;
   }
 };
-constexpr Contradiction kSlip{0.45, 0.52, 15}, kTear{0.15, 0.4, 40};
+constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
+constexpr double kMaySpeak = 0.05;     // share of the walls of a scan that can speak against a step
 constexpr double kUnusual = 6;         // walls that an unusual step costs
-constexpr double kUnlikeOthers = 1.2;  // times the score of the next best answer, of a slip
+constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer, of a slip
 
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
@@ -176,12 +177,16 @@ class Mender {
     if (best == found.end())
       return isImpossible ? mendTo(k, result_.poses[k - 1]) : StepEvidence::none;
     if (areNear(best->pose, result_.poses[k], {}, kAsDrawn)) return StepEvidence::none;
-    double second = 0;
+    double second = drawn.score;
     for (const ScanFit& fit : found)
       if (!areNear(fit.pose, best->pose, {}, kSameScanStart)) second = std::max(second, fit.score);
     const bool isSlip = areNear(best->pose, result_.poses[k], {}, kSlipped) &&
-                        kSlip.holds(drawn, *best) && best->score > kUnlikeOthers * second;
-    if (isSlip || isImpossible || kTear.holds(drawn, *best)) return mendTo(k, best->pose);
+                        (kSlip.holds(drawn, *best) || kClearSlip.holds(drawn, *best)) &&
+                        best->score - drawn.score > kUnlikeOthers * (second - drawn.score);
+    // Where a scan shows what none before it has seen, nothing speaks against the step, however
+    // well it fits elsewhere: buildings repeat themselves.
+    const bool isTear = drawn.known >= kMaySpeak && kTear.holds(drawn, *best);
+    if (isSlip || isImpossible || isTear) return mendTo(k, best->pose);
     const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
     return isRefuted ? StepEvidence::lost : StepEvidence::none;
   }
