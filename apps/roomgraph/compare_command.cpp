@@ -173,7 +173,9 @@ Comparison compared(const ReadRuns& read, const CompareArguments& arguments) {
 
 void check(const CompareArguments& arguments) {
   if (allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1) < 2)
-    throw UsageError("compare: one run cannot be compared: name two, or a --reference");
+    throw UsageError(
+        "compare: one run cannot be compared: name two, or a --reference; what it tells of itself "
+        "says 'roomgraph check'");
   const bool isOfOneSite = !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
                            !arguments.candidates.empty() || !arguments.reference.empty();
   if (arguments.comparesEachSite && isOfOneSite)
