@@ -87,7 +87,8 @@ void check(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   if (site.files.size() + (site.reference.empty() ? 0 : 1) < 2)
     throw UsageError(
-        "repair: nothing tells where one run alone is wrong: name two, or a --reference");
+        "repair: no other run tells where this one is wrong: name two, or a --reference; what it "
+        "tells of itself says 'roomgraph check'");
   if (!arguments.format.empty() && arguments.format != "mola")
     throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
   std::vector<std::string> extensions;

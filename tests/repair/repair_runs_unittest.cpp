@@ -44,6 +44,17 @@ TEST(RepairRuns, aRunWhoseErrorMayBeNoneStaysAsItWas) {
     EXPECT_EQ(sound.poses[k].shift(), torn.runs[0].scans[k].pose.shift());
 }
 
+TEST(RepairRuns, aRunThatWouldFitNoBetterStaysAsItWas) {
+  const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
+  RealPoses wrong = site.real;
+  for (std::size_t k = 0; k < wrong[0].size(); ++k)
+    wrong[0][k] = wrong[0][k] * (k % 2 ? Transform2D{1, 1, 0.5} : Transform2D{-1, -1, -0.5});
+  const RepairedRun kept = repairRuns(site.solved, wrong)[0];
+  EXPECT_EQ(kept.state, RepairState::kept) << kept.reason;
+  for (std::size_t k = 0; k < kept.poses.size(); ++k)
+    EXPECT_EQ(kept.poses[k].shift(), site.runs[0].scans[k].pose.shift());
+}
+
 TEST(RepairRuns, aReferenceStaysAndTheOthersFollow) {
   const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
   const std::vector<RepairedRun> repaired = repairRuns(site.solved, site.real);

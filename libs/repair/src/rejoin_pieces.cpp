@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "OtherWalls.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/check/find_scan.h"
 #include "roomgraph/repair/sound_frame.h"
@@ -11,42 +11,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kProbes = 12;  // scans of a piece that are looked up, evenly
-constexpr double kNearProbe = 10;    // from these to the scans of other runs that tell of them [m]
-constexpr double kRange = 15;        // of the walls of those [m]
-
-/** What the runs but one have seen near some places, where it really lies. */
-class OtherWalls {
- public:
-  OtherWalls(const SolvedSite& solved, std::size_t but, const std::vector<Point>& places) {
-    std::vector<LocalScan> scans;
-    std::vector<Transform2D> poses;
-    for (std::size_t i = 0; i < solved.site.runs.size(); ++i) {
-      if (i == but || solved.maps.firstOf(i) == solved.maps.firstOf(but)) continue;
-      const std::vector<LocalScan> local = localScans(solved.site.runs[i]->scans);
-      const std::vector<Transform2D> real = solved.posesOf(i);
-      for (std::size_t k = 0; k < local.size(); ++k) {
-        if (std::none_of(places.begin(), places.end(), [&](Point place) {
-              return distance(place, real[k].shift()) < kNearProbe;
-            }))
-          continue;
-        scans.push_back(local[k]);
-        poses.push_back(real[k]);
-      }
-    }
-    std::vector<std::size_t> all(scans.size());
-    std::iota(all.begin(), all.end(), std::size_t(0));
-    if (!all.empty()) map_ = scanMap(scans, poses, all, kRange);
-  }
-
-  /** How much speaks for a scan to lie about there, see ScanFit. */
-  double score(const LocalScan& scan, const Transform2D& pose) const {
-    return map_.walls.empty() ? 0 : fitNear(scan, map_, pose).score;
-  }
-
- private:
-  WallMap map_;
-};
+constexpr std::size_t kPieceProbes = 12;  // scans of a piece that are looked up, evenly
 
 class Rejoiner {
  public:
@@ -97,16 +62,16 @@ class Rejoiner {
   bool isBornOut(std::size_t first, std::size_t end, const Transform2D& motion) const {
     std::vector<std::size_t> probes;
     std::vector<Point> places;
-    for (std::size_t i = 0; i < std::min(kProbes, end - first); ++i) {
-      probes.push_back(first + i * (end - first) / std::min(kProbes, end - first));
+    for (std::size_t i = 0; i < std::min(kPieceProbes, end - first); ++i) {
+      probes.push_back(first + i * (end - first) / std::min(kPieceProbes, end - first));
       places.push_back(poses_[probes.back()].shift());
       places.push_back(motion(places.back()));
     }
     const OtherWalls walls(solved_, run_, places);
     double torn = 0, joined = 0;
     for (const std::size_t k : probes) {
-      torn += walls.score(local_[k], poses_[k]);
-      joined += walls.score(local_[k], motion * poses_[k]);
+      torn += walls.scoreNear(local_[k], poses_[k]);
+      joined += walls.scoreNear(local_[k], motion * poses_[k]);
     }
     return joined < kRivalScore * torn;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "OtherWalls.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/sound_frame.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 // What less of a run has been seen by others says nothing of the rest of it.
 constexpr double kLeastSeen = 0.5;
+constexpr std::size_t kProbes = 60;  // scans of a run by which it is judged, about
 
 std::vector<Transform2D> posesOf(const Run& run) {
   std::vector<Transform2D> poses;
@@ -54,6 +56,26 @@ void judge(const MapError& error, RepairedRun& repaired) {
   }
 }
 
+/** Whether the scans of a run fit better on what others have seen where they really lie than as the
+ *  run has them, laid over that. */
+bool fitsBetter(const SolvedSite& solved, const std::vector<Transform2D>& real, std::size_t i,
+                const Transform2D& siteOfRun) {
+  const std::vector<LocalScan> scans = localScans(solved.site.runs[i]->scans);
+  std::vector<Point> places;
+  const std::size_t step = scans.size() / kProbes + 1;
+  for (std::size_t k = 0; k < scans.size(); k += step) {
+    places.push_back(real[k].shift());
+    places.push_back((siteOfRun * solved.site.runs[i]->scans[k].pose).shift());
+  }
+  const OtherWalls walls(solved, i, places);
+  double before = 0, after = 0;
+  for (std::size_t k = 0; k < scans.size(); k += step) {
+    before += walls.scoreAt(scans[k], siteOfRun * solved.site.runs[i]->scans[k].pose);
+    after += walls.scoreAt(scans[k], real[k]);
+  }
+  return after > before;
+}
+
 RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>& real,
                         std::size_t i) {
   const Run& run = *solved.site.runs[i];
@@ -68,6 +90,11 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
   }
   judge(solved.consensus.errorOf(i), repaired);
   if (repaired.state != RepairState::mended) return repaired;
+  if (!fitsBetter(solved, real, i, repaired.frame.inverse())) {
+    repaired.state = RepairState::kept;
+    repaired.reason = "left as it was: moved, it would fit what the others have seen no better";
+    return repaired;
+  }
   for (std::size_t k = 0; k < real.size(); ++k) repaired.poses[k] = repaired.frame * real[k];
   measure(run, repaired);
   return repaired;

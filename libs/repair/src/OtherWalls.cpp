@@ -1,0 +1,36 @@
+#include "OtherWalls.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace roomgraph {
+namespace {
+
+constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
+constexpr double kRange = 15;         // of the walls of those [m]
+
+}  // namespace
+
+OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
+                       const std::vector<Point>& places) {
+  std::vector<LocalScan> scans;
+  std::vector<Transform2D> poses;
+  for (std::size_t i = 0; i < solved.site.runs.size(); ++i) {
+    if (i == but || solved.maps.firstOf(i) == solved.maps.firstOf(but)) continue;
+    const std::vector<LocalScan> local = localScans(solved.site.runs[i]->scans);
+    const std::vector<Transform2D> real = solved.posesOf(i);
+    for (std::size_t k = 0; k < local.size(); ++k) {
+      if (std::none_of(places.begin(), places.end(), [&](Point place) {
+            return distance(place, real[k].shift()) < kTellsOfPlace;
+          }))
+        continue;
+      scans.push_back(local[k]);
+      poses.push_back(real[k]);
+    }
+  }
+  std::vector<std::size_t> all(scans.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  if (!all.empty()) map_ = scanMap(scans, poses, all, kRange);
+}
+
+}  // namespace roomgraph
