@@ -69,7 +69,9 @@ bool BendField::isInSight(const Node& node, Point place, Point carried) const {
   const Point eye = way_ == Way::toSite ? node.from.shift() : node.to.shift();
   const Point there = way_ == Way::toSite ? place : carried;
   const double length = distance(eye, there), step = map_->frame.resolution / 2;
-  for (double along = 0; along < length - kSameWall; along += step) {
+  const int steps = int(std::ceil((length - kSameWall) / step));
+  for (int i = 0; i < steps; ++i) {
+    const double along = i * step;
     const std::size_t cell = cellIndexAt(map_->frame, eye + (along / length) * (there - eye));
     if (cell >= map_->states.size() || map_->states[cell] == State::occupied) return false;
   }

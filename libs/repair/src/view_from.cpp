@@ -1,5 +1,7 @@
 #include "roomgraph/repair/view_from.h"
 
+#include <cmath>
+
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
@@ -9,7 +11,9 @@ namespace {
  *  whatever the place lies in may take up. */
 bool isInSight(const WallMap& map, Point from, Point wall) {
   const double length = distance(from, wall), step = map.frame.resolution / 2;
-  for (double along = kSameWall; along < length - kSameWall; along += step) {
+  const int steps = int(std::ceil((length - 2 * kSameWall) / step));
+  for (int i = 0; i < steps; ++i) {
+    const double along = kSameWall + i * step;
     const std::size_t cell = cellIndexAt(map.frame, from + (along / length) * (wall - from));
     if (cell >= map.states.size() || map.states[cell] != State::free) return false;
   }
