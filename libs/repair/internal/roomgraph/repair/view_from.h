@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/align/WallMap.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/WallMap.h"
 
 namespace roomgraph {
 
