@@ -1,6 +1,7 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/statistics.h"
 #include "scoring_document.h"
 
 namespace roomgraph {
@@ -60,6 +61,22 @@ TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
   expectSaid("If at least three other runs have seen most of the surroundings");
   expectSaid("At least %ld such scans in a row are taken to be %g m off", kLeastLostOnEnd, kLostBy);
   expectSaid("√(*e*² + *l* · %g m²)", kLostBy * kLostBy);
+}
+
+TEST(ConsensusDocument, saysWhatNobodyBearsOut) {
+  expectSaid("Long ones (%zu scans, or %g m of path) do not", kLongScans, kLongWay);
+  expectSaid("for %ld scans in a row, another run knows", kLeastLostOnEnd);
+  expectSaid("no run that does has more than %g %% of its walls", 100 * kLeastQuality);
+  expectSaid("%.2f times their drift", kEightyPercent);
+  expectSaid("a long stretch (%zu scans, or %g m of path) that was not found", kLongScans,
+             kLongWay);
+  expectSaid("a jump elsewhere costs %g *h* + %g (1 − *h*).", kFarCost, 2 * kJumpCost);
+}
+
+TEST(ConsensusDocument, saysWhatJitterCosts) {
+  expectSaid("If it exceeds %g m, which", kUsualJitter);
+  expectSaid("√(*e*² + *j*² − %g² m²)", kUsualJitter);
+  expectSaid("divided and multiplied by %g", kJitterFactor);
 }
 
 }  // namespace

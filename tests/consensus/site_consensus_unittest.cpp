@@ -11,6 +11,7 @@
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
+#include "sample_drives.h"
 
 namespace roomgraph {
 namespace {
@@ -130,6 +131,45 @@ TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
   EXPECT_GE(*std::max_element(each.begin() + 4, each.begin() + 13), 1);
   EXPECT_LT(each[20], 0.1);
   EXPECT_LT(result.errorOf(1).error, 0.1) << "it is not theirs";
+}
+
+TEST(SiteConsensus, aWingThatNobodyElseHasSeenIsNotConfirmedAndCostsNothing) {
+  const std::vector<Keyframe> half(drive().begin(), drive().begin() + 14);
+  const DrivenSite site({drive(), otherLog(half, 2000), otherLog(half, 3000)}, {{}, {}, {}});
+  const Consensus result = site.consensus();
+  const MapError error = result.errorOf(0);
+  EXPECT_LT(error.error, 0.05);
+  EXPECT_GT(error.confirmed, 0.3);
+  EXPECT_LT(error.confirmed, 0.9);
+  EXPECT_EQ(error.contradicted, 0);
+  ASSERT_EQ(error.isConfirmed.size(), drive().size());
+  EXPECT_TRUE(error.isConfirmed[5]);
+  EXPECT_FALSE(error.isConfirmed.back());
+  EXPECT_EQ(result.errorOf(1).confirmed, 1);
+}
+
+TEST(SiteConsensus, whatOthersKnowOtherwiseIsContradictedAndMayLieAnywhere) {
+  std::vector<std::vector<Keyframe>> drives{drive(), otherLog(drifting(drive(), 0.0002), 2000),
+                                            otherLog(drifting(drive(), 0.0004), 3000)};
+  DrivenSite site(drives, {{}, {}, {}});
+  const double before = site.consensus().errorOf(0).high;
+  site.runs[0].scans = scanWalls(lostAt(drive(), 10, 13));
+  const Consensus result = site.consensus();
+  EXPECT_GT(result.errorOf(0).contradicted, 0);
+  EXPECT_LT(result.errorOf(0).confirmed, 1);
+  EXPECT_GT(result.errorOf(0).high, before);
+  EXPECT_FALSE(result.errorOf(0).isConfirmed[16]);
+  EXPECT_TRUE(result.errorOf(0).isConfirmed[2]);
+  EXPECT_EQ(result.errorOf(1).contradicted, 0);
+}
+
+TEST(SiteConsensus, scansThatAreOffOnTheirOwnCostWhatTheyAreOff) {
+  const auto shaken = otherLog(test::shaken(drive(), 0.1), 2000);
+  const DrivenSite site({drive(), shaken, otherLog(drive(), 3000)}, {{}, {}, {}});
+  const Consensus result = site.consensus();
+  EXPECT_GT(result.errorOf(1).error, 0.09);
+  EXPECT_LT(result.errorOf(1).error, 0.2);
+  EXPECT_LT(result.errorOf(0).error, 0.03);
 }
 
 TEST(SiteConsensus, copiesOfAMapShareOneResult) {

@@ -8,6 +8,7 @@
 
 #include "aliasing.h"
 #include "fitted_consensus.h"
+#include "look_again.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/consensus/track_scans.h"
@@ -91,6 +92,16 @@ std::vector<FoundGroup> matchTrack(const PoseGraph& graph, IdRange<NodeId> nodes
   return groups;
 }
 
+/** The track of a run; once more with where it may lie by what was not found. */
+Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
+              std::vector<Transform2D> wholes) {
+  Track track = trackScans(run.scans, run.map.patches, followed, wholes, map);
+  const std::vector<Transform2D> more = lookAgain(run.scans, track, map);
+  if (more.empty()) return track;
+  wholes.insert(wholes.end(), more.begin(), more.end());
+  return trackScans(run.scans, run.map.patches, followed, wholes, map);
+}
+
 /** Compares the map where each group was found with where the others would have it. */
 void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const Track& track,
                   const Run& run, const WallMap& map) {
@@ -120,7 +131,7 @@ std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& 
     groups = matchPatches(graph, id, run.map, other, followed);
   } else {
     const IdRange<NodeId> nodes = graph.runs[id].nodes;
-    const Track track = trackScans(run.scans, run.map.patches, followed, wholes, other.map);
+    const Track track = trackIn(run, other.map, followed, wholes);
     groups = matchTrack(graph, nodes, run, other, track);
     tellAliasing(groups, nodes, track, run, other.map);
   }

@@ -5,12 +5,15 @@
 #include <set>
 #include <utility>
 
+#include "confirm_runs.h"
 #include "lost_scans.h"
 #include "match_runs.h"
 #include "roomgraph/consensus/add_run_nodes.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/find_consensus.h"
+#include "run_scales.h"
+#include "scan_jitter.h"
 
 namespace roomgraph {
 namespace {
@@ -160,6 +163,9 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
     consensus.errors[RunId(0)].seen = 1;  // by its copies
   const auto lost = lostScans(site, pairs, consensus);
   for (const RunId run : lost.ids()) addLost(consensus.errors[run], graph, run, lost[run]);
+  addJitter(consensus, site);
+  confirmRuns(consensus, site, pairs);
+  tellScales(consensus);
   return consensus;
 }
 

@@ -7,6 +7,7 @@
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/step_hold.h"
 
 namespace roomgraph {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr NarrowingBand kBand{0.6, 0.2, 6};  // around a wall, of what counts in the fit of a scan
 constexpr double kHalfNear = 0.1;            // a wall this far from another counts half [m]
 constexpr double kNearPatch = 6;             // patches within this give poses to try [m]
+constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
@@ -62,7 +64,8 @@ class Tracker {
         followed_(followed),
         wholes_(wholes),
         in_(in),
-        candidates_(scans.size()) {}
+        candidates_(scans.size()),
+        holds_(scans.size()) {}
 
   std::vector<std::optional<Transform2D>> track() {
     for (std::size_t k = 0; k < scans_.size(); ++k) propose(k, Way::forth);
@@ -194,7 +197,20 @@ class Tracker {
     if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
     const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
-    return isOnTheWay ? fitted::kJumpCost : fitted::kFarCost;
+    if (isOnTheWay) return fitted::kJumpCost;
+    // Where the run's own scans part, to begin anew costs little more than what a start does.
+    const double hold = holdBetween(from.scan, to.scan);
+    return hold * fitted::kFarCost + (1 - hold) * kStartCost;
+  }
+
+  /** How far the run's own scans hold together from one scan to another. */
+  double holdBetween(std::size_t from, std::size_t to) const {
+    double least = 1;
+    for (std::size_t k = from + 1; k <= to; ++k) {
+      if (!holds_[k]) holds_[k] = stepHold(scans_, k);
+      least = std::min(least, *holds_[k]);
+    }
+    return least;
   }
 
   /** Of the ways that end at a scan which is out of memory, only the best is gone on from. */
@@ -220,7 +236,7 @@ class Tracker {
   /** A way starts where the maps as a whole fit. */
   double startCost(const Candidate& at) const {
     const bool isMain = areNear(at.pose, wholes_.front(), scans_[at.scan].at(), kAsMapsBend);
-    return isMain ? 0 : 2 * fitted::kJumpCost;
+    return isMain ? 0 : kStartCost;
   }
 
   const std::vector<ScanWalls>& scans_;
@@ -229,7 +245,8 @@ class Tracker {
   const std::vector<Transform2D>& wholes_;
   const WallMap& in_;
   std::vector<std::vector<Candidate>> candidates_;
-  const Candidate* best_ = nullptr;  // of the scans that are out of memory
+  mutable std::vector<std::optional<double>> holds_;  // of the step to each scan, once it was asked
+  const Candidate* best_ = nullptr;                   // of the scans that are out of memory
 };
 
 }  // namespace

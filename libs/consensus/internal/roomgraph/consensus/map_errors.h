@@ -10,6 +10,13 @@ namespace roomgraph {
 // Out:  MapError
 // Next: scoreRuns
 
+/** Whether the runs of a site differ in scale, and on which side one of them is. */
+enum class ScaleSet {
+  one,  ///< all have about the same, or nothing is told
+  smaller,
+  larger
+};
+
 /** How wrong a map is: root mean square displacement of what it has drawn against where it
  *  really lies, after the best turn and shift [m]. */
 struct MapError {
@@ -19,6 +26,13 @@ struct MapError {
   Transform2D pose;            ///< site <- run, the best turn and shift
   std::vector<double> errors;  ///< of each node, root mean square [m]
   std::vector<bool> isSeen;    ///< of each node: whether others have it, too
+  /** Share of what it has drawn that others bear out, and of what they contradict without saying
+   *  where it belongs; 0 to 1. */
+  double confirmed = 1, contradicted = 0;
+  std::vector<bool> isConfirmed;  ///< of each node; empty where nothing was asked
+  double jitter = 0;  ///< how far its key frames lie off each on its own, part of `error` [m]
+  double scale = 1;   ///< how long it has drawn what the consensus has 1 m long
+  ScaleSet scaleSet = ScaleSet::one;
 };
 
 /** The map error of each run whose nodes lie at `poses` (those of findConsensus). The interval is

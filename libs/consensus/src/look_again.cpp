@@ -1,0 +1,45 @@
+#include "look_again.h"
+
+#include <algorithm>
+
+#include "confirmed_nodes.h"
+#include "fitted_consensus.h"
+#include "roomgraph/align/align_maps.h"
+#include "roomgraph/align/scan_map.h"
+#include "roomgraph/align/step_hold.h"
+#include "roomgraph/base/majority.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMostPoses = 4;  // that are tried of each stretch
+constexpr std::size_t kNearBreak = 3;  // scans that may still be found behind a break
+
+/** Whether the scans of a run part within a few steps of the one to scan k. */
+bool partNear(const std::vector<ScanWalls>& scans, std::size_t k) {
+  const std::size_t last = std::min(scans.size(), k + kNearBreak + 1);
+  for (std::size_t i = std::max(k, kNearBreak + 1) - kNearBreak; i < last; ++i)
+    if (stepHold(scans, i) < kMajority) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<Transform2D> lookAgain(const std::vector<ScanWalls>& scans,
+                                   const std::vector<std::optional<Transform2D>>& track,
+                                   const WallMap& in) {
+  std::vector<bool> isFound;
+  for (const auto& pose : track) isFound.push_back(pose.has_value());
+  std::vector<Transform2D> poses;
+  for (const ScanStretch& gap : gapsOf(isFound)) {
+    if (gap.size() == scans.size() || !isLong(gap, scans)) continue;
+    if (!partNear(scans, gap.first) && !partNear(scans, gap.end)) continue;
+    const WallMap drawn = stretchMap(scans, gap.first, gap.end);
+    const std::vector<Transform2D> found = alignMaps(in, drawn).poses;
+    poses.insert(poses.end(), found.begin(),
+                 found.begin() + std::ptrdiff_t(std::min(kMostPoses, found.size())));
+  }
+  return poses;
+}
+
+}  // namespace roomgraph

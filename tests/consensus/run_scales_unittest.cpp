@@ -1,0 +1,76 @@
+#include "run_scales.h"
+
+#include <gtest/gtest.h>
+
+#include "drawn_pose_graph.h"
+
+namespace roomgraph {
+namespace {
+
+test::Way scaled(test::Way way, double scale) {
+  for (Transform2D& pose : way) pose.x *= scale, pose.y *= scale;
+  return way;
+}
+
+/** Runs of these scales; the consensus has them at 1. The last has a larger error besides. */
+Consensus consensusOf(const std::vector<double>& scales, double error = 0) {
+  std::vector<test::Way> drawn, truth;
+  for (const double scale : scales) {
+    drawn.push_back(scaled(test::roundTheBlock(), scale));
+    truth.push_back(test::roundTheBlock());
+  }
+  Consensus consensus;
+  consensus.graph = test::drawnPoseGraph(drawn);
+  consensus.poses = test::posesOf(truth);
+  consensus.errors = mapErrors(consensus.graph, consensus.poses);
+  for (MapError& error : consensus.errors) error.seen = 1, error.low = 0, error.high = 0.02;
+  if (!scales.empty()) consensus.errors[RunId(scales.size() - 1)].error += error;
+  tellScales(consensus);
+  return consensus;
+}
+
+std::vector<ScaleSet> setsOf(const Consensus& consensus) {
+  std::vector<ScaleSet> sets;
+  for (const MapError& error : consensus.errors) sets.push_back(error.scaleSet);
+  return sets;
+}
+
+using Sets = std::vector<ScaleSet>;
+constexpr ScaleSet kOne = ScaleSet::one, kSmall = ScaleSet::smaller, kLarge = ScaleSet::larger;
+
+TEST(RunScales, areToldAgainstTheConsensus) {
+  const Consensus consensus = consensusOf({1.03, 1, 0.98});
+  EXPECT_NEAR(consensus.errors[RunId(0)].scale, 1.03, 1e-6);
+  EXPECT_NEAR(consensus.errors[RunId(2)].scale, 0.98, 1e-6);
+}
+
+TEST(RunScales, aMajorityOfAnotherScaleIsNotRightForBeingOne) {
+  const Consensus consensus = consensusOf({1.005, 1.006, 0.986, 1.0055, 0.985});
+  EXPECT_EQ(setsOf(consensus), (Sets{kLarge, kLarge, kSmall, kLarge, kSmall}));
+  const double reach = 7;  // of a block of 20 m by 10 m, at least
+  for (const MapError& error : consensus.errors) EXPECT_GT(error.high, 0.018 * reach);
+}
+
+TEST(RunScales, ofThreeRunsEitherSideMayBeRight) {
+  EXPECT_EQ(setsOf(consensusOf({1.01, 1.01, 0.99})), (Sets{kLarge, kLarge, kSmall}));
+}
+
+TEST(RunScales, aRunThatIsBentOrBrokenHasNoSay) {
+  EXPECT_EQ(setsOf(consensusOf({1.01, 1.01, 0.99}, 3)), Sets(3, kOne));
+}
+
+TEST(RunScales, oneRunOfManyIsOutvoted) {
+  const Consensus consensus = consensusOf({1, 1.0005, 0.9995, 1.02});
+  EXPECT_EQ(setsOf(consensus), Sets(4, kOne));
+  EXPECT_EQ(consensus.errors[RunId(3)].high, 0.02);
+}
+
+TEST(RunScales, smallOrSpreadDifferencesAreNoSets) {
+  EXPECT_EQ(setsOf(consensusOf({1, 1.001, 1.004, 1.0045})), Sets(4, kOne));
+  EXPECT_EQ(setsOf(consensusOf({0.98, 0.99, 1, 1.01})), Sets(4, kOne));
+  EXPECT_EQ(setsOf(consensusOf({1, 1.02})), Sets(2, kOne)) << "two runs";
+  EXPECT_EQ(setsOf(consensusOf({})), Sets{});
+}
+
+}  // namespace
+}  // namespace roomgraph
