@@ -116,6 +116,7 @@ void declareFormats(std::string& formats, CLI::App& app) {
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const int percent = int(std::lround(100 * kPartialCoverage));
+  const int confirmed = int(std::lround(100 * kLeastConfirmed));
   app.add_option("--fail-below", arguments.failBelow,
                  "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->type_name("SCORE")
@@ -134,14 +135,16 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
                  "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
                  "less than " +
                      std::to_string(percent) +
-                     " % of what at least two runs have seen), 'broken' (a run has a break), "
-                     "'not-same-site' (a run is of another site, or mirrored), 'walls' (walls that "
-                     "others have are gone from a run, it has some that no other has, or thicker "
-                     "ones).")
+                     " % of what at least two runs have seen), 'broken' (a run has a break that is "
+                     "not slight), 'unconfirmed' (other runs bear out less than " +
+                     std::to_string(confirmed) +
+                     " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
+                     "run is of another site, or mirrored), 'walls' (walls that others have are "
+                     "gone from a run, it has some that no other has, or thicker ones).")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"coverage", "broken", "not-same-site", "walls"}));
+      ->check(CLI::IsMember({"broken", "unconfirmed", "coverage", "not-same-site", "walls"}));
   app.add_option("--junit", arguments.junit,
                  "Also write the verdict of the gate as JUnit XML, for CI systems.")
       ->type_name("FILE");
@@ -163,6 +166,7 @@ GateOptions gateOf(const GateArguments& arguments) {
   gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
   gate.maxWorse = arguments.failWorseBy;
   gate.failsOnCoverage = isAsked("coverage"), gate.failsOnBreaks = isAsked("broken");
+  gate.failsOnUnconfirmed = isAsked("unconfirmed");
   gate.failsOnOtherSites = isAsked("not-same-site"), gate.failsOnWalls = isAsked("walls");
   return gate;
 }

@@ -37,10 +37,46 @@ TEST(ReasonOf, saysHowFarTheWallsLieOff) {
   EXPECT_EQ(reasonOf(measured.runs[0], measured), "its walls lie 0.10 m RMS from the reference");
 }
 
+TEST(ReasonOf, saysWhatNobodyBearsOut) {
+  Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
+  RunScore& score = *comparison.runs[0].score;
+  score.confirmed = 0.8;
+  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
+                .find("; 20 % of what it has drawn no other run bears out"),
+            std::string::npos);
+  score.contradicted = 0.2;
+  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
+                .find("; 20 % of what it has drawn is not what others have seen there, and was "
+                      "found nowhere else"),
+            std::string::npos);
+  score.jitter = 0.14;
+  EXPECT_NE(reasonOf(comparison.runs[0], comparison)
+                .find("; its key frames lie 0.14 m off each on its own"),
+            std::string::npos);
+}
+
+TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
+  Comparison comparison = ofRuns({scored("a", 0.01), scored("b", 0.2), scored("c", 3)});
+  ASSERT_EQ(verdictOf(comparison).find("a is the best map"), 0u);
+  Comparison unconfirmed = comparison, smeared = comparison, disputed = comparison;
+  unconfirmed.runs[0].score->confirmed = 0.6;
+  EXPECT_EQ(verdictOf(unconfirmed).find("a has the smallest error"), 0u);
+  EXPECT_NE(verdictOf(unconfirmed).find("but only 60 % of what it has drawn is borne out"),
+            std::string::npos);
+  smeared.runs[0].score->jitter = 0.12;
+  EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);
+  disputed.runs[0].score->isScaleDisputed = true;
+  EXPECT_EQ(verdictOf(disputed).find("a has the smallest error"), 0u);
+  EXPECT_EQ(scalesNote({"a", "b"}, {"c"}, 1.02),
+            " a and b are 2.0 % larger than c: which is right does not show, a plan as --reference "
+            "would.");
+}
+
 TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
   Comparison torn = ofRuns({scored("a", 0.1), scored("b", 0.2)});
   torn.breaks.resize(3);
   torn.breaks[0].run = torn.breaks[2].run = "b", torn.breaks[1].run = "a";
+  for (MapBreak& one : torn.breaks) one.shift = 0.5;
   torn.runs[1].score->share = 0.35, torn.runs[1].score->isMeaningful = false;
   EXPECT_NE(reasonOf(torn.runs[0], torn).find("; it breaks in 1 place"), std::string::npos);
   EXPECT_NE(

@@ -58,7 +58,41 @@ TEST(Gate, aBreakIsToldWithItsKeyFrameAndTime) {
   EXPECT_EQ(
       gateVerdict(comparison, options).complaints,
       Lines{"good: breaks at key frame 47, 2023-11-14T22:13:20Z, at (1.0, 2.0) by 5.7 degrees "
-            "and 0.50 m"});
+            "and 0.50 m (clear)"});
+}
+
+TEST(Gate, aSlightBreakIsNone) {
+  GateOptions options;
+  options.failsOnBreaks = true;
+  Comparison comparison = sample();
+  comparison.breaks[0].rotation = 0.08, comparison.breaks[0].shift = 0.3;
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+}
+
+TEST(Gate, aMapThatNobodyBearsOutDoesNotPass) {
+  GateOptions options;
+  options.failsOnUnconfirmed = true;
+  Comparison comparison = sample();
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  comparison.runs[0].score->confirmed = 0.699;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"good: is borne out by others in 69 % of what it has drawn, less than 70 %"});
+  comparison.runs[0].score->confirmed = 0.99, comparison.runs[0].score->contradicted = 0.002;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"good: 1 % of what it has drawn is contradicted by other runs, and was found "
+                  "nowhere else"});
+}
+
+TEST(Gate, aSmearedMapBreaksAtEachKeyFrame) {
+  GateOptions options;
+  options.failsOnBreaks = true;
+  Comparison comparison = sample();
+  comparison.breaks.clear();
+  comparison.runs[0].score->jitter = 0.09;
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  comparison.runs[0].score->jitter = 0.14;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"good: breaks at each key frame: these lie 0.14 m off, each on its own"});
 }
 
 TEST(Gate, coverageIsRoundedToItsSideOfTheLimit) {
@@ -77,7 +111,7 @@ TEST(Gate, breaksAndOtherSitesAreNamed) {
   GateOptions options;
   options.failsOnBreaks = options.failsOnOtherSites = true;
   EXPECT_EQ(gateVerdict(sample(), options).complaints,
-            (Lines{"good: breaks at (1.0, 2.0) by 5.7 degrees and 0.50 m",
+            (Lines{"good: breaks at (1.0, 2.0) by 5.7 degrees and 0.50 m (clear)",
                    "other: is not of the same site (is of another site)"}));
 }
 

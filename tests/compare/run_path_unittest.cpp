@@ -39,6 +39,15 @@ TEST(RunPath, aCopyWithoutScansTellsNoErrors) {
   for (const PathPose& at : runPath(drive(), {}, ofPatches)) EXPECT_FALSE(at.error);
 }
 
+TEST(RunPath, whatNobodyBearsOutHasNoError) {
+  MapError error;
+  error.errors = {0.1, 0.2, 0.3}, error.isConfirmed = {true, false, true};
+  const std::vector<PathPose> path = runPath(drive(), {}, error);
+  EXPECT_EQ(path[0].error, 0.1);
+  EXPECT_FALSE(path[1].error);
+  EXPECT_EQ(path[2].error, 0.3);
+}
+
 TEST(RunPath, aRunWithoutScansHasNone) { EXPECT_TRUE(runPath({}, {}, {}).empty()); }
 
 }  // namespace

@@ -49,6 +49,32 @@ TEST(ScoreRuns, aRunThatNobodyHasSeenHasNoScore) {
   EXPECT_FALSE(scores[1]);
 }
 
+TEST(ScoreRuns, aRunOfWhichOthersBearOutLessThanHalfHasNoMeaning) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[1].confirmed = 0.49, errors[1].contradicted = 0.2;
+  errors[2].confirmed = 0.51, errors[2].jitter = 0.12, errors[2].scale = 1.01;
+  errors[2].scaleSet = ScaleSet::larger;
+  const auto scores = scored(allBends(3, 0.3), errors, {}, {});
+  EXPECT_TRUE(scores[0]->isMeaningful);
+  EXPECT_FALSE(scores[1]->isMeaningful);
+  EXPECT_EQ(scores[1]->confirmed, 0.49);
+  EXPECT_FALSE(scores[1]->isBorneOut());
+  EXPECT_TRUE(scores[2]->isMeaningful);
+  EXPECT_FALSE(scores[2]->isBorneOut());
+  EXPECT_EQ(scores[2]->jitter, 0.12);
+  EXPECT_EQ(scores[2]->scale, 1.01);
+  EXPECT_TRUE(scores[2]->isScaleDisputed);
+  EXPECT_TRUE(scores[0]->isBorneOut());
+}
+
+TEST(ScoreRuns, whatOthersContradictIsTrustedAsItsWorstCase) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[1].contradicted = 0.1, errors[1].high = 3;
+  const auto scores = scored(allBends(3, 0.3), errors, {}, {});
+  EXPECT_LT(scores[1]->trust, 1e-4);
+  EXPECT_EQ(scores[2]->trust, 1);
+}
+
 TEST(ScoreRuns, aCopyIsNoFurtherWitness) {
   PairBends bends = allBends(3, 0.3);
   bends(0, 2) = {0, 1, 1000, true};

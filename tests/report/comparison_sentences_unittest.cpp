@@ -36,6 +36,17 @@ TEST(ComparisonSentences, mapsThatBreakAreNamedByRank) {
             "degrees and 3.00 m.");
 }
 
+TEST(ComparisonSentences, slightBreaksAreCountedApart) {
+  Comparison comparison = threeRuns();
+  comparison.breaks = {breakOf("b", 0.05, 0.1)};
+  EXPECT_EQ(breaksSentence(comparison), "No map breaks; 1 slight break is listed.");
+  comparison.breaks.insert(comparison.breaks.begin(), breakOf("a", 0.1, 1));
+  comparison.breaks.push_back(breakOf("a", 0.04, 0.1));
+  EXPECT_EQ(breaksSentence(comparison).substr(0, 16), "1 map breaks: a.");
+  EXPECT_NE(breaksSentence(comparison).find(" 2 slight breaks are listed, too."),
+            std::string::npos);
+}
+
 TEST(ComparisonSentences, doubtIsAddedToABreak) {
   Comparison comparison = threeRuns();
   comparison.breaks = {breakOf("c", 0.1, 1)};

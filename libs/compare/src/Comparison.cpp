@@ -75,7 +75,9 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   const bool isPartial =
       coverage && coverage->isMeaningful && coverage->value.value_or(1) < kPartialCoverage;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
-  return isPartial || isWide || score.share < kMostWalls ? Certainty::likely : Certainty::sure;
+  const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !score.isBorneOut();
+  return isPartial || isWide || isOdd || score.share < kMostWalls ? Certainty::likely
+                                                                  : Certainty::sure;
 }
 
 }  // namespace roomgraph

@@ -1,12 +1,15 @@
 #include "explain_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
+
+constexpr double kWorthAWord = 0.05;  // share that no other run bears out
 
 /** What decided the score of a run. */
 std::string decisive(const ComparedRun& run, const Comparison& comparison) {
@@ -16,13 +19,25 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
           : comparison.core.empty()
               ? formatted("the consensus of %zu runs", score.others + 1)
               : formatted("the consensus of the core of %zu runs", comparison.core.size());
-  const auto isOfRun = [&](const MapBreak& found) { return found.run == run.name; };
+  const auto isOfRun = [&](const MapBreak& found) {
+    return found.run == run.name && found.kind() != BreakClass::slight;
+  };
   if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
     text += formatted("; it breaks in %ld place%s", long(count), count == 1 ? "" : "s");
+  if (score.jitter > 0)
+    text += formatted("; its key frames lie %.2f m off each on its own", score.jitter);
   if (comparison.isPlaceDoubtful(run.name))
     text += "; doubtful, as no pair that is sure joins it to most of the others";
   if (score.share < kMostWalls)
     text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
+  if (score.contradicted > 0)
+    text += formatted(
+        "; %.0f %% of what it has drawn is not what others have seen there, and was "
+        "found nowhere else",
+        std::max(1.0, 100 * score.contradicted));
+  if (score.confirmed < 1 - score.contradicted - kWorthAWord)
+    text += formatted("; %.0f %% of what it has drawn no other run bears out",
+                      100 * (1 - score.confirmed));
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
@@ -89,6 +104,9 @@ std::string verdictOf(const Comparison& result) {
     text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
                       100 * *coverage);
   if (isDoubtful) text += "; but no pair that is sure joins it to most of the others";
+  if (!best.score->isBorneOut())
+    text += formatted("; but only %.0f %% of what it has drawn is borne out by another run",
+                      std::floor(100 * best.score->confirmed));
   if (!best.score->isMeaningful) text += ", but there is too little to judge by";
   return text + ".";
 }
@@ -107,6 +125,13 @@ std::string copiesNote(const Comparison& comparison) {
       text += formatted(" %zu maps are edits of one (", names.size()) + listed(names) +
               "), and count as one drive.";
   return text;
+}
+
+std::string scalesNote(const std::vector<std::string>& larger,
+                       const std::vector<std::string>& smaller, double ratio) {
+  return " " + listed(larger) + (larger.size() == 1 ? " is" : " are") +
+         formatted(" %.1f %% larger than ", 100 * (ratio - 1)) + listed(smaller) +
+         ": which is right does not show, a plan as --reference would.";
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {

@@ -17,6 +17,10 @@ std::string verdictOf(const Comparison& comparison);
  *  the runs of each. */
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites);
 
+/** The same on runs that have drawn the site larger, by `ratio`, than others have. */
+std::string scalesNote(const std::vector<std::string>& larger,
+                       const std::vector<std::string>& smaller, double ratio);
+
 /** The same on runs that share the scans of one drive. */
 std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t runsOfSite);
 

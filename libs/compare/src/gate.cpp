@@ -20,16 +20,17 @@ std::string breakText(const MapBreak& found) {
   std::string text = "breaks ";
   if (found.keyFrame) text += "at key frame " + std::to_string(*found.keyFrame) + ", ";
   if (found.time) text += timeText(*found.time) + ", ";
-  return text + formatted("at (%.1f, %.1f) by %.1f degrees and %.2f m", found.place.x,
-                          found.place.y, found.rotation * 180 / M_PI, found.shift);
+  return text + formatted("at (%.1f, %.1f) by %.1f degrees and %.2f m (%s)", found.place.x,
+                          found.place.y, found.rotation * 180 / M_PI, found.shift,
+                          nameOf(found.kind()));
 }
 
-/** The share in percent, on the side of the limit that it is on. */
-std::string coverageText(double coverage) {
-  const bool isEnough = coverage >= kPartialCoverage;
-  const double limit = 100 * kPartialCoverage, percent = std::round(100 * coverage);
-  return formatted("has seen %.0f %% of what at least two runs have seen, %s than %.0f %%",
-                   isEnough ? std::max(percent, limit) : std::min(percent, limit - 1),
+/** A share in percent, on the side of the limit that it is on. */
+std::string shareText(const char* verb, double share, double least, const char* ofWhat) {
+  const bool isEnough = share >= least;
+  const double limit = 100 * least, percent = std::round(100 * share);
+  return formatted("%s %.0f %% %s, %s than %.0f %%", verb,
+                   isEnough ? std::max(percent, limit) : std::min(percent, limit - 1), ofWhat,
                    isEnough ? "no less" : "less", limit);
 }
 
@@ -57,6 +58,8 @@ class Judge {
       judgeError(run);
       judgeCoverage(run);
       judgeWalls(run);
+      judgeConfirmed(run);
+      judgeJitter(run);
     }
     judgeBreaks();
     for (const LeftOutRun& run : comparison_.leftOut)
@@ -107,7 +110,29 @@ class Judge {
     const Measure* coverage = find(run.measures, "coverage");
     if (!options_.failsOnCoverage || !coverage) return;
     const double value = coverage->value.value_or(0);
-    hold("coverage", run.name, value - kPartialCoverage, coverageText(value));
+    hold("coverage", run.name, value - kPartialCoverage,
+         shareText("has seen", value, kPartialCoverage, "of what at least two runs have seen"));
+  }
+
+  /** A run without a score, of which nothing is borne out, has to be told so by another figure. */
+  void judgeConfirmed(const ComparedRun& run) {
+    if (!options_.failsOnUnconfirmed || !run.score) return;
+    const RunScore& score = *run.score;
+    if (score.contradicted > 0)
+      return complain(run.name, formatted("%.0f %% of what it has drawn is contradicted by other "
+                                          "runs, and was found nowhere else",
+                                          std::max(1.0, 100 * score.contradicted)));
+    hold("confirmed", run.name, score.confirmed - kLeastConfirmed,
+         shareText("is borne out by others in", score.confirmed, kLeastConfirmed,
+                   "of what it has drawn"));
+  }
+
+  /** A run that is smeared breaks at each of its key frames. */
+  void judgeJitter(const ComparedRun& run) {
+    if (options_.failsOnBreaks && run.score && run.score->jitter >= kSmeared)
+      complain(run.name,
+               formatted("breaks at each key frame: these lie %.2f m off, each on its own",
+                         run.score->jitter));
   }
 
   void judgeWalls(const ComparedRun& run) {
@@ -148,7 +173,8 @@ class Judge {
 
   void judgeBreaks() {
     for (const MapBreak& found : comparison_.breaks)
-      if (options_.failsOnBreaks && isJudged(found.run)) complain(found.run, breakText(found));
+      if (options_.failsOnBreaks && found.kind() != BreakClass::slight && isJudged(found.run))
+        complain(found.run, breakText(found));
   }
 
   void judgeError(const ComparedRun& run) {
@@ -192,7 +218,8 @@ class Judge {
           formatted("at most %.4g m more map error than the median of the three best others",
                     *options_.maxWorse));
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
-    if (options_.failsOnBreaks) lines.push_back("no break");
+    if (options_.failsOnBreaks) lines.push_back("no break that is not slight");
+    if (options_.failsOnUnconfirmed) lines.push_back("a map that others bear out");
     if (options_.failsOnOtherSites) lines.push_back("the same site");
     if (options_.failsOnWalls) lines.push_back("walls as the others have them");
     if (lines.empty()) lines.push_back("a map error that can be told");

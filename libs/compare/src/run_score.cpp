@@ -5,6 +5,7 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/relate/most_share.h"
 
 namespace roomgraph {
@@ -13,6 +14,9 @@ namespace {
 void grade(RunScore& score, const MapError& error, const RunScoreOptions& options) {
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
   score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
+  score.confirmed = error.confirmed, score.contradicted = error.contradicted;
+  score.jitter = error.jitter;
+  score.scale = error.scale, score.isScaleDisputed = error.scaleSet != ScaleSet::one;
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
 }
 
@@ -27,7 +31,9 @@ void setTrust(RunScores& scores, const PairBends& bends, const DistinctMaps& map
   for (std::size_t i = 0; i < scores.size(); ++i) {
     if (!scores[i] || (isSmall(i) && !areAllSmall)) continue;
     if (maps.count() > 1 && !maps.isVoice(i)) continue;
-    scores[i]->trust = std::pow(kTrustFloor + scores[i]->mapError, -4);
+    // What others contradict may lie anywhere: its word, as on rooms, is that of the worst case.
+    const double error = scores[i]->contradicted > 0 ? scores[i]->errorHigh : scores[i]->mapError;
+    scores[i]->trust = std::pow(kTrustFloor + error, -4);
     most = std::max(most, scores[i]->trust);
   }
   for (auto& score : scores)
@@ -76,8 +82,9 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
   const bool haveWitness = reference || maps.count() > 1;
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (auto& score = scores[i])
-      score->isMeaningful = haveWitness && score->support >= kFewestWalls &&
-                            score->others >= minOthers && mostShare(bends, i) >= options.leastShare;
+      score->isMeaningful =
+          haveWitness && score->support >= kFewestWalls && score->others >= minOthers &&
+          mostShare(bends, i) >= options.leastShare && score->confirmed >= kMajority;
   return scores;
 }
 

@@ -126,10 +126,28 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& 
   return leftOut;
 }
 
+/** The sentence on runs of other scales; empty where all agree. */
+std::string scalesOf(const Findings& found) {
+  std::vector<std::string> larger, smaller;
+  double large = 0, small = 0;
+  for (std::size_t i = 0; i < found.site.runs.size(); ++i) {
+    const MapError error = found.consensus.errorOf(i);
+    if (!found.scores[i] || error.scaleSet == ScaleSet::one) continue;
+    const bool isLarger = error.scaleSet == ScaleSet::larger;
+    (isLarger ? larger : smaller).push_back(found.site.runs[i]->name);
+    (isLarger ? large : small) += error.scale;
+  }
+  if (larger.empty() || smaller.empty()) return "";
+  std::sort(larger.begin(), larger.end());
+  std::sort(smaller.begin(), smaller.end());
+  return scalesNote(larger, smaller,
+                    large / double(larger.size()) / (small / double(smaller.size())));
+}
+
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
 std::string caveatsOf(const std::vector<Run>& runs, const Findings& found) {
   const Site& site = found.site;
-  std::string text;
+  std::string text = scalesOf(found);
   if (!site.others.empty()) {
     std::vector<std::vector<std::string>> sites{namesOf(runs, site.members)};
     for (const auto& other : site.others) sites.push_back(namesOf(runs, other));

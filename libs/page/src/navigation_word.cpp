@@ -30,14 +30,16 @@ std::string wordFor(const RunScore& score) {
 }
 
 bool isBroken(const ComparedRun& run, const Comparison& comparison) {
-  return std::any_of(comparison.breaks.begin(), comparison.breaks.end(),
-                     [&](const MapBreak& tear) { return tear.run == run.name; });
+  return std::any_of(comparison.breaks.begin(), comparison.breaks.end(), [&](const MapBreak& tear) {
+    return tear.run == run.name && tear.kind() != BreakClass::slight;
+  });
 }
 
-/** Where the best run breaks: the best one without a break, of which something can be told. */
+/** Where the best run breaks: the best one without a break, of which all can be told. */
 std::string toDrive(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
-    if (comparison.certaintyOf(run) <= Certainty::likely && !isBroken(run, comparison))
+    if (comparison.certaintyOf(run) <= Certainty::likely && run.score->isBorneOut() &&
+        run.score->jitter < kSmeared && !isBroken(run, comparison))
       return " To drive: " + run.name + ", which has no break, and " + errorText(*run.score) +
              "; to measure: " + comparison.runs[0].name + ".";
   return "";
@@ -60,6 +62,11 @@ std::string navigationWord(const Comparison& comparison) {
            "not good enough. It breaks, and a robot that drives across a break is lost for a "
            "moment." +
            toDrive(comparison);
+  if (best.score->jitter >= kSmeared)
+    return start +
+           "not good enough. Its key frames lie off each on its own, which smears its walls.";
+  if (!best.score->isBorneOut())
+    return start + "cannot be told, too much of it is borne out by no other run.";
   return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";
 }
 

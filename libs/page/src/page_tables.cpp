@@ -103,6 +103,7 @@ class Tables {
       row.set("y", fixedText(tear.place.y, 1));
       row.set("turn", fixedText(tear.rotation * 180 / M_PI, 1));
       row.set("shift", fixedText(tear.shift, 2));
+      row.set("class", nameOf(tear.kind()));
       row.set("frame", tear.keyFrame ? std::to_string(*tear.keyFrame) : "–");
       row.set("time", tear.time ? timeText(*tear.time) : "–");
       return row;

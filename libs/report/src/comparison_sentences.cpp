@@ -31,7 +31,12 @@ std::string unsureText(double confidence) {
 
 std::string breaksSentence(const Comparison& comparison) {
   std::map<std::string, std::size_t> breaks;
-  for (const MapBreak& one : comparison.breaks) ++breaks[one.run];
+  std::size_t slight = 0;
+  for (const MapBreak& one : comparison.breaks)
+    if (one.kind() == BreakClass::slight)
+      ++slight;
+    else
+      ++breaks[one.run];
   std::vector<std::string> names;
   for (const ComparedRun& run : comparison.runs)
     if (breaks.count(run.name)) {
@@ -40,9 +45,10 @@ std::string breaksSentence(const Comparison& comparison) {
       if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
       names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
     }
-  if (names.empty()) return "";
+  const std::string more = counted(slight, "slight break is", "slight breaks are") + " listed";
+  if (names.empty()) return slight > 0 ? "No map breaks; " + more + "." : "";
   return counted(names.size(), "map breaks", "maps break") + ": " + listed(names, kMostNames) +
-         "." + largestBreak(comparison);
+         "." + largestBreak(comparison) + (slight > 0 ? " " + more + ", too." : "");
 }
 
 std::string doubtSentence(const Comparison& comparison) {

@@ -63,7 +63,14 @@ std::optional<RunScore> score(const JsonNode& node) {
   score.errorHigh = node["map_error_high"].number();
   score.share = node["shared_walls"].number();
   score.support = node["compared_walls"].number(), score.others = count(node["others"]);
-  score.trust = node["trust"].number(), score.isMeaningful = isTrue(node["meaningful"]);
+  score.trust = node["trust"].number();
+  // Files of an earlier version have none of these.
+  if (node.contains("confirmed")) score.confirmed = node["confirmed"].number();
+  if (node.contains("contradicted")) score.contradicted = node["contradicted"].number();
+  if (node.contains("jitter_m")) score.jitter = node["jitter_m"].number();
+  if (node.contains("scale")) score.scale = node["scale"].number();
+  if (node.contains("scale_disputed")) score.isScaleDisputed = isTrue(node["scale_disputed"]);
+  score.isMeaningful = isTrue(node["meaningful"]);
   return score;
 }
 

@@ -12,6 +12,26 @@ constexpr double kBreakShift = 0.4;
 /** The same for a jump that turns it [rad]. */
 constexpr double kBreakRotation = 0.035;
 
+/** A break that turns less, and shifts less than kBreakShift, is slight: what it moves in the sight
+ *  of a robot stays within what its localisation puts up with, and where maps bend it is hard to
+ *  tell from bends [rad]. */
+constexpr double kClearRotation = 0.087;
+/** One of more tears a map apart: no door fits any more, and no noise does it [m, rad]. */
+constexpr double kApartShift = 1.2, kApartRotation = 0.2094;
+
+/** What a robot that drives across a break feels of it. */
+enum class BreakClass {
+  slight,  ///< hardly anything
+  clear,   ///< its scan no longer fits the map
+  apart    ///< it is in another place
+};
+
+/** As all files and lines write it. */
+[[nodiscard]] inline const char* nameOf(BreakClass kind) {
+  if (kind == BreakClass::apart) return "apart";
+  return kind == BreakClass::clear ? "clear" : "slight";
+}
+
 /** How far from a break is looked, to tell how much it moves [m]. */
 constexpr double kBreakLever = 10;
 
@@ -38,6 +58,11 @@ struct MapBreak {
 
   /** By how much it moves what lies kBreakLever behind it, at most [m]. */
   [[nodiscard]] double size() const { return std::abs(shift) + kBreakLever * std::abs(rotation); }
+  [[nodiscard]] BreakClass kind() const {
+    const double turn = std::abs(rotation), far = std::abs(shift);
+    if (turn >= kApartRotation || far >= kApartShift) return BreakClass::apart;
+    return turn >= kClearRotation || far >= kBreakShift ? BreakClass::clear : BreakClass::slight;
+  }
 };
 
 }  // namespace roomgraph

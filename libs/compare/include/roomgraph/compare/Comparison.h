@@ -28,10 +28,12 @@ enum class Certainty { sure, likely, doubtful, cannotTell };
 
 /** Where the robot was at a key frame, as the run's map has it. */
 struct PathPose {
-  std::size_t keyFrame = 0;     ///< its number in the file of the run, from 0
-  std::optional<double> time;   ///< of its scan [s since 1970]
-  Transform2D pose;             ///< site <- robot
-  std::optional<double> error;  ///< how far what it has drawn lies from the consensus, RMS [m]
+  std::size_t keyFrame = 0;    ///< its number in the file of the run, from 0
+  std::optional<double> time;  ///< of its scan [s since 1970]
+  Transform2D pose;            ///< site <- robot
+  /** How far what it has drawn lies from the consensus, RMS [m]; none where no other run bears
+   *  out where it lies. */
+  std::optional<double> error;
 };
 
 /** A run that could be placed. */
@@ -110,8 +112,8 @@ struct Comparison {
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
    *  shows less than kPartialCoverage of the site, where the others have less than kMostWalls of
-   *  its walls, or where the interval ends above twice its error and 0.1 m; else *sure*.
-   *  O(pairs). */
+   *  its walls or do not bear it out, where it is smeared or its scale disputed, or where the
+   *  interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */

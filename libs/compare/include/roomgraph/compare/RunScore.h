@@ -7,16 +7,33 @@ namespace roomgraph {
 constexpr double kScoreScale = 0.5;
 /** The least share of walls in common with another run, for a score that is meaningful. */
 constexpr double kLeastShare = 0.2;
+/** The least share of a map that other runs have to bear out, for a word on all of it. */
+constexpr double kLeastConfirmed = 0.7;
+/** A run whose key frames lie off each on its own by so much, RMS, is smeared: it breaks at each of
+ *  them [m]. */
+constexpr double kSmeared = 0.1;
 
 /** What the walls of one run say against those of the others. */
 struct RunScore {
   double share = 0;  ///< of the walls that the others have, too, each weighted by its trust
   double mapError = 0, errorLow = 0, errorHigh = 0;  ///< estimate of the true map error [m]
   double score = 100, low = 100, high = 100;         ///< 0 to 100, falls with the map error
-  double trust = 0;           ///< weight of this run in the consensus, the largest of all runs is 1
-  double support = 0;         ///< wall points that were compared
-  std::size_t others = 0;     ///< runs it was compared with
+  double trust = 0;        ///< weight of this run in the consensus, the largest of all runs is 1
+  double support = 0;      ///< wall points that were compared
+  std::size_t others = 0;  ///< runs it was compared with
+  /** Shares of what it has drawn: what another run bears out, and what others contradict without
+   *  knowing where it belongs. What is neither lies where no other run has been. */
+  double confirmed = 1, contradicted = 0;
+  double jitter = 0;  ///< RMS by which its key frames lie off each on its own, in mapError [m]
+  double scale = 1;   ///< how long it has drawn what the consensus has 1 m long
+  /** The runs fall into two sets of other scales, and which is right does not show. */
+  bool isScaleDisputed = false;
   bool isMeaningful = false;  ///< see scoreRuns
+
+  /** Whether others bear out so much that it can be spoken of as a whole. */
+  [[nodiscard]] bool isBorneOut() const {
+    return confirmed >= kLeastConfirmed && contradicted <= 0;
+  }
 };
 
 }  // namespace roomgraph

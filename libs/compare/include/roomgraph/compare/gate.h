@@ -24,9 +24,10 @@ struct GateOptions {
   std::optional<double> maxError;
   /** The same: at most so much more than the best of the other runs, see recordError [m]. */
   std::optional<double> maxWorse;
-  bool failsOnCoverage = false;    ///< a run has seen less than kPartialCoverage
-  bool failsOnBreaks = false;      ///< a run has a break
-  bool failsOnOtherSites = false;  ///< a run is of another site
+  bool failsOnCoverage = false;     ///< a run has seen less than kPartialCoverage
+  bool failsOnBreaks = false;       ///< a run has a break that is not slight
+  bool failsOnUnconfirmed = false;  ///< too much of a run is borne out by no other, see isBorneOut
+  bool failsOnOtherSites = false;   ///< a run is of another site
   /** More than kMostMissing of the walls that others have are gone from a run, more than kMostAdded
    *  of its own are in no other, or they are so much thinner or thicker, see kMostThinned. */
   bool failsOnWalls = false;
@@ -36,7 +37,7 @@ struct GateOptions {
 
   [[nodiscard]] bool asksNothing() const {
     return !minScore && !maxError && !maxWorse && !failsOnCoverage && !failsOnBreaks &&
-           !failsOnOtherSites && !failsOnWalls && candidates.empty();
+           !failsOnUnconfirmed && !failsOnOtherSites && !failsOnWalls && candidates.empty();
   }
 };
 
