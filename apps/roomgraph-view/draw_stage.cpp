@@ -98,6 +98,8 @@ const TopologyGraph* graphAt(const Stages& stages, ShownStage stage) {
       return &stages.cut;
     case ShownStage::cleaned:
       return &stages.cleaned;
+    case ShownStage::doors:
+      return &stages.doors;
     case ShownStage::result:
       return &stages.result.graph;
     default:

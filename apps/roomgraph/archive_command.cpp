@@ -76,8 +76,8 @@ void declareReport(ArchiveArguments& arguments, CLI::App& app) {
                "Exit with 3 if the maps of a robot get worse, or tell nothing of the site two "
                "nights in a row, with a line on stderr for each.");
   app.add_flag("--fail-on-latest", arguments.failsOnLatest,
-               "Exit with 3 if the latest map of a robot may not be rolled out, or nothing tells "
-               "yet whether it may, with a line on stderr for each.");
+               "Exit with 3 if the latest map of a robot may not be rolled out, with a line on "
+               "stderr for each.");
 }
 
 void declareExport(ArchiveArguments& arguments, CLI::App& app) {
@@ -177,7 +177,7 @@ bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& a
   for (const WatchedSite& site : sites)
     for (const RobotWatch& robot : site.watch.robots) {
       const bool isAlarm = arguments.failsOnAlarm && robot.isAlarm();
-      const bool isKept = arguments.failsOnLatest && robot.rollout != Rollout::yes;
+      const bool isKept = arguments.failsOnLatest && robot.rollout == Rollout::no;
       if (!isAlarm && !isKept) continue;
       const std::string text = (isKept ? robot.advice : "") + (isKept && isAlarm ? "; " : "") +
                                (isAlarm ? robot.sentence : "");

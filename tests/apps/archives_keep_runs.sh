@@ -1,9 +1,9 @@
 # `roomgraph archive` keeps each run once, whatever happens, and says what it knows.
 . "$(dirname "$0")/common.sh"
 
-# night N: the map of two rooms as night N has it: the same walls in another file.
+# night N: the map of two rooms as a drive of night N has drawn it.
 night() {
-  rooms room.pgm
+  rooms room.pgm 162 "$1"
   { printf 'P5\n# night %d\n' "$1"; tail -n +2 room.pgm; } > "night$1.pgm"
 }
 for n in $(seq 12); do night "$n"; done

@@ -25,14 +25,18 @@ one_line() {
   done
 }
 
-# rooms FILE [WIDTH]: a picture (PGM) of two rooms of 4 m each with a door, WIDTH cells wide or 162.
+# rooms FILE [WIDTH [DRIVE]]: a picture (PGM) of two rooms of 4 m each with a door, WIDTH cells wide or 162; a number of a
+# drive draws the walls as rough as that drive has found them.
 rooms() {
   local width=${2-162} height=82
   { printf 'P5\n%d %d\n255\n' "$width" "$height"
-    awk -v w="$width" -v h="$height" 'BEGIN {
+    awk -v w="$width" -v h="$height" -v drive="${3-}" 'BEGIN {
+      srand(drive)
+      for (i = 0; i < w + h; ++i) for (k = 0; k < 4; ++k) rough[i, k] = drive == "" ? 0 : int(4 * rand())
       for (y = 0; y < h; ++y) for (x = 0; x < w; ++x) {
-        outer = x < 2 || y < 2 || x >= w - 2 || y >= h - 2
-        middle = x >= 80 && x < 82 && !(y > 30 && y < 50)
+        outer = x < 2 + rough[y, 0] || y < 2 + rough[x, 1] ||
+          x >= w - 2 - rough[y, 2] || y >= h - 2 - rough[x, 3]
+        middle = x >= 80 - rough[h + y, 0] && x < 82 + rough[h + y, 1] && !(y > 30 && y < 50)
         printf "%s", outer || middle ? "#" : "~"
       } }' | tr '#~' '\000\377'
   } > "$1"

@@ -21,7 +21,7 @@ TEST(DrawStage, eachStageIsDrawnAndCounted) {
   }
   EXPECT_EQ(lines.size(), 16u);
   EXPECT_EQ(stageLine(*view.stages, 9),
-            "stage 10 of 15 (III-B): rooms, the inner polygons of the alpha shape; 2 rooms");
+            "stage 10 of 16 (III-B): rooms, the inner polygons of the alpha shape; 2 rooms");
 }
 
 }  // namespace

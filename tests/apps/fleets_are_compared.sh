@@ -5,12 +5,12 @@
 share=$source_dir/share/roomgraph
 command -v parallel > /dev/null || { echo "skipped: there is no GNU parallel"; exit 77; }
 
-# Forty sites of three runs each: the same two rooms in different files, another width for each site.
+# Forty sites of three runs each: two rooms as three drives have drawn them, another width for each site.
 mkdir maps bin
 echo site,file,robot,time > list.csv
 for site in $(seq 40); do
-  rooms room.pgm $((160 + site))
   for night in 1 2 3; do
+    rooms room.pgm $((160 + site)) "$site$night"
     { printf 'P5\n# site %d night %d\n' "$site" "$night"; tail -n +2 room.pgm; } \
       > "maps/s$site-$night.pgm"
     echo "site$site,maps/s$site-$night.pgm,anna,2026-11-0$night" >> list.csv
@@ -43,7 +43,7 @@ expect 1 "$roomgraph" collect serial --archive serial.db
 runs serial.db | cmp - serial.runs
 
 # The next night: one new run is one task, for its site alone, and the map that was mended another.
-{ printf 'P5\n# site 3 night 4\n'; rooms room.pgm 163; tail -n +2 room.pgm; } > maps/s3-4.pgm
+{ printf 'P5\n# site 3 night 4\n'; rooms room.pgm 163 34; tail -n +2 room.pgm; } > maps/s3-4.pgm
 echo "site3,maps/s3-4.pgm,anna,2026-11-04" >> list.csv
 expect 0 "$roomgraph" plan list.csv --archive serial.db -o second --resolution 0.05
 grep -qx '2 tasks for 2 new runs (of 121 listed)' out || { cat out; fail "another plan"; }
@@ -61,7 +61,7 @@ PATH=$PWD/bin:$PATH
 # name comes back each night until the file is there or off the list.
 head -n 4 list.csv > short.csv
 for night in 4 5; do
-  { printf 'P5\n# site 1 night %d\n' $night; rooms room.pgm 161; tail -n +2 room.pgm; } > maps/s1-$night.pgm
+  { printf 'P5\n# site 1 night %d\n' $night; rooms room.pgm 161 "1$night"; tail -n +2 room.pgm; } > maps/s1-$night.pgm
   echo "site1,maps/s1-$night.pgm,anna,2026-11-0$night" >> short.csv
 done
 echo site1,maps/none.pgm,anna,2026-11-06 >> short.csv

@@ -57,8 +57,8 @@ assert abs(found["rotation_deg"] - number("office_run4", "break_deg")) < 1, foun
 assert found["shift_m"] < 0.25, found
 P
 
-# A gate stops the broken one, and lets the two best pass.
-expect 3 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o gate --fail-on broken
-one_line err office_run4 'breaks at key frame'
+# A break of less than five degrees is told, and fails no gate; the limits of errors and scores do.
+expect 0 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o gate --fail-on broken
+grep -q '1 slight break is listed' out || { cat out; fail "the slight break is not told"; }
 expect 3 "$roomgraph" compare "$maps"/office_run?.simplemap.gz -o gate --fail-below 30
 one_line err office_run3 'below 30'

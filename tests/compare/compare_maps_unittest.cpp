@@ -15,7 +15,7 @@ TEST(CompareMaps, whatWasUsedCanBeSetAgain) {
   table.set("site_breaks", "min_shift", "0.7");
   table.set("site_breaks", "min_rotation", "0.1");
   table.set("compare", "aligned", "true");
-  table.set("keep_clear", "min_clearance", "0.3");
+  table.set("join_doors", "max_depth", "0.3");
   Comparison comparison;
   comparison.options = usedOptions(options);
 

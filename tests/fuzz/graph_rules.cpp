@@ -65,9 +65,18 @@ class Rules {
     for (const VertexId v : room.borderVertices) {
       expect(graph_.vertex(v).kind == VertexKind::border, "room lists what borders nothing", r);
       const double off = distanceToRings(graph_.vertex(v).at, room.shape.polygon);
-      expect(off <= near_, "border vertex lies " + std::to_string(off) + " m off its room",
+      const double most =
+          s_.roomRadius > 0 && isDoorOfTwo(v) ? s_.options.joinDoors.maxDepth / 2 : 0;
+      expect(off <= most + near_, "border vertex lies " + std::to_string(off) + " m off its room",
              v.index());
     }
+  }
+
+  bool isDoorOfTwo(VertexId v) const {
+    const auto& rooms = s_.result.rooms;
+    return std::count_if(rooms.begin(), rooms.end(), [&](const GraphRoom& room) {
+             return std::binary_search(room.borderVertices.begin(), room.borderVertices.end(), v);
+           }) == 2;
   }
 
   const Stages& s_;

@@ -254,7 +254,7 @@ def breaks_and_marks_belong_together(browser):
           "row and mark of a break are not chosen together")
     check(browser.value("document.querySelectorAll('.leaflet-poses-pane path[stroke=\"#00825a\"]')"
                         ".length") == 1, "the torn piece is not shown where it belongs")
-    check(browser.value("document.querySelector('#break-0').cells[5].textContent") == "12",
+    check(browser.value("document.querySelector('#break-0').cells[6].textContent") == "12",
           "the key frame is not told")
     check(browser.value("document.querySelector('.break-card b').textContent") ==
           browser.value("document.querySelector('#break-0').cells[0].textContent").strip(),
@@ -396,7 +396,7 @@ def figures_and_tables_are_saved(browser, folder):
         xml.etree.ElementTree.parse(saved / name)
     with open(saved / "breaks.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
-    check(rows[0][:2] == ["Run", "x [m]"] and len(rows) == 3 and rows[1][5] == "12",
+    check(rows[0][:2] == ["Run", "x [m]"] and len(rows) == 3 and rows[1][6] == "12",
           f"breaks.csv holds {rows}")
     check(len({len(row) for row in rows}) == 1, "the rows of breaks.csv differ in length")
 

@@ -192,7 +192,8 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
       "binarize",        "obstacle_cells", "voronoi_graph",   "keep_inside",    "clear_clutter",
       "region_outlines", "drop_half_seen", "keep_clear",      "topology_graph", "dead_ends",
       "pass_clutter",    "join_vertices",  "keep_largest",    "trace_rooms",    "border_vertices",
-      "cut_paths",       "room_ids",       "short_dead_ends", "room_graph",     "area_graph"};
+      "cut_paths",       "room_ids",       "short_dead_ends", "join_doors",     "room_graph",
+      "area_graph"};
   EXPECT_EQ(names, expected);
   EXPECT_EQ(stages.stretches.size(), stages.largest.edges().size());
   EXPECT_EQ(stages.isInside.size(), stages.voronoi.vertices.size());

@@ -25,6 +25,7 @@ class PromiseChecker {
     check("largest", s_.largest);
     check("cut", s_.cut);
     check("cleaned", s_.cleaned);
+    check("doors", s_.doors);
     check("result", s_.result.graph);
     checkComponents();
     checkRooms();
@@ -91,7 +92,7 @@ class PromiseChecker {
     if (componentCount(s_.joinedUp) != count) tell("joining changed the connected parts");
     const std::size_t kept = componentCount(s_.largest);
     if (!s_.options.keepLargest.allComponents && kept > 1) tell("more than the largest part kept");
-    for (const auto* graph : {&s_.cut, &s_.cleaned})
+    for (const auto* graph : {&s_.cut, &s_.cleaned, &s_.doors})
       if (componentCount(*graph) != kept) tell("cutting rooms changed the connected parts");
     if (componentCount(s_.result.graph) > kept) tell("the result has more parts than the graph");
   }
@@ -133,7 +134,8 @@ class PromiseChecker {
     };
     visit(room.shape.polygon.outer);
     for (const Ring& hole : room.shape.polygon.holes) visit(hole);
-    if (nearest > 1e-6)
+    const double most = s_.roomRadius > 0 ? s_.options.joinDoors.maxDepth / 2 : 0;
+    if (nearest > most + 1e-6)
       tell("border vertex is " + std::to_string(nearest) + " m off its room" + textOf(border.at));
   }
 

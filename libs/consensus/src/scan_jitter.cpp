@@ -78,8 +78,11 @@ double scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transfo
 
 void addJitter(Consensus& consensus, const Site& site) {
   for (const RunId run : consensus.graph.runs.ids()) {
-    const std::vector<ScanWalls>& scans = site.runs[consensus.siteRuns[run]]->scans;
+    std::vector<ScanWalls> scans = site.runs[consensus.siteRuns[run]]->scans;
     if (run == consensus.graph.reference || scans.empty()) continue;
+    MapError& error = consensus.errors[run];
+    for (std::size_t k = 0; k < scans.size(); ++k)
+      if (!error.isSeen[k]) scans[k].walls.clear();  // where nobody found it, it may lie anywhere
     std::vector<Transform2D> carries;
     for (const NodeId node : consensus.graph.runs[run].nodes)
       carries.push_back(consensus.poses[node] * consensus.graph.nodes[node].pose.inverse());
@@ -87,7 +90,6 @@ void addJitter(Consensus& consensus, const Site& site) {
     const double jitter = std::min(scanJitter(scans, asDrawn), scanJitter(scans, carries));
     if (jitter <= fitted::kUsualJitter) continue;
     const double more = std::sqrt(jitter * jitter - fitted::kUsualJitter * fitted::kUsualJitter);
-    MapError& error = consensus.errors[run];
     error.jitter = jitter;
     error.error = std::hypot(error.error, more);
     error.low = std::hypot(error.low, more / fitted::kJitterFactor);

@@ -154,6 +154,7 @@ std::vector<Picture> pictures(const Stages& s) {
       borderPicture(s),
       graphPicture(s.cut, &s.rooms),
       graphPicture(s.cleaned, &s.rooms),
+      graphPicture(s.doors, &s.rooms),
       resultPicture(s),
       areasPicture(s),
   };

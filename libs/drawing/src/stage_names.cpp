@@ -17,6 +17,7 @@ const std::vector<StageName>& stageNames() {
       {"border_vertices", "III-C", "where paths cross the rooms' polygons"},
       {"cut", "III-D, III-E", "paths cut at the border vertices, with room ids"},
       {"cleaned", "III-F", "without short dead ends at rooms"},
+      {"doors", "ours", "doors between two rooms joined to one vertex"},
       {"result", "III-G", "the room graph"},
       {"areas", "ours", "rooms, pieces of corridor and passages"}};
   return names;

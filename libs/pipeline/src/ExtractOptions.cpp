@@ -20,6 +20,7 @@ ExtractOptions paperPreset() {
   options.clearClutter.maxSize = 0;
   options.findRooms.alphaPx2 = 250;
   options.shortDeadEnds.minLengthPx = 20;
+  options.joinDoors.maxDepth = 0;
   options.roomGraph.straightEdges = true;
   return options;
 }
@@ -40,6 +41,7 @@ FieldTable describe(ExtractOptions& options) {
   describe(options.findRooms, table);
   describe(options.splitAtDoors, table);
   describe(options.shortDeadEnds, table);
+  describe(options.joinDoors, table);
   describe(options.roomGraph, table);
   return table;
 }

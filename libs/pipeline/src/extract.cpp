@@ -117,7 +117,9 @@ Stages extracted(Stages s, const std::function<Grid()>& cells, Diagram diagram) 
   step("cut_paths").cut = cutPaths(s.largest, s.stretches);
   step("room_ids").cut = roomIds(std::move(s.cut), s.rooms, minLength);
   step("short_dead_ends").cleaned = removeShortDeadEnds(s.cut, minLength);
-  step("room_graph").result = roomGraph(s.cleaned, s.rooms, ObstacleRows(s.obstacles), s.clearance,
+  // Rooms that are split at their doors share these; those of a disc leave a gap in each.
+  step("join_doors").doors = s.roomRadius > 0 ? joinDoors(s.cleaned, options.joinDoors) : s.cleaned;
+  step("room_graph").result = roomGraph(s.doors, s.rooms, ObstacleRows(s.obstacles), s.clearance,
                                         options.roomGraph, s.notes);
   step("area_graph").areas = areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
   for (Note& note : extractionNotes(s)) s.notes.push_back(std::move(note));

@@ -20,6 +20,7 @@ enum class ShownStage {
   borderVertices,
   cut,
   cleaned,
+  doors,
   result,
   areas
 };

@@ -7,6 +7,7 @@
 #include "roomgraph/grid/clear_clutter.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/rooms/find_rooms.h"
+#include "roomgraph/rooms/join_doors.h"
 #include "roomgraph/rooms/room_graph.h"
 #include "roomgraph/rooms/short_dead_ends.h"
 #include "roomgraph/rooms/split_at_doors.h"
@@ -32,6 +33,7 @@ struct ExtractOptions {
   FindRoomsOptions findRooms;          ///< III-B
   SplitAtDoorsOptions splitAtDoors;    ///< instead of III-B
   ShortDeadEndsOptions shortDeadEnds;  ///< III-F
+  JoinDoorsOptions joinDoors;          ///< after III-F
   RoomGraphOptions roomGraph;          ///< III-G
 };
 

@@ -44,6 +44,7 @@ struct Stages {
   PathStretches stretches;  ///< III-C, per edge of `largest`
   TopologyGraph cut;        ///< III-D and E: paths cut, room ids set
   TopologyGraph cleaned;    ///< III-F: without short dead ends
+  TopologyGraph doors;      ///< with doors between rooms joined to one vertex
   RoomGraph result;         ///< III-G
   AreaGraph areas;          ///< all that the graph reaches, in rooms and corridors
   Notes notes;              ///< of all steps
