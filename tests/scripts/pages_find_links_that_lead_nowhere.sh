@@ -2,7 +2,7 @@
 set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-cp -r "$1/scripts" "$1/docs" "$1/apps" "$1/libs" "$1/benchmarks" "$1/share" "$1/examples" "$1"/*.md \
+cp -r "$1/scripts" "$1/docs" "$1/apps" "$1/libs" "$1/benchmarks" "$1/share" "$1/examples" "$1"/*.md "$1"/action.yml \
   "$1/LICENSE" "$1/CITATION.cff" "$work"
 cd "$work"
 

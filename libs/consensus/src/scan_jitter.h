@@ -26,8 +26,8 @@ double scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transfo
  *  are small against what a link allows, and no match is sure to a few centimetres, so they are
  *  left where they are. Of the run as it is drawn and as the consensus has it the smaller jitter
  *  counts, as far as it is more than what the scans of sound runs show; scans that were found in no
- *  other run say nothing. Nothing changes for a
- *  reference, nor for runs without scans. Cost: that of scanJitter for each run. */
+ *  other run say nothing. Nothing changes for a reference, nor for runs without scans. Cost: that
+ *  of scanJitter for each run. */
 void addJitter(Consensus& consensus, const Site& site);
 
 }  // namespace roomgraph
