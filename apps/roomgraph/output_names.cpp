@@ -64,7 +64,7 @@ bool isForeignMap(const std::string& file) {
 std::string foreignMapOf(const std::string& file) {
   if (isForeignMap(file)) return file;
   for (const char* extension : {".yaml", ".yml"}) {
-    const std::string yaml = fs::path(file).replace_extension(extension).string();
+    std::string yaml = fs::path(file).replace_extension(extension).string();
     if (isForeignMap(yaml) && areSameFile(pictureOf(yaml), file)) return yaml;
   }
   return {};
