@@ -63,19 +63,22 @@ std::vector<MeasureRow> wallRows() {
        {},
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return meanWallDistanceOfPair(all.distances, a, b);
-       }},
-      wallDistance({"wall_distance", "Wall distance, median", "m", kFewestWalls,
-                    "Median distance of its walls to those of the others."},
-                   0.5),
-      wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls,
-                    "90th percentile of the same distances."},
-                   0.9),
-      ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls,
-                   "Of the walls that two others have, the share where it shows free space."},
-                  wallsMissingOf),
-      ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
-                   "Share of its walls where the others show free space."},
-                  wallsAddedOf)};
+       }}};
+}
+
+std::vector<MeasureRow> wallPlaceRows() {
+  return {wallDistance({"wall_distance", "Wall distance, median", "m", kFewestWalls,
+                        "Median distance of its walls to those of the others."},
+                       0.5),
+          wallDistance({"wall_distance_p90", "Wall distance, 9 of 10 below", "m", kFewestWalls,
+                        "90th percentile of the same distances."},
+                       0.9),
+          ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls,
+                       "Of the walls that two others have, the share where it shows free space."},
+                      wallsMissingOf),
+          ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
+                       "Share of its walls where the others show free space."},
+                      wallsAddedOf)};
 }
 
 std::vector<MeasureRow> roomRows() {
@@ -182,7 +185,7 @@ std::vector<MeasureRow> mapRows() {
 const std::vector<MeasureRow>& measureTable() {
   static const std::vector<MeasureRow> table = [] {
     std::vector<MeasureRow> rows;
-    for (const auto& some : {wallRows(), roomRows(), graphRows(), mapRows()})
+    for (const auto& some : {wallRows(), wallPlaceRows(), roomRows(), graphRows(), mapRows()})
       rows.insert(rows.end(), some.begin(), some.end());
     return rows;
   }();
