@@ -1,7 +1,10 @@
 #include "roomgraph/compare/Comparison.h"
 
 #include <algorithm>
-#include <set>
+#include <cstdint>
+#include <map>
+
+#include "roomgraph/base/UnionFind.h"
 
 namespace roomgraph {
 namespace {
@@ -11,20 +14,18 @@ using Names = std::vector<std::string>;
 /** The runs in sets that pairs join, each run's name among those of one set. */
 template <class IsJoined>
 std::vector<Names> setsOf(const std::vector<ComparedPair>& pairs, const IsJoined& isJoined) {
-  std::vector<std::set<std::string>> sets;
-  for (const ComparedPair& pair : pairs) {
-    if (!isJoined(pair)) continue;
-    std::set<std::string> joined{pair.a, pair.b};
-    const auto isPart = [&](const std::set<std::string>& set) {
-      if (set.count(pair.a) + set.count(pair.b) == 0) return false;
-      joined.insert(set.begin(), set.end());
-      return true;
-    };
-    sets.erase(std::remove_if(sets.begin(), sets.end(), isPart), sets.end());
-    sets.push_back(std::move(joined));
-  }
+  std::map<std::string, std::uint32_t> places;
+  for (const ComparedPair& pair : pairs)
+    if (isJoined(pair)) places[pair.a], places[pair.b];
+  std::uint32_t count = 0;
+  for (auto& [name, place] : places) place = count++;
+  UnionFind groups(count);
+  for (const ComparedPair& pair : pairs)
+    if (isJoined(pair)) groups.join(places[pair.a], places[pair.b]);
+  std::map<std::uint32_t, Names> sets;
+  for (const auto& [name, place] : places) sets[groups.find(place)].push_back(name);
   std::vector<Names> names;
-  for (const auto& set : sets) names.emplace_back(set.begin(), set.end());
+  for (auto& [group, set] : sets) names.push_back(std::move(set));
   std::sort(names.begin(), names.end());
   return names;
 }
