@@ -3,13 +3,12 @@
 #include <set>
 
 #include "file_word.h"
-#include "output_names.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/graph_files/maps_viewer.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
+#include "stage_result.h"
 
 namespace roomgraph {
 namespace {
@@ -27,12 +26,7 @@ std::vector<std::string> addSiteMaps(const Comparison& comparison, const Extract
                                      const std::filesystem::path& folder, StagedFiles& staged) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back((folder / name).string());
-    for (const ComparedRun& run : comparison.runs)
-      if (areSameFile(names.back(), run.file))
-        throw UsageError(names.back() + ": would replace a map: choose another folder with " +
-                         "--output");
-    staged.add(names.back(), bytes);
+    names.push_back(stageResult(comparison, folder, name, bytes, staged));
   };
   std::set<std::string> taken;
   std::vector<SessionMap> session;

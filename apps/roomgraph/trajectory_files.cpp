@@ -3,9 +3,8 @@
 #include <set>
 
 #include "file_word.h"
-#include "output_names.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/report/evo_files.h"
+#include "stage_result.h"
 
 namespace roomgraph {
 
@@ -13,13 +12,7 @@ std::vector<std::string> addTrajectories(const Comparison& comparison,
                                          const std::filesystem::path& folder, StagedFiles& staged) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name, const std::string& bytes) {
-    if (bytes.empty()) return;
-    names.push_back((folder / name).string());
-    for (const ComparedRun& run : comparison.runs)
-      if (areSameFile(names.back(), run.file))
-        throw UsageError(names.back() + ": would replace a map: choose another folder with " +
-                         "--output");
-    staged.add(names.back(), bytes);
+    if (!bytes.empty()) names.push_back(stageResult(comparison, folder, name, bytes, staged));
   };
   std::set<std::string> taken;
   for (const ComparedRun& run : comparison.runs) {
