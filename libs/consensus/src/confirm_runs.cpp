@@ -13,9 +13,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLeastWalls = 10;  // of a scan that can be told from others
-constexpr double kLeastKnown = 0.5;      // of its walls, where a place counts as known
-constexpr double kAbout = 0.3;           // how near a wall must lie where maps bend [m]
+constexpr double kAbout = 0.3;  // how near a wall must lie where maps bend [m]
 
 /** What the others know of the places of one run's scans. */
 class OtherRuns {
@@ -29,13 +27,13 @@ class OtherRuns {
   /** Whether one of them knows the place of a scan, and none that does has what the scan shows. */
   bool contradict(std::size_t k) const {
     const ScanWalls& scan = site_.runs[run_]->scans[k];
-    if (scan.walls.size() < kLeastWalls) return false;
+    if (scan.walls.size() < fitted::kLeastWalls) return false;
     bool isKnown = false;
     for (const std::size_t j : others_) {
       const WallShare share = wallShare(
           scan.walls.size(), [&](std::size_t w) -> const WallPoint& { return scan.walls[w]; },
           site_.mapOf(j), poseIn(j, k) * scan.pose.inverse(), kAbout);
-      if (share.known <= kLeastKnown * share.all) continue;
+      if (share.known <= fitted::kLeastKnown * share.all) continue;
       if (share.ofKnown() >= fitted::kLeastQuality) return false;
       isKnown = true;
     }

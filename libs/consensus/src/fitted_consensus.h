@@ -49,6 +49,8 @@ constexpr double kCountedLinks = 0.9;  // share of the links that count, those t
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
 constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
 constexpr double kLostBy = 1;  // what a lost scan counts as; about as far as it is looked for [m]
+constexpr std::size_t kLeastWalls = 10;  // of a scan that can be told from others
+constexpr double kLeastKnown = 0.5;      // of its walls, where a place counts as known
 constexpr long kLeastKnowing = 3;       // runs that know its place; in fewer, furniture may hide it
 constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass
 constexpr double kUsualJitter = 0.05;   // of scans of a sound run, by what their walls scatter [m]

@@ -8,16 +8,13 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLeastWalls = 10;  // of a scan that can be told from others
-constexpr double kLeastKnown = 0.5;      // of its walls, where a place counts as known
-
 /** Whether a map knows the place of most walls of a scan. */
 bool knows(const WallMap& map, const ScanWalls& scan, const Transform2D& pose) {
   const auto known = std::count_if(scan.walls.begin(), scan.walls.end(),
                                    [&, forth = Motion2D(pose)](const WallPoint& wall) {
                                      return hasSeen(map, cellIndexAt(map.frame, forth(wall.place)));
                                    });
-  return double(known) > kLeastKnown * double(scan.walls.size());
+  return double(known) > fitted::kLeastKnown * double(scan.walls.size());
 }
 
 /** Leaves only stretches that are long enough. */
@@ -41,7 +38,7 @@ ById<RunId, std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs
     std::vector<bool>& isLost = lost[lost.add(std::vector<bool>(scans.size()))];
     if (run == consensus.graph.reference) continue;
     for (std::size_t k = 0; k < scans.size(); ++k) {
-      if (consensus.errors[run].isSeen[k] || scans[k].walls.size() < kLeastWalls) continue;
+      if (consensus.errors[run].isSeen[k] || scans[k].walls.size() < fitted::kLeastWalls) continue;
       const NodeId node = consensus.graph.runs[run].nodes[k];
       const Transform2D there = consensus.poses[node] * scans[k].pose.inverse();
       const auto& others = pairs.othersOf(i);
