@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <thread>
 
 #include "roomgraph/base/Error.h"
@@ -48,16 +49,25 @@ TEST(Schema, aLaterArchiveAndOtherDatabasesAreRefused) {
 
 TEST(Schema, severalThreadsMakeOneArchive) {
   const test::Folder folder;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 6; ++i)
-    threads.emplace_back([&] {
-      Database database(folder.file("a.db"), true);
-      database.tryRun("PRAGMA journal_mode = WAL");
-      migrate(database, schemaSteps());
-    });
-  for (std::thread& thread : threads) thread.join();
-  Database database(folder.file("a.db"), false);
-  EXPECT_EQ(database.number("PRAGMA user_version"), std::int64_t(schemaSteps().size()));
+  for (int round = 0; round < 10; ++round) {
+    const std::string file = folder.file(std::to_string(round) + ".db");
+    std::atomic<int> failures{0};
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 6; ++i)
+      threads.emplace_back([&] {
+        try {
+          Database database(file, true);
+          database.tryRun("PRAGMA journal_mode = WAL");
+          migrate(database, schemaSteps());
+        } catch (const DataError&) {
+          ++failures;
+        }
+      });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(failures, 0);
+    Database database(file, false);
+    EXPECT_EQ(database.number("PRAGMA user_version"), std::int64_t(schemaSteps().size()));
+  }
 }
 
 }  // namespace
