@@ -6,7 +6,7 @@
 #include "Command.h"
 #include "graph_of_map.h"
 #include "option_arguments.h"
-#include "roomgraph/areas/find_route.h"
+#include "roomgraph/rooms/find_route.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "terminal.h"

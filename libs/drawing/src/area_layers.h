@@ -1,6 +1,6 @@
 #pragma once
 #include "Scene.h"
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/grid/clear_clutter.h"
 
 namespace roomgraph {

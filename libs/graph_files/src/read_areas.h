@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/geometry/point_json.h"
 
 namespace roomgraph {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/relate/Site.h"

@@ -6,8 +6,8 @@
 
 #include "StepTimer.h"
 #include "extraction_notes.h"
-#include "roomgraph/areas/area_graph.h"
-#include "roomgraph/areas/drop_half_seen.h"
+#include "roomgraph/rooms/area_graph.h"
+#include "roomgraph/rooms/drop_half_seen.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
 #include "roomgraph/rooms/cut_paths.h"

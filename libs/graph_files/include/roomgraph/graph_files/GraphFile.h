@@ -4,7 +4,7 @@
 #include <variant>
 #include <vector>
 
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/pipeline/Stages.h"
 #include "roomgraph/rooms/RoomGraph.h"

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/grid/GridFrame.h"
 
 namespace roomgraph {

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/areas/AreaGraph.h"
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/AreaGraph.h"
+#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/Grid.h"

@@ -4,7 +4,7 @@
 
 #include "roomgraph/align/WallMap.h"
 #include "roomgraph/align/scan_walls.h"
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {

@@ -1,4 +1,4 @@
-#include "roomgraph/areas/find_route.h"
+#include "roomgraph/rooms/find_route.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "roomgraph/areas/drop_half_seen.h"
+#include "roomgraph/rooms/drop_half_seen.h"
 
 #include "roomgraph/rooms/RoomIndex.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/voronoi/keep_inside.h"
 
 namespace roomgraph {

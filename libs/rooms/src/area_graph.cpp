@@ -1,4 +1,4 @@
-#include "roomgraph/areas/area_graph.h"
+#include "roomgraph/rooms/area_graph.h"
 
 #include <algorithm>
 #include <tuple>

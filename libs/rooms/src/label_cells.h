@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/areas/AreaGraph.h"
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/AreaGraph.h"
+#include "roomgraph/rooms/region_outlines.h"
 
 namespace roomgraph {
 

@@ -1,4 +1,4 @@
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/region_outlines.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/areas/AreaGraph.h"
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/AreaGraph.h"
+#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/rooms/RoomGraph.h"
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/areas/AreaGraph.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/areas/region_outlines.h"
+#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {
