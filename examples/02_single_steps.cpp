@@ -5,7 +5,7 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/topology/topology_graph.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 using namespace roomgraph;  // NOLINT: a program, not a library
 

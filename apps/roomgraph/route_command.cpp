@@ -6,9 +6,9 @@
 #include "Command.h"
 #include "graph_of_map.h"
 #include "option_arguments.h"
-#include "roomgraph/rooms/find_route.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/rooms/find_route.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -5,8 +5,8 @@
 #include "Command.h"
 #include "graph_of_map.h"
 #include "option_arguments.h"
-#include "roomgraph/rooms/find_route.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/rooms/find_route.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -13,7 +13,7 @@
 #include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/rooms/find_rooms.h"
 #include "roomgraph/rooms/trace_rooms.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {

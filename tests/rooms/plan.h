@@ -5,8 +5,8 @@
 #include "MapText.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/rooms/find_rooms.h"
-#include "roomgraph/voronoi/keep_inside.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/keep_inside.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 

@@ -12,7 +12,7 @@
 #include "roomgraph/grid/clear_clutter.h"
 #include "roomgraph/grid/thin_obstacles.h"
 #include "roomgraph/topology/topology_graph.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {

@@ -87,8 +87,7 @@ bool isArchive(Database& database) {
   // Asked first: between the two questions another program may make it an archive.
   const bool isEmpty = database.number("SELECT count(*) FROM sqlite_schema") == 0;
   if (database.number("PRAGMA application_id") == kArchive) return true;
-  if (!isEmpty)
-    refuse(database.file(), "is a database of another program", "name an archive");
+  if (!isEmpty) refuse(database.file(), "is a database of another program", "name an archive");
   return false;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "Scene.h"
-#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/grid/clear_clutter.h"
+#include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 

@@ -4,7 +4,7 @@
 #include "Scene.h"
 #include "roomgraph/grid/obstacle_cells.h"
 #include "roomgraph/rooms/RoomGraph.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

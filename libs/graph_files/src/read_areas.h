@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/geometry/point_json.h"
+#include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 

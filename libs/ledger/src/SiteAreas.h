@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/relate/Site.h"
+#include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 

@@ -6,16 +6,16 @@
 
 #include "StepTimer.h"
 #include "extraction_notes.h"
-#include "roomgraph/rooms/area_graph.h"
-#include "roomgraph/rooms/drop_half_seen.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
+#include "roomgraph/rooms/area_graph.h"
 #include "roomgraph/rooms/cut_paths.h"
+#include "roomgraph/rooms/drop_half_seen.h"
 #include "roomgraph/rooms/room_ids.h"
 #include "roomgraph/topology/pass_clutter.h"
 #include "roomgraph/topology/topology_graph.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
-#include "roomgraph/voronoi/voronoi_without.h"
+#include "roomgraph/topology/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_without.h"
 
 namespace roomgraph {
 namespace {

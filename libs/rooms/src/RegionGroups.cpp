@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "roomgraph/geometry/Polyline.h"
-#include "roomgraph/voronoi/face_areas.h"
+#include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
 namespace {

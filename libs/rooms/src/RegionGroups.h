@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/VoronoiGraph.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

@@ -4,7 +4,7 @@
 
 #include "number_regions.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/voronoi/face_areas.h"
+#include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
 

@@ -4,7 +4,7 @@
 
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/rooms/Regions.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

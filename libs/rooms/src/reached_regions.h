@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/rooms/RoomGraph.h"
+#include "roomgraph/rooms/region_outlines.h"
 
 namespace roomgraph {
 

@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/pipeline/Stages.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/grid/GridFrame.h"
+#include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 

@@ -13,9 +13,9 @@
 #include "roomgraph/rooms/split_at_doors.h"
 #include "roomgraph/topology/dead_ends.h"
 #include "roomgraph/topology/join_vertices.h"
+#include "roomgraph/topology/keep_clear.h"
+#include "roomgraph/topology/keep_inside.h"
 #include "roomgraph/topology/keep_largest.h"
-#include "roomgraph/voronoi/keep_clear.h"
-#include "roomgraph/voronoi/keep_inside.h"
 
 namespace roomgraph {
 

@@ -2,18 +2,18 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/rooms/AreaGraph.h"
-#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/base/Notes.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/grid/obstacle_cells.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 #include "roomgraph/rooms/border_vertices.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
-#include "roomgraph/voronoi/keep_clear.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/rooms/region_outlines.h"
+#include "roomgraph/topology/VoronoiGraph.h"
+#include "roomgraph/topology/keep_clear.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

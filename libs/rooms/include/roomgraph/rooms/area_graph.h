@@ -1,8 +1,8 @@
 #pragma once
-#include "roomgraph/rooms/AreaGraph.h"
-#include "roomgraph/rooms/region_outlines.h"
 #include "roomgraph/base/Notes.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
+#include "roomgraph/rooms/region_outlines.h"
 
 namespace roomgraph {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "roomgraph/rooms/region_outlines.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "roomgraph/base/Options.h"
 #include "roomgraph/rooms/Regions.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

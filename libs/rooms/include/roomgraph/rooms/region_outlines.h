@@ -2,7 +2,7 @@
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/rooms/Regions.h"
 #include "roomgraph/rooms/Room.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "roomgraph/topology/TopologyGraph.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
-#include "roomgraph/voronoi/keep_clear.h"
+#include "roomgraph/topology/VoronoiGraph.h"
+#include "roomgraph/topology/keep_clear.h"
 
 namespace roomgraph {
 

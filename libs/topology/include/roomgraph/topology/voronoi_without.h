@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "roomgraph/grid/obstacle_cells.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

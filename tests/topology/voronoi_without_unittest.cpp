@@ -1,4 +1,4 @@
-#include "roomgraph/voronoi/voronoi_without.h"
+#include "roomgraph/topology/voronoi_without.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "drawn_obstacles.h"
 #include "random_maps.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <algorithm>
 
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

@@ -1,6 +1,6 @@
 #pragma once
 #include "roomgraph/grid/obstacle_cells.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

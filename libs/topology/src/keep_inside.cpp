@@ -1,10 +1,10 @@
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/voronoi/face_areas.h"
+#include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/voronoi/voronoi_without.h"
+#include "roomgraph/topology/voronoi_without.h"
 
 #include <algorithm>
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include "edge_clearance.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/voronoi/keep_clear.h"
+#include "roomgraph/topology/keep_clear.h"
 
 #include <algorithm>
 

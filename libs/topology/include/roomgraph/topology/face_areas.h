@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

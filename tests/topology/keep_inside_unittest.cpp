@@ -1,11 +1,11 @@
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/keep_inside.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "drawn_obstacles.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "roomgraph/base/Options.h"
 #include "roomgraph/grid/Grid.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
+#include "roomgraph/topology/VoronoiGraph.h"
 
 namespace roomgraph {
 

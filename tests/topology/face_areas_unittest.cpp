@@ -1,4 +1,4 @@
-#include "roomgraph/voronoi/face_areas.h"
+#include "roomgraph/topology/face_areas.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "drawn_obstacles.h"
 #include "random_maps.h"
-#include "roomgraph/voronoi/voronoi_graph.h"
+#include "roomgraph/topology/voronoi_graph.h"
 
 namespace roomgraph::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "roomgraph/base/Options.h"
-#include "roomgraph/voronoi/VoronoiGraph.h"
-#include "roomgraph/voronoi/keep_inside.h"
+#include "roomgraph/topology/VoronoiGraph.h"
+#include "roomgraph/topology/keep_inside.h"
 
 namespace roomgraph {
 
