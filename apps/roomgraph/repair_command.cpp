@@ -13,6 +13,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/consensus/graph_g2o.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
@@ -21,6 +22,7 @@
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/loop_constraints.h"
+#include "roomgraph/repair/repair_alone.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/repair/trajectory_tum.h"
 #include "roomgraph/scans/read_stored_poses.h"
@@ -85,10 +87,6 @@ void writeGrids(const std::vector<std::string>& files, const SiteArguments& site
 
 void check(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
-  if (site.files.size() + (site.reference.empty() ? 0 : 1) < 2)
-    throw UsageError(
-        "repair: no other run tells where this one is wrong: name two, or a --reference; what it "
-        "tells of itself says 'roomgraph check'");
   if (!arguments.format.empty() && arguments.format != "mola")
     throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
   std::vector<std::string> extensions;
@@ -112,24 +110,41 @@ void checkNames(const std::vector<Run>& runs, const RepairArguments& arguments) 
                        "'roomgraph compare' prints");
 }
 
-std::string lineOf(const Run& run, const RepairedRun& repaired) {
+std::string lineOf(const Run& run, const RepairedRun& repaired, const char* unseen) {
   std::string line = run.name + ": " + repaired.reason;
   if (repaired.state == RepairState::mended)
     line += formatted(", moved by up to %.2f m at key frame %zu", repaired.movedMost,
                       repaired.movedMostAt);
-  std::vector<std::string> unseen;
+  std::vector<std::string> stretches;
   for (const KeyFrames& stretch : repaired.unseen)
-    unseen.push_back(formatted("%zu to %zu", stretch.from, stretch.to));
-  if (!unseen.empty())
-    line +=
-        "; key frames " + listed(unseen, 3) + " were seen by no other run and stay on their links";
+    stretches.push_back(formatted("%zu to %zu", stretch.from, stretch.to));
+  if (!stretches.empty())
+    line += "; key frames " + listed(stretches, 3) + " were " + unseen + " and stay on their links";
   return printable(line) + "\n";
+}
+
+/** Mends one run by what it tells of itself. */
+int runAlone(const RepairArguments& arguments) {
+  const SiteArguments& site = arguments.site;
+  const Run run = readRun(site);
+  checkNames({run}, arguments);
+  if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
+  const RunCheck check = checkRun(run);
+  const RepairedRun repaired = repairAlone(run, check);
+  StagedFiles staged;
+  addRun(run, repaired, site.folder, staged);
+  if (arguments.format == "mola") addConstraints(run, agreedPoses(check), site.folder, staged);
+  staged.commit();
+  if (repaired.state == RepairState::mended) writeGrids({run.file}, site);
+  if (!site.running.isQuiet) print(lineOf(run, repaired, "driven once"));
+  return kDone;
 }
 
 int run(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   check(arguments);
   makeWritableFolder(site.folder);
+  if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
   checkNames(runs->read.runs, arguments);
   StagedFiles staged;
@@ -142,7 +157,7 @@ int run(const RepairArguments& arguments) {
     addRun(run, one, site.folder, staged);
     if (one.state == RepairState::mended) mended.push_back(run.file);
     if (arguments.format == "mola") addConstraints(run, real[one.siteRun], site.folder, staged);
-    lines += lineOf(run, one);
+    lines += lineOf(run, one, "seen by no other run");
   }
   if (lines.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
@@ -158,12 +173,15 @@ int run(const RepairArguments& arguments) {
 
 std::function<int()> repairCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RepairArguments>();
-  app.add_option("RUN", arguments->site.files, "Simplemaps of one site, each of a drive.")
+  app.add_option("RUN", arguments->site.files,
+                 "Simplemaps of one site, each of a drive. One alone is mended by what it saw "
+                 "twice.")
       ->type_name("")
       ->required();
   declareSite(arguments->site,
               "X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
-              "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and site.g2o",
+              "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and of several runs "
+              "site.g2o",
               app);
   app.add_option("--format", arguments->format,
                  "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "

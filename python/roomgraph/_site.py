@@ -71,6 +71,8 @@ def repair(
 ) -> List[RepairedRun]:
     """Each run with scans, with its key frames where all runs together have them.
 
+    One alone goes where it would lie if it agreed with itself.
+
     Arguments as for compare; a reference stays as it is, and the others follow it. What
     `roomgraph repair` does, without files. Raises DataError where no run has scans.
     """

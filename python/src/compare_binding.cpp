@@ -66,9 +66,7 @@ std::unique_ptr<PythonComparison> compare(const std::vector<PythonMap>& maps,
 }
 
 std::string check(const PythonMap& map, const PythonCall& call) {
-  CompareMapsOptions options = optionsOf(call);
-  options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
-  return runCheckJson(checkRun(readMaps({map}, std::nullopt, call, options).runs.front()));
+  return runCheckJson(checkRun(readRun(map, call)));
 }
 
 }  // namespace

@@ -102,4 +102,10 @@ ReadRuns readMaps(const std::vector<PythonMap>& maps, const std::optional<Python
   return read;
 }
 
+Run readRun(const PythonMap& map, const PythonCall& call) {
+  CompareMapsOptions options = optionsOf(call);
+  options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
+  return readMaps({map}, std::nullopt, call, options).runs.front();
+}
+
 }  // namespace roomgraph

@@ -36,4 +36,7 @@ GreyMap readGrid(const PythonMap& map, const PythonCall& call, const LoadGridOpt
 ReadRuns readMaps(const std::vector<PythonMap>& maps, const std::optional<PythonMap>& reference,
                   const PythonCall& call, CompareMapsOptions& options);
 
+/** One run. Without Python's lock. @throws DataError where it cannot be used. */
+Run readRun(const PythonMap& map, const PythonCall& call);
+
 }  // namespace roomgraph

@@ -8,9 +8,11 @@
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/compressed.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/repair/carry_places.h"
 #include "roomgraph/repair/key_frame_moves.h"
+#include "roomgraph/repair/repair_alone.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/repair/trajectory_tum.h"
 #include "roomgraph/scans/read_stored_poses.h"
@@ -72,11 +74,16 @@ MendedRun mendedRun(const Run& run, const RepairedRun& repaired) {
           repaired};
 }
 
+/** A run by what it saw twice. */
+MendedRun repairedAlone(const PythonMap& map, const PythonCall& call) {
+  const Run run = readRun(map, call);
+  if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
+  return mendedRun(run, repairAlone(run, checkRun(run)));
+}
+
 std::vector<MendedRun> repair(const std::vector<PythonMap>& maps,
                               const std::optional<PythonMap>& reference, const PythonCall& call) {
-  if (maps.size() + (reference ? 1 : 0) < 2)
-    throw UsageError(
-        "repair: nothing tells where one run alone is wrong: give two, or a reference");
+  if (maps.size() == 1 && !reference) return {repairedAlone(maps.front(), call)};
   const auto solved = solve(maps, reference, call);
   std::vector<MendedRun> mended;
   for (const RepairedRun& repaired : repairRuns(solved->site, rejoinPieces(solved->site)))

@@ -27,6 +27,7 @@ TEST(CheckRun, aTornRunIsToldBeforeItsFirstKeyFrameBehindTheTear) {
     ASSERT_TRUE(check.selfError);
     EXPECT_LE(check.low, *check.selfError);
     EXPECT_GE(check.high, *check.selfError);
+    EXPECT_TRUE(check.isConfirmed);
   }
 }
 
@@ -37,6 +38,12 @@ TEST(CheckRun, ofWhatWasDrivenOnceNothingIsTold) {
   EXPECT_TRUE(check.breaks.empty());
   EXPECT_EQ(check.seenTwice, 0);
   EXPECT_EQ(check.sentence.rfind("cannot tell", 0), 0u);
+}
+
+TEST(CheckRun, aTearOfWhatWasDrivenOnceIsToldAndNotConfirmed) {
+  const RunCheck check = checked(test::broken(test::driveOnce(), 18, 2.2, {2, -1}));
+  EXPECT_EQ(check.breaks.size(), 1u);
+  EXPECT_FALSE(check.isConfirmed);
 }
 
 TEST(CheckRun, aRobotThatStandsStillTellsNothing) {

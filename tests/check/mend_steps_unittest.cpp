@@ -35,6 +35,15 @@ TEST(MendSteps, aTearIsMendedFromTheScansOnBothSidesOfIt) {
   }
 }
 
+TEST(MendSteps, aRobotThatNeverDrivesBackIsNotLaidBehindItself) {
+  // Behind the tear it sees what it saw three steps before, as where a building repeats itself.
+  const std::vector<Keyframe>& once = test::driveOnce();
+  std::vector<Keyframe> frames(once.begin(), once.begin() + 10);
+  frames.insert(frames.end(), once.begin() + 7, once.end());
+  const MendedSteps steps = mended(test::broken(frames, 10, 0.8, {3, 0}));
+  EXPECT_GT((steps.poses[9].inverse() * steps.poses[10]).x, -0.5);
+}
+
 TEST(MendSteps, twoTearsAreMendedEachByItself) {
   auto torn = test::broken(test::driveOnce(), 12, 0.8, {1, 1});
   torn = test::broken(torn, 30, -0.5, {0, 2});

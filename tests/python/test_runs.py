@@ -39,11 +39,18 @@ def test_repair_gives_what_the_program_writes(run_files, program, tmp_path):
     assert mended and all(run.moved_most >= run.moved > 0 and run.reason for run in mended)
 
 
-def test_repair_needs_scans_and_company(run_files):
+def test_repair_of_one_run_gives_what_the_program_writes(run_files, program, tmp_path):
+    subprocess.run([program, "repair", "-q", "-o", tmp_path, run_files[2]], check=True)
+    (run,) = roomgraph.repair(run_files[2:3])
+    assert run.state == "mended" and run.moved_most > 1
+    assert run.simplemap == (tmp_path / f"{run.name}.repaired.simplemap.gz").read_bytes()
+
+
+def test_repair_needs_scans(run_files):
     with pytest.raises(roomgraph.DataError, match="simplemaps"):
         roomgraph.repair([drawn_flat("a"), drawn_flat("b")])
-    with pytest.raises(ValueError, match="one run alone"):
-        roomgraph.repair(run_files[:1])
+    with pytest.raises(roomgraph.DataError, match="has no scans"):
+        roomgraph.repair([drawn_flat("a")])
 
 
 def test_carry_gives_what_the_program_writes(run_files, program, tmp_path):

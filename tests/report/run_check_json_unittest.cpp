@@ -15,6 +15,7 @@ RunCheck sample() {
   RunCheck check;
   check.name = "a", check.file = "there/a.simplemap", check.sha256 = std::string(64, '0');
   check.selfError = 0.51234, check.low = 0.3, check.high = 0.7, check.seenTwice = 0.75;
+  check.isConfirmed = true;
   MapBreak tear;
   tear.run = "a", tear.place = {1, 2}, tear.rotation = M_PI / 4, tear.shift = -0.5;
   tear.keyFrame = 17;
@@ -30,6 +31,7 @@ TEST(RunCheckJson, holdsWhatWasTold) {
   EXPECT_EQ(json["file"], "a.simplemap");
   EXPECT_EQ(json["self_error_m"], 0.5123);
   EXPECT_EQ(json["seen_twice"], 0.75);
+  EXPECT_EQ(json["confirmed"], true);
   EXPECT_EQ(json["breaks"][0]["key_frame"], 17);
   EXPECT_EQ(json["breaks"][0]["rotation_deg"], 45);
   EXPECT_TRUE(json["breaks"][0]["time"].is_null());

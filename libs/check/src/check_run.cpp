@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/mend_steps.h"
 #include "roomgraph/consensus/map_errors.h"
@@ -15,31 +16,30 @@ constexpr double kTellsTurn = 0.08, kTellsShift = 0.38;  // from which on a step
 
 constexpr std::size_t kSeenBeside = 2;  // scans
 
-std::vector<Transform2D> drawnPoses(const Run& run) {
-  std::vector<Transform2D> poses;
-  for (const ScanWalls& scan : run.scans) poses.push_back(scan.pose);
-  return poses;
-}
-
-std::vector<MapBreak> breaksOf(const Run& run, const std::vector<Transform2D>& agreed) {
-  std::vector<MapBreak> breaks;
+/** Before which scans the step was drawn otherwise than is agreed. */
+std::vector<std::size_t> brokenSteps(const Run& run, const std::vector<Transform2D>& agreed) {
+  std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < agreed.size(); ++k) {
     const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
     const Transform2D right = agreed[k - 1].inverse() * agreed[k];
-    const double turn = wrappedAngle(step.phi - right.phi);
-    const double shift = distance(step.shift(), right.shift());
-    if (std::abs(turn) < kTellsTurn && shift < kTellsShift) continue;
-    MapBreak tear;
-    tear.run = run.name;
-    tear.place = run.scans[k - 1].at();
-    tear.rotation = turn, tear.shift = shift;
-    tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
-    tear.torn = TornPose{run.scans[k].pose, run.scans[k - 1].pose * right};
-    breaks.push_back(tear);
+    if (std::abs(wrappedAngle(step.phi - right.phi)) >= kTellsTurn ||
+        distance(step.shift(), right.shift()) >= kTellsShift)
+      broken.push_back(k);
   }
-  std::stable_sort(breaks.begin(), breaks.end(),
-                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
-  return breaks;
+  return broken;
+}
+
+MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& agreed) {
+  const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
+  const Transform2D right = agreed[k - 1].inverse() * agreed[k];
+  MapBreak tear;
+  tear.run = run.name;
+  tear.place = run.scans[k - 1].at();
+  tear.rotation = wrappedAngle(step.phi - right.phi);
+  tear.shift = distance(step.shift(), right.shift());
+  tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
+  tear.torn = TornPose{run.scans[k].pose, run.scans[k - 1].pose * right};
+  return tear;
 }
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
@@ -80,14 +80,18 @@ RunCheck checkRun(const Run& run) {
     return check;
   }
   const std::vector<LocalScan> scans = localScans(run.scans);
-  const MendedSteps mended = mendSteps(scans, drawnPoses(run));
+  const MendedSteps mended = mendSteps(scans, drawnPoses(run.scans));
   const SelfConsensus agreed = selfConsensus(run, scans, mended);
   for (std::size_t k = 0; k < run.scans.size(); ++k)
     check.path.push_back({run.scans[k].keyFrame, run.scans[k].time, run.scans[k].pose,
                           agreed.poses[k], agreed.error.errors[k],
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
-  check.breaks = breaksOf(run, agreed.poses);
+  const std::vector<std::size_t> broken = brokenSteps(run, agreed.poses);
+  for (const std::size_t k : broken) check.breaks.push_back(breakAt(k, run, agreed.poses));
+  std::stable_sort(check.breaks.begin(), check.breaks.end(),
+                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  check.isConfirmed = isConfirmed(agreed, broken);
   if (check.seenTwice > 0.1 || !check.breaks.empty()) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;

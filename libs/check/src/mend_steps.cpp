@@ -34,18 +34,21 @@ constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
   double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
+  double back = 0;           ///< as far as an ordinary step leads back [m], at most 0
   PoseTolerance longest;     ///< no step is longer
   double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
 
   Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses) {
-    std::vector<double> ways{0}, turns{0}, speeds{0};
+    std::vector<double> ways{0}, ahead{0}, turns{0}, speeds{0};
     for (std::size_t k = 1; k < poses.size(); ++k) {
       const Transform2D step = poses[k - 1].inverse() * poses[k];
       ways.push_back(norm(step.shift()));
+      ahead.push_back(step.x);
       turns.push_back(std::abs(step.phi));
       if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
     }
     way = median(ways), turn = quantile(turns, 0.9) + 0.2;
+    back = quantile(ahead, 0.02) - 0.5;
     longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
     speed = 1.3 * quantile(speeds, 0.98);
   }
@@ -57,7 +60,8 @@ struct Gait {
   }
 
   bool isPossible(const Transform2D& step, double seconds) const {
-    return norm(step.shift()) < std::max(longest.place, seconds * speed) &&
+    const double most = std::max(longest.place, seconds * speed);
+    return norm(step.shift()) < most && step.x > std::min(back, longest.place - most) &&
            std::abs(step.phi) < longest.turn;
   }
 

@@ -55,6 +55,8 @@ SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
     result.poses = solvedFrom(graphAt(run, mended.poses, revisits), result.poses, startIs);
   }
   result.error = errorOf(run, revisits, result.poses);
+  for (const Revisit& revisit : revisits)
+    result.revisits.insert(result.revisits.end(), revisit.begin(), revisit.end());
   const Transform2D back = result.error.pose.inverse();
   for (Transform2D& pose : result.poses) pose = back * pose;
   return result;

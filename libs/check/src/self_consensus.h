@@ -11,6 +11,7 @@ namespace roomgraph {
 struct SelfConsensus {
   std::vector<Transform2D> poses;  ///< run <- robot, laid over the run as it was drawn
   MapError error;                  ///< of the run as it was drawn
+  std::vector<PoseEdge> revisits;  ///< what was seen again, of all groups
 };
 
 /** Looks for revisits and solves the pose graph of mended steps and revisits, and once more with

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "OtherWalls.h"
+#include "moved_run.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/sound_frame.h"
 
@@ -13,34 +14,6 @@ namespace {
 // What less of a run has been seen by others says nothing of the rest of it.
 constexpr double kLeastSeen = 0.5;
 constexpr std::size_t kProbes = 60;  // scans of a run by which it is judged, about
-
-std::vector<Transform2D> posesOf(const Run& run) {
-  std::vector<Transform2D> poses;
-  for (const ScanWalls& scan : run.scans) poses.push_back(scan.pose);
-  return poses;
-}
-
-/** Stretches of scans that no other run has seen. */
-std::vector<KeyFrames> unseenIn(const Run& run, const std::vector<bool>& isSeen) {
-  std::vector<KeyFrames> stretches;
-  for (std::size_t k = 0; k < run.scans.size(); ++k) {
-    if (isSeen[k]) continue;
-    if (k == 0 || isSeen[k - 1]) stretches.push_back({run.scans[k].keyFrame, 0});
-    stretches.back().to = run.scans[k].keyFrame;
-  }
-  return stretches;
-}
-
-void measure(const Run& run, RepairedRun& repaired) {
-  double squares = 0;
-  for (std::size_t k = 0; k < run.scans.size(); ++k) {
-    const double apart = poseDistance(run.scans[k].pose, repaired.poses[k]);
-    squares += apart * apart;
-    if (apart <= repaired.movedMost) continue;
-    repaired.movedMost = apart, repaired.movedMostAt = run.scans[k].keyFrame;
-  }
-  repaired.moved = std::sqrt(squares / double(run.scans.size()));
-}
 
 /** Why a run is better left as it was; mended where nothing speaks for that. */
 void judge(const MapError& error, RepairedRun& repaired) {
@@ -81,7 +54,7 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
   const Run& run = *solved.site.runs[i];
   RepairedRun repaired;
   repaired.run = solved.site.members[i], repaired.siteRun = i;
-  repaired.poses = posesOf(run);
+  repaired.poses = drawnPoses(run.scans);
   repaired.frame = soundFrame(repaired.poses, real);
   repaired.unseen = unseenIn(run, solved.consensus.errorOf(i).isSeen);
   if (solved.site.reference == i) {
@@ -95,8 +68,7 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
     repaired.reason = "left as it was: moved, it would fit what the others have seen no better";
     return repaired;
   }
-  for (std::size_t k = 0; k < real.size(); ++k) repaired.poses[k] = repaired.frame * real[k];
-  measure(run, repaired);
+  moveTo(real, run, repaired);
   return repaired;
 }
 

@@ -43,6 +43,7 @@ std::string runCheckJson(const RunCheck& check) {
   text += "\"self_error_low_m\": " + lineOf(metres(check.low)) + ",\n";
   text += "\"self_error_high_m\": " + lineOf(metres(check.high)) + ",\n";
   text += "\"seen_twice\": " + lineOf(Json(rounded(check.seenTwice))) + ",\n";
+  text += "\"confirmed\": " + lineOf(Json(check.isConfirmed)) + ",\n";
   text += lines("breaks", check.breaks, breakJson);
   text += lines("path", check.path, poseJson);
   return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";

@@ -15,6 +15,13 @@ struct LocalScan {
   bool isTelling() const { return walls.size() >= 20; }
 };
 
+/** Of each scan: where its run has drawn it (run <- robot). */
+inline std::vector<Transform2D> drawnPoses(const std::vector<ScanWalls>& scans) {
+  std::vector<Transform2D> poses;
+  for (const ScanWalls& scan : scans) poses.push_back(scan.pose);
+  return poses;
+}
+
 /** Of each scan. O(walls). */
 inline std::vector<LocalScan> localScans(const std::vector<ScanWalls>& scans) {
   std::vector<LocalScan> local(scans.size());

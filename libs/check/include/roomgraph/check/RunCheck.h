@@ -27,10 +27,19 @@ struct RunCheck {
   std::optional<double> selfError;
   double low = 0, high = 0;
   double seenTwice = 0;  ///< share of its path that was seen at another time as well, 0 to 1
-  std::vector<MapBreak> breaks;         ///< in the frame of the run, the largest first
-  std::vector<CheckedPose> path;        ///< by key frame
+  std::vector<MapBreak> breaks;   ///< in the frame of the run, the largest first
+  std::vector<CheckedPose> path;  ///< by key frame
+  /** Whether what was seen twice bears out all breaks, and fits where the path is as agreed. */
+  bool isConfirmed = false;
   std::string sentence;                 ///< for people: what can be told, and what cannot
   std::vector<std::string> complaints;  ///< of a gate; none where it passes
 };
+
+/** Where the key frames would lie if the run agreed with itself: run <- robot, by key frame. */
+[[nodiscard]] inline std::vector<Transform2D> agreedPoses(const RunCheck& check) {
+  std::vector<Transform2D> poses;
+  for (const CheckedPose& at : check.path) poses.push_back(at.agreed);
+  return poses;
+}
 
 }  // namespace roomgraph

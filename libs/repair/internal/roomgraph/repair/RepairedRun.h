@@ -8,7 +8,7 @@
 namespace roomgraph {
 
 enum class RepairState {
-  mended,     ///< its key frames lie where all runs together have them
+  mended,     ///< its key frames lie where all runs together, or it alone, have them
   kept,       ///< left as it was: it would not get better, or nothing tells where it really lies
   reference,  ///< counts as the truth, so it is left as it was
   lost        ///< left as it was: much of it fits nowhere
@@ -28,7 +28,7 @@ struct RepairedRun {
   Transform2D frame;                ///< run <- site: where its sound majority stays as it was
   double moved = 0, movedMost = 0;  ///< how far scans lie from where they were, RMS and largest [m]
   std::size_t movedMostAt = 0;      ///< the key frame that has moved farthest
-  std::vector<KeyFrames> unseen;    ///< what no other run has seen: it stays on its links
+  std::vector<KeyFrames> unseen;    ///< what no other run, or pass, has seen: it stays on its links
 };
 
 }  // namespace roomgraph

@@ -1,0 +1,44 @@
+# `roomgraph repair` mends runs by what all tell together, and one alone by what it saw twice.
+. "$(dirname "$0")/common.sh"
+
+maps=$source_dir/share/roomgraph/maps
+
+# error RUN...: map error of the last run among the others.
+error() {
+  expect 0 "$roomgraph" compare -q "$@" -o compared
+  python3 - "$(basename "${*: -1}" | sed 's/\.simplemap.*//')" <<'P'
+import json, sys
+runs = json.load(open("compared/comparison.json"))["runs"]
+print(next(run["map_error_m"] for run in runs if run["name"] == sys.argv[1]))
+P
+}
+# less A B: a number is less than another.
+less() { python3 -c "import sys; sys.exit(not $1 < $2)" || fail "$1 is not less than $2"; }
+
+expect 0 "$roomgraph" repair "$maps"/office_run3.simplemap.gz -o alone
+one_line out office_run3 "mended" "driven once"
+for file in simplemap.gz tum gridmap.gz yaml pgm; do
+  [ -s alone/office_run3.repaired.$file ] || fail "no $file"
+done
+[ ! -e alone/site.g2o ] || fail "one run is no site"
+others=("$maps"/office_run1.simplemap.gz "$maps"/office_run4.simplemap.gz)
+less "$(error "${others[@]}" alone/office_run3.repaired.simplemap.gz)" \
+  "0.5 * $(error "${others[@]}" "$maps"/office_run3.simplemap.gz)"
+
+expect 0 "$roomgraph" repair "$maps"/office_run[134].simplemap.gz -o together
+[ "$(wc -l < out)" -eq 3 ] || fail "not a line for each run"
+[ -s together/site.g2o ] || fail "no pose graph of the site"
+less "$(error "${others[@]}" together/office_run3.repaired.simplemap.gz)" \
+  "0.5 * $(error "${others[@]}" "$maps"/office_run3.simplemap.gz)"
+
+# A sound run keeps its bytes, but for how they are packed.
+expect 0 "$roomgraph" repair "$maps"/office_run1.simplemap.gz -o sound --format mola
+one_line out "left as it was"
+cmp <(zcat sound/office_run1.repaired.simplemap.gz) <(zcat "$maps"/office_run1.simplemap.gz) ||
+  fail "a sound run was changed"
+[ -s sound/office_run1.loop_constraints.yaml ] || fail "no constraints"
+
+expect 1 "$roomgraph" repair "$maps"/office.gridmap.gz -o grid
+one_line err office.gridmap.gz "no scans" simplemap
+expect 2 "$roomgraph" repair "$maps"/office_run1.simplemap.gz --only another -o grid
+one_line err another
