@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sample_drives.h"
 
 namespace roomgraph {
@@ -44,6 +46,22 @@ TEST(CheckRun, aTearOfWhatWasDrivenOnceIsToldAndNotConfirmed) {
   const RunCheck check = checked(test::broken(test::driveOnce(), 18, 2.2, {2, -1}));
   EXPECT_EQ(check.breaks.size(), 1u);
   EXPECT_FALSE(check.isConfirmed);
+}
+
+TEST(CheckRun, ofAScanThatFitsNowhereABreakIsToldWithoutASize) {
+  // It sees something everywhere where free space was seen before.
+  test::RandomNumbers random(3);
+  std::vector<Keyframe> frames = test::driveOnce();
+  for (std::size_t k = 18; k < frames.size(); ++k)
+    for (Point& end : frames[k].ends) end = random.between(0.2, 0.6) * end;
+  const RunCheck check = checked(frames);
+  ASSERT_FALSE(check.breaks.empty());
+  EXPECT_FALSE(check.isConfirmed);
+  EXPECT_TRUE(std::any_of(check.breaks.begin(), check.breaks.end(), [](const MapBreak& tear) {
+    return !tear.torn && *tear.keyFrame >= 17 && *tear.keyFrame <= 20;
+  }));
+  EXPECT_FALSE(check.selfError);
+  EXPECT_NE(check.sentence.find("its scans do not tell"), std::string::npos);
 }
 
 TEST(CheckRun, aRobotThatStandsStillTellsNothing) {

@@ -39,6 +39,15 @@ TEST(CheckPage, showsEachBreakAsDrawnAndAsItFits) {
   EXPECT_TRUE(has(page, "#b00020"));        // off by more than a metre
 }
 
+TEST(CheckPage, aBreakOfUnknownSizeIsShownAsDrawnAlone) {
+  RunCheck check = torn();
+  check.breaks.front().torn.reset();
+  const std::string page = checkPage(check, twoScans());
+  EXPECT_TRUE(has(page, "before key frame 1, by how much its scans do not tell"));
+  EXPECT_TRUE(has(page, "as drawn"));
+  EXPECT_FALSE(has(page, "as they fit"));
+}
+
 TEST(CheckPage, namesAreTextAndNothingElse) {
   const std::string page = checkPage(torn(), twoScans());
   EXPECT_TRUE(has(page, "<h1>a&lt;b</h1>"));

@@ -18,7 +18,7 @@ RunCheck sample() {
   check.isConfirmed = true;
   MapBreak tear;
   tear.run = "a", tear.place = {1, 2}, tear.rotation = M_PI / 4, tear.shift = -0.5;
-  tear.keyFrame = 17;
+  tear.keyFrame = 17, tear.torn = TornPose{};
   check.breaks = {tear};
   check.path = {{0, std::nullopt, {}, {0.1, 0, 0}, 0.1, true},
                 {17, 12.5, {1, 2, 0.5}, {}, 1, false}};
@@ -56,7 +56,9 @@ TEST(RunCheckJson, followsItsSchema) {
   const rapidjson::SchemaDocument schema(schemaText);
   RunCheck silent = sample();
   silent.selfError.reset(), silent.breaks.clear(), silent.path.clear();
-  for (const RunCheck& check : {sample(), silent}) {
+  RunCheck unsized = sample();
+  unsized.breaks.front().torn.reset();
+  for (const RunCheck& check : {sample(), silent, unsized}) {
     document.Parse(runCheckJson(check).c_str());
     ASSERT_FALSE(document.HasParseError());
     rapidjson::SchemaValidator validator(schema);
@@ -66,8 +68,16 @@ TEST(RunCheckJson, followsItsSchema) {
 
 TEST(RunCheckText, isOneLineWithTheLargestBreak) {
   EXPECT_EQ(runCheckText(sample()),
-            "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17 "
-            "(45.0 degrees, -0.50 m)\n");
+            "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17, "
+            "45.0 degrees and -0.50 m\n");
+}
+
+TEST(RunCheckText, aBreakOfUnknownSizeIsCounted) {
+  RunCheck check = sample();
+  check.breaks.front().torn.reset();
+  EXPECT_EQ(runCheckText(check), "a: agrees with itself within 0.51 m; 1 break\n");
+  EXPECT_EQ(selfBreakText(check.breaks.front()),
+            "before key frame 17, by how much its scans do not tell");
 }
 
 }  // namespace

@@ -29,17 +29,51 @@ std::vector<std::size_t> brokenSteps(const Run& run, const std::vector<Transform
   return broken;
 }
 
-MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& agreed) {
-  const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
-  const Transform2D right = agreed[k - 1].inverse() * agreed[k];
+/** Of steps that were drawn wrong, by how much nothing tells, the first of each series; without
+ *  those next to a step that is known to be broken. */
+std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
+                                   const std::vector<std::size_t>& broken) {
+  std::vector<std::size_t> lost;
+  for (std::size_t k = 1; k < evidence.size(); ++k)
+    if (evidence[k] == StepEvidence::lost && evidence[k - 1] != StepEvidence::lost &&
+        std::none_of(broken.begin(), broken.end(), [&](std::size_t other) {
+          return std::max(k, other) - std::min(k, other) <= kSeenBeside;
+        }))
+      lost.push_back(k);
+  return lost;
+}
+
+MapBreak lostAt(std::size_t k, const Run& run) {
   MapBreak tear;
   tear.run = run.name;
   tear.place = run.scans[k - 1].at();
+  tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
+  return tear;
+}
+
+MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& agreed) {
+  const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
+  const Transform2D right = agreed[k - 1].inverse() * agreed[k];
+  MapBreak tear = lostAt(k, run);
   tear.rotation = wrappedAngle(step.phi - right.phi);
   tear.shift = distance(step.shift(), right.shift());
-  tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
   tear.torn = TornPose{run.scans[k].pose, run.scans[k - 1].pose * right};
   return tear;
+}
+
+/** The breaks of a run, and whether they are confirmed; returns whether of some nothing tells how
+ *  large they are. */
+bool addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
+               RunCheck& check) {
+  std::vector<std::size_t> broken = brokenSteps(run, agreed.poses);
+  for (const std::size_t k : broken) check.breaks.push_back(breakAt(k, run, agreed.poses));
+  std::stable_sort(check.breaks.begin(), check.breaks.end(),
+                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  const std::vector<std::size_t> lost = lostSteps(mended.evidence, broken);
+  for (const std::size_t k : lost) check.breaks.push_back(lostAt(k, run));
+  broken.insert(broken.end(), lost.begin(), lost.end());
+  check.isConfirmed = isConfirmed(agreed, broken);
+  return !lost.empty();
 }
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
@@ -62,6 +96,10 @@ double shareOfPath(const std::vector<CheckedPose>& path) {
 
 std::string sentenceOf(const RunCheck& check) {
   const double percent = 100 * check.seenTwice;
+  if (!check.selfError && !check.breaks.empty())
+    return formatted(
+        "cannot tell: it is torn before key frame %zu, and by how much its scans do not tell",
+        *check.breaks.back().keyFrame);
   if (!check.selfError)
     return formatted("cannot tell: %.0f %% of its path was seen twice", percent);
   return formatted(
@@ -87,12 +125,9 @@ RunCheck checkRun(const Run& run) {
                           agreed.poses[k], agreed.error.errors[k],
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
-  const std::vector<std::size_t> broken = brokenSteps(run, agreed.poses);
-  for (const std::size_t k : broken) check.breaks.push_back(breakAt(k, run, agreed.poses));
-  std::stable_sort(check.breaks.begin(), check.breaks.end(),
-                   [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
-  check.isConfirmed = isConfirmed(agreed, broken);
-  if (check.seenTwice > 0.1 || !check.breaks.empty()) {
+  const bool isLost = addBreaks(run, mended, agreed, check);
+  const bool mayLieAnywhere = isLost && !check.isConfirmed && agreed.error.low <= 0;
+  if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
   }

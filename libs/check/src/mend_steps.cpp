@@ -178,8 +178,9 @@ class Mender {
     const auto best =
         std::max_element(found.begin(), found.end(),
                          [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
-    if (best == found.end())
-      return isImpossible ? mendTo(k, result_.poses[k - 1]) : StepEvidence::none;
+    const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
+    const StepEvidence unmended = isRefuted ? StepEvidence::lost : StepEvidence::none;
+    if (best == found.end()) return isImpossible ? mendTo(k, result_.poses[k - 1]) : unmended;
     if (areNear(best->pose, result_.poses[k], {}, kAsDrawn)) return StepEvidence::none;
     double second = drawn.score;
     for (const ScanFit& fit : found)
@@ -191,8 +192,7 @@ class Mender {
     // well it fits elsewhere: buildings repeat themselves.
     const bool isTear = drawn.known >= kMaySpeak && kTear.holds(drawn, *best);
     if (isSlip || isImpossible || isTear) return mendTo(k, best->pose);
-    const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
-    return isRefuted ? StepEvidence::lost : StepEvidence::none;
+    return unmended;
   }
 
   StepEvidence mendTo(std::size_t k, const Transform2D& pose) {

@@ -8,6 +8,7 @@
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/page/page_style.h"
+#include "roomgraph/report/run_check_json.h"
 
 namespace roomgraph {
 namespace {
@@ -84,12 +85,13 @@ std::string scansPicture(const MapBreak& tear, const Run& run, const Transform2D
 }
 
 std::string breakHtml(const MapBreak& tear, std::size_t number, const Run& run) {
-  const Transform2D mend = tear.torn ? tear.torn->mend() : Transform2D{};
-  return formatted("<h3>Break %zu: before key frame %zu, %.1f degrees and %.2f m</h3>\n", number,
-                   tear.keyFrame.value_or(0), tear.rotation * 180 / M_PI, tear.shift) +
+  const std::string fits = tear.torn ? "</figure>\n<figure>" +
+                                           scansPicture(tear, run, tear.torn->mend()) +
+                                           "<figcaption>as they fit</figcaption>"
+                                     : "";
+  return formatted("<h3>Break %zu: ", number) + selfBreakText(tear) + "</h3>\n" +
          "<div class=\"pair\"><figure>" + scansPicture(tear, run, {}) +
-         "<figcaption>as drawn</figcaption></figure>\n<figure>" + scansPicture(tear, run, mend) +
-         "<figcaption>as they fit</figcaption></figure></div>\n";
+         "<figcaption>as drawn</figcaption>" + fits + "</figure></div>\n";
 }
 
 std::string breaksHtml(const RunCheck& check, const Run& run) {

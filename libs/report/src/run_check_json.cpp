@@ -16,8 +16,8 @@ Json breakJson(const MapBreak& tear) {
           {"time", tear.time ? Json(*tear.time) : Json()},
           {"x", rounded(tear.place.x)},
           {"y", rounded(tear.place.y)},
-          {"rotation_deg", rounded(tear.rotation * 180 / M_PI)},
-          {"shift_m", rounded(tear.shift)}};
+          {"rotation_deg", tear.torn ? Json(rounded(tear.rotation * 180 / M_PI)) : Json()},
+          {"shift_m", tear.torn ? Json(rounded(tear.shift)) : Json()}};
 }
 
 Json poseJson(const CheckedPose& at) {
@@ -51,12 +51,17 @@ std::string runCheckJson(const RunCheck& check) {
 
 std::string runCheckText(const RunCheck& check) {
   std::string text = printable(check.name) + ": " + check.sentence;
-  if (!check.breaks.empty())
-    text += "; " + counted(check.breaks.size(), "break", "breaks") +
-            formatted(", the largest before key frame %zu (%.1f degrees, %.2f m)",
-                      *check.breaks.front().keyFrame, check.breaks.front().rotation * 180 / M_PI,
-                      check.breaks.front().shift);
+  if (!check.breaks.empty()) {
+    text += "; " + counted(check.breaks.size(), "break", "breaks");
+    if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
+  }
   return text + "\n";
+}
+
+std::string selfBreakText(const MapBreak& tear) {
+  const std::string place = formatted("before key frame %zu, ", tear.keyFrame.value_or(0));
+  if (!tear.torn) return place + "by how much its scans do not tell";
+  return place + formatted("%.1f degrees and %.2f m", tear.rotation * 180 / M_PI, tear.shift);
 }
 
 }  // namespace roomgraph

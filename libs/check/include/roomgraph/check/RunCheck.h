@@ -27,6 +27,7 @@ struct RunCheck {
   std::optional<double> selfError;
   double low = 0, high = 0;
   double seenTwice = 0;  ///< share of its path that was seen at another time as well, 0 to 1
+  /** Those of which nothing tells how large they are have no `torn`, and come last. */
   std::vector<MapBreak> breaks;   ///< in the frame of the run, the largest first
   std::vector<CheckedPose> path;  ///< by key frame
   /** Whether what was seen twice bears out all breaks, and fits where the path is as agreed. */

@@ -18,4 +18,7 @@ std::string runCheckJson(const RunCheck& check);
 /** "name: what it tells of itself; its breaks", a line. */
 std::string runCheckText(const RunCheck& check);
 
+/** Where a run breaks by itself, and by how much, if that is known. */
+std::string selfBreakText(const MapBreak& tear);
+
 }  // namespace roomgraph
