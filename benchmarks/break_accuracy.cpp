@@ -26,9 +26,11 @@ Transform2D siteToTruth(const Comparison& found, const SimulatedSite& site) {
 }
 
 bool isFound(const MapBreak& found, const MapBreak& given, const Transform2D& toTruth) {
+  // Grids tell only which of two fragments is the smaller one, not which was drawn first.
+  const double turn = found.keyFrame ? found.rotation - given.rotation
+                                     : std::abs(found.rotation) - std::abs(given.rotation);
   return distance(toTruth(found.place), given.place) <= kPlace &&
-         std::abs(degrees(found.rotation - given.rotation)) <= kAngle &&
-         std::abs(found.shift - given.shift) <= kShift;
+         std::abs(degrees(turn)) <= kAngle && std::abs(found.shift - given.shift) <= kShift;
 }
 
 void printBreak(const std::string& site, const MapBreak& found,

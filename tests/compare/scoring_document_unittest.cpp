@@ -1,5 +1,7 @@
 #include "scoring_document.h"
 
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/run_score.h"
@@ -14,21 +16,19 @@ using test::degrees;
 using test::expectSaid;
 
 TEST(ScoringDocument, saysWhereABreakBegins) {
-  const SiteBreaksOptions breaks;
-  expectSaid("that pose turns by %g degrees", degrees(breaks.findBreaks.minRotation));
-  expectSaid("moves by %g m from one scan to the next", breaks.findBreaks.minShift);
-  expectSaid("where the pose turns by %g degrees or", degrees(breaks.findBreaks.wideRotation));
-  expectSaid("moves by %g m within four scans", breaks.findBreaks.wideShift);
-  expectSaid("differ by %g degrees or ", degrees(breaks.findPieces.minRotation));
-  expectSaid(" degrees or %g m, and by", breaks.findPieces.minShift);
-  expectSaid("and by %g times what they bend themselves", breaks.findPieces.minContrast);
-  expectSaid("turned by %g degrees (root mean square)", degrees(breaks.findPieces.maxTurnBend));
-  expectSaid("runs with %g %% of the votes", 100 * breaks.minVotes);
+  expectSaid("that pose turns by %g degrees", degrees(kBreakRotation));
+  expectSaid("moves by %g m from one scan to the next", kBreakShift);
+  expectSaid("where the pose turns by %g degrees or", degrees(kApartRotation));
+  expectSaid("moves by %g m within four scans", kApartShift);
+  expectSaid("differ by %g degrees or ", degrees(kLeastPieceTurn));
+  expectSaid(" degrees or %g m, and by", kBreakShift);
+  expectSaid("and by %g times what they bend themselves", kPieceContrast);
+  expectSaid("turned by %g degrees (root mean square)", degrees(kLeastPieceTurn));
+  expectSaid("runs with %g %% of the votes", 100 * kEnoughVotes);
   expectSaid("have %g %% of this one's walls are consulted", 100 * kWitnessShare);
-  expectSaid("the fragments take in %g %% of the walls found, and the smaller one %g %%",
-             100 * breaks.findPieces.minExplained, 100 * breaks.findPieces.minPiece);
-  expectSaid("(within %g degrees and %g m)", std::round(degrees(breaks.sameTurn)),
-             breaks.samePlace);
+  expectSaid("the smaller fragment holds %g %% of the walls found", 100 * kSmallestPiece);
+  expectSaid("(within %g degrees and %g m)", std::round(degrees(kSameAnswer.turn)),
+             kSameAnswer.place);
 }
 
 TEST(ScoringDocument, saysHowRunsArePlaced) {

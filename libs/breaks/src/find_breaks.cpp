@@ -11,7 +11,9 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
-constexpr std::size_t kMinSide = 3;    // steps on either side of a break
+constexpr double kOutlier = 4;         // times the 95th percentile of the run's other steps
+constexpr double kQuiet = 0.4;         // share of the jump that the steps around it may reach
+constexpr std::size_t kMaxMissed = 3;  // scans from one that was found to the next
 
 /** The change of a run's pose in another map from one scan to the next that was found. */
 struct Jump {
@@ -53,12 +55,11 @@ class JumpFinder {
   std::vector<Jump> find() const {
     std::vector<Jump> found;
     if (steps_.size() < kMinSteps) return found;
-    const double rotation =
-        std::max(options_.minRotation, options_.outlier * usual(steps_, rotationOf));
-    const double shift = std::max(options_.minShift, options_.outlier * usual(steps_, shiftOf));
-    for (std::size_t i = kMinSide; i + kMinSide < steps_.size(); ++i) {
+    const double rotation = std::max(options_.minRotation, kOutlier * usual(steps_, rotationOf));
+    const double shift = std::max(options_.minShift, kOutlier * usual(steps_, shiftOf));
+    for (std::size_t i = kSteadySteps; i + kSteadySteps < steps_.size(); ++i) {
       const Jump& step = steps_[i];
-      if (step.scan - step.before > options_.maxGap) continue;
+      if (step.scan - step.before > kMaxMissed) continue;
       const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
       const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
       if (isTurned || isMoved) found.push_back(step);
@@ -68,10 +69,10 @@ class JumpFinder {
 
  private:
   bool isQuietAround(std::size_t i, double (*size)(const Jump&)) const {
-    const std::size_t from = i - std::min(i, options_.window - 1);
-    const std::size_t to = std::min(steps_.size(), i + options_.window);
+    const std::size_t from = i - std::min(i, kFewSteps);
+    const std::size_t to = std::min(steps_.size(), i + kFewSteps + 1);
     for (std::size_t k = from; k < to; ++k)
-      if (k != i && size(steps_[k]) > options_.quiet * size(steps_[i])) return false;
+      if (k != i && size(steps_[k]) > kQuiet * size(steps_[i])) return false;
     return true;
   }
 
@@ -90,7 +91,7 @@ std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const Sca
   const auto sharp = breaks;
   for (const ScanBreak& wide : findWideBreaks(scans, track, options))
     if (std::none_of(sharp.begin(), sharp.end(),
-                     [&](const ScanBreak& known) { return areOne(known, wide, options); }))
+                     [&](const ScanBreak& known) { return areOne(known, wide); }))
       breaks.push_back(wide);
   std::sort(breaks.begin(), breaks.end(),
             [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });

@@ -1,24 +1,21 @@
 #include "roomgraph/breaks/find_pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/breaks/rigid_pieces.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr int kMeansRounds = 12;      // of k-means; it hardly ever takes more than four
-constexpr int kSeamRounds = 8;        // in which a centre and what is near it are found in turn
-constexpr double kBackground = 1e-6;  // weight of what is far from the seam
-constexpr double kAtOrigin = 2;       // how far from where it starts a robot sees most walls [m]
-constexpr double kClearance = 0.6;    // that shows that there is room for a robot [m]
-constexpr double kTight = 0.05;       // as good as none, as places are not that exact [m]
-constexpr std::size_t kFew = 3;       // patches that show that a piece was drawn there
-constexpr double kLeastBend = 0.01, kLeastTurn = 0.002;  // of pieces; cells are no finer [m, rad]
-constexpr double kMinTurn = 0.03;                        // of a motion that has a centre [rad]
+constexpr int kMeansRounds = 12;                // of k-means; it hardly ever takes more than four
+constexpr PoseTolerance kSurelyOne{0.02, 0.1};  // patches of one piece
+constexpr PoseTolerance kOfPiece{0.2, 2.4};     // a patch beside its piece; half of both, or one
+constexpr PoseTolerance kHeldAtSeam{0.06,
+                                    0.4};  // near patches of two pieces, as those of a drift do
+constexpr double kMostHeld = 0.02;         // share of near patches of two pieces that may hold
 
 /** The place that `motion` leaves where it is. */
 Point centreOf(const Transform2D& motion) {
@@ -28,27 +25,11 @@ Point centreOf(const Transform2D& motion) {
   return {scale * (c * motion.x - s * motion.y), scale * (s * motion.x + c * motion.y)};
 }
 
-/** Parts that hold together more closely, as a break of few degrees leaves them. */
-RigidPiecesOptions halfOf(RigidPiecesOptions options) {
-  options.maxTurn /= 2, options.maxShift /= 2;
-  return options;
-}
-
-/** A patch, where it is drawn, and where it really lies. */
-struct Placed {
-  std::uint32_t patch;
-  Point drawn, there;
-  double phi;  // by which it was turned
-  double walls;
-};
-
-using Member = std::vector<int>;  // of each patch: 0 or 1, its piece; -1, none
-
-double away(const Placed& p, const Transform2D& pose) { return distance(pose(p.drawn), p.there); }
+using Members = std::vector<int>;  // of each patch that was found: 0 or 1, its piece; -1, none
 
 /** Two pieces, and how well they explain the patches. */
 struct Pieces {
-  Member member;
+  Members members;
   std::array<Transform2D, 2> poses;
   std::array<double, 2> walls{};
   double bend = 0;      // RMS [m]
@@ -59,31 +40,29 @@ struct Pieces {
 
 class PieceFinder {
  public:
-  PieceFinder(const WallMap& of, const WallMap& in, const FollowedWalls& followed,
-              const FindPiecesOptions& options)
-      : in_(in), options_(options) {
-    for (const FollowedPatch& f : followed.patches) {
-      const Point middle = of.patches[f.patch].middle;
-      patches_.push_back({f.patch, middle, f.pose(middle), f.pose.phi, f.walls});
-      all_ += f.walls;
-    }
-    seeds_ = piecesThatHold(of.patches, followed, options.seeds);
-    if (seeds_.size() < 2) seeds_ = piecesThatHold(of.patches, followed, halfOf(options.seeds));
-    if (seeds_.size() > options.maxSeeds) seeds_.resize(options.maxSeeds);
+  PieceFinder(const WallPatches& patches, const FollowedWalls& followed,
+              const FindBreaksOptions& options)
+      : patches_(patches), followed_(followed), options_(options) {
+    for (const FollowedPatch& f : followed.patches) all_ += f.walls;
   }
 
   std::optional<PieceBreak> find() const {
+    const auto seeds = rigidPieces(patches_, followed_, kSurelyOne);
     std::optional<Pieces> best;
-    for (std::size_t i = 0; i < seeds_.size(); ++i)
+    for (std::size_t i = 0; i < seeds.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (auto pieces = grown(seeds_[i], seeds_[j]); pieces && isBetter(*pieces, best))
+        if (auto pieces = grown(seeds[i], seeds[j]); pieces && isBetter(*pieces, best))
           best = std::move(pieces);
-    if (!best || best->turnBend > options_.maxTurnBend) return std::nullopt;
-    if (atOrigin(*best, 1) > atOrigin(*best, 0)) swapPieces(*best);
+    if (!best || best->turnBend > kLeastPieceTurn) return std::nullopt;
     return breakOf(*best);
   }
 
  private:
+  Point middleOf(const FollowedPatch& f) const { return patches_[f.patch].middle; }
+  double away(const FollowedPatch& f, const Transform2D& pose) const {
+    return distance(pose(middleOf(f)), f.pose(middleOf(f)));
+  }
+
   /** One metre of bend counts as much as 30 % of the walls. */
   bool isBetter(const Pieces& pieces, const std::optional<Pieces>& best) const {
     const auto worth = [&](const Pieces& p) { return p.explained() / all_ - 0.3 * p.bend; };
@@ -91,206 +70,127 @@ class PieceFinder {
   }
 
   /** How far a patch is from where a piece would have it, 0 to 1; more where it cannot be of it. */
-  double misfit(const Placed& p, const Transform2D& pose) const {
-    return away(p, pose) / options_.maxAway +
-           std::abs(wrappedAngle(p.phi - pose.phi)) / options_.maxTurn;
+  double misfit(const FollowedPatch& f, const Transform2D& pose) const {
+    return away(f, pose) / kOfPiece.place +
+           std::abs(wrappedAngle(f.pose.phi - pose.phi)) / kOfPiece.turn;
   }
 
   /** The two pieces that two seeds grow to; none where one of them comes to be too small. */
   std::optional<Pieces> grown(const std::vector<std::size_t>& one,
                               const std::vector<std::size_t>& other) const {
     Pieces pieces;
-    pieces.member.assign(patches_.size(), -1);
-    for (const std::size_t k : one) pieces.member[k] = 0;
-    for (const std::size_t k : other) pieces.member[k] = 1;
+    pieces.members.assign(followed_.patches.size(), -1);
+    for (const std::size_t k : one) pieces.members[k] = 0;
+    for (const std::size_t k : other) pieces.members[k] = 1;
     for (int round = 0; round < kMeansRounds; ++round) {
       fit(pieces);
-      Member member;
-      for (const Placed& p : patches_) {
-        const double a = misfit(p, pieces.poses[0]), b = misfit(p, pieces.poses[1]);
-        member.push_back(std::min(a, b) > 1 ? -1 : a <= b ? 0 : 1);
+      Members members;
+      for (const FollowedPatch& f : followed_.patches) {
+        const double a = misfit(f, pieces.poses[0]), b = misfit(f, pieces.poses[1]);
+        members.push_back(std::min(a, b) > 1 ? -1 : a <= b ? 0 : 1);
       }
-      if (member == pieces.member) break;
-      pieces.member = std::move(member);
+      if (members == pieces.members) break;
+      pieces.members = std::move(members);
     }
     fit(pieces);
     measure(pieces);
-    const double least = std::min(pieces.walls[0], pieces.walls[1]);
-    if (least < options_.minPiece * all_ || pieces.explained() < options_.minExplained * all_)
-      return std::nullopt;
+    if (std::min(pieces.walls[0], pieces.walls[1]) < kSmallestPiece * all_) return std::nullopt;
     return pieces;
   }
 
   void fit(Pieces& pieces) const {
-    for (int k : {0, 1}) pieces.poses[std::size_t(k)] = poseOf(pieces.member, k, std::nullopt);
-  }
-
-  /** The pose of a piece, or that of what it has near a place. */
-  Transform2D poseOf(const Member& member, int piece, std::optional<Point> at) const {
-    MotionFit fit;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      if (member[i] != piece) continue;
-      const Placed& p = patches_[i];
-      const double far = at ? distance(p.drawn, *at) / options_.atSeam : 0;
-      fit.add(p.drawn, p.there, p.walls * (std::exp(-far * far / 2) + kBackground));
+    std::array<MotionFit, 2> fits;
+    for (std::size_t i = 0; i < pieces.members.size(); ++i) {
+      if (pieces.members[i] < 0) continue;
+      const FollowedPatch& f = followed_.patches[i];
+      fits[std::size_t(pieces.members[i])].add(middleOf(f), f.pose(middleOf(f)), f.walls);
     }
-    return fit.motion();
+    pieces.poses = {fits[0].motion(), fits[1].motion()};
   }
 
   void measure(Pieces& pieces) const {
     double squares = 0, turns = 0;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      if (pieces.member[i] < 0) continue;
-      const std::size_t k = std::size_t(pieces.member[i]);
-      const Placed& p = patches_[i];
-      const double turn = wrappedAngle(p.phi - pieces.poses[k].phi), far = away(p, pieces.poses[k]);
-      pieces.walls[k] += p.walls;
-      squares += p.walls * far * far;
-      turns += p.walls * turn * turn;
+    for (std::size_t i = 0; i < pieces.members.size(); ++i) {
+      if (pieces.members[i] < 0) continue;
+      const FollowedPatch& f = followed_.patches[i];
+      const auto k = std::size_t(pieces.members[i]);
+      const double turn = wrappedAngle(f.pose.phi - pieces.poses[k].phi);
+      const double far = away(f, pieces.poses[k]);
+      pieces.walls[k] += f.walls;
+      squares += f.walls * far * far;
+      turns += f.walls * turn * turn;
     }
     if (pieces.explained() <= 0) return;
-    pieces.bend = std::max(kLeastBend, std::sqrt(squares / pieces.explained()));
-    pieces.turnBend = std::max(kLeastTurn, std::sqrt(turns / pieces.explained()));
+    pieces.bend = std::sqrt(squares / pieces.explained());
+    pieces.turnBend = std::sqrt(turns / pieces.explained());
   }
 
-  /** How much of what is near each other in the two pieces holds together, 0 to 1: where they pass
-   *  into each other, as those of a map that bends all along do, it is much. */
-  double heldShare(const Pieces& pieces) const {
-    const double turn = std::abs(wrappedAngle(pieces.poses[1].phi - pieces.poses[0].phi));
-    const double heldTurn =
-        turn < options_.minRotation ? options_.heldTurn : std::min(options_.heldTurn, turn / 2);
-    std::size_t pairs = 0, held = 0;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      for (std::size_t j = 0; j < patches_.size(); ++j) {
-        if (pieces.member[i] != 0 || pieces.member[j] != 1) continue;
-        const Placed &a = patches_[i], &b = patches_[j];
-        if (distance(a.drawn, b.drawn) > options_.seeds.reach) continue;
-        ++pairs;
-        held += hold(a, b, heldTurn);
+  /** What lies on either side of the seam. */
+  struct Seam {
+    Point middle;     // halfway between where the pieces come nearest
+    double held = 0;  // how much of what is near each other holds together, 0 to 1: where the
+                      // pieces pass into each other, as in a map that bends all along, it is much
+  };
+
+  Seam seamOf(const Pieces& pieces, const PoseTolerance& heldWithin) const {
+    Seam seam;
+    double nearest = HUGE_VAL, near = 0;
+    for (std::size_t i = 0; i < pieces.members.size(); ++i)
+      for (std::size_t j = 0; j < pieces.members.size(); ++j) {
+        if (pieces.members[i] != 0 || pieces.members[j] != 1) continue;
+        const FollowedPatch &f = followed_.patches[i], &g = followed_.patches[j];
+        const double far = distance(middleOf(f), middleOf(g));
+        const Point between = midpoint(middleOf(f), middleOf(g));
+        if (far < nearest) nearest = far, seam.middle = between;
+        if (far > kPieceReach) continue;
+        ++near;
+        if (areNear(f.pose, g.pose, between, heldWithin)) ++seam.held;
       }
-    return pairs > 0 ? double(held) / double(pairs) : 0;
-  }
-
-  bool hold(const Placed& a, const Placed& b, double maxTurn) const {
-    const Point between = midpoint(a.drawn, b.drawn);
-    const auto there = [&](const Placed& p) { return carrying(p.drawn, p.there, p.phi)(between); };
-    return std::abs(wrappedAngle(a.phi - b.phi)) <= maxTurn &&
-           distance(there(a), there(b)) <= options_.heldPlace;
-  }
-
-  /** How much of the walls round the origin a piece has drawn. A robot that comes back there after
-   *  a break draws them once more; but it starts where there is room for it. */
-  double atOrigin(const Pieces& pieces, int piece) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      const double far = norm(patches_[i].drawn) / kAtOrigin;
-      if (pieces.member[i] == piece) sum += patches_[i].walls * std::exp(-far);
-    }
-    const double clearance = kTight + clearanceAt(pieces.poses[std::size_t(piece)].shift());
-    return sum * clearance * clearance;
-  }
-
-  /** From a place of the other map to what is not free there, up to what a robot keeps [m]. */
-  double clearanceAt(Point there) const {
-    const std::size_t cell = cellIndexAt(in_.frame, there);
-    return cell < in_.depths.size() ? std::min(kClearance, double(in_.depths[cell])) : 0;
-  }
-
-  static void swapPieces(Pieces& pieces) {
-    for (int& k : pieces.member)
-      if (k >= 0) k = 1 - k;
-    std::swap(pieces.poses[0], pieces.poses[1]);
-    std::swap(pieces.walls[0], pieces.walls[1]);
+    if (near > 0) seam.held /= near;
+    return seam;
   }
 
   std::optional<PieceBreak> breakOf(const Pieces& pieces) const {
-    // What the run did too much: from where the second piece belongs to where it was drawn.
-    const Transform2D motion = pieces.poses[1].inverse() * pieces.poses[0];
+    const std::size_t larger = pieces.walls[0] >= pieces.walls[1] ? 0 : 1;
+    // What the run did too much: from where the smaller piece belongs to where it was drawn.
+    const Transform2D motion = pieces.poses[1 - larger].inverse() * pieces.poses[larger];
+    const bool isTurned = std::abs(motion.phi) >= std::max(kLeastPieceTurn, options_.minRotation);
+    PoseTolerance heldWithin = kHeldAtSeam;
+    if (isTurned) heldWithin.turn = std::min(heldWithin.turn, std::abs(motion.phi) / 2);
+    const Seam seam = seamOf(pieces, heldWithin);
     PieceBreak found;
-    found.bend = pieces.bend;
-    found.pieces = {patchesOf(pieces, 0), patchesOf(pieces, 1)};
-    if (std::abs(motion.phi) >= options_.minRotation) {
-      const Transform2D turn = turnAtSeam(pieces, motion);
-      found.rotation = turn.phi;
-      found.place = centreOf(turn);
-      found.isPlaced = isDrawn(pieces, found.place);
-      if (!isClear(pieces, std::abs(turn.phi) / pieces.turnBend)) return std::nullopt;
-      return found;
-    }
-    found.place = seamOf(pieces);
+    found.place = isTurned ? centreOf(motion) : seam.middle;
     found.rotation = motion.phi;
-    found.shift = distance(motion(found.place), found.place);
-    if (found.shift < options_.minShift || !isClear(pieces, found.shift / pieces.bend))
-      return std::nullopt;
+    found.shift = isTurned ? 0 : distance(motion(seam.middle), seam.middle);
+    found.bend = pieces.bend;
+    found.pieces = {patchesOf(pieces, larger), patchesOf(pieces, 1 - larger)};
+    const double size = isTurned ? std::abs(motion.phi) : found.shift;
+    const double bend = isTurned ? pieces.turnBend : pieces.bend;
+    const bool isClear = size >= kPieceContrast * bend && seam.held * bend <= kMostHeld * size;
+    if (!isClear || (!isTurned && size < options_.minShift)) return std::nullopt;
     return found;
   }
 
-  /** Whether a break that is so many times what its pieces bend is more than that. */
-  bool isClear(const Pieces& pieces, double contrast) const {
-    return contrast >= options_.minContrast && heldShare(pieces) <= options_.maxHeld * contrast;
-  }
-
-  /** The motion between the pieces as what lies round its centre has it. */
-  Transform2D turnAtSeam(const Pieces& pieces, Transform2D motion) const {
-    for (int round = 0; round < kSeamRounds; ++round) {
-      const Point centre = centreOf(motion);
-      const Transform2D next =
-          poseOf(pieces.member, 1, centre).inverse() * poseOf(pieces.member, 0, centre);
-      if (std::abs(next.phi) < kMinTurn) break;
-      motion = next;
-    }
-    return motion;
-  }
-
-  std::vector<std::size_t> patchesOf(const Pieces& pieces, int piece) const {
+  std::vector<std::size_t> patchesOf(const Pieces& pieces, std::size_t piece) const {
     std::vector<std::size_t> of;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      if (pieces.member[i] == piece) of.push_back(patches_[i].patch);
+    for (std::size_t i = 0; i < pieces.members.size(); ++i)
+      if (pieces.members[i] == int(piece)) of.push_back(followed_.patches[i].patch);
     std::sort(of.begin(), of.end());
     of.erase(std::unique(of.begin(), of.end()), of.end());
     return of;
   }
 
-  /** Whether one of the pieces has drawn something round a place. */
-  bool isDrawn(const Pieces& pieces, Point place) const {
-    for (const int piece : {0, 1}) {
-      std::size_t near = 0;
-      for (std::size_t i = 0; i < patches_.size(); ++i)
-        near +=
-            pieces.member[i] == piece && distance(patches_[i].drawn, place) <= options_.maxOutside;
-      if (near >= kFew) return true;
-    }
-    return false;
-  }
-
-  /** The middle of the patches that are in both pieces; else of where these come nearest. */
-  Point seamOf(const Pieces& pieces) const {
-    Point sum, nearest;
-    double count = 0, least = HUGE_VAL;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
-      for (std::size_t j = 0; j < patches_.size(); ++j) {
-        if (pieces.member[i] != 0 || pieces.member[j] != 1) continue;
-        const Point middle = midpoint(patches_[i].drawn, patches_[j].drawn);
-        if (patches_[i].patch == patches_[j].patch) sum = sum + middle, ++count;
-        const double far = distance(patches_[i].drawn, patches_[j].drawn);
-        if (far < least) least = far, nearest = middle;
-      }
-    return count > 0 ? (1 / count) * sum : nearest;
-  }
-
-  const WallMap& in_;
-  const FindPiecesOptions& options_;
-  std::vector<Placed> patches_;
-  std::vector<std::vector<std::size_t>> seeds_;
+  const WallPatches& patches_;
+  const FollowedWalls& followed_;
+  const FindBreaksOptions& options_;
   double all_ = 0;
 };
 
 }  // namespace
 
-std::optional<PieceBreak> findPieces(const WallMap& of, const WallMap& in,
-                                     const FollowedWalls& followed,
-                                     const FindPiecesOptions& options) {
-  return PieceFinder(of, in, followed, options).find();
+std::optional<PieceBreak> findPieces(const WallPatches& patches, const FollowedWalls& followed,
+                                     const FindBreaksOptions& options) {
+  return PieceFinder(patches, followed, options).find();
 }
 
 }  // namespace roomgraph

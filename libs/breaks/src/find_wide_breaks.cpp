@@ -6,8 +6,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kSteady = 3;  // scans on either side that have to bear a break out
-
 /** Looks at all stretches of a few steps. */
 class WideBreaks {
  public:
@@ -27,7 +25,7 @@ class WideBreaks {
     std::vector<ScanBreak> kept;
     for (const Candidate& each : all)
       if (std::none_of(kept.begin(), kept.end(),
-                       [&](const ScanBreak& other) { return areOne(other, each.at, options_); }))
+                       [&](const ScanBreak& other) { return areOne(other, each.at); }))
         kept.push_back(each.at);
     return kept;
   }
@@ -40,13 +38,13 @@ class WideBreaks {
 
   std::vector<Candidate> candidates() const {
     std::vector<Candidate> all;
-    for (std::size_t from = kSteady; from + kSteady < found_.size(); ++from)
-      for (std::size_t to = from + 1;
-           to <= from + options_.wideSteps && to + kSteady < found_.size(); ++to) {
+    for (std::size_t from = kSteadySteps; from + kSteadySteps < found_.size(); ++from)
+      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kSteadySteps < found_.size();
+           ++to) {
         const ScanBreak at = between(from, to);
         const double size = sizeOf(at);
-        if (size < 1 || sizeOf(between(from, to + kSteady)) < size / 2 ||
-            sizeOf(between(from - kSteady, to)) < size / 2)
+        if (size < 1 || sizeOf(between(from, to + kSteadySteps)) < size / 2 ||
+            sizeOf(between(from - kSteadySteps, to)) < size / 2)
           continue;
         all.push_back({at, size / std::sqrt(double(to - from))});
       }
@@ -74,8 +72,8 @@ class WideBreaks {
   }
 
   double sizeOf(const ScanBreak& at) const {
-    return std::max(std::abs(at.rotation) / std::max(options_.wideRotation, options_.minRotation),
-                    at.shift / std::max(options_.wideShift, options_.minShift));
+    return std::max(std::abs(at.rotation) / std::max(kApartRotation, options_.minRotation),
+                    at.shift / std::max(kApartShift, options_.minShift));
   }
 
   const std::vector<ScanWalls>& scans_;
@@ -86,8 +84,8 @@ class WideBreaks {
 
 }  // namespace
 
-bool areOne(const ScanBreak& l, const ScanBreak& r, const FindBreaksOptions& options) {
-  return l.before <= r.behind + options.wideSteps && r.before <= l.behind + options.wideSteps;
+bool areOne(const ScanBreak& l, const ScanBreak& r) {
+  return l.before <= r.behind + kFewSteps && r.before <= l.behind + kFewSteps;
 }
 
 std::vector<ScanBreak> findWideBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,

@@ -11,13 +11,18 @@ namespace roomgraph {
 // Out:  the breaks that are too wide for noise
 // Next: findBreaks
 
+/** Scans on either side of a break that bear it out. */
+constexpr std::size_t kSteadySteps = 3;
+/** In so many steps a break may come about; as many around a sharp one are quiet. */
+constexpr std::size_t kFewSteps = 4;
+
 /** Where the poses of a run's scans turn or shift too far for any noise, in one step or in a few,
- *  and stay so: at least `wideRotation` or `wideShift` in `wideSteps`. The sharpest first, and of
- *  those that are one only the sharpest. O(scans * steps^2). */
+ *  and stay so: at least kApartRotation or kApartShift. The sharpest first, and of those that are
+ *  one only the sharpest. O(scans * steps^2). */
 std::vector<ScanBreak> findWideBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
                                       const FindBreaksOptions& options);
 
 /** Whether two breaks begin or end within a few scans of each other. */
-bool areOne(const ScanBreak& l, const ScanBreak& r, const FindBreaksOptions& options);
+bool areOne(const ScanBreak& l, const ScanBreak& r);
 
 }  // namespace roomgraph

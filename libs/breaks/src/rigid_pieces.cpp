@@ -1,29 +1,24 @@
 #include "roomgraph/breaks/rigid_pieces.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/geometry/NearPlaces.h"
 
 namespace roomgraph {
 
-std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
-                                                     const FollowedWalls& followed,
-                                                     const RigidPiecesOptions& options) {
+std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
+                                                  const FollowedWalls& followed,
+                                                  const PoseTolerance& onePiece) {
   const std::vector<FollowedPatch>& found = followed.patches;
   const auto holdTogether = [&](const FollowedPatch& f, const FollowedPatch& g) {
     const Point a = patches[f.patch].middle, b = patches[g.patch].middle;
-    if (distance(a, b) > options.reach) return false;
-    if (std::abs(wrappedAngle(f.pose.phi - g.pose.phi)) > options.maxTurn) return false;
-    const Point between = midpoint(a, b);
-    return distance(f.pose(between), g.pose(between)) <= options.maxShift;
+    return distance(a, b) <= kPieceReach && areNear(f.pose, g.pose, midpoint(a, b), onePiece);
   };
   UnionFind sets(found.size());
   std::vector<Point> middles;
   for (const FollowedPatch& f : found) middles.push_back(patches[f.patch].middle);
-  const NearPlaces near(middles, options.reach);
+  const NearPlaces near(middles, kPieceReach);
   double all = 0;
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     all += found[i].walls;
@@ -42,17 +37,12 @@ std::vector<std::vector<std::size_t>> piecesThatHold(const WallPatches& patches,
   };
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
                               [&](const auto& piece) {
-                                return piece.empty() || wallsOf(piece) < options.minShare * all;
+                                return piece.empty() || wallsOf(piece) < kLeastPiece * all;
                               }),
                pieces.end());
   std::stable_sort(pieces.begin(), pieces.end(),
                    [&](const auto& l, const auto& r) { return wallsOf(l) > wallsOf(r); });
   return pieces;
-}
-
-std::size_t rigidPieces(const WallPatches& patches, const FollowedWalls& followed,
-                        const RigidPiecesOptions& options) {
-  return piecesThatHold(patches, followed, options).size();
 }
 
 }  // namespace roomgraph

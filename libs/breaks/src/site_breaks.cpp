@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/align/FullMaps.h"
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/breaks/find_breaks.h"
+#include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/place_break.h"
 
 namespace roomgraph {
@@ -15,7 +17,7 @@ constexpr std::size_t kWitnesses = 3;  // runs in which the patches of another a
 class BreakSearch {
  public:
   BreakSearch(const Site& site, const MapPairs& pairs, const Consensus& consensus,
-              const Trust& trust, const SiteBreaksOptions& options, std::size_t run)
+              const Trust& trust, const FindBreaksOptions& options, std::size_t run)
       : site_(site), pairs_(pairs), consensus_(consensus), options_(options), run_(run) {
     witnesses_ = witnesses(trust);
     // Trust is steep: its root lets two good maps outvote a better one.
@@ -48,7 +50,7 @@ class BreakSearch {
     for (std::size_t k = 0; k < run.scans.size(); ++k)
       track.push_back(poseOf(k) * run.scans[k].pose.inverse());
     std::vector<MapBreak> breaks;
-    for (const ScanBreak& found : findBreaks(run.scans, track, options_.findBreaks))
+    for (const ScanBreak& found : findBreaks(run.scans, track, options_))
       breaks.push_back(breakOf(found));
     return breaks;
   }
@@ -79,23 +81,22 @@ class BreakSearch {
     const PieceBreak* best = nullptr;
     double bestWeight = 0;
     for (const auto& told : found) {
-      if (!told || !told->isPlaced) continue;
+      if (!told) continue;
       const double weight = votesFor(*told, found);
       if (best && (weight < bestWeight || (weight == bestWeight && told->bend >= best->bend)))
         continue;
       best = &*told, bestWeight = weight;
     }
-    if (!best || bestWeight < options_.minVotes * votesOn(*best, found)) return {};
+    if (!best || bestWeight < kEnoughVotes * votesOn(*best, found)) return {};
     return {{site_.runs[run_]->name, site_.poses[run_](best->place), best->rotation, best->shift,
              std::nullopt, std::nullopt}};
   }
 
   std::vector<std::optional<PieceBreak>> toldByWitnesses() const {
     std::vector<std::optional<PieceBreak>> told;
-    FullMaps maps;
     for (const std::size_t j : witnesses_)
-      told.push_back(findPieces(site_.runs[run_]->map, maps(site_.mapOf(j)),
-                                followedIn(pairs_, run_, j), options_.findPieces));
+      told.push_back(
+          findPieces(site_.runs[run_]->map.patches, followedIn(pairs_, run_, j), options_));
     return told;
   }
 
@@ -123,19 +124,20 @@ class BreakSearch {
     return std::all_of(found.pieces.begin(), found.pieces.end(), [&](const auto& piece) {
       const auto known =
           std::count_if(piece.begin(), piece.end(), [&](std::size_t k) { return isKnown[k]; });
-      return double(known) >= options_.minKnown * double(piece.size());
+      return 2 * std::size_t(known) >= piece.size();
     });
   }
 
-  bool areSame(const PieceBreak& l, const PieceBreak& r) const {
-    const double turn = std::abs(wrappedAngle(l.rotation - r.rotation));
-    return turn <= options_.sameTurn && std::abs(l.shift - r.shift) <= options_.samePlace;
+  /** Which of two pieces is the smaller one can differ from map to map. */
+  static bool areSame(const PieceBreak& l, const PieceBreak& r) {
+    return std::abs(std::abs(l.rotation) - std::abs(r.rotation)) <= kSameAnswer.turn &&
+           std::abs(l.shift - r.shift) <= kSameAnswer.place;
   }
 
   const Site& site_;
   const MapPairs& pairs_;
   const Consensus& consensus_;
-  const SiteBreaksOptions& options_;
+  const FindBreaksOptions& options_;
   std::size_t run_;
   std::vector<std::size_t> witnesses_;
   std::vector<double> votes_;  // of each witness
@@ -145,7 +147,7 @@ class BreakSearch {
 
 std::vector<std::vector<MapBreak>> siteBreaks(const Site& site, const MapPairs& pairs,
                                               const Consensus& consensus, const Trust& trust,
-                                              const SiteBreaksOptions& options,
+                                              const FindBreaksOptions& options,
                                               const ForEach& forEach) {
   std::vector<std::vector<MapBreak>> breaks(site.runs.size());
   forEach(breaks.size(), [&](std::size_t i) {

@@ -32,16 +32,6 @@ void check(const std::vector<Run>& runs, const MapPairs& related,
     throw UsageError("compare_runs: there is no run " + std::to_string(*options.reference));
 }
 
-SiteBreaksOptions breaking(const CompareRunsOptions& options) {
-  SiteBreaksOptions breaking;
-  breaking.findBreaks.minShift = breaking.findPieces.minShift = options.breakShift;
-  breaking.findBreaks.minRotation = options.breakRotation;
-  // Walls alone show no smaller turns than they do by themselves.
-  double& ofPieces = breaking.findPieces.minRotation;
-  ofPieces = std::max(ofPieces, options.breakRotation);
-  return breaking;
-}
-
 /** The place at which a run comes to be by sortRuns. */
 std::optional<std::size_t> placeOf(const std::optional<std::size_t>& run,
                                    const std::vector<Run>& before, const std::vector<Run>& after) {
@@ -69,7 +59,8 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const RunScores scores =
       scoreRuns(bends, maps, errors, site.reference, {options.scoreScale, options.leastShare});
   const Trust trust = trustOf(scores, site.reference);
-  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking(options), forEach);
+  const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
+  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
   const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();

@@ -46,10 +46,12 @@ struct TornPose {
 
 /** A place where a map is torn: what lies on one side of it is turned and shifted as a whole. */
 struct MapBreak {
-  std::string run;      ///< name
-  Point place;          ///< where the robot was, by the run's map before it [m, site frame]
-  double rotation = 0;  ///< of the far side against the near one [rad]
-  double shift = 0;     ///< of the far side at the break [m]
+  std::string run;  ///< name
+  Point place;      ///< where the robot was, by the run's map before it [m, site frame]
+  /** Of the far side against the near one; without scans, of the smaller one against the larger
+   *  [rad]. */
+  double rotation = 0;
+  double shift = 0;  ///< of the far side at the break [m]
   /** The first key frame behind the break that has a scan, by its number in the file of the run,
    *  and the time of that scan [s since 1970]; none of a run without scans. */
   std::optional<std::size_t> keyFrame;

@@ -21,16 +21,10 @@ struct ScanBreak {
   double shift = 0;        ///< by which it moves it too far, at the robot's place [m]
 };
 
+/** From which on a jump is a break. */
 struct FindBreaksOptions {
-  double minRotation = kBreakRotation;   ///< [rad]
-  double minShift = kBreakShift;         ///< [m]
-  double outlier = 4;                    ///< times the 95th percentile of the run's other steps
-  double quiet = 0.4;                    ///< share of the jump that the steps around it may reach
-  std::size_t window = 5;                ///< scans on either side that must be quiet
-  std::size_t maxGap = 3;                ///< scans from one that was found to the next
-  double wideRotation = kApartRotation;  ///< a turn that is a break in any run [rad]
-  double wideShift = kApartShift;        ///< a shift that is one [m]
-  std::size_t wideSteps = 4;             ///< scans in which it may come about
+  double minRotation = kBreakRotation;  ///< [rad]
+  double minShift = kBreakShift;        ///< [m]
 };
 
 }  // namespace roomgraph

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/breaks/MapBreak.h"
-#include "roomgraph/breaks/rigid_pieces.h"
+#include "roomgraph/breaks/ScanBreak.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
@@ -15,50 +14,30 @@ namespace roomgraph {
 // Out:  PieceBreak
 // Next: siteBreaks
 
-/** The place where a map of two pieces breaks. */
+/** How the two pieces of a map that is torn lie beside each other. */
 struct PieceBreak {
-  Point place;           ///< as the run draws it [m, frame of the run]
-  double rotation = 0;   ///< by which the second piece is turned too far [rad]
-  double shift = 0;      ///< by which it is moved too far, at `place` [m]
-  bool isPlaced = true;  ///< whether one of the pieces was drawn at `place`
-  double bend = 0;       ///< RMS distance of the patches from where their piece would have them [m]
-  /** Patches of the first and the second piece, ascending; a patch can be in both. */
-  std::array<std::vector<std::size_t>, 2> pieces;
+  Point place;          ///< as the run draws it [m, frame of the run]
+  double rotation = 0;  ///< by which the smaller piece is turned too far [rad]
+  double shift = 0;     ///< by which it is moved too far, where it hardly turns [m]
+  double bend = 0;      ///< RMS distance of the patches from where their piece would have them [m]
+  std::array<std::vector<std::size_t>, 2> pieces;  ///< their patches, the larger piece first
 };
 
-struct FindPiecesOptions {
-  /** Of patches that surely are of one piece. */
-  RigidPiecesOptions seeds{4.5, 0.04, 0.2, 0.08};
-  std::size_t maxSeeds = 5;  ///< the largest ones, each two of which are tried
-  /** What patches may be away from where their piece has them; half of both, or one of them. */
-  double maxAway = 2.4;           ///< [m]
-  double maxTurn = 0.2;           ///< [rad]
-  double minExplained = 0.8;      ///< share of the followed walls that lie in the two pieces
-  double minPiece = 0.15;         ///< and in the smaller one
-  double minRotation = 0.044;     ///< of a break [rad]; less could be a drift
-  double minShift = kBreakShift;  ///< of one that hardly turns [m]
-  double minContrast = 2.5;       ///< of the break, times what the pieces themselves bend
-  double maxTurnBend = 0.045;     ///< of the pieces, RMS [rad]; what turns more drifts
-  /** Of patches of two pieces that are near each other, the share that may hold together, for each
-   *  time that the break is more than the pieces bend; and what their poses differ by then. */
-  double maxHeld = 0.02;
-  double heldTurn = 0.06;  ///< [rad]
-  double heldPlace = 0.4;  ///< halfway between them [m]
-  double atSeam = 8;       ///< how far from a break its pieces tell of it [m]
-  double maxOutside = 5;   ///< of the centre of a turn, from what a piece has drawn [m]
-};
+/** A smaller turn between pieces could be a drift, and a piece that bends by more does drift
+ *  [rad]. */
+constexpr double kLeastPieceTurn = 0.044;
+/** By how much the break must be more than what the pieces themselves bend. */
+constexpr double kPieceContrast = 2.5;
+/** Share of the walls that were found, of the smaller piece. */
+constexpr double kSmallestPiece = 0.15;
 
-/** Whether the patches of `of` lie in the map `in` as two pieces, each of which may bend a
- *  little. Each two of the parts that surely hold together are tried: all patches go to the
- *  nearer one of the two, and both are fitted anew, until nothing changes (k-means); those two
- *  count that explain most walls. The first piece is the one that drew the walls around the
- *  origin of the run, where robots start, and that has the origin on free ground. A break that
- *  turns is where the turn has its centre, the motion being fitted to what is near; where that is
- *  far from both pieces, one of them was found in the wrong place, and `isPlaced` is false. One
- *  that only shifts is put into the middle of the patches that both pieces have, which can be
- *  many metres off. None for a map that is whole, or bends all along. O(patches^2). */
-std::optional<PieceBreak> findPieces(const WallMap& of, const WallMap& in,
-                                     const FollowedWalls& followed,
-                                     const FindPiecesOptions& options);
+/** Whether the patches of a run lie in another map as two pieces, each of which may bend a little.
+ *  Each two of the rigid pieces are tried: all patches go to the nearer one of the two, and both
+ *  are fitted anew, until nothing changes (k-means); those two count that explain most walls. A
+ *  break that turns is where the turn has its centre. Walls do not tell where one is that only
+ *  shifts: it is put to where the pieces come nearest. None for a map that is whole, or bends all
+ *  along. O(pieces^2 * patches + patches^2). */
+std::optional<PieceBreak> findPieces(const WallPatches& patches, const FollowedWalls& followed,
+                                     const FindBreaksOptions& options);
 
 }  // namespace roomgraph
