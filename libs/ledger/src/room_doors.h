@@ -1,8 +1,10 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "consensus_rooms.h"
+#include "room_outlines.h"
 
 namespace roomgraph {
 
@@ -23,6 +25,7 @@ struct RoomDoors {
 struct RoomsInRun {
   std::vector<bool> isClean;    ///< the room is an area of its own, and can be measured
   std::vector<RoomMove> moves;  ///< run's drawing <- site
+  std::map<std::size_t, RoomOutline> outlines{};  ///< there, of the rooms that it judges
 };
 
 /** Doors of two runs are one where they lead to the same room and are within 1.5 m, or else within

@@ -9,7 +9,6 @@
 
 #include "consensus_rooms.h"
 #include "room_doors.h"
-#include "room_outlines.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
@@ -44,26 +43,21 @@ std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
   return judges;
 }
 
-/** How all rooms lie in one run. */
-struct MeasuredRun {
-  RoomsInRun rooms;
-  std::map<std::size_t, RoomOutline> outlines;  ///< there, of the rooms that it judges
-};
-
-std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRooms& consensus,
-                                      const std::vector<std::vector<std::size_t>>& judges,
-                                      const ForEach& forEach) {
+/** How all rooms lie in each run. */
+std::vector<RoomsInRun> roomsInRuns(const SiteAreas& site, const ConsensusRooms& consensus,
+                                    const std::vector<std::vector<std::size_t>>& judges,
+                                    const ForEach& forEach) {
   std::vector<RoomOutline> outlines;
   for (const SiteShape& shape : consensus.rooms.shapes) outlines.emplace_back(shape.polygon);
-  std::vector<MeasuredRun> runs(site.runs.size());
+  std::vector<RoomsInRun> runs(site.runs.size());
   forEach(runs.size(), [&](std::size_t i) {
     for (std::size_t s = 0; s < outlines.size(); ++s) {
       const AreaMatch& match = consensus.matches[i][s];
-      runs[i].rooms.isClean.push_back(isClean(match));
-      runs[i].rooms.moves.push_back(match.move);
+      runs[i].isClean.push_back(isClean(match));
+      runs[i].moves.push_back(match.move);
       if (!isClean(match)) continue;
       RoomOutline outline(site.runs[i].shapes[match.areas[0]].polygon);
-      runs[i].rooms.moves[s] =
+      runs[i].moves[s] =
           refinedMove(outlines[s], outline, match.move, consensus.rooms.shapes[s].middle);
       if (std::count(judges[s].begin(), judges[s].end(), i) > 0)
         runs[i].outlines.emplace(s, std::move(outline));
@@ -76,12 +70,12 @@ std::vector<MeasuredRun> measuredRuns(const SiteAreas& site, const ConsensusRoom
 class Ledger {
  public:
   Ledger(const SiteAreas& site, const ConsensusRooms& consensus,
-         const std::vector<std::size_t>& judges, const std::vector<MeasuredRun>& runs,
+         const std::vector<std::size_t>& judges, const std::vector<RoomsInRun>& runs,
          const RoomDoors& doors, std::size_t room)
       : site_(site),
         consensus_(consensus),
         judges_(judges),
-        measured_(runs),
+        inRuns_(runs),
         doors_(doors),
         room_(room),
         shape_(consensus.rooms.shapes[room]) {}
@@ -100,8 +94,8 @@ class Ledger {
 
  private:
   const AreaMatch& matchIn(std::size_t run) const { return consensus_.matches[run][room_]; }
-  bool isCleanIn(std::size_t run) const { return measured_[run].rooms.isClean[room_]; }
-  const RoomMove& moveIn(std::size_t run) const { return measured_[run].rooms.moves[room_]; }
+  bool isCleanIn(std::size_t run) const { return inRuns_[run].isClean[room_]; }
+  const RoomMove& moveIn(std::size_t run) const { return inRuns_[run].moves[room_]; }
 
   bool isCorridor() const {
     double corridor = 0, all = 0;
@@ -154,7 +148,7 @@ class Ledger {
       const Transform2D between =
           moveIn(j).about(shape_.middle) * moveIn(run).about(shape_.middle).inverse();
       const double weight = site_.runs[j].weight;
-      sum += weight * outlineAgreement(own, measured_[j].outlines.at(room_), between, kSameWall);
+      sum += weight * outlineAgreement(own, inRuns_[j].outlines.at(room_), between, kSameWall);
       all += weight;
     }
     return all > 0 ? std::optional(sum / all) : std::nullopt;
@@ -192,7 +186,7 @@ class Ledger {
   const SiteAreas& site_;
   const ConsensusRooms& consensus_;
   const std::vector<std::size_t>& judges_;
-  const std::vector<MeasuredRun>& measured_;
+  const std::vector<RoomsInRun>& inRuns_;
   const RoomDoors& doors_;
   std::size_t room_;
   const SiteShape& shape_;
@@ -231,11 +225,9 @@ std::vector<SiteRoom> siteRooms(const Site& site, const Trust& trust, const ForE
   std::vector<SiteRoom> rooms(consensus.rooms.shapes.size());
   std::vector<RoomDoors> doors(rooms.size());
   const auto judges = judgesOf(areas, consensus);
-  const std::vector<MeasuredRun> runs = measuredRuns(areas, consensus, judges, forEach);
-  std::vector<RoomsInRun> inRuns;
-  for (const MeasuredRun& run : runs) inRuns.push_back(run.rooms);
+  const std::vector<RoomsInRun> runs = roomsInRuns(areas, consensus, judges, forEach);
   forEach(rooms.size(), [&](std::size_t s) {
-    doors[s] = roomDoors(areas, consensus, s, inRuns);
+    doors[s] = roomDoors(areas, consensus, s, runs);
     rooms[s] = Ledger(areas, consensus, judges[s], runs, doors[s], s).room();
   });
   number(rooms);
