@@ -10,8 +10,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kRaster = 0.5;                        // of the search round a start [m]
-constexpr double kFirstStep = 0.3, kFirstTurn = 0.07;  // of the refinement [m, rad]
+constexpr double kRaster = 0.5;      // of the search round a start [m]
+constexpr double kFirstTurn = 0.07;  // of the refinement [rad]
 constexpr int kHalvings = 4;
 constexpr double kMoveCost = 0.03;     // per metre from the start
 constexpr double kLeastOverlap = 0.1;  // below which a fit is none

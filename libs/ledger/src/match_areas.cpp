@@ -7,7 +7,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameMove = 0.3;        // starts nearer than this are one [m]
 constexpr double kMostSurprise = 3.0;    // that a room lies from where it should be [m]
 constexpr double kFewDoors = 3;          // that tell a room apart, whatever its overlap
 constexpr double kNeighbourBonus = 0.2;  // added to the overlap where all neighbours match, too
@@ -89,9 +88,9 @@ class Matching {
       if (!fit) continue;
       const RoomMove start = moveOf(fit->move.about(rooms_.shapes[n].middle), middle);
       const bool isNew = std::none_of(starts.begin(), starts.end(), [&](const RoomMove& other) {
-        return distance(other.shift, start.shift) < kSameMove;
+        return distance(other.shift, start.shift) < kFirstStep;
       });
-      if (isNew && norm(start.shift) >= kSameMove) starts.push_back(start);
+      if (isNew && norm(start.shift) >= kFirstStep) starts.push_back(start);
     }
     addFreeAreas(s, starts);
     if (starts.empty()) return;

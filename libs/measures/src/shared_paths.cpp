@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -12,7 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kUnreachable = std::numeric_limits<double>::infinity();
 // By how much the lengths of one way may differ: always this, and this share of the longer one.
 constexpr double kLengthSlack = 0.5, kLengthShare = 0.25;  // [m]
 constexpr double kMaxPathLength = 20;  // of a way through vertices that are not matched [m]
@@ -31,7 +29,7 @@ class WaysOut {
       : graph_(graph),
         matchOf_(std::move(matchOf)),
         maxLength_(maxLength),
-        length_(graph.vertices().size(), kUnreachable),
+        length_(graph.vertices().size(), HUGE_VAL),
         before_(graph.vertices().size()) {}
 
   /** By match; only those above the one of `start`. */
@@ -42,7 +40,7 @@ class WaysOut {
       const std::size_t match = matchOf_[v.index()];
       if (match != kNoMatch && match > matchOf_[start.index()]) ways[match] = wayTo(v, start);
     }
-    for (const VertexId v : reached_) length_[v.index()] = kUnreachable;
+    for (const VertexId v : reached_) length_[v.index()] = HUGE_VAL;
     return ways;
   }
 
@@ -62,7 +60,7 @@ class WaysOut {
         const VertexId to = graph_.target(h);
         const double next = length + graph_.edge(h).path.length;
         if (next > maxLength_ || next >= length_[to.index()]) continue;
-        if (length_[to.index()] == kUnreachable) reached_.push_back(to);
+        if (length_[to.index()] == HUGE_VAL) reached_.push_back(to);
         length_[to.index()] = next, before_[to.index()] = h;
         queue.push({next, to});
       }

@@ -8,7 +8,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSurePose = 0.9;     // confidence
 constexpr double kHardlyBent = 1;     // bend; storeys of one building lie within decimetres [m]
 constexpr double kOtherWalls = 0.15;  // share of straight walls; of 88 pairs of one storey 0.07
 

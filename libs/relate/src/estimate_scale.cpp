@@ -14,9 +14,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameScale = 0.1;  // scales that are one answer, as a share
-constexpr int kFits = 3;            // of the scale to the walls, each from the one before
-constexpr int kMostAcross = 1500;   // cells that sizes are measured on
+constexpr int kFits = 3;           // of the scale to the walls, each from the one before
+constexpr int kMostAcross = 1500;  // cells that sizes are measured on
 // Factors by which scales go below and above what sizes of rooms and map tell: what a run has not
 // seen makes them look small; and farther still to reach the first guess.
 constexpr double kBelow = 1.25, kAbove = 1.6, kGuessReach = 2;
@@ -32,8 +31,9 @@ struct ScaleTrial {
   double score() const { return alignment.best ? alignment.best->score : -HUGE_VAL; }
 };
 
-double ratioOf(const ScaleTrial& l, const ScaleTrial& r) {
-  return std::abs(std::log(l.resolution / r.resolution));
+/** Whether the scales are no farther apart than those that are tried to the next but one. */
+bool areSame(const ScaleTrial& l, const ScaleTrial& r) {
+  return std::abs(std::log(l.resolution / r.resolution)) <= 2 * kScaleStep;
 }
 
 /** Sizes of a map that do not depend on how it is turned [m]; 0 where there is nothing. */
@@ -151,7 +151,7 @@ std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid
   std::vector<ScaleTrial> chosen;
   for (const ScaleTrial& trial : trials) {
     const bool isNear = std::any_of(chosen.begin(), chosen.end(), [&](const ScaleTrial& better) {
-      return ratioOf(better, trial) < kSameScale;
+      return areSame(better, trial);
     });
     if (!isNear && chosen.size() < kCloser) chosen.push_back(trial);
   }
@@ -176,7 +176,7 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run, const
     return std::nullopt;
   for (const auto* others : {&trials, &close})
     for (const ScaleTrial& other : *others)
-      if (ratioOf(other, best) > kSameScale && other.score() > best.score() - kMinScaleMargin)
+      if (!areSame(other, best) && other.score() > best.score() - kMinScaleMargin)
         return std::nullopt;
   return best;
 }
@@ -195,7 +195,7 @@ std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<Run>& runs,
   });
   const auto isOff = [&](const ScaleTrial& vote) {
     return !vote.alignment.isSameSite || vote.alignment.overlap < kMajority ||
-           ratioOf(vote, found) > kSameScale;
+           !areSame(vote, found);
   };
   all.erase(std::remove_if(all.begin(), all.end(), isOff), all.end());
   all.push_back(found);

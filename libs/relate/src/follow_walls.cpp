@@ -9,6 +9,7 @@
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
@@ -20,9 +21,7 @@ constexpr double kDoubt = 5;            // points that speak against each patch 
 constexpr double kSureShare = 0.7;      // a patch found this well is not looked for again
 constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
 constexpr int kTwinRounds = 2;
-constexpr double kGoodQuality =
-    0.5;  // share of a patch's walls from which on it is found by itself
-constexpr double kFairQuality = 0.3;     // and where all around it has been found
+constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
 constexpr double kMaxBend = 60;          // of a piece away from the first pose, at a patch [m]
 constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
 constexpr int kMaxPieces = 6;
@@ -158,8 +157,8 @@ class Follower {
     std::sort(seeds.begin(), seeds.end());
     for (const auto& [quality, patch] : seeds) {
       if (isDone_[patch]) continue;
-      offer(patch, pose, kGoodQuality, false);
-      grow(kGoodQuality);
+      offer(patch, pose, kMajority, false);
+      grow(kMajority);
     }
   }
 
@@ -192,11 +191,10 @@ class Follower {
       if (sum > best) best = sum, chosen = i, seed = patch;
     }
     if (!chosen) return false;
-    offer(seed, others[*chosen], kGoodQuality, false);
+    offer(seed, others[*chosen], kMajority, false);
     others.erase(others.begin() + std::ptrdiff_t(*chosen));
     const std::size_t before = result_.patches.size();
-    if (grow(kGoodQuality) < kMinPieceShare * double(of_.walls.size()))
-      result_.patches.resize(before);
+    if (grow(kMajority) < kMinPieceShare * double(of_.walls.size())) result_.patches.resize(before);
     return true;
   }
 

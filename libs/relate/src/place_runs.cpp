@@ -44,8 +44,6 @@ class JoinedPairs {
   }
 
  private:
-  static constexpr double kSurePose = 0.9;  // confidence
-
   bool isSure(std::size_t a, std::size_t b) const {
     return isJoined(related_(a, b)) && related_(a, b).alignment.confidence >= kSurePose;
   }

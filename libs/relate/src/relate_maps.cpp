@@ -25,24 +25,21 @@ FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kHardlyBent = 1;    // a bend beside which aliases count for nothing [m]
-constexpr double kNotAtOdds = 0.2;   // siteConfidence of maps whose frames are said to be the same
-constexpr double kAlsoLikely = 0.2;  // and of another that makes it unsure
+constexpr double kUnlikely = 0.2;  // confidence below which an answer counts for nothing
 constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
 
-constexpr double kSurelyPlaced = 0.9;     // confidence from which on nothing else is asked
 constexpr double kClearlyMirrored = 0.7;  // how much better the mirror image must score: in pairs
                                           // of sound maps it scores less by 0.9 or more
 
 /** In a symmetric building the runner-up may be right as well. */
 bool isSure(const MapPair& pair) {
-  return pair.alignment.confidence >= kMajority && pair.alignment.runnerUpConfidence < kAlsoLikely;
+  return pair.alignment.confidence >= kMajority && pair.alignment.runnerUpConfidence < kUnlikely;
 }
 
 /** Whether b fits better as its own mirror image. One that surely fits as it is is not asked, so
  *  that only pairs in doubt cost a second search. */
 bool isMirrored(const WallMap& a, const WallMap& b, const Alignment& alignment) {
-  if (alignment.isSameSite && alignment.confidence >= kSurelyPlaced) return false;
+  if (alignment.isSameSite && alignment.confidence >= kSurePose) return false;
   const Alignment image = alignMaps(a, mirrored(b));
   return image.isSameSite && image.best->score >= alignment.best->score + kClearlyMirrored;
 }
@@ -174,7 +171,7 @@ MapPair relateAlignedMaps(const WallMap& a, const WallMap& b) {
   pair.alignment = alignmentAt(a, b, {{}});
   Alignment& alignment = pair.alignment;
   alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
-  alignment.isSameSite = alignment.siteConfidence >= kNotAtOdds;
+  alignment.isSameSite = alignment.siteConfidence >= kUnlikely;
   if (!alignment.isSameSite) alignment.confidence = alignment.siteConfidence;
   compare(pair, a, b);
   return pair;

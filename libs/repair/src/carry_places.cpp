@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/find_scan.h"
 #include "roomgraph/compare/Comparison.h"
@@ -18,8 +19,6 @@ constexpr double kBeenThere = 5;        // the robot was at a place that it has 
 constexpr double kLeastCarried = 0.03;  // of the consensus where it is best [m]
 constexpr double kLargeError = 0.2;     // from which on a place is worth a look [m]
 constexpr double kViewRange = 6;        // of what lies around a place [m]
-constexpr double kLeastKnown = 0.5;     // share of that which the new map must have seen
-constexpr double kLeastSame = 0.5;      // share of the walls of that which must be there again
 constexpr double kOwnPlace = 0.3;       // farther off they belong to another place [m]
 constexpr PoseTolerance kRivalWindow{0.3, 2.5};  // where rivals are looked for
 
@@ -129,8 +128,8 @@ class Carrier {
     if (!view.isTelling()) return doubtUnseen(route, carried);
     const Transform2D& at = *carried.pose;
     const ScanFit here = fitNear(view, new_, at);
-    if (here.known < kLeastKnown) return "the new map has hardly seen what lies around it";
-    if (here.quality < kLeastSame) return "what lies around it looks otherwise on the new map";
+    if (here.known < kMajority) return "the new map has hardly seen what lies around it";
+    if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), at.shift());
     if (off > kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
     for (const ScanFit& other : findScan(view, new_, at, kRivalWindow, 1))

@@ -6,6 +6,8 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/majority.h"
+#include "roomgraph/base/time_text.h"
 #include "roomgraph/repair/CellVotes.h"
 
 namespace roomgraph {
@@ -13,11 +15,9 @@ namespace {
 
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
 constexpr double kToldOf = 0.1;          // share of the beams of a scan that tells of all of it
-constexpr double kSurelyWall = 0.5;      // wall share from which on a run has a wall there
 constexpr double kBehindWall = 0.5;      // so far behind a wall nothing is seen that grazes it [m]
 constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is looked through
 constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well
-constexpr double kSecondsPerDay = 86400;
 
 using LeftOut = std::vector<std::vector<std::size_t>>;
 
@@ -107,7 +107,7 @@ class Merger {
     std::size_t walls = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
       if (other == r || votes[other].seen(cell) < kSureBeams) continue;
-      ++known, walls += votes[other].wallShare(cell) >= kSurelyWall;
+      ++known, walls += votes[other].wallShare(cell) >= kMajority;
     }
     return 2 * walls > known;
   }
@@ -158,10 +158,10 @@ class Merger {
       if (votes[*r].seen(cell) < kSureBeams) continue;
       ++asked, agreeing += votes[*r].wallShare(cell) <= kClearlyFree
                                ? -1
-                               : votes[*r].wallShare(cell) >= kSurelyWall;
+                               : votes[*r].wallShare(cell) >= kMajority;
     }
     if (all <= 0) return std::nullopt;
-    if (agreeing == 2) return std::max(wall / all, kSurelyWall);
+    if (agreeing == 2) return std::max(wall / all, kMajority);
     if (agreeing == -2) return std::min(wall / all, kClearlyFree);
     return wall / all;
   }
@@ -182,7 +182,7 @@ class Merger {
         if (votes[r].seen(cell) == 0) continue;
         ++seen;
         if (runs_[r].time)
-          merged.time[cell] = float((*runs_[order_.back()].time - *runs_[r].time) / kSecondsPerDay);
+          merged.time[cell] = float((*runs_[order_.back()].time - *runs_[r].time) / kDay);
       }
       merged.runs[cell] = std::uint8_t(std::min<std::size_t>(seen, 255));
     }

@@ -5,14 +5,13 @@
 
 #include "OtherWalls.h"
 #include "moved_run.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
 namespace {
 
-// What less of a run has been seen by others says nothing of the rest of it.
-constexpr double kLeastSeen = 0.5;
 constexpr std::size_t kProbes = 60;  // scans of a run by which it is judged, about
 
 /** Why a run is better left as it was; mended where nothing speaks for that. */
@@ -74,7 +73,7 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
 
 }  // namespace
 
-bool isTrusted(const MapError& error) { return error.seen >= kLeastSeen; }
+bool isTrusted(const MapError& error) { return error.seen >= kMajority; }
 
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real) {
   std::vector<RepairedRun> all;
