@@ -66,6 +66,29 @@ TEST(Comparison, certaintyNamesTheWorstDoubt) {
   EXPECT_EQ(word(), "cannot tell");
 }
 
+TEST(Comparison, slightBreaksAreNotCounted) {
+  Comparison comparison = ofFour();
+  comparison.breaks = {{"a", {}, kClearRotation, 0, {}, {}},
+                       {"b", {}, 0, kBreakShift, {}, {}},
+                       {"a", {}, kBreakRotation, 0, {}, {}}};
+  EXPECT_EQ(comparison.countBreaks("a"), 1u);
+  EXPECT_EQ(comparison.countBreaks("b"), 1u);
+  EXPECT_EQ(comparison.countBreaks("c"), 0u);
+}
+
+TEST(Comparison, coverageIsPartialWhereItIsSmallAndMeaningful) {
+  ComparedRun run = runOf("a", 0.1);
+  EXPECT_FALSE(run.partialCoverage());
+  run.measures.emplace_back();
+  Measure& coverage = run.measures.back();
+  coverage.name = "coverage", coverage.value = 0.6;
+  EXPECT_FALSE(run.partialCoverage());
+  coverage.isMeaningful = true;
+  EXPECT_EQ(run.partialCoverage(), 0.6);
+  coverage.value = kPartialCoverage;
+  EXPECT_FALSE(run.partialCoverage());
+}
+
 TEST(Comparison, copiesAndEditsAreSetsOfRuns) {
   using Sets = std::vector<std::vector<std::string>>;
   Comparison comparison;

@@ -45,6 +45,19 @@ const char* certaintyText(Certainty certainty) {
   }
 }
 
+std::optional<double> ComparedRun::partialCoverage() const {
+  const Measure* coverage = find(measures, "coverage");
+  const bool isPartial =
+      coverage && coverage->isMeaningful && coverage->value.value_or(1) < kPartialCoverage;
+  return isPartial ? coverage->value : std::nullopt;
+}
+
+std::size_t Comparison::countBreaks(const std::string& run) const {
+  return std::size_t(std::count_if(breaks.begin(), breaks.end(), [&](const MapBreak& found) {
+    return found.run == run && found.kind() != BreakClass::slight;
+  }));
+}
+
 bool Comparison::isPlaceDoubtful(const std::string& run) const {
   const auto isOfRun = [&](const ComparedPair& pair) {
     return pair.isSameSite && (pair.a == run || pair.b == run);
@@ -72,13 +85,10 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (!run.score || !run.score->isMeaningful) return Certainty::cannotTell;
   if (isPlaceDoubtful(run.name)) return Certainty::doubtful;
   const RunScore& score = *run.score;
-  const Measure* coverage = find(run.measures, "coverage");
-  const bool isPartial =
-      coverage && coverage->isMeaningful && coverage->value.value_or(1) < kPartialCoverage;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
   const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !score.isBorneOut();
-  return isPartial || isWide || isOdd || score.share < kMostWalls ? Certainty::likely
-                                                                  : Certainty::sure;
+  return run.partialCoverage() || isWide || isOdd || score.share < kMostWalls ? Certainty::likely
+                                                                              : Certainty::sure;
 }
 
 }  // namespace roomgraph

@@ -19,11 +19,8 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
           : comparison.core.empty()
               ? formatted("the consensus of %zu runs", score.others + 1)
               : formatted("the consensus of the core of %zu runs", comparison.core.size());
-  const auto isOfRun = [&](const MapBreak& found) {
-    return found.run == run.name && found.kind() != BreakClass::slight;
-  };
-  if (const auto count = std::count_if(comparison.breaks.begin(), comparison.breaks.end(), isOfRun))
-    text += formatted("; it breaks in %ld place%s", long(count), count == 1 ? "" : "s");
+  if (const std::size_t count = comparison.countBreaks(run.name))
+    text += formatted("; it breaks in %zu place%s", count, count == 1 ? "" : "s");
   if (score.jitter > 0)
     text += formatted("; its key frames lie %.2f m off each on its own", score.jitter);
   if (comparison.isPlaceDoubtful(run.name))
@@ -40,11 +37,6 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
                       100 * (1 - score.confirmed));
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
-}
-
-std::optional<double> coverageOf(const ComparedRun& run) {
-  const Measure* coverage = find(run.measures, "coverage");
-  return coverage && coverage->isMeaningful ? coverage->value : std::nullopt;
 }
 
 /** Whether its interval ends above the score of at least one other run. */
@@ -90,8 +82,6 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      bend && bend->value ? *bend->value : 0.0);
-  const auto coverage = coverageOf(best);
-  const bool isPartial = coverage && *coverage < kPartialCoverage;
   const bool isDoubtful = result.isPlaceDoubtful(best.name);
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text =
@@ -100,7 +90,7 @@ std::string verdictOf(const Comparison& result) {
                 best.score->score, best.score->low, best.score->high, best.score->mapError);
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
-  if (isPartial)
+  if (const auto coverage = best.partialCoverage())
     text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
                       100 * *coverage);
   if (isDoubtful) text += "; but no pair that is sure joins it to most of the others";

@@ -1,7 +1,5 @@
 #include "navigation_word.h"
 
-#include <algorithm>
-
 #include "page_data.h"
 
 namespace roomgraph {
@@ -29,17 +27,11 @@ std::string wordFor(const RunScore& score) {
          "place does";
 }
 
-bool isBroken(const ComparedRun& run, const Comparison& comparison) {
-  return std::any_of(comparison.breaks.begin(), comparison.breaks.end(), [&](const MapBreak& tear) {
-    return tear.run == run.name && tear.kind() != BreakClass::slight;
-  });
-}
-
 /** Where the best run breaks: the best one without a break, of which all can be told. */
 std::string toDrive(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
     if (comparison.certaintyOf(run) <= Certainty::likely && run.score->isBorneOut() &&
-        run.score->jitter < kSmeared && !isBroken(run, comparison))
+        run.score->jitter < kSmeared && comparison.countBreaks(run.name) == 0)
       return " To drive: " + run.name + ", which has no break, and " + errorText(*run.score) +
              "; to measure: " + comparison.runs[0].name + ".";
   return "";
@@ -57,7 +49,7 @@ std::string navigationWord(const Comparison& comparison) {
     return start + "cannot be told, there is too little to judge by.";
   if (certainty == Certainty::doubtful)
     return start + "cannot be told, no pair that is sure joins it to most of the others.";
-  if (isBroken(best, comparison))
+  if (comparison.countBreaks(best.name) > 0)
     return start +
            "not good enough. It breaks, and a robot that drives across a break is lost for a "
            "moment." +

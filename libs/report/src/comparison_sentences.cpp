@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include "roomgraph/base/sentence_text.h"
@@ -30,21 +29,17 @@ std::string unsureText(double confidence) {
 }  // namespace
 
 std::string breaksSentence(const Comparison& comparison) {
-  std::map<std::string, std::size_t> breaks;
-  std::size_t slight = 0;
-  for (const MapBreak& one : comparison.breaks)
-    if (one.kind() == BreakClass::slight)
-      ++slight;
-    else
-      ++breaks[one.run];
+  std::size_t slight = comparison.breaks.size();
   std::vector<std::string> names;
-  for (const ComparedRun& run : comparison.runs)
-    if (breaks.count(run.name)) {
-      std::vector<std::string> more;
-      if (breaks[run.name] > 1) more.push_back(std::to_string(breaks[run.name]) + " places");
-      if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
-      names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
-    }
+  for (const ComparedRun& run : comparison.runs) {
+    const std::size_t count = comparison.countBreaks(run.name);
+    if (count == 0) continue;
+    slight -= count;
+    std::vector<std::string> more;
+    if (count > 1) more.push_back(std::to_string(count) + " places");
+    if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
+    names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
+  }
   const std::string more = counted(slight, "slight break is", "slight breaks are") + " listed";
   if (names.empty()) return slight > 0 ? "No map breaks; " + more + "." : "";
   return counted(names.size(), "map breaks", "maps break") + ": " + listed(names, kMostNames) +

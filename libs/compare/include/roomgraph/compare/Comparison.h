@@ -49,6 +49,9 @@ struct ComparedRun {
   double resolution = 0;          ///< side of a cell of its map [m]
   bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
   std::vector<PathPose> path;     ///< by key frame; empty for a run without scans
+
+  /** The measure `coverage`, where it is meaningful, and is less than kPartialCoverage. */
+  [[nodiscard]] std::optional<double> partialCoverage() const;
 };
 
 /** Two runs, placed or not. */
@@ -108,6 +111,9 @@ struct Comparison {
    *  that place: no chain of pairs of kSureConfidence joins it to most of the others. False for a
    *  run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
+
+  /** The breaks of a run that are not slight. O(breaks). */
+  [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
