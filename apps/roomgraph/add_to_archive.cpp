@@ -1,5 +1,6 @@
 #include "add_to_archive.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -16,6 +17,8 @@
 
 namespace roomgraph {
 namespace {
+
+constexpr std::size_t kLongestName = 200;  // of a robot or a site [bytes]
 
 std::string lineOf(const std::string& file, const AddedRun& run) {
   std::string text = printable(file) + ": ";
@@ -42,6 +45,9 @@ std::string missingText(const std::set<std::string>& files) {
 AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
   if (arguments.robot.empty())
     throw UsageError("--robot: is empty: name the robot, or leave the option out");
+  for (const std::string* name : {&arguments.robot, &arguments.site})
+    if (name->size() > kLongestName)
+      throw UsageError("--robot and --site: a name has at most 200 bytes: give a shorter one");
   AddRunOptions options;
   options.robot = arguments.robot, options.most = arguments.most;
   options.kept = arguments.kept;
@@ -70,6 +76,11 @@ std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archiv
 
 int addToArchive(const ArchiveArguments& arguments) {
   AddRunOptions options = addOptionsOf(arguments);
+  // A name that is mistyped leaves no archive behind.
+  const auto exists = [](const std::string& file) { return std::filesystem::exists(file); };
+  if (!exists(arguments.archive) &&
+      std::none_of(arguments.files.begin(), arguments.files.end(), exists))
+    throw DataError(arguments.files.front() + ": there is no such file: check the name");
   Archive archive(arguments.archive, Archive::Access::orNew);
   options.site = siteToAddTo(arguments, archive);
   std::optional<PairFolder> cache;

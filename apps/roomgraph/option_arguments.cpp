@@ -33,7 +33,10 @@ std::string textOf(const std::string& file) {
 void readConfig(const std::string& file, FieldTable& table) {
   const std::string text = textOf(file);
   const auto first = text.find_first_not_of(" \t\r\n");
-  const bool isJson = first != std::string::npos && text[first] == '{';
+  if (first == std::string::npos)
+    throw UsageError("--config " + file +
+                     ": is empty: see 'roomgraph config', or leave the option out");
+  const bool isJson = text[first] == '{';
   constexpr std::size_t kLargestIni = 1'000'000;
   if (!isJson && text.size() > kLargestIni)
     throw UsageError("--config " + file + ": is too long for an ini file: see 'roomgraph " +

@@ -158,3 +158,10 @@ for table in "run ORDER BY sha256" "figure" "sighting"; do
   cmp <(sqlite3 killed.db "SELECT $columns FROM $table") \
     <(sqlite3 calm.db "SELECT $columns FROM $table")
 done
+
+# A mistyped name leaves no archive behind, and a name is not a page long.
+expect 1 "$roomgraph" archive typo.db add nigth1.pgm
+one_line err nigth1.pgm "no such file"
+[ ! -e typo.db ] || fail "an archive without any run"
+expect 2 "$roomgraph" archive site.db add night1.pgm --robot "$(printf 'x%.0s' {1..300})"
+one_line err --robot "at most 200"

@@ -20,3 +20,8 @@ grep -q '"load_grid": {"resolution":0.05,' five/a.json || fail "--resolution doe
 printf '[find_rooms]\nmin_width = 900\n' > bad.ini
 expect 2 "$roomgraph" extract a.pgm --config bad.ini
 one_line err bad.ini:2 min_width 900
+
+# A file of no bytes has lost its options: it does not pass for one without any.
+: > empty.ini
+expect 2 "$roomgraph" extract a.pgm --config empty.ini
+one_line err empty.ini "is empty" "roomgraph config"
