@@ -37,6 +37,8 @@ TEST(Transform2D, carriesOnePlaceToAnother) {
 TEST(Transform2D, anglesAreWrappedToAHalfTurn) {
   EXPECT_NEAR(wrappedAngle(3 * M_PI / 2), -M_PI_2, 1e-12);
   EXPECT_EQ(wrappedAngle(-M_PI), M_PI);
+  for (double angle = -25; angle < 25; angle += 0.01)
+    EXPECT_EQ(wrappedAngle(angle), std::remainder(angle, 2 * M_PI)) << angle;
 }
 
 TEST(MotionFit, findsTheMotionBehindThePlaces) {

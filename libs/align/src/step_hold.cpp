@@ -13,7 +13,8 @@ constexpr double kInCommon = 0.15;           // of scans that follow each other,
 double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto isThere = [&](const WallPoint& wall) {
     return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
-      return distance(one.place, wall.place) < kNear && dot(one.normal, wall.normal) > kAlike;
+      return squaredNorm(one.place - wall.place) < kNear * kNear &&
+             dot(one.normal, wall.normal) > kAlike;
     });
   };
   const auto count = std::count_if(scan.walls.begin(), scan.walls.end(), isThere);

@@ -2,7 +2,7 @@
 #include <array>
 
 #include "roomgraph/align/NarrowingBand.h"
-#include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -21,9 +21,23 @@ class WallFit {
   const Motion2D& forth() const { return forth_; }
 
   /** A point that is to be laid on the nearest wall of `in`. */
-  void add(const WallPoint& point, const WallMap& in);
+  void add(const WallPoint& point, const WallMap& in) {
+    const Point at = forth_(point.place);
+    const WallPoint* wall = nearestWall(in, cellIndexAt(in.frame, at), forth_.turned(point.normal));
+    if (wall) add(at, *wall);
+  }
   /** One that the pose has brought to `place`, and that belongs onto `wall`. */
-  void add(Point place, const WallPoint& wall);
+  void add(Point place, const WallPoint& wall) {
+    const Point off = place - wall.place;
+    const double s = 1 + squaredNorm(off) / (width_ * width_), w = 1 / (s * s);
+    const Row j{wall.normal.x, wall.normal.y, cross(place - pivot_, wall.normal)};
+    const double pull = w * dot(wall.normal, off);
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c <= r; ++c) h_[r][c] += w * j[r] * j[c];
+      g_[r] -= pull * j[r];
+    }
+    weight_ += w;
+  }
 
   bool isEnough() const { return weight_ >= 3; }
 
