@@ -17,8 +17,11 @@ struct EdgeTerm {
   /** Half of the robust squared residual, as in Ceres, of nodes that lie to each other as `found`
    *  instead of as `measured`. */
   double cost(const Transform2D& measured, const Transform2D& found) const {
-    const double place = distance(found.shift(), measured.shift()) / noise.place;
-    const double turn = wrappedAngle(found.phi - measured.phi) / noise.turn;
+    return cost(PoseGap{distance(found.shift(), measured.shift()),
+                        std::abs(wrappedAngle(found.phi - measured.phi))});
+  }
+  double cost(const PoseGap& gap) const {
+    const double place = gap.place / noise.place, turn = gap.turn / noise.turn;
     const double squares = place * place + turn * turn, wide = width * width;
     return weight * wide * std::log1p(squares / wide) / 2;
   }

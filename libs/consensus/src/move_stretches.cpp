@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "TurnedPose.h"
 #include "edge_cost.h"
 #include "roomgraph/consensus/belief.h"
 
@@ -47,15 +48,18 @@ class Mover {
       : graph_(graph),
         slack_(slack),
         poses_(poses),
+        turned_(graph.nodes.size()),
         ties_(graph.nodes.size()),
         states_(graph.edges.size()),
         sums_(graph.groups.size()),
         changes_(graph.groups.size()),
         isTouched_(graph.groups.size()) {
+    for (const NodeId node : poses.ids()) turned_[node] = TurnedPose(poses[node]);
     for (const PoseEdgeId id : graph.edges.ids()) {
       const PoseEdge& edge = graph.edges[id];
       for (const HalfEdge& half : halvesOf(edge)) ties_[half.node].push_back({id, half});
-      states_[id] = stateAt(edge, poses_[edge.from], poses_[edge.to]);
+      terms_.add(termOf(edge));
+      states_[id] = stateAt(id, turned_[edge.from], turned_[edge.to]);
       if (edge.group) add(sums_[edge.group], states_[id], 1);
     }
   }
@@ -74,13 +78,19 @@ class Mover {
     bool isInlier = false;
   };
 
-  EdgeState stateAt(const PoseEdge& edge, const Transform2D& from, const Transform2D& to) const {
-    const Transform2D found = from.inverse() * to;
-    if (!edge.group)
-      return {linkTerm(edge, slack_[graph_.runOf(edge.from)]).cost(edge.measured, found)};
+  EdgeState stateAt(PoseEdgeId id, const TurnedPose& from, const TurnedPose& to) const {
+    const PoseEdge& edge = graph_.edges[id];
+    const PoseGap gap = from.gapOf(edge, to);
+    const double cost = terms_[id].cost(gap);
+    return {cost, edge.group && isInlier(edge, gap, kInlier)};
+  }
+
+  /** As if every group were believed. */
+  EdgeTerm termOf(const PoseEdge& edge) const {
+    if (!edge.group) return linkTerm(edge, slack_[graph_.runOf(edge.from)]);
     EdgeTerm term = matchTerm(edge, 1);
     term.noise = term.noise.times(kLenient);
-    return {term.cost(edge.measured, found), isInlier(edge, found, kInlier)};
+    return term;
   }
 
   static void add(GroupSum& sum, const EdgeState& state, double sign) {
@@ -151,15 +161,15 @@ class Mover {
   }
 
   /** The edge of a tie once its node has been moved (site <- site). */
-  EdgeState stateBy(const Tie& tie, const Transform2D& motion) const {
+  EdgeState stateBy(const Tie& tie, const TurnedPose& motion) const {
     const PoseEdge& edge = graph_.edges[tie.edge];
-    const Transform2D moved = motion * poses_[tie.half.node];
-    return tie.half.node == edge.to ? stateAt(edge, poses_[edge.from], moved)
-                                    : stateAt(edge, moved, poses_[edge.to]);
+    const TurnedPose moved = motion * turned_[tie.half.node];
+    return tie.half.node == edge.to ? stateAt(tie.edge, turned_[edge.from], moved)
+                                    : stateAt(tie.edge, moved, turned_[edge.to]);
   }
 
   /** By how much the cost changes once the stretch has been moved (site <- site). */
-  double changeBy(const Stretch& stretch, const Transform2D& motion) {
+  double changeBy(const Stretch& stretch, const TurnedPose& motion) {
     double change = 0;
     eachTieOf(stretch, [&](const Tie& tie) {
       const EdgeState &before = states_[tie.edge], after = stateBy(tie, motion);
@@ -186,16 +196,21 @@ class Mover {
   /** Motions that bring the stretch to where one of its links or matches would have it. */
   std::vector<Transform2D> motionsOf(const Stretch& stretch) const {
     std::vector<Transform2D> motions;
+    std::vector<Point> places;  // where each brings the middle
     const Point middle = poses_[stretch.middle()].shift();
     const auto offer = [&](const HalfEdge& half) {
+      if (motions.size() == kMostPlaces) return;
       const Transform2D wanted = poses_[half.other] * half.measured;
       const Transform2D motion = wanted * poses_[half.node].inverse();
-      const auto isKnown = [&](const Transform2D& known) {
-        return areNear(known, motion, middle, kSameStart);
+      const Point place = motion(middle);
+      const auto isAt = [&](double turn, Point at, const PoseTolerance& within) {
+        return std::abs(wrappedAngle(turn - motion.phi)) < within.turn &&
+               distance(at, place) < within.place;
       };
-      if (motions.size() < kMostPlaces && !areNear({}, motion, middle, kInlier) &&
-          std::none_of(motions.begin(), motions.end(), isKnown))
-        motions.push_back(motion);
+      if (isAt(0, middle, kInlier)) return;
+      for (std::size_t i = 0; i < motions.size(); ++i)
+        if (isAt(motions[i].phi, places[i], kSameStart)) return;
+      motions.push_back(motion), places.push_back(place);
     };
     for (const bool isLink : {true, false})
       eachTieOf(stretch, [&](const Tie& tie) {
@@ -208,14 +223,17 @@ class Mover {
     double best = -kBetter;
     std::optional<Transform2D> chosen;
     for (const Transform2D& motion : motionsOf(stretch))
-      if (const double change = changeBy(stretch, motion); change < best)
+      if (const double change = changeBy(stretch, TurnedPose(motion)); change < best)
         best = change, chosen = motion;
     if (!chosen) return false;
-    for (const NodeId node : stretch.nodes()) poses_[node] = *chosen * poses_[node];
+    for (const NodeId node : stretch.nodes()) {
+      poses_[node] = *chosen * poses_[node];
+      turned_[node] = TurnedPose(poses_[node]);
+    }
     eachTieOf(stretch, [&](const Tie& tie) {
       const PoseEdge& edge = graph_.edges[tie.edge];
       const EdgeState before = states_[tie.edge];
-      states_[tie.edge] = stateAt(edge, poses_[edge.from], poses_[edge.to]);
+      states_[tie.edge] = stateAt(tie.edge, turned_[edge.from], turned_[edge.to]);
       if (!edge.group) return;
       add(sums_[edge.group], before, -1);
       add(sums_[edge.group], states_[tie.edge], 1);
@@ -226,7 +244,9 @@ class Mover {
   const PoseGraph& graph_;
   const ById<RunId, double>& slack_;
   NodePoses& poses_;
+  ById<NodeId, TurnedPose> turned_;  // the same
   ById<NodeId, std::vector<Tie>> ties_;
+  ById<PoseEdgeId, EdgeTerm> terms_;
   ById<PoseEdgeId, EdgeState> states_;           // where the nodes lie now
   ById<MatchGroupId, GroupSum> sums_, changes_;  // now, and by a motion
   ById<MatchGroupId, bool> isTouched_;           // whether changes_ is something

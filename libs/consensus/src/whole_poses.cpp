@@ -1,5 +1,6 @@
 #include "whole_poses.h"
 
+#include "TurnedPose.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
@@ -10,7 +11,9 @@ constexpr int kVotes = 4;
 class Voting {
  public:
   explicit Voting(const PoseGraph& graph)
-      : graph_(graph), wholes_(graph.runs.size()), isPlaced_(graph.runs.size()) {}
+      : graph_(graph), wholes_(graph.runs.size()), isPlaced_(graph.runs.size()) {
+    for (const PoseNode& node : graph.nodes) own_.add(TurnedPose(node.pose));
+  }
 
   /** All runs placed, beginning with this one: always the run next for which most speaks. */
   void placeFrom(RunId first) {
@@ -82,16 +85,16 @@ class Voting {
 
   /** The matches with placed runs that agree with where this run lies. */
   double supportOf(RunId run, const Transform2D& whole) const {
-    const auto poseOf = [&](NodeId id) {
-      const PoseNode& node = graph_.nodes[id];
-      return (node.run == run ? whole : wholes_[node.run]) * node.pose;
-    };
+    ById<RunId, TurnedPose> wholes;
+    for (const RunId id : graph_.runs.ids())
+      wholes.add(TurnedPose(id == run ? whole : wholes_[id]));
+    const auto poseOf = [&](NodeId id) { return wholes[graph_.runOf(id)] * own_[id]; };
     double support = 0;
     for (const MatchGroup& group : graph_.groups) {
       if (!tellsOf(group, run)) continue;
       for (const PoseEdgeId id : group.edges) {
         const PoseEdge& edge = graph_.edges[id];
-        if (isInlier(edge, poseOf(edge.from).inverse() * poseOf(edge.to), kRoughly))
+        if (isInlier(edge, poseOf(edge.from).gapOf(edge, poseOf(edge.to)), kRoughly))
           support += edge.share;
       }
     }
@@ -99,6 +102,7 @@ class Voting {
   }
 
   const PoseGraph& graph_;
+  ById<NodeId, TurnedPose> own_;     // run <- node
   ById<RunId, Transform2D> wholes_;  // site <- run
   ById<RunId, bool> isPlaced_;
 };

@@ -16,6 +16,11 @@ struct PoseNoise {
   PoseNoise times(double factor) const { return {factor * place, factor * turn}; }
 };
 
+/** How far two poses lie apart [m, rad]. */
+struct PoseGap {
+  double place = 0, turn = 0;
+};
+
 /** A part of a run that is rigid in itself: a key frame with its scan or, of a run without scans, a
  *  patch of its walls. */
 struct PoseNode {

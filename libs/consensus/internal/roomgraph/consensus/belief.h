@@ -11,6 +11,10 @@ constexpr PoseTolerance kInlier = kSameAnswer;
 /** Whether a match agrees with nodes that lie to each other as `found` (from <- to). What both runs
  *  have scanned as one is the same place, whatever the poses say. */
 bool isInlier(const PoseEdge& match, const Transform2D& found, const PoseTolerance& within);
+/** The same of nodes that lie so far from where the match has them. */
+inline bool isInlier(const PoseEdge& match, const PoseGap& gap, const PoseTolerance& within) {
+  return match.isSameScan || (gap.turn < within.turn && gap.place < within.place);
+}
 
 /** How far a group is believed of whose matches this share are inliers, 0 to 1. In a building that
  *  repeats itself a run is found in the wrong wing as a whole, which is one mistake, however many

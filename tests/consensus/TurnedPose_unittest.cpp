@@ -1,0 +1,41 @@
+#include "TurnedPose.h"
+
+#include <gtest/gtest.h>
+
+#include "RandomNumbers.h"
+#include "roomgraph/consensus/belief.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kExact = 1e-9;
+
+TEST(TurnedPose, followsOneAnotherAsTransformsDo) {
+  test::RandomNumbers random(1);
+  for (int i = 0; i < 50; ++i) {
+    const Transform2D ab = random.pose(50), bc = random.pose(5);
+    const Transform2D expected = ab * bc;
+    const TurnedPose found = TurnedPose(ab) * TurnedPose(bc);
+    EXPECT_NEAR(distance(found.shift, expected.shift()), 0, kExact);
+    EXPECT_NEAR(wrappedAngle(found.phi - expected.phi), 0, kExact);
+    EXPECT_NEAR(found.cos, std::cos(expected.phi), kExact);
+    EXPECT_NEAR(found.sin, std::sin(expected.phi), kExact);
+  }
+}
+
+TEST(TurnedPose, tellsHowFarAnEdgeIsOffAsTransformsDo) {
+  test::RandomNumbers random(2);
+  for (int i = 0; i < 50; ++i) {
+    const PoseEdge edge = matchEdge(NodeId(0), NodeId(1), random.pose(5), 1);
+    const Transform2D from = random.pose(50), to = random.pose(50);
+    const Transform2D found = from.inverse() * to;
+    const PoseGap gap = TurnedPose(from).gapOf(edge, TurnedPose(to));
+    EXPECT_NEAR(gap.place, distance(found.shift(), edge.measured.shift()), kExact);
+    EXPECT_NEAR(gap.turn, std::abs(wrappedAngle(found.phi - edge.measured.phi)), kExact);
+    const PoseTolerance within{1.5, 50};
+    EXPECT_EQ(isInlier(edge, gap, within), isInlier(edge, found, within));
+  }
+}
+
+}  // namespace
+}  // namespace roomgraph
