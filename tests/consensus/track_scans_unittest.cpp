@@ -97,6 +97,21 @@ TEST(TrackScans, aBlindStretchIsNotFoundAndWhatIsBehindItIs) {
   }
 }
 
+TEST(TrackScans, whatEarlierTracksFoundChangesNothing) {
+  const auto& drive = driveInBuilding();
+  const std::vector<ScanWalls> scans = scanWalls(drive.frames);
+  const Transform2D wrong{3, 1, 2};
+  TrackedFits fits;
+  trackScans(scans, {}, {}, {wrong}, drive.map, fits);
+  const auto once = trackScans(scans, {}, {}, {wrong, {}}, drive.map);
+  const auto again = trackScans(scans, {}, {}, {wrong, {}}, drive.map, fits);
+  EXPECT_GE(shareFound(again, drive.frames, {}), 0.95);
+  for (std::size_t k = 0; k < once.size(); ++k) {
+    ASSERT_EQ(again[k].has_value(), once[k].has_value()) << k;
+    if (once[k]) EXPECT_EQ(again[k]->shift(), once[k]->shift()) << k;
+  }
+}
+
 TEST(TrackScans, oneScanIsTracked) {
   const auto& drive = driveInBuilding();
   const std::vector<Keyframe> one{drive.frames[12]};

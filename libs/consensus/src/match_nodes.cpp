@@ -95,11 +95,12 @@ std::vector<FoundGroup> matchTrack(const PoseGraph& graph, IdRange<NodeId> nodes
 /** The track of a run; once more with where it may lie by what was not found. */
 Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
               std::vector<Transform2D> wholes) {
-  Track track = trackScans(run.scans, run.map.patches, followed, wholes, map);
+  TrackedFits fits;
+  Track track = trackScans(run.scans, run.map.patches, followed, wholes, map, fits);
   const std::vector<Transform2D> more = lookAgain(run.scans, track, map);
   if (more.empty()) return track;
   wholes.insert(wholes.end(), more.begin(), more.end());
-  return trackScans(run.scans, run.map.patches, followed, wholes, map);
+  return trackScans(run.scans, run.map.patches, followed, wholes, map, fits);
 }
 
 /** Compares the map where each group was found with where the others would have it. */

@@ -12,9 +12,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr NarrowingBand kBand{0.6, 0.2, 6};  // around a wall, of what counts in the fit of a scan
-constexpr double kHalfNear = 0.1;            // a wall this far from another counts half [m]
-constexpr double kNearPatch = 6;             // patches within this give poses to try [m]
+// Around a wall, of what counts in the fit of a scan: a part of its walls will do to come near.
+constexpr NarrowingBand kRoughFit{0.6, 0.387, 3}, kFit{0.31, 0.2, 3};
+constexpr double kHalfNear = 0.1;  // a wall this far from another counts half [m]
+constexpr double kNearPatch = 6;   // patches within this give poses to try [m]
 constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
 constexpr std::size_t kMinWalls = 20;
 constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
@@ -26,11 +27,17 @@ constexpr std::size_t kRoughStride = 3, kRoughWalls = 30;
 constexpr double kRoughNear = 0.3;  // [m]
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
-double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose,
+/** Says 0 where it is less than `least`, as soon as that is sure. */
+double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose, double least,
                  double near = kHalfNear, std::size_t stride = 1) {
   const Motion2D forth(pose);
-  double sum = 0, known = 0, all = 0;
-  for (std::size_t i = 0; i < scan.walls.size(); i += stride, ++all) {
+  const std::size_t count = (scan.walls.size() + stride - 1) / stride;
+  const auto all = double(count);
+  const double doubt = kDoubt / double(stride);
+  double sum = 0, known = 0, left = all;
+  for (std::size_t i = 0; i < scan.walls.size(); i += stride) {
+    if (sum + left < least * (known + left + doubt)) return 0;
+    --left;
     const WallPoint& point = scan.walls[i];
     const Point at = forth(point.place);
     const std::size_t cell = cellIndexAt(in.frame, at);
@@ -39,9 +46,8 @@ double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& po
     if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
       sum += 1 / (1 + squaredNorm(wall->place - at) / (near * near));
   }
-  return known * double(stride) >= double(kMinWalls) && known > 0.5 * all
-             ? sum / (known + kDoubt / double(stride))
-             : 0;
+  return known * double(stride) >= double(kMinWalls) && known > 0.5 * all ? sum / (known + doubt)
+                                                                          : 0;
 }
 
 /** A pose that a scan may have, and the best way that leads there. */
@@ -58,14 +64,18 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in)
+          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in,
+          TrackedFits& fits)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
         wholes_(wholes),
         in_(in),
+        fits_(fits),
         candidates_(scans.size()),
-        holds_(scans.size()) {}
+        holds_(scans.size()) {
+    fits_.resize(scans.size());
+  }
 
   std::vector<std::optional<Transform2D>> track() {
     for (std::size_t k = 0; k < scans_.size(); ++k) propose(k, Way::forth);
@@ -98,7 +108,9 @@ class Tracker {
     if (way == Way::forth && (bestQuality(k) < fitted::kSure || k % kLookAround == 0)) {
       for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
       for (const Transform2D& pose : wholes_)
-        if (roughQualityAt(k, pose) >= fitted::kLeastQuality) tryFrom(k, pose);
+        if (!isKnown(k, pose, kSameScanStart) &&
+            roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
+          tryFrom(k, pose);
     }
     if (before && bestQuality(k) < fitted::kWell && isJustLost(k, before->front()))
       spin(k, before->front());
@@ -139,10 +151,27 @@ class Tracker {
 
   void tryFrom(std::size_t k, const Transform2D& start) {
     if (isKnown(k, start, kSameScanStart)) return;
-    const Transform2D pose = fitted(scans_[k], start);
-    const double quality = qualityAt(scans_[k], in_, pose);
-    if (quality < fitted::kLeastQuality || isKnown(k, pose, kSameScanAnswer)) return;
-    candidates_[k].push_back({pose, quality, 0, nullptr, k});
+    TrackedFit& fit = fitFrom(k, start);
+    if (fit.roughQuality < fitted::kLeastQuality || isKnown(k, fit.rough, kSameScanAnswer)) return;
+    if (!fit.quality) {
+      fit.pose = fitted(scans_[k], fit.rough, kFit, 1);
+      fit.quality = qualityAt(scans_[k], in_, fit.pose, fitted::kLeastQuality);
+    }
+    if (*fit.quality < fitted::kLeastQuality || isKnown(k, fit.pose, kSameScanAnswer)) return;
+    candidates_[k].push_back({fit.pose, *fit.quality, 0, nullptr, k});
+  }
+
+  /** What a scan comes to from a start, roughly; found once. */
+  TrackedFit& fitFrom(std::size_t k, const Transform2D& start) {
+    for (TrackedFit& fit : fits_[k])
+      if (fit.start.x == start.x && fit.start.y == start.y && fit.start.phi == start.phi)
+        return fit;
+    TrackedFit fit;
+    fit.start = start;
+    fit.rough = fitted(scans_[k], start, kRoughFit, kRoughStride);
+    fit.roughQuality = roughQualityAt(k, fit.rough, fitted::kLeastQuality);
+    fits_[k].push_back(fit);
+    return fits_[k].back();
   }
 
   /** Tries all turns about the place where the robot was last seen: a map that is torn there goes
@@ -154,23 +183,26 @@ class Tracker {
       for (const Point off : kSpinOffsets) {
         const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
         const Transform2D pose = carrying(scans_[k].at(), at + off, phi);
-        tries.emplace_back(roughQualityAt(k, pose), pose);
+        const double least = tries.size() < kSpinTries ? 0 : tries.back().first;
+        const double quality = roughQualityAt(k, pose, least);
+        if (tries.size() == kSpinTries && quality <= least) continue;
+        tries.insert(std::find_if(tries.begin(), tries.end(),
+                                  [&](const auto& one) { return one.first < quality; }),
+                     {quality, pose});
+        tries.resize(std::min(tries.size(), kSpinTries));
       }
-    std::stable_sort(tries.begin(), tries.end(),
-                     [](const auto& l, const auto& r) { return l.first > r.first; });
-    for (std::size_t i = 0; i < kSpinTries; ++i) tryFrom(k, tries[i].second);
+    for (const auto& [quality, pose] : tries) tryFrom(k, pose);
   }
 
   /** What a pose that is some decimetres off may come to, by a part of the walls. */
-  double roughQualityAt(std::size_t k, const Transform2D& pose) const {
+  double roughQualityAt(std::size_t k, const Transform2D& pose, double least) const {
     const std::size_t stride = std::max<std::size_t>(1, scans_[k].walls.size() / kRoughWalls);
-    return qualityAt(scans_[k], in_, pose, kRoughNear, stride);
+    return qualityAt(scans_[k], in_, pose, least, kRoughNear, stride);
   }
 
-  Transform2D fitted(const ScanWalls& scan, const Transform2D& pose) const {
-    return fittedPose(pose, scan.at(), kBand, [&](WallFit& fit, int step) {
-      // The first steps only have to come near: a part of the walls will do.
-      const std::size_t stride = step < kBand.steps / 2 ? kRoughStride : 1;
+  Transform2D fitted(const ScanWalls& scan, const Transform2D& pose, const NarrowingBand& band,
+                     std::size_t stride) const {
+    return fittedPose(pose, scan.at(), band, [&](WallFit& fit, int) {
       for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
     });
   }
@@ -244,6 +276,7 @@ class Tracker {
   const FollowedWalls& followed_;
   const std::vector<Transform2D>& wholes_;
   const WallMap& in_;
+  TrackedFits& fits_;
   std::vector<std::vector<Candidate>> candidates_;
   mutable std::vector<std::optional<double>> holds_;  // of the step to each scan, once it was asked
   const Candidate* best_ = nullptr;                   // of the scans that are out of memory
@@ -255,8 +288,8 @@ std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>&
                                                    const WallPatches& patches,
                                                    const FollowedWalls& followed,
                                                    const std::vector<Transform2D>& wholes,
-                                                   const WallMap& in) {
-  return Tracker(scans, patches, followed, wholes, in).track();
+                                                   const WallMap& in, TrackedFits& fits) {
+  return Tracker(scans, patches, followed, wholes, in, fits).track();
 }
 
 }  // namespace roomgraph

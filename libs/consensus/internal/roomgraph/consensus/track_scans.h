@@ -13,17 +13,39 @@ namespace roomgraph {
 // Out:  where each scan lies in that map
 // Next: matchNodes
 
+/** What a scan comes to from a start, roughly and, where that is worth it, to the end (in <- run);
+ *  and how well it lies there. */
+struct TrackedFit {
+  Transform2D start, rough, pose;
+  double roughQuality = 0;
+  std::optional<double> quality;  ///< at `pose`, once that was looked for
+};
+
+using TrackedFits = std::vector<std::vector<TrackedFit>>;  ///< of each scan
+
 /** For each scan its pose (in <- run) in the map `in`, none where it is not found there: the
  *  likeliest way of all scans through that map (Viterbi 1967). A scan is looked for where the
  *  scans before and behind it lie, where the run's patches near by were `followed`, where the run
  *  may lie as a whole by one of `wholes` (in <- run, at least one, the likeliest first), and, where
  *  that fails, at any turn where the robot has just been, as a map that is torn goes on from the
  *  same place. A way that begins far from the first of `wholes` costs as much as two jumps.
- *  Deterministic. O(scans * candidates * walls of a scan). */
+ *  It takes from `fits` what earlier calls for the same scans and map found, and adds what it
+ *  finds: with a few more `wholes` little is left to do. Deterministic.
+ *  O(scans * candidates * walls of a scan). */
 std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
                                                    const WallPatches& patches,
                                                    const FollowedWalls& followed,
                                                    const std::vector<Transform2D>& wholes,
-                                                   const WallMap& in);
+                                                   const WallMap& in, TrackedFits& fits);
+
+/** The same, once. */
+inline std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
+                                                          const WallPatches& patches,
+                                                          const FollowedWalls& followed,
+                                                          const std::vector<Transform2D>& wholes,
+                                                          const WallMap& in) {
+  TrackedFits fits;
+  return trackScans(scans, patches, followed, wholes, in, fits);
+}
 
 }  // namespace roomgraph
