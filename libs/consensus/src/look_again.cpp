@@ -35,7 +35,7 @@ std::vector<Transform2D> lookAgain(const std::vector<ScanWalls>& scans,
     if (gap.size() == scans.size() || !isLong(gap, scans)) continue;
     if (!partNear(scans, gap.first) && !partNear(scans, gap.end)) continue;
     const WallMap drawn = stretchMap(scans, gap.first, gap.end);
-    const std::vector<Transform2D> found = alignMaps(in, drawn).poses;
+    const std::vector<Transform2D> found = alignMaps(in, drawn, kQuickSearch).poses;
     poses.insert(poses.end(), found.begin(),
                  found.begin() + std::ptrdiff_t(std::min(kMostPoses, found.size())));
   }
