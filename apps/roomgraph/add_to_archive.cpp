@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "Command.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"

@@ -1,11 +1,9 @@
-#include "archive_command.h"
-
 #include <algorithm>
 #include <memory>
 
 #include "ArchiveArguments.h"
-#include "Command.h"
 #include "add_to_archive.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
 #include "output_names.h"

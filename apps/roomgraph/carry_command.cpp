@@ -1,11 +1,9 @@
-#include "carry_command.h"
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"

@@ -1,11 +1,9 @@
-#include "check_command.h"
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "note_lines.h"
 #include "option_arguments.h"

@@ -1,5 +1,3 @@
-#include "compare_command.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -7,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "Command.h"
 #include "Laps.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "error_line.h"
 #include "mrpt_results.h"

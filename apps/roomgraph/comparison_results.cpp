@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "mrpt_results.h"
 #include "output_formats.h"

@@ -1,8 +1,6 @@
-#include "config_command.h"
-
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "option_arguments.h"
 #include "terminal.h"
 

@@ -1,10 +1,8 @@
-#include "convert_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "option_arguments.h"
 #include "output_names.h"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "Command.h"
+#include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/failure_text.h"
 #include "roomgraph/base/printable.h"

@@ -1,9 +1,7 @@
-#include "export_rawlog_command.h"
-
 #include <memory>
 #include <optional>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "mrpt_results.h"
 #include "option_arguments.h"

@@ -1,8 +1,6 @@
-#include "extract_command.h"
-
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "extract_map.h"
 #include "option_arguments.h"
 #include "output_names.h"

@@ -1,12 +1,10 @@
-#include "info_command.h"
-
 #include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "option_arguments.h"
 #include "roomgraph/base/InputFile.h"

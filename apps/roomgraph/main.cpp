@@ -1,32 +1,12 @@
 #include <cstdio>
 
-#include "Command.h"
 #include "HelpFormatter.h"
-#include "archive_command.h"
-#include "carry_command.h"
-#include "check_command.h"
-#include "collect_command.h"
-#include "compare_command.h"
-#include "config_command.h"
-#include "convert_command.h"
+#include "commands.h"
 #include "error_line.h"
-#include "export_rawlog_command.h"
-#include "extract_command.h"
-#include "info_command.h"
 #include "interruption.h"
-#include "merge_command.h"
-#include "plan_command.h"
-#include "repair_command.h"
-#include "report_command.h"
 #include "roomgraph/base/version.h"
-#include "route_command.h"
-#include "score_rooms_command.h"
-#include "stability_command.h"
-#include "task_command.h"
 #include "terminal.h"
 #include "usage_fault.h"
-#include "watch_command.h"
-#include "where_command.h"
 
 namespace roomgraph {
 namespace {

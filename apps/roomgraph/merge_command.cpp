@@ -1,10 +1,8 @@
-#include "merge_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "mrpt_results.h"
 #include "output_formats.h"

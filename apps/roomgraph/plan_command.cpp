@@ -1,9 +1,7 @@
-#include "plan_command.h"
-
 #include <memory>
 
-#include "Command.h"
 #include "FleetFolder.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/plan_fleet.h"

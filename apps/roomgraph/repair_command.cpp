@@ -1,10 +1,8 @@
-#include "repair_command.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"

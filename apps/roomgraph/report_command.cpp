@@ -1,11 +1,9 @@
-#include "report_command.h"
-
 #include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
 
-#include "Command.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
 #include "output_names.h"

@@ -1,9 +1,7 @@
-#include "route_command.h"
-
 #include <charconv>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "graph_of_map.h"
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"

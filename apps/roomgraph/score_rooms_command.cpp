@@ -1,11 +1,9 @@
-#include "score_rooms_command.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <set>
 
-#include "Command.h"
+#include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/evaluation/write_score.h"

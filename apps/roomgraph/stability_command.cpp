@@ -1,9 +1,7 @@
-#include "stability_command.h"
-
 #include <algorithm>
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/write_file.h"

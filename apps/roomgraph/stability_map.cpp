@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <mutex>
 
-#include "Command.h"
+#include "commands.h"
 #include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"

@@ -1,15 +1,13 @@
-#include "watch_command.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
 #include "ArchiveArguments.h"
-#include "Command.h"
 #include "FolderWatch.h"
 #include "add_to_archive.h"
 #include "call_command.h"
+#include "commands.h"
 #include "comparison_results.h"
 #include "output_names.h"
 #include "roomgraph/archive/added_run_json.h"

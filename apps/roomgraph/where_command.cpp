@@ -1,8 +1,6 @@
-#include "where_command.h"
-
 #include <memory>
 
-#include "Command.h"
+#include "commands.h"
 #include "graph_of_map.h"
 #include "option_arguments.h"
 #include "roomgraph/base/sentence_text.h"
