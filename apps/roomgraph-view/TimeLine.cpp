@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw_path.h"
+#include "draw_marks.h"
 
 namespace roomgraph {
 namespace {

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "draw_disagreement.h"
 #include "draw_marks.h"
-#include "draw_path.h"
 #include "draw_stage.h"
 #include "heights.h"
 #include "read_place.h"

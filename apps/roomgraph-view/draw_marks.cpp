@@ -1,10 +1,13 @@
 #include "draw_marks.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "heights.h"
 #include "read_place.h"
+#include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/page/site_pictures.h"
 
 namespace roomgraph {
 namespace {
@@ -61,6 +64,32 @@ viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const std::string& r
   return cloud;
 }
 
+constexpr float kDotRadius = 0.08f;  // of a key frame [m]
+
+constexpr double kHeatCell = 0.2;  // no finer, so that turned maps leave no gaps [m]
+
+std::vector<PlacedMap> placedMaps(const View& view) {
+  std::vector<PlacedMap> placed;
+  for (const ComparedRun& run : view.comparison.runs)
+    if (const Run* map = view.runNamed(run.name))
+      if (!map->map.states.empty()) placed.push_back({&map->map, run.pose});
+  return placed;
+}
+
+void addSquare(const GridFrame& frame, Cell cell, Colour colour, viz::CSetOfTriangles& squares) {
+  const Point middle = frame.center(cell);
+  const double half = frame.resolution / 2;
+  const auto at = [&](double x, double y) {
+    return mrpt::math::TPoint3Df(float(middle.x + x * half), float(middle.y + y * half),
+                                 float(kHeatHeight));
+  };
+  for (viz::TTriangle triangle : {viz::TTriangle(at(-1, -1), at(1, -1), at(1, 1)),
+                                  viz::TTriangle(at(-1, -1), at(1, 1), at(-1, 1))}) {
+    triangle.setColor(mrptColour(colour));
+    squares.insertTriangle(triangle);
+  }
+}
+
 }  // namespace
 
 viz::CSetOfObjects::Ptr drawRuler(const std::vector<Point>& corners) {
@@ -95,6 +124,51 @@ viz::CSetOfObjects::Ptr drawSwipe(const View& view, const ViewState& state, cons
   const double height = box.high.y - box.low.y;
   set->insert(lineThrough({{*state.swipe, box.low.y - height}, {*state.swipe, box.high.y + height}},
                           false, kSwipeLine));
+  return set;
+}
+
+mrpt::img::TColor colourOfError(const std::optional<double>& error) {
+  if (!error) return {0, 82, 155};
+  const double bad = std::clamp(*error / kWorstError, 0.0, 1.0);
+  return {std::uint8_t(230 * std::min(1.0, 2 * bad)),
+          std::uint8_t(170 * std::min(1.0, 2 - 2 * bad)), 40};
+}
+
+viz::CSetOfObjects::Ptr drawPath(const std::vector<PathPose>& path) {
+  auto set = viz::CSetOfObjects::Create();
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+    auto piece = viz::CSetOfLines::Create();
+    piece->setLineWidth(3);
+    piece->setColor_u8(colourOfError(path[k + 1].error));
+    const Transform2D &a = path[k].pose, &b = path[k + 1].pose;
+    piece->appendLine(a.x, a.y, kPathHeight, b.x, b.y, kPathHeight);
+    set->insert(piece);
+  }
+  for (const PathPose& at : path) {
+    auto disk = viz::CDisk::Create(kDotRadius, 0.0f);
+    disk->setColor_u8(colourOfError(at.error));
+    disk->setLocation(at.pose.x, at.pose.y, kPathHeight);
+    set->insert(disk);
+  }
+  return set;
+}
+
+viz::CSetOfObjects::Ptr drawDisagreement(const View& view) {
+  auto set = viz::CSetOfObjects::Create();
+  const std::vector<PlacedMap> maps = placedMaps(view);
+  if (maps.size() < 2) return set;
+  double cell = kHeatCell;
+  for (const PlacedMap& placed : maps) cell = std::max(cell, 2 * placed.map->frame.resolution);
+  const Disagreement found = disagreementOf(maps, cell);
+  auto squares = viz::CSetOfTriangles::Create();
+  squares->enableLight(false);
+  for (int y = 0; y < found.frame.height; ++y)
+    for (int x = 0; x < found.frame.width; ++x) {
+      const int level = heatLevel(double(found.shares[found.frame.index({x, y})]));
+      if (level > 0)
+        addSquare(found.frame, {x, y}, heatColours()[std::size_t(level - 1)], *squares);
+    }
+  set->insert(squares);
   return set;
 }
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "commands.h"
-#include "comparison_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
@@ -87,7 +86,7 @@ int addToArchive(const ArchiveArguments& arguments) {
   if (!arguments.cache.empty())
     options.compare.compare.kept = cache.emplace(arguments.cache).kept();
   std::set<std::string> missing;
-  options.onMissing = [&](const KnownRun& run) { missing.insert(run.file); };
+  options.onMissing = [&](const HistoryRun& run) { missing.insert(run.file); };
   int exitCode = kDone;
   for (const std::string& file : arguments.files) {
     try {

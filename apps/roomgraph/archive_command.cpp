@@ -4,7 +4,6 @@
 #include "ArchiveArguments.h"
 #include "add_to_archive.h"
 #include "commands.h"
-#include "comparison_results.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/archive/Archive.h"
@@ -22,53 +21,38 @@ namespace roomgraph {
 namespace {
 
 void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
-  app.add_option("RUN", arguments.files, "Maps of one site, as for 'roomgraph compare'.")
-      ->type_name("")
-      ->required();
-  app.add_option("--time", arguments.time,
-                 "When they were made, in UTC, such as 2026-11-22 or 2026-11-22T03:00. Without it, "
-                 "the time of the first scan, or else that of the file.")
-      ->type_name("T");
+  addArgument(app, "RUN", arguments.files, "Maps of one site, as for 'roomgraph compare'.");
+  addOption(app, "--time T", arguments.time,
+            "When they were made, in UTC, such as 2026-11-22 or 2026-11-22T03:00. Without it, "
+            "the time of the first scan, or else that of the file.");
   declareAdding(arguments, app);
   declareQuiet(arguments.isQuiet, app);
 }
 
 void declareNaming(ArchiveArguments& arguments, CLI::App& app) {
-  app.add_option("ROOM", arguments.room, "Its id, such as R3, as 'rooms' lists them.")
-      ->type_name("")
-      ->required();
-  app.add_option("NAME", arguments.name, "The name that it is to have from now on.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "ROOM", arguments.room, "Its id, such as R3, as 'rooms' lists them.");
+  addArgument(app, "NAME", arguments.name, "The name that it is to have from now on.");
   declareSite(arguments, app);
 }
 
 void declareRemoving(ArchiveArguments& arguments, CLI::App& app) {
-  app.add_option(
-         "RUN", arguments.run,
-         "Its file as 'list' names it, with or without the folder, or at least eight digits "
-         "of its SHA-256.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "RUN", arguments.run,
+              "Its file as 'list' names it, with or without the folder, or at least eight digits "
+              "of its SHA-256.");
   declareSite(arguments, app);
 }
 
 void declareRenaming(ArchiveArguments& arguments, CLI::App& app) {
-  app.add_option("ROBOT", arguments.robot, "Its name, as 'list' tells it.")
-      ->type_name("")
-      ->required();
-  app.add_option("NAME", arguments.name, "The name that its runs are to have.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "ROBOT", arguments.robot, "Its name, as 'list' tells it.");
+  addArgument(app, "NAME", arguments.name, "The name that its runs are to have.");
   declareSite(arguments, app);
 }
 
 void declareReport(ArchiveArguments& arguments, CLI::App& app) {
   declareSite(arguments, app);
   declareWatch(arguments, app);
-  app.add_option("-o,--output", arguments.page,
-                 "Also write the report as a page for the browser, with plots.")
-      ->type_name("FILE");
+  addOption(app, "-o,--output FILE", arguments.page,
+            "Also write the report as a page for the browser, with plots.");
   declareQuiet(arguments.isQuiet, app);
   app.add_flag("--fail-on-alarm", arguments.failsOnAlarm,
                "Exit with 3 if the maps of a robot get worse, or tell nothing of the site two "
@@ -81,15 +65,12 @@ void declareReport(ArchiveArguments& arguments, CLI::App& app) {
 void declareExport(ArchiveArguments& arguments, CLI::App& app) {
   declareSite(arguments, app);
   declareWatch(arguments, app);
-  app.add_option(
-         "--format", arguments.format,
-         "What to write: 'csv' (a line per run), 'json' (all that is known) or 'prometheus' (a "
-         "text file for node_exporter).")
-      ->type_name("F")
+  addOption(app, "--format F", arguments.format,
+            "What to write: 'csv' (a line per run), 'json' (all that is known) or 'prometheus' (a "
+            "text file for node_exporter).")
       ->check(CLI::IsMember({"csv", "json", "prometheus"}))
       ->capture_default_str();
-  app.add_option("-o,--output", arguments.output, "File to write. Without it, to stdout.")
-      ->type_name("FILE");
+  addOption(app, "-o,--output FILE", arguments.output, "File to write. Without it, to stdout.");
 }
 
 /** The site that is asked for, or all. */
@@ -211,10 +192,8 @@ int exportAll(const ArchiveArguments& arguments) {
 
 std::function<int()> archiveCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ArchiveArguments>();
-  app.add_option("ARCHIVE", arguments->archive,
-                 "File of the archive (SQLite); 'add' creates it if missing.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "ARCHIVE", arguments->archive,
+              "File of the archive (SQLite); 'add' creates it if missing.");
   app.require_subcommand(1);
   arguments->add = app.add_subcommand(
       "add", "Compare runs with some of those in the archive, and keep the results.");

@@ -90,19 +90,13 @@ int run(const CarryArguments& arguments) {
 
 std::function<int()> carryCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CarryArguments>();
-  app.add_option("THING", arguments->things,
-                 "What was marked on the old map: tables of places (.csv with the columns name, x, "
-                 "y and yaw).")
-      ->type_name("")
-      ->required();
-  app.add_option("--from", arguments->from, "The map that they were marked on.")
-      ->type_name("OLD")
-      ->required();
-  app.add_option("--to", arguments->to, "The map that they are to be carried to.")
-      ->type_name("NEW")
-      ->required();
-  app.add_option("--via", arguments->via, "More runs of the site, which tell how both maps bend.")
-      ->type_name("RUN");
+  addArgument(app, "THING", arguments->things,
+              "What was marked on the old map: tables of places (.csv with the columns name, x, "
+              "y and yaw).");
+  addOption(app, "--from OLD", arguments->from, "The map that they were marked on.")->required();
+  addOption(app, "--to NEW", arguments->to, "The map that they are to be carried to.")->required();
+  addOption(app, "--via RUN", arguments->via,
+            "More runs of the site, which tell how both maps bend.");
   declareSite(arguments->site, "each THING under its own name", app);
   return [arguments] { return run(*arguments); };
 }

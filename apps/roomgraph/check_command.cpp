@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "commands.h"
-#include "error_line.h"
 #include "note_lines.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -18,6 +17,7 @@
 #include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/run_check_json.h"
 #include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -33,22 +33,18 @@ struct CheckArguments {
 };
 
 void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
-  app.add_option("--fail-above", arguments.gate.maxError,
-                 "Exit with 3 if a run has a self error above this [m], or none.")
-      ->type_name("M")
+  addOption(app, "--fail-above M", arguments.gate.maxError,
+            "Exit with 3 if a run has a self error above this [m], or none.")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--fail-on", arguments.failOn,
-                 "Exit with 3 on this: 'broken' (a run has a break).")
-      ->type_name("LIST")
+  addOption(app, "--fail-on LIST", arguments.failOn,
+            "Exit with 3 on this: 'broken' (a run has a break).")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"broken"}));
-  app.add_option("--junit", arguments.junit,
-                 "Also write the verdict of the gate as JUnit XML, for CI systems.")
-      ->type_name("FILE");
-  app.add_option("--summary", arguments.summary,
-                 "Also write a table of the runs, with the verdict of the gate, as Markdown.")
-      ->type_name("FILE");
+  addOption(app, "--junit FILE", arguments.junit,
+            "Also write the verdict of the gate as JUnit XML, for CI systems.");
+  addOption(app, "--summary FILE", arguments.summary,
+            "Also write a table of the runs, with the verdict of the gate, as Markdown.");
 }
 
 /** Checks one run, and writes what it tells of itself. */
@@ -109,12 +105,9 @@ int run(CheckArguments arguments) {
 
 std::function<int()> checkCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();
-  app.add_option(
-         "RUN", arguments->files,
-         "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
-         "maps nothing can be told.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "RUN", arguments->files,
+              "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
+              "maps nothing can be told.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
   declareCheckGate(*arguments, app);
   declareConfig(arguments->options, app);

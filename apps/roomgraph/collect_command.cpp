@@ -2,7 +2,6 @@
 
 #include "FleetFolder.h"
 #include "commands.h"
-#include "comparison_results.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/base/Error.h"
@@ -77,11 +76,8 @@ int run(const CollectArguments& arguments) {
 
 std::function<int()> collectCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CollectArguments>();
-  app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan', after its tasks.")
-      ->type_name("")
-      ->required();
-  app.add_option("--archive", arguments->archive, "The archive that the plan was made with.")
-      ->type_name("FILE")
+  addArgument(app, "FOLDER", arguments->folder, "The folder of 'roomgraph plan', after its tasks.");
+  addOption(app, "--archive FILE", arguments->archive, "The archive that the plan was made with.")
       ->required();
   declareQuiet(arguments->isQuiet, app);
   return [arguments] { return run(*arguments); };

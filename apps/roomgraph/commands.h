@@ -1,6 +1,7 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 namespace roomgraph {
 
@@ -15,6 +16,23 @@ struct Command {
   const char* sentence;
   std::function<int()> (*declare)(CLI::App& app);
 };
+
+/** Declares an option by its names and what its value is called in the help, "-o,--output DIR", or
+ *  an argument that may be left out by its name alone. */
+template <class Value>
+CLI::Option* addOption(CLI::App& app, const std::string& names, Value& value,
+                       const std::string& sentence) {
+  const std::size_t end = names.find(' ');
+  return app.add_option(names.substr(0, end), value, sentence)
+      ->type_name(end == std::string::npos ? "" : names.substr(end + 1));
+}
+
+/** Declares an argument that must be there. */
+template <class Value>
+CLI::Option* addArgument(CLI::App& app, const char* name, Value& value,
+                         const std::string& sentence) {
+  return addOption(app, name, value, sentence)->required();
+}
 
 // What declares each of them, see Command::declare.
 std::function<int()> extractCommand(CLI::App& app);

@@ -8,7 +8,6 @@
 #include "Laps.h"
 #include "commands.h"
 #include "comparison_results.h"
-#include "error_line.h"
 #include "mrpt_results.h"
 #include "note_lines.h"
 #include "option_arguments.h"
@@ -22,8 +21,8 @@
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/site_json.h"
 #include "run_in_order.h"
-#include "site_maps.h"
-#include "trajectory_files.h"
+#include "site_files.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -51,24 +50,20 @@ void declareFrames(CompareArguments& arguments, CLI::App& app) {
                "Find the scale at which bare pictures, such as floor plans, fit the other maps; "
                "--resolution is then only a first guess.")
       ->excludes(aligned);
-  app.add_option("--reference", arguments.reference,
-                 "Measure all runs against this map instead of against each other.")
-      ->type_name("MAP");
+  addOption(app, "--reference MAP", arguments.reference,
+            "Measure all runs against this map instead of against each other.");
 }
 
 void declareResults(CompareArguments& arguments, CLI::App& app) {
   declareOutput(arguments.folder, listedFiles(), app);
   declareFormats(arguments.formats, app);
-  app.add_option(
-         "--names", arguments.names,
-         "JSON file that keeps the ids and names of the site's rooms from call to call. It is "
-         "created if missing, and updated unless the gate fails. Names in it may be edited.")
-      ->type_name("FILE");
-  app.add_option(
-         "--cache", arguments.cache,
-         "Folder that keeps what was found for each pair of maps, so that a further run costs only "
-         "its own pairs; created if missing. It changes no result, and its files may be deleted.")
-      ->type_name("DIR");
+  addOption(app, "--names FILE", arguments.names,
+            "JSON file that keeps the ids and names of the site's rooms from call to call. It is "
+            "created if missing, and updated unless the gate fails. Names in it may be edited.");
+  addOption(
+      app, "--cache DIR", arguments.cache,
+      "Folder that keeps what was found for each pair of maps, so that a further run costs only "
+      "its own pairs; created if missing. It changes no result, and its files may be deleted.");
   app.add_flag("--break-files", arguments.writesBreaks,
                "Also write the scans around each break N of a run with scans, for RawLogViewer and "
                "SceneViewer3D: comparison.breakN.rawlog, .untorn.rawlog and .3Dscene.");
@@ -83,10 +78,9 @@ void declareResults(CompareArguments& arguments, CLI::App& app) {
 }
 
 void declareJudged(CompareArguments& arguments, CLI::App& app) {
-  app.add_option("--candidate", arguments.candidates,
-                 "One more map, and the only one that the gate judges; the others are the record "
-                 "that it is compared with. May be repeated.")
-      ->type_name("MAP")
+  addOption(app, "--candidate MAP", arguments.candidates,
+            "One more map, and the only one that the gate judges; the others are the record "
+            "that it is compared with. May be repeated.")
       ->allow_extra_args(false);
   declareGate(arguments.gate, app);
 }
@@ -279,10 +273,8 @@ int run(const CompareArguments& arguments) {
 
 std::function<int()> compareCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CompareArguments>();
-  app.add_option("RUN", arguments->files,
-                 "Maps of one site, as for 'roomgraph extract'; each may have a frame of its own.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "RUN", arguments->files,
+              "Maps of one site, as for 'roomgraph extract'; each may have a frame of its own.");
   underHeading("Maps", app, [&] {
     declareFrames(*arguments, app);
     declareReading(arguments->options, app);

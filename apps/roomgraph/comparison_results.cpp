@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "commands.h"
-#include "error_line.h"
-#include "mrpt_results.h"
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/mrpt_plugin/comparison_scene.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
@@ -43,8 +43,10 @@ constexpr ComparisonFile kFiles[] = {
      [](const Comparison& c, const Runs&) { return comparisonRoomsCsv(c); }},
     {"geojson", "comparison.rooms.geojson", false,
      [](const Comparison& c, const Runs&) { return siteGeojson(c); }},
-    {"3Dscene", "comparison.3Dscene", true, comparisonSceneFile},
-    {"roomgraph", "comparison.roomgraph", true, comparisonObjectFile},
+    {"3Dscene", "comparison.3Dscene", true,
+     [](const Comparison& c, const Runs& r) { return comparisonSceneBytes(c, r); }},
+    {"roomgraph", "comparison.roomgraph", true,
+     [](const Comparison& c, const Runs& r) { return mapComparisonBytes(CMapComparison(c, r)); }},
 };
 
 /** The format of a file for each run, which "all" leaves out. */
@@ -104,53 +106,45 @@ std::string listedFiles() {
 }
 
 void declareFormats(std::string& formats, CLI::App& app) {
-  app.add_option("--format", formats,
-                 "What to write, as a comma-separated list: " +
-                     listedFormats(allFormats(), {kTrajectories}) +
-                     ". Only where it is named, 'evo' writes of each run with scans its path in "
-                     "the frame of the site (comparison.RUN.tum), and the error along it for "
-                     "evo_res (comparison.RUN.evo.zip).")
-      ->type_name("LIST")
+  addOption(
+      app, "--format LIST", formats,
+      "What to write, as a comma-separated list: " + listedFormats(allFormats(), {kTrajectories}) +
+          ". Only where it is named, 'evo' writes of each run with scans its path in "
+          "the frame of the site (comparison.RUN.tum), and the error along it for "
+          "evo_res (comparison.RUN.evo.zip).")
       ->capture_default_str();
 }
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const int percent = int(std::lround(100 * kPartialCoverage));
   const int confirmed = int(std::lround(100 * kLeastConfirmed));
-  app.add_option("--fail-below", arguments.failBelow,
-                 "Exit with 3 if a run has a score below this (0 to 100), or no score.")
-      ->type_name("SCORE")
+  addOption(app, "--fail-below SCORE", arguments.failBelow,
+            "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->check(CLI::Range(0.0, 100.0));
-  app.add_option(
-         "--fail-above", arguments.failAbove,
-         "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
-      ->type_name("M")
+  addOption(app, "--fail-above M", arguments.failAbove,
+            "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--fail-worse-by", arguments.failWorseBy,
-                 "Exit with 3 if the map error of a run exceeds the median of the three best other "
-                 "runs by more than this [m], or cannot be trusted.")
-      ->type_name("M")
+  addOption(app, "--fail-worse-by M", arguments.failWorseBy,
+            "Exit with 3 if the map error of a run exceeds the median of the three best other "
+            "runs by more than this [m], or cannot be trusted.")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--fail-on", arguments.failOn,
-                 "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
-                 "less than " +
-                     std::to_string(percent) +
-                     " % of what at least two runs have seen), 'broken' (a run has a break that is "
-                     "not slight), 'unconfirmed' (other runs bear out less than " +
-                     std::to_string(confirmed) +
-                     " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
-                     "run is of another site, or mirrored), 'walls' (walls that others have are "
-                     "gone from a run, it has some that no other has, or thicker ones).")
-      ->type_name("LIST")
+  addOption(app, "--fail-on LIST", arguments.failOn,
+            "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
+            "less than " +
+                std::to_string(percent) +
+                " % of what at least two runs have seen), 'broken' (a run has a break that is "
+                "not slight), 'unconfirmed' (other runs bear out less than " +
+                std::to_string(confirmed) +
+                " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
+                "run is of another site, or mirrored), 'walls' (walls that others have are "
+                "gone from a run, it has some that no other has, or thicker ones).")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"broken", "unconfirmed", "coverage", "not-same-site", "walls"}));
-  app.add_option("--junit", arguments.junit,
-                 "Also write the verdict of the gate as JUnit XML, for CI systems.")
-      ->type_name("FILE");
-  app.add_option("--summary", arguments.summary,
-                 "Also write the ranking and the verdict of the gate as Markdown, for CI systems.")
-      ->type_name("FILE");
+  addOption(app, "--junit FILE", arguments.junit,
+            "Also write the verdict of the gate as JUnit XML, for CI systems.");
+  addOption(app, "--summary FILE", arguments.summary,
+            "Also write the ranking and the verdict of the gate as Markdown, for CI systems.");
 }
 
 GateOptions gateOf(const GateArguments& arguments) {
@@ -219,13 +213,10 @@ void printMaps(const std::vector<Run>& runs) {
                counted(run.scans.size(), "scan", "scans"));
 }
 
-void printComplaints(const Comparison& comparison) {
-  for (const std::string& line : comparison.gate->complaints) printError(line);
-}
-
 int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
   const bool gateFails = comparison.gate && !comparison.gate->isPassed();
-  if (gateFails) printComplaints(comparison);
+  if (gateFails)
+    for (const std::string& line : comparison.gate->complaints) printError(line);
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });
   const bool isOfOtherSite =
@@ -238,7 +229,5 @@ int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
                  : "compare: nothing was compared: no walls could be followed from map to map");
   return kBadData;
 }
-
-void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
 
 }  // namespace roomgraph

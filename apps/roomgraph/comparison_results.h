@@ -75,11 +75,7 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more);
 /** What each map holds, on stderr. */
 void printMaps(const std::vector<Run>& runs);
-void printComplaints(const Comparison& comparison);
-
 /** What a call ends with, which is said unless all is done: kGateFailed where the gate failed a
  *  run, kBadData where nothing was compared, so that no run could be judged but by its site. */
 int exitCodeOf(const Comparison& comparison, const GateOptions& gate);
-void printError(const std::string& text);
-
 }  // namespace roomgraph

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "error_line.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
@@ -74,8 +73,7 @@ void convert(const std::string& file, const MapOutput& output, const ExtractOpti
     lines += printable(name) + "\n";
   }
   staged.commit();
-  for (const Note& note : map.notes)
-    std::fputs(errorLine(file + ": note: " + note.text).c_str(), stderr);
+  for (const Note& note : map.notes) printError(file + ": note: " + note.text);
   print(lines);
 }
 
@@ -92,16 +90,12 @@ int run(const ConvertArguments& arguments) {
 
 std::function<int()> convertCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ConvertArguments>();
-  app.add_option("MAP", arguments->maps, "Maps as for 'roomgraph extract'.")
-      ->type_name("")
-      ->required();
-  app.add_option("-o,--output", arguments->folder, "Folder for the maps; created if missing.")
-      ->type_name("DIR")
+  addArgument(app, "MAP", arguments->maps, "Maps as for 'roomgraph extract'.");
+  addOption(app, "-o,--output DIR", arguments->folder, "Folder for the maps; created if missing.")
       ->capture_default_str();
-  app.add_option("--format", arguments->format,
-                 "What to write: 'ros' (X.yaml and X.pgm, for ROS's map_server), 'gridmap' (for "
-                 "MRPT) or 'png' (a picture).")
-      ->type_name("NAME")
+  addOption(app, "--format NAME", arguments->format,
+            "What to write: 'ros' (X.yaml and X.pgm, for ROS's map_server), 'gridmap' (for "
+            "MRPT) or 'png' (a picture).")
       ->capture_default_str();
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);

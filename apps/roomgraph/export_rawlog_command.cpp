@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "commands.h"
-#include "error_line.h"
 #include "mrpt_results.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -41,18 +40,15 @@ int run(const RawlogArguments& arguments) {
 
 std::function<int()> exportRawlogCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RawlogArguments>();
-  app.add_option("RUN", arguments->runs, "Simplemaps with scans.")->type_name("")->required();
-  app.add_option("-o,--output", arguments->folder, "Folder for the logs; created if missing.")
-      ->type_name("DIR")
+  addArgument(app, "RUN", arguments->runs, "Simplemaps with scans.");
+  addOption(app, "-o,--output DIR", arguments->folder, "Folder for the logs; created if missing.")
       ->capture_default_str();
-  app.add_option("--from", arguments->stretch.from, "The first key frame, from 0.")
+  addOption(app, "--from K", arguments->stretch.from, "The first key frame, from 0.")
       ->check(CLI::NonNegativeNumber)
-      ->type_name("K")
       ->capture_default_str();
-  app.add_option("--to", arguments->stretch.to,
-                 "The last key frame. Without it, the last one of the run.")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("K");
+  addOption(app, "--to K", arguments->stretch.to,
+            "The last key frame. Without it, the last one of the run.")
+      ->check(CLI::NonNegativeNumber);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   return [arguments] { return run(*arguments); };

@@ -21,14 +21,12 @@ struct ExtractArguments {
 
 void declareResults(ExtractArguments& arguments, CLI::App& app) {
   declareOutput(arguments.folder, "X.json and the other formats", app);
-  app.add_option("--format", arguments.formats,
-                 "What to write, as a comma-separated list: " + formatNames() +
-                     ". The areas of the map (labels, osm, osm_ids) are written only on request.")
-      ->type_name("LIST")
+  addOption(app, "--format LIST", arguments.formats,
+            "What to write, as a comma-separated list: " + formatNames() +
+                ". The areas of the map (labels, osm, osm_ids) are written only on request.")
       ->capture_default_str();
-  app.add_option("--stages", arguments.stagesFolder,
-                 "Also draw every step of the extraction, into DIR/X.")
-      ->type_name("DIR");
+  addOption(app, "--stages DIR", arguments.stagesFolder,
+            "Also draw every step of the extraction, into DIR/X.");
 }
 
 Verbosity verbosityOf(const RunningArguments& arguments) {
@@ -64,12 +62,10 @@ int run(const ExtractArguments& arguments) {
 
 std::function<int()> extractCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
-  app.add_option("MAP", arguments->maps,
-                 "Maps to read, each an " + mapFormatsText() +
-                     ", compressed or not. The kind is told by the content. Several maps are "
-                     "processed in parallel.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "MAP", arguments->maps,
+              "Maps to read, each an " + mapFormatsText() +
+                  ", compressed or not. The kind is told by the content. Several maps are "
+                  "processed in parallel.");
   declareResults(*arguments, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);

@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "Laps.h"
-#include "error_line.h"
 #include "note_lines.h"
 #include "output_names.h"
 #include "roomgraph/base/printable.h"
@@ -12,6 +11,7 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "commands.h"
-#include "error_line.h"
 #include "option_arguments.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/base/json_fault.h"
 #include "roomgraph/base/printable.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/grid/binarize.h"
@@ -18,9 +17,8 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/read_recording.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"
-#include "roomgraph/mrpt_plugin/map_comparison_text.h"
-#include "roomgraph/mrpt_plugin/read_map_comparison.h"
-#include "roomgraph/mrpt_plugin/read_room_graph.h"
+#include "roomgraph/mrpt_plugin/map_comparison_file.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/scans/place_scans.h"
 #include "terminal.h"
@@ -85,7 +83,7 @@ std::string runText(const Recording& run) {
 std::string jsonText(const std::string& file) {
   const std::string json = readFile(file);
   if (jsonFault(json, "roomgraph/comparison").empty())
-    return mapComparisonText(parseComparisonJson(json, file));
+    return CMapComparison(parseComparisonJson(json, file), {}).asString();
   return graphText(parseGraphJson(json, file));
 }
 
@@ -93,9 +91,8 @@ std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && start[first] == '{') return jsonText(file);
-  if (start.find("CRoomGraph") != std::string::npos) return graphText(readRoomGraph(file).file);
-  if (start.find("CMapComparison") != std::string::npos)
-    return mapComparisonText(readMapComparison(file).comparison);
+  if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
+  if (start.find("CMapComparison") != std::string::npos) return loadMapComparison(file).asString();
   return mapText(file, options);
 }
 
@@ -118,12 +115,9 @@ int run(const InfoArguments& arguments) {
 
 std::function<int()> infoCommand(CLI::App& app) {
   const auto arguments = std::make_shared<InfoArguments>();
-  app.add_option(
-         "FILE", arguments->files,
-         "Maps as for 'roomgraph extract', or results: X.json, X.roomgraph, comparison.json, "
-         "comparison.roomgraph.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "FILE", arguments->files,
+              "Maps as for 'roomgraph extract', or results: X.json, X.roomgraph, comparison.json, "
+              "comparison.roomgraph.");
   app.add_flag("--grid", arguments->buildsGrid,
                "Also build the grid of each simplemap, and tell what it holds.");
   declareConfig(arguments->options, app);

@@ -2,7 +2,6 @@
 
 #include "HelpFormatter.h"
 #include "commands.h"
-#include "error_line.h"
 #include "interruption.h"
 #include "roomgraph/base/version.h"
 #include "terminal.h"
@@ -73,7 +72,7 @@ int run(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
     const std::string fault = usageFault(app, {arguments + 1, arguments + count}, error);
-    std::fputs(errorLine(fault + " (see '" + helpOf(app) + "')").c_str(), stderr);
+    printError(fault + " (see '" + helpOf(app) + "')");
     return kBadUsage;
   }
   return exitCode;

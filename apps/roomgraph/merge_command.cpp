@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "error_line.h"
 #include "mrpt_results.h"
 #include "output_formats.h"
 #include "output_names.h"
@@ -151,8 +150,7 @@ int run(const MergeArguments& arguments) {
   for (const OutputFormat& format : parseFormats(kGraphFormats))
     add(std::string("site.graph.") + format.extension, format.bytes(stages));
   staged.commit();
-  for (const std::string& text : merging.leftOut)
-    std::fputs(errorLine(text + ": left out").c_str(), stderr);
+  for (const std::string& text : merging.leftOut) printError(text + ": left out");
   if (!site.running.isQuiet) print(lines);
   return kDone;
 }
@@ -161,9 +159,7 @@ int run(const MergeArguments& arguments) {
 
 std::function<int()> mergeCommand(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
-  app.add_option("RUN", arguments->site.files, "Simplemaps of one site, each of a drive.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "RUN", arguments->site.files, "Simplemaps of one site, each of a drive.");
   app.add_flag("--latest", arguments->prefersLatest,
                "Let each run count twice as much as the one made before it.");
   declareSite(

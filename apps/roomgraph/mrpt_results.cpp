@@ -6,11 +6,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/read_recording.h"
 #include "roomgraph/mrpt_plugin/break_files.h"
-#include "roomgraph/mrpt_plugin/comparison_scene.h"
-#include "roomgraph/mrpt_plugin/map_comparison_file.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
-#include "roomgraph/mrpt_plugin/room_graph_file.h"
-#include "roomgraph/mrpt_plugin/scene_file.h"
 #include "roomgraph/scans/place_scans.h"
 
 namespace roomgraph {
@@ -23,16 +19,6 @@ std::vector<PlacedScan> scansOf(const std::string& file, const LoadGridOptions& 
 }
 
 }  // namespace
-
-std::string graphSceneFile(const Stages& stages) { return sceneBytes(CRoomGraph(stages)); }
-std::string graphObjectFile(const Stages& stages) { return roomGraphBytes(CRoomGraph(stages)); }
-
-std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs) {
-  return comparisonSceneBytes(comparison, runs);
-}
-std::string comparisonObjectFile(const Comparison& comparison, const std::vector<Run>& runs) {
-  return mapComparisonBytes(CMapComparison(comparison, runs));
-}
 
 std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
                                        const LoadGridOptions& reading,

@@ -7,23 +7,10 @@
 
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/Comparison.h"
-#include "roomgraph/grid/GreyMap.h"
-#include "roomgraph/grid/Grid.h"
 #include "roomgraph/grid/LoadGridOptions.h"
-#include "roomgraph/pipeline/Stages.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
-
-// What the program writes with MRPT's scenes and observations.
-
-/** The bytes of X.3Dscene and X.roomgraph. */
-std::string graphSceneFile(const Stages& stages);
-std::string graphObjectFile(const Stages& stages);
-
-/** The bytes of comparison.3Dscene and comparison.roomgraph. */
-std::string comparisonSceneFile(const Comparison& comparison, const std::vector<Run>& runs);
-std::string comparisonObjectFile(const Comparison& comparison, const std::vector<Run>& runs);
 
 /** For each break with a key frame: logs of the scans before and behind it, as the run has them and
  *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "error_line.h"
 #include "roomgraph/base/sentence_text.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {

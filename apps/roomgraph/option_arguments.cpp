@@ -2,9 +2,10 @@
 
 #include <cmath>
 
+#include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
-#include "roomgraph/base/json_fault.h"
+#include "roomgraph/base/read_document.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/report/comparison_json.h"
 
@@ -94,59 +95,49 @@ void underHeading(const std::string& heading, CLI::App& app, const std::function
 }
 
 void declareConfig(OptionArguments& arguments, CLI::App& app) {
-  app.add_option("--preset", arguments.preset,
-                 "The options to start from: 'default' (in metres; unknown cells stay unknown) or "
-                 "'paper' (the paper's numbers, in cells).")
-      ->type_name("NAME")
+  addOption(app, "--preset NAME", arguments.preset,
+            "The options to start from: 'default' (in metres; unknown cells stay unknown) or "
+            "'paper' (the paper's numbers, in cells).")
       ->capture_default_str();
-  app.add_option("-c,--config", arguments.configFile,
-                 "Take the options from an ini file (see 'roomgraph config'), or those that an "
-                 "earlier X.json or comparison.json was made with.")
-      ->type_name("FILE");
-  app.add_option("--set", arguments.settings, "Set one option, after --config; may be repeated.")
-      ->type_name("SECTION.KEY=VALUE")
+  addOption(app, "-c,--config FILE", arguments.configFile,
+            "Take the options from an ini file (see 'roomgraph config'), or those that an "
+            "earlier X.json or comparison.json was made with.");
+  addOption(app, "--set SECTION.KEY=VALUE", arguments.settings,
+            "Set one option, after --config; may be repeated.")
       ->allow_extra_args(false);
 }
 
 void declareReading(OptionArguments& arguments, CLI::App& app) {
-  app.add_option("--resolution", arguments.resolution, help("load_grid", "resolution"))
-      ->type_name("M");
-  app.add_option("--slice", arguments.slice,
-                 "Cut point clouds to this band of heights above the floor, instead of to the one "
-                 "with the longest straight walls; in a simplemap, even where there are 2D scans. "
-                 "(m; sets load_grid.slice_low and slice_high)")
-      ->type_name("LOW HIGH")
+  addOption(app, "--resolution M", arguments.resolution, help("load_grid", "resolution"));
+  addOption(app, "--slice LOW HIGH", arguments.slice,
+            "Cut point clouds to this band of heights above the floor, instead of to the one "
+            "with the longest straight walls; in a simplemap, even where there are 2D scans. "
+            "(m; sets load_grid.slice_low and slice_high)")
       ->expected(2);
-  app.add_option("--layer", arguments.layer,
-                 "The layer of a metric map (.mm) to read. Without it, the first grid is read, or "
-                 "the points if there is no grid.")
-      ->type_name("NAME");
+  addOption(app, "--layer NAME", arguments.layer,
+            "The layer of a metric map (.mm) to read. Without it, the first grid is read, or "
+            "the points if there is no grid.");
 }
 
 void declareRooms(OptionArguments& arguments, CLI::App& app) {
   CLI::Option* width =
-      app.add_option("--room-width", arguments.roomWidth, help("find_rooms", "min_width"))
-          ->type_name("M");
-  app.add_option("--alpha-px2", arguments.alphaPx2, help("find_rooms", "alpha_px2"))
-      ->type_name("A")
+      addOption(app, "--room-width M", arguments.roomWidth, help("find_rooms", "min_width"));
+  addOption(app, "--alpha-px2 A", arguments.alphaPx2, help("find_rooms", "alpha_px2"))
       ->excludes(width);
   app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
-  app.add_option("--robot-width", arguments.robotWidth, help("room_graph", "robot_width"))
-      ->type_name("M");
+  addOption(app, "--robot-width M", arguments.robotWidth, help("room_graph", "robot_width"));
 }
 
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {
   folder = "roomgraph-" + app.get_name();
-  app.add_option("-o,--output", folder,
-                 "Folder for the results: " + results + "; created if missing.")
-      ->type_name("DIR")
+  addOption(app, "-o,--output DIR", folder,
+            "Folder for the results: " + results + "; created if missing.")
       ->capture_default_str();
 }
 
 void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
-  app.add_option("--threads", threads,
-                 "How many " + what + " to work on at once; 0 for one per core.")
-      ->type_name("N")
+  addOption(app, "--threads N", threads,
+            "How many " + what + " to work on at once; 0 for one per core.")
       ->capture_default_str();
 }
 

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "mrpt_results.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/graph_files/area_labels_png.h"
@@ -12,6 +11,8 @@
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/graph_files/graphml.h"
 #include "roomgraph/graph_files/osm_xml.h"
+#include "roomgraph/mrpt_plugin/room_graph_file.h"
+#include "roomgraph/mrpt_plugin/scene_file.h"
 
 namespace roomgraph {
 namespace {
@@ -30,8 +31,8 @@ constexpr OutputFormat kFormats[] = {
     {"graphml", "graphml", [](const Stages& stages) { return graphml(stages.result); }},
     {"geojson", "geojson",
      [](const Stages& s) { return geojson(s.result, ObstacleRows(s.obstacles), s.clearance); }},
-    {"3Dscene", "3Dscene", graphSceneFile},
-    {"roomgraph", "roomgraph", graphObjectFile},
+    {"3Dscene", "3Dscene", [](const Stages& s) { return sceneBytes(CRoomGraph(s)); }},
+    {"roomgraph", "roomgraph", [](const Stages& s) { return roomGraphBytes(CRoomGraph(s)); }},
     {"labels", "areas.png",
      [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }, false},
     {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); },

@@ -2,7 +2,6 @@
 
 #include "FleetFolder.h"
 #include "commands.h"
-#include "comparison_results.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/archive/read_run_list.h"
@@ -29,11 +28,11 @@ int run(const PlanArguments& arguments) {
     printError(line);
     unread.push_back(line);
   };
-  options.onMissing = [](const KnownRun& run) {
+  options.onMissing = [](const HistoryRun& run) {
     printError(run.file + ": note: is gone or another file now: not compared with");
   };
   const std::string folder = std::filesystem::path(arguments.list).parent_path().string();
-  const std::vector<ListedRun> listed =
+  const RunList listed =
       readRunList(readFile(arguments.list), arguments.list, folder, options.onUnread);
   const Archive archive(arguments.archive, Archive::Access::orNew);
   const std::vector<FleetTask> tasks = planFleet(listed, archive, options);
@@ -51,23 +50,17 @@ int run(const PlanArguments& arguments) {
 
 std::function<int()> planCommand(CLI::App& app) {
   const auto arguments = std::make_shared<PlanArguments>();
-  app.add_option("LIST", arguments->list,
-                 "CSV file with a line per run: columns 'site' and 'file', and 'robot' and 'time' "
-                 "if known. File names are relative to its folder.")
-      ->type_name("")
+  addArgument(app, "LIST", arguments->list,
+              "CSV file with a line per run: columns 'site' and 'file', and 'robot' and 'time' "
+              "if known. File names are relative to its folder.");
+  addOption(app, "--archive FILE", arguments->archive,
+            "Archive of all sites; created if missing. What it knows is not done again.")
       ->required();
-  app.add_option("--archive", arguments->archive,
-                 "Archive of all sites; created if missing. What it knows is not done again.")
-      ->type_name("FILE")
+  addOption(app, "-o,--output DIR", arguments->folder,
+            "Folder for the tasks (tasks.jsonl, a line each), the options and the results.")
       ->required();
-  app.add_option("-o,--output", arguments->folder,
-                 "Folder for the tasks (tasks.jsonl, a line each), the options and the results.")
-      ->type_name("DIR")
-      ->required();
-  app.add_option(
-         "--compare-with", arguments->most,
-         "How many runs of the archive the new ones of a site are compared with (2 to 100).")
-      ->type_name("N")
+  addOption(app, "--compare-with N", arguments->most,
+            "How many runs of the archive the new ones of a site are compared with (2 to 100).")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
   declareQuiet(arguments->isQuiet, app);

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
@@ -171,23 +170,18 @@ int run(const RepairArguments& arguments) {
 
 std::function<int()> repairCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RepairArguments>();
-  app.add_option("RUN", arguments->site.files,
-                 "Simplemaps of one site, each of a drive. One alone is mended by what it saw "
-                 "twice.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "RUN", arguments->site.files,
+              "Simplemaps of one site, each of a drive. One alone is mended by what it saw twice.");
   declareSite(arguments->site,
               "X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
               "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and of several runs "
               "site.g2o",
               app);
-  app.add_option("--format", arguments->format,
-                 "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "
-                 "mola-sm-lc-cli: key frames of a run that were at the same place.")
-      ->type_name("NAME");
-  app.add_option("--only", arguments->only,
-                 "Write only the run of this name; all are used. May be repeated.")
-      ->type_name("NAME")
+  addOption(app, "--format NAME", arguments->format,
+            "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "
+            "mola-sm-lc-cli: key frames of a run that were at the same place.");
+  addOption(app, "--only NAME", arguments->only,
+            "Write only the run of this name; all are used. May be repeated.")
       ->allow_extra_args(false);
   return [arguments] { return run(*arguments); };
 }

@@ -12,6 +12,7 @@
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/report/comparison_json.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -117,22 +118,17 @@ int run(const ReportArguments& arguments) {
 
 std::function<int()> reportCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();
-  app.add_option("COMPARISON", arguments->comparison, "The comparison.json of an earlier call.")
-      ->type_name("")
-      ->required();
-  app.add_option("MAP", arguments->maps,
-                 "Maps that were compared, or some of them, to be drawn. They are recognised by "
-                 "their content. Without any, those are drawn that still lie where they were "
-                 "compared, or beside the comparison, one folder above or in the current folder.")
-      ->type_name("");
-  app.add_option("-o,--output", arguments->folder,
-                 "Folder for the results, which are those of 'roomgraph compare'. Without it, the "
-                 "folder of the comparison.")
-      ->type_name("DIR");
+  addArgument(app, "COMPARISON", arguments->comparison, "The comparison.json of an earlier call.");
+  addOption(app, "MAP", arguments->maps,
+            "Maps that were compared, or some of them, to be drawn. They are recognised by "
+            "their content. Without any, those are drawn that still lie where they were "
+            "compared, or beside the comparison, one folder above or in the current folder.");
+  addOption(app, "-o,--output DIR", arguments->folder,
+            "Folder for the results, which are those of 'roomgraph compare'. Without it, the "
+            "folder of the comparison.");
   declareGate(arguments->gate, app);
-  app.add_option("--candidate", arguments->candidates,
-                 "Let the gate judge only the run of this name; may be repeated.")
-      ->type_name("NAME")
+  addOption(app, "--candidate NAME", arguments->candidates,
+            "Let the gate judge only the run of this name; may be repeated.")
       ->allow_extra_args(false);
   declareQuiet(arguments->isQuiet, app);
   return [arguments] { return run(*arguments); };

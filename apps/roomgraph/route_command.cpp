@@ -72,9 +72,7 @@ int run(const RouteArguments& arguments) {
 
 std::function<int()> routeCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RouteArguments>();
-  app.add_option("MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.");
   const auto add = [&](const char* name, std::vector<std::string>& words, const char* sentence) {
     app.add_option(name, words, sentence)->type_name("PLACE")->required()->expected(1, 2);
   };

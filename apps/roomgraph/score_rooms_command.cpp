@@ -42,16 +42,12 @@ int run(const ScoreArguments& arguments) {
 
 std::function<int()> scoreRoomsCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ScoreArguments>();
-  app.add_option("LABELS", arguments->labels,
-                 "The rooms to judge: a picture whose pixels say which room they are in, such as "
-                 "X.areas.png. Grey png or pgm: the grey level, 0 for none. Colour png: the "
-                 "colour, black and white for none.")
-      ->type_name("")
-      ->required();
-  app.add_option("TRUTH", arguments->truth,
-                 "The rooms as they should be: the same kind of picture, in the same size.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "LABELS", arguments->labels,
+              "The rooms to judge: a picture whose pixels say which room they are in, such as "
+              "X.areas.png. Grey png or pgm: the grey level, 0 for none. Colour png: the "
+              "colour, black and white for none.");
+  addArgument(app, "TRUTH", arguments->truth,
+              "The rooms as they should be: the same kind of picture, in the same size.");
   app.add_flag("--json", arguments->isJson,
                "Print JSON, with all counts; shares in percent, areas in pixels.");
   return [arguments] { return run(*arguments); };

@@ -5,22 +5,21 @@
 #include <memory>
 #include <optional>
 
-#include "error_line.h"
+#include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
-
-void printLine(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
 
 CompareMapsOptions optionsOf(const SiteArguments& arguments) {
   CompareMapsOptions options = toCompareOptions(arguments.options);
   options.reference = arguments.reference;
   options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
-  options.onUnread = [](const LeftOutRun& run) { printLine(run.file + ": " + run.reason); };
+  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   return options;
 }
 
@@ -29,20 +28,18 @@ void printOthers(const SolvedRuns& runs) {
   const std::vector<std::size_t>& members = runs.solved.site.members;
   for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
     if (!std::binary_search(members.begin(), members.end(), i))
-      printLine(runs.read.runs[i].file + ": does not lie in the site of the others: left out");
+      printError(runs.read.runs[i].file + ": does not lie in the site of the others: left out");
 }
 
 }  // namespace
 
 void declareSite(SiteArguments& arguments, const std::string& results, CLI::App& app) {
   declareOutput(arguments.folder, results, app);
-  app.add_option("--reference", arguments.reference,
-                 "Take this map for the truth: it stays as it is, and the others follow it.")
-      ->type_name("MAP");
-  app.add_option("--cache", arguments.cache,
-                 "Folder that keeps what was found for each pair of maps, as for 'roomgraph "
-                 "compare'.")
-      ->type_name("DIR");
+  addOption(app, "--reference MAP", arguments.reference,
+            "Take this map for the truth: it stays as it is, and the others follow it.");
+  addOption(app, "--cache DIR", arguments.cache,
+            "Folder that keeps what was found for each pair of maps, as for 'roomgraph "
+            "compare'.");
   declareRunning(arguments.running, "maps or pairs", "what is done with each map", app);
   declareConfig(arguments.options, app);
   declareReading(arguments.options, app);
@@ -64,7 +61,7 @@ std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   const RelateRunsOptions relating{options.compare.areAligned, read.reference,
                                    std::size_t(options.compare.core)};
   const MapPairs related = relateRuns(read.runs, relating, forEach, options.compare.kept);
-  if (cache && !cache->failure().empty()) printLine(cache->failure());
+  if (cache && !cache->failure().empty()) printError(cache->failure());
   SolvedSite solved = solveSite(read.runs, related, read.reference, forEach);
   // The runs stay where they are: the vector is moved, not what it holds.
   std::unique_ptr<SolvedRuns> runs(new SolvedRuns{std::move(read), std::move(solved)});

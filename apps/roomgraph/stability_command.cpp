@@ -18,37 +18,29 @@ struct StabilityArguments {
 };
 
 void declareExperiment(StabilityOptions& options, CLI::App& app) {
-  app.add_option(
-         "--distances", options.distances,
-         "How far from a wall new cells may lie, in cells per axis, as a comma-separated list.")
+  addOption(app, "--distances LIST", options.distances,
+            "How far from a wall new cells may lie, in cells per axis, as a comma-separated list.")
       ->delimiter(',')
-      ->type_name("LIST")
       ->capture_default_str();
-  app.add_option("--percents", options.percents,
-                 "Percentages of the occupied cells that move, as a comma-separated list.")
+  addOption(app, "--percents LIST", options.percents,
+            "Percentages of the occupied cells that move, as a comma-separated list.")
       ->delimiter(',')
-      ->type_name("LIST")
       ->capture_default_str();
-  app.add_option("--base-distance", options.baseDistance,
-                 "How far new cells may lie in the map that all others are compared with.")
-      ->type_name("CELLS")
+  addOption(app, "--base-distance CELLS", options.baseDistance,
+            "How far new cells may lie in the map that all others are compared with.")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--base-percent", options.basePercent,
-                 "Percentage of the occupied cells that move in that map.")
-      ->type_name("P")
+  addOption(app, "--base-percent P", options.basePercent,
+            "Percentage of the occupied cells that move in that map.")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--repeats", options.repeats,
-                 "Number of noisy maps for each distance and percentage.")
-      ->type_name("N")
+  addOption(app, "--repeats N", options.repeats,
+            "Number of noisy maps for each distance and percentage.")
       ->capture_default_str();
-  app.add_option("--seed", options.seed, "Seed of the noise; the same seed gives the same files.")
-      ->type_name("S")
+  addOption(app, "--seed S", options.seed, "Seed of the noise; the same seed gives the same files.")
       ->capture_default_str();
-  app.add_option("--match-within", options.matchWithin,
-                 "How far apart a vertex and its partner may lie in the one-to-one matching [m].")
-      ->type_name("M")
+  addOption(app, "--match-within M", options.matchWithin,
+            "How far apart a vertex and its partner may lie in the one-to-one matching [m].")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
 }
@@ -80,11 +72,9 @@ int run(const StabilityArguments& arguments) {
 
 std::function<int()> stabilityCommand(CLI::App& app) {
   const auto arguments = std::make_shared<StabilityArguments>();
-  app.add_option("MAP", arguments->maps,
-                 "Maps, as for 'roomgraph extract'. They are processed one after the other, the "
-                 "noisy copies of each in parallel.")
-      ->type_name("")
-      ->required();
+  addArgument(app, "MAP", arguments->maps,
+              "Maps, as for 'roomgraph extract'. They are processed one after the other, the "
+              "noisy copies of each in parallel.");
   declareExperiment(arguments->task.options, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);

@@ -6,7 +6,6 @@
 #include <mutex>
 
 #include "commands.h"
-#include "error_line.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"

@@ -2,13 +2,13 @@
 
 #include "FleetFolder.h"
 #include "commands.h"
-#include "comparison_results.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/do_task.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/report/comparison_json.h"
 #include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -66,13 +66,9 @@ int run(const TaskArguments& arguments) {
 
 std::function<int()> taskCommand(CLI::App& app) {
   const auto arguments = std::make_shared<TaskArguments>();
-  app.add_option("FOLDER", arguments->folder, "The folder of 'roomgraph plan'.")
-      ->type_name("")
-      ->required();
-  app.add_option("FIRST", arguments->first, "Number of the task, counted from 1.")
-      ->type_name("")
-      ->required();
-  app.add_option("LAST", arguments->last, "The last task, to do several.")->type_name("");
+  addArgument(app, "FOLDER", arguments->folder, "The folder of 'roomgraph plan'.");
+  addArgument(app, "FIRST", arguments->first, "Number of the task, counted from 1.");
+  addOption(app, "LAST", arguments->last, "The last task, to do several.");
   declareThreads(arguments->threads, "maps or pairs", app);
   return [arguments] { return run(*arguments); };
 }

@@ -1,10 +1,14 @@
 #include "terminal.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <sstream>
 
+#include "commands.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/failure_text.h"
 #include "roomgraph/base/printable.h"
 
 namespace roomgraph {
@@ -23,6 +27,39 @@ void checkPrinted() {
   if (!isWhole)
     refuse("standard output", "not all of the text could be written to it",
            "give it a place that is open and has room");
+}
+
+std::string errorLine(const std::string& text) {
+  constexpr std::size_t kMost = 10000;  // bytes; a name has at most 4096
+  return "roomgraph: " + printable(text.substr(0, kMost)) + "\n";
+}
+
+void printError(const std::string& text) { std::fputs(errorLine(text).c_str(), stderr); }
+
+Failure currentFailure(const std::string& file) {
+  const std::string line = errorLine(failureText(file));
+  try {
+    throw;
+  } catch (const UsageError&) {
+    return {line, kBadUsage};
+  } catch (const std::exception&) {
+    return {line, kBadData};
+  }
+}
+
+int doEach(const std::vector<std::string>& files,
+           const std::function<void(const std::string& file)>& job) {
+  int exitCode = kDone;
+  for (const std::string& file : files) {
+    try {
+      job(file);
+    } catch (...) {
+      const Failure failure = currentFailure(file);
+      std::fputs(failure.line.c_str(), stderr);
+      exitCode = std::max(exitCode, failure.exitCode);
+    }
+  }
+  return exitCode;
 }
 
 }  // namespace roomgraph

@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace roomgraph {
 
@@ -9,5 +11,26 @@ void print(const std::string& lines);
 
 /** Throws DataError where not all that was printed has arrived, as on a full disk. */
 void checkPrinted();
+
+/** "roomgraph: text" and a line end; one printable line. */
+std::string errorLine(const std::string& text);
+
+/** Such a line on stderr. */
+void printError(const std::string& text);
+
+/** What the user is told of an exception. */
+struct Failure {
+  std::string line;  ///< with its line end
+  int exitCode = 0;
+};
+
+/** The exception that is being handled, as one line. `file` is put in front of messages that do not
+ *  name the file themselves. */
+Failure currentFailure(const std::string& file);
+
+/** Does the job for each file in turn. One that fails costs a line on stderr, and the others are
+ *  done all the same. Gives the exit code: the largest of the failures', or kDone. */
+int doEach(const std::vector<std::string>& files,
+           const std::function<void(const std::string& file)>& job);
 
 }  // namespace roomgraph

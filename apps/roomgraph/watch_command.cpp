@@ -1,4 +1,12 @@
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -6,9 +14,7 @@
 #include "ArchiveArguments.h"
 #include "FolderWatch.h"
 #include "add_to_archive.h"
-#include "call_command.h"
 #include "commands.h"
-#include "comparison_results.h"
 #include "output_names.h"
 #include "roomgraph/archive/added_run_json.h"
 #include "roomgraph/archive/watch_site.h"
@@ -18,6 +24,56 @@
 
 namespace roomgraph {
 namespace {
+
+constexpr int kNoShell = 127;
+
+/** A file without a name, which nobody has to read for the writer to go on. */
+int fileWith(const std::string& content) {
+  const int file = memfd_create("roomgraph", MFD_CLOEXEC);
+  if (file < 0) return file;
+  if (write(file, content.data(), content.size()) == ssize_t(content.size()) &&
+      lseek(file, 0, SEEK_SET) == 0)
+    return file;
+  close(file);
+  return -1;
+}
+
+/** The command gets the signals that this program keeps back. */
+int spawn(const std::string& command, int input, pid_t& child) {
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  std::string shell = "sh", option = "-c", text = command;
+  const std::array<char*, 4> arguments{shell.data(), option.data(), text.data(), nullptr};
+  const int failure =
+      posix_spawn(&child, "/bin/sh", &actions, &attributes, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return failure;
+}
+
+/** Calls a command of the shell with `input` on its stdin, its stdout going to stderr, and waits
+ *  until it ends. Its exit code, 128 and the signal where one ended it, 127 where there is no
+ *  shell. */
+int callCommand(const std::string& command, const std::string& input) {
+  const int file = fileWith(input);
+  if (file < 0) return kNoShell;
+  pid_t child = 0;
+  const int failure = spawn(command, file, child);
+  close(file);
+  if (failure != 0) return kNoShell;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return kNoShell;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
 
 struct WatchArguments {
   ArchiveArguments adding;
@@ -57,7 +113,7 @@ int run(const WatchArguments& arguments) {
   std::optional<PairFolder> cache;
   if (!arguments.adding.cache.empty())
     options.compare.compare.kept = cache.emplace(arguments.adding.cache).kept();
-  options.onMissing = [](const KnownRun&) {};  // each night anew: 'archive add' tells of it
+  options.onMissing = [](const HistoryRun&) {};  // each night anew: 'archive add' tells of it
   FolderWatch folder(arguments.folder);
   siteToAddTo(arguments.adding, Archive(arguments.adding.archive, Archive::Access::orNew));
   for (;;) {
@@ -72,22 +128,16 @@ int run(const WatchArguments& arguments) {
 std::function<int()> watchCommand(CLI::App& app) {
   const auto arguments = std::make_shared<WatchArguments>();
   arguments->adding.isQuiet = true;
-  app.add_option(
-         "DIR", arguments->folder,
-         "Folder that maps are written to. Those that are there already are added, too, if "
-         "the archive does not know them. Bare pictures count only beside the yaml of a ROS "
-         "map, and folders in it do not count.")
-      ->type_name("")
+  addArgument(app, "DIR", arguments->folder,
+              "Folder that maps are written to. Those that are there already are added, too, if "
+              "the archive does not know them. Bare pictures count only beside the yaml of a ROS "
+              "map, and folders in it do not count.");
+  addOption(app, "--archive FILE", arguments->adding.archive,
+            "The archive that they are added to (SQLite); created if missing.")
       ->required();
-  app.add_option("--archive", arguments->adding.archive,
-                 "The archive that they are added to (SQLite); created if missing.")
-      ->type_name("FILE")
-      ->required();
-  app.add_option(
-         "--exec", arguments->command,
-         "Call this command of the shell for each map, with its line on stdin. The next map "
-         "waits until it ends.")
-      ->type_name("CMD");
+  addOption(app, "--exec CMD", arguments->command,
+            "Call this command of the shell for each map, with its line on stdin. The next map "
+            "waits until it ends.");
   declareWatch(arguments->adding, app);
   declareAdding(arguments->adding, app);
   return [arguments] { return run(*arguments); };

@@ -46,13 +46,9 @@ int run(const WhereArguments& arguments) {
 
 std::function<int()> whereCommand(CLI::App& app) {
   const auto arguments = std::make_shared<WhereArguments>();
-  app.add_option("MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.")
-      ->type_name("")
-      ->required();
-  app.add_option("X", arguments->place.x, "The place, in the frame of the map. (m)")
-      ->type_name("")
-      ->required();
-  app.add_option("Y", arguments->place.y, "The same. (m)")->type_name("")->required();
+  addArgument(app, "MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.");
+  addArgument(app, "X", arguments->place.x, "The place, in the frame of the map. (m)");
+  addArgument(app, "Y", arguments->place.y, "The same. (m)");
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   declareRooms(arguments->options, app);

@@ -22,7 +22,7 @@ struct Office {
 
   Office() {
     options.site = "office", options.robot = "anna", options.time = 1000;
-    options.onMissing = [this](const KnownRun& run) { missing.push_back(run.file); };
+    options.onMissing = [this](const HistoryRun& run) { missing.push_back(run.file); };
   }
   std::string map(const std::string& name, const Transform2D& pose, std::uint32_t seed = 1) const {
     writeFileAtomically(folder / name, test::gridPicture(test::drawnBuilding(seed, pose)));
@@ -39,7 +39,7 @@ TEST(AddRun, runsOfOneSiteArePlacedAndKeptWithWhereTheyComeFrom) {
   const AddedRun second = office.add(office.map("b.pgm", {3, 1, 0.5}));
   EXPECT_TRUE(second.isPlaced);
   EXPECT_TRUE(second.roomsFailed.empty());
-  const std::vector<KnownRun> runs = office.archive.runs("office");
+  const std::vector<HistoryRun> runs = office.archive.runs("office");
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0].robot, "anna");
   EXPECT_EQ(runs[1].robot, "berta");

@@ -5,22 +5,30 @@
 #include <algorithm>
 
 #include "RandomNumbers.h"
+#include "sample_nights.h"
 
 namespace roomgraph {
 namespace {
 
 using Indices = std::vector<std::size_t>;
 
-bool any(const KnownRun&) { return true; }
+bool any(const HistoryRun&) { return true; }
 
 /** Runs of falling quality: the first is the best. */
-std::vector<KnownRun> runs(std::size_t count) {
-  std::vector<KnownRun> result(count);
+std::vector<HistoryRun> runs(std::size_t count) {
+  std::vector<HistoryRun> result;
   for (std::size_t i = 0; i < count; ++i)
-    result[i].sha256 = std::to_string(i), result[i].time = double(i),
-    result[i].error = 0.1 + 0.01 * double(i);
+    result.push_back(test::historyRun("", int(i), 0.1 + 0.01 * double(i)));
   return result;
 }
+
+void tear(HistoryRun& run) {
+  Measure breaks;
+  breaks.name = kBreaks, breaks.value = 1;
+  run.figures.push_back(breaks);
+}
+
+bool isTorn(const HistoryRun& run) { return run.figures.back().name == kBreaks; }
 
 TEST(ChooseRecord, halfAreTheLatestAndHalfTheBest) {
   EXPECT_EQ(chooseRecord(runs(50), 8, any), (Indices{0, 1, 2, 3, 46, 47, 48, 49}));
@@ -37,22 +45,22 @@ TEST(ChooseRecord, theBestAreAmongTheLastHundred) {
 }
 
 TEST(ChooseRecord, tornAndUnsureRunsAreNotAmongTheBest) {
-  std::vector<KnownRun> some = runs(20);
-  some[0].isBroken = true;
-  some[1].error.reset();
+  std::vector<HistoryRun> some = runs(20);
+  tear(some[0]);
+  some[1].figures[0].isMeaningful = false;
   EXPECT_EQ(chooseRecord(some, 4, any), (Indices{2, 3, 18, 19}));
-  for (KnownRun& run : some) run.error.reset();
+  for (HistoryRun& run : some) run.figures[0].isMeaningful = false;
   EXPECT_EQ(chooseRecord(some, 4, any), (Indices{16, 17, 18, 19}));
 }
 
 TEST(ChooseRecord, runsOfAnotherSiteAreNeverOnceAnotherHasComeSince) {
-  std::vector<KnownRun> some = runs(6);
+  std::vector<HistoryRun> some = runs(6);
   some[4].isPlaced = some[0].isPlaced = false;
   EXPECT_EQ(chooseRecord(some, 8, any), (Indices{1, 2, 3, 5}));
 }
 
 TEST(ChooseRecord, upToAThirdAreTheLatestThatLieElsewhere) {
-  std::vector<KnownRun> some = runs(20);
+  std::vector<HistoryRun> some = runs(20);
   for (std::size_t i = 15; i < 20; ++i) some[i].isPlaced = false;
   EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 2, 13, 14, 17, 18, 19}));
   some[19].isPlaced = true;
@@ -61,14 +69,14 @@ TEST(ChooseRecord, upToAThirdAreTheLatestThatLieElsewhere) {
 
 TEST(ChooseRecord, noMoreThanAHundredFilesAreAskedFor) {
   std::size_t asked = 0;
-  const auto isThere = [&](const KnownRun&) { return ++asked == 0; };
+  const auto isThere = [&](const HistoryRun&) { return ++asked == 0; };
   EXPECT_EQ(chooseRecord(runs(1000), 8, isThere), Indices{});
   EXPECT_EQ(asked, 100U);
 }
 
 TEST(ChooseRecord, othersTakeThePlaceOfRunsWhoseFilesAreGone) {
   std::vector<std::string> asked;
-  const auto isThere = [&](const KnownRun& run) {
+  const auto isThere = [&](const HistoryRun& run) {
     asked.push_back(run.sha256);
     return run.sha256 != "49" && run.sha256 != "0";
   };
@@ -77,12 +85,13 @@ TEST(ChooseRecord, othersTakeThePlaceOfRunsWhoseFilesAreGone) {
 }
 
 /** Runs at random: some torn, some of another site, some without an error that can be trusted. */
-std::vector<KnownRun> anyRuns(test::RandomNumbers& random, std::size_t count) {
-  std::vector<KnownRun> any = runs(count);
-  for (KnownRun& run : any) {
-    run.error = double(random.below(20)) / 20;
-    if (random.below(4) == 0) run.error.reset();
-    run.isPlaced = random.below(5) > 0, run.isBroken = random.below(5) == 0;
+std::vector<HistoryRun> anyRuns(test::RandomNumbers& random, std::size_t count) {
+  std::vector<HistoryRun> any = runs(count);
+  for (HistoryRun& run : any) {
+    run.figures[0].value = double(random.below(20)) / 20;
+    run.figures[0].isMeaningful = random.below(4) > 0;
+    run.isPlaced = random.below(5) > 0;
+    if (random.below(5) == 0) tear(run);
   }
   return any;
 }
@@ -90,9 +99,9 @@ std::vector<KnownRun> anyRuns(test::RandomNumbers& random, std::size_t count) {
 TEST(ChooseRecord, isWhatItsSentenceSays) {
   test::RandomNumbers random(6);
   for (int trial = 0; trial < 200; ++trial) {
-    const std::vector<KnownRun> some = anyRuns(random, random.below(160));
+    const std::vector<HistoryRun> some = anyRuns(random, random.below(160));
     const std::size_t most = 1 + random.below(12);
-    const auto isUsable = [](const KnownRun& run) { return run.sha256.back() != '3'; };
+    const auto isUsable = [](const HistoryRun& run) { return run.sha256.back() != '3'; };
     Indices last, since;  // of the site, and of others since its last run, the latest first
     for (std::size_t i = some.size(); i-- > 0 && last.size() < 100;) {
       if (some[i].isPlaced) last.push_back(i);
@@ -108,9 +117,9 @@ TEST(ChooseRecord, isWhatItsSentenceSays) {
     for (const std::size_t i : last) take(i, half);
     Indices best;
     for (const std::size_t i : last)
-      if (some[i].error && !some[i].isBroken) best.push_back(i);
+      if (some[i].figures[0].isMeaningful && !isTorn(some[i])) best.push_back(i);
     std::stable_sort(best.begin(), best.end(), [&](std::size_t l, std::size_t r) {
-      return some[l].error.value() < some[r].error.value();
+      return *some[l].figures[0].value < *some[r].figures[0].value;
     });
     for (const std::size_t i : best) take(i, most);
     for (const std::size_t i : last) take(i, most);

@@ -21,10 +21,10 @@ struct Fleet {
   FleetTask task;
 
   Fleet() {
-    std::vector<ListedRun> listed;
+    RunList listed;
     for (const char* name : {"a.pgm", "b.pgm", "c.pgm"}) {
       write(name, 1, {0, listed.size() * 2.0, 0.2 * double(listed.size())});
-      listed.push_back({"office", folder / name, "anna", 1000});
+      listed.push_back({"office", {"", "anna", folder / name, 1000}});
     }
     const Archive archive(folder / "fleet.db", Archive::Access::orNew);
     task = planFleet(listed, archive, options).at(0);

@@ -19,7 +19,7 @@ class EditRuns : public testing::Test {
   }
   std::string runs() const {
     std::string text;
-    for (const KnownRun& run : archive_.runs("office")) text += run.robot + run.sha256 + " ";
+    for (const HistoryRun& run : archive_.runs("office")) text += run.robot + run.sha256 + " ";
     return text;
   }
   const test::Folder folder_;

@@ -23,17 +23,17 @@ std::string picture(int width) {
 struct Fleet {
   TestFolder folder;
   Archive archive{folder / "fleet.db", Archive::Access::orNew};
-  std::vector<ListedRun> listed;
+  RunList listed;
   std::vector<std::string> complaints;
 
   void add(const std::string& site, const std::string& name, int width) {
     writeFileAtomically(folder / name, picture(width));
-    listed.push_back({site, folder / name, "anna", 1000.0 + width});
+    listed.push_back({site, {"", "anna", folder / name, 1000.0 + width}});
   }
   std::vector<FleetTask> plan() {
     PlanFleetOptions options;
     options.onUnread = [&](const std::string& line) { complaints.push_back(line); };
-    options.onMissing = [](const KnownRun&) {};
+    options.onMissing = [](const HistoryRun&) {};
     return planFleet(listed, archive, options);
   }
 };
@@ -65,7 +65,7 @@ TEST(PlanFleet, aMapThatIsListedTwiceIsOneRun) {
 TEST(PlanFleet, aFileThatIsNotThereIsToldAndTheRestPlanned) {
   Fleet fleet;
   fleet.add("office", "a.pgm", 3);
-  fleet.listed.push_back({"office", fleet.folder / "none.pgm", "anna", 1.0});
+  fleet.listed.push_back({"office", {"", "anna", fleet.folder / "none.pgm", 1.0}});
   const auto tasks = fleet.plan();
   ASSERT_EQ(tasks.size(), 1u);
   EXPECT_EQ(tasks[0].runs.size(), 1u);

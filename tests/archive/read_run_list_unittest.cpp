@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "RandomNumbers.h"
 #include "roomgraph/base/Error.h"
 
@@ -17,14 +19,14 @@ TEST(ReadRunList, namesItsColumnsInAnyOrder) {
       "\"b, \"\"2\"\".yaml\",,lab,,\n/maps/c.yaml,,lab\n",
       "list.csv", "/data", refuseLine);
   ASSERT_EQ(runs.size(), 3U);
-  EXPECT_EQ(runs[0].site, "office");
-  EXPECT_EQ(runs[0].file, "/data/a.simplemap");
-  EXPECT_EQ(runs[0].robot, "anna");
-  EXPECT_EQ(runs[0].time, 1795305600);
-  EXPECT_EQ(runs[1].file, "/data/b, \"2\".yaml");
-  EXPECT_EQ(runs[1].robot, "robot");
-  EXPECT_FALSE(runs[1].time);
-  EXPECT_EQ(runs[2].file, "/maps/c.yaml");
+  EXPECT_EQ(runs[0].first, "office");
+  EXPECT_EQ(runs[0].second.file, "/data/a.simplemap");
+  EXPECT_EQ(runs[0].second.robot, "anna");
+  EXPECT_EQ(runs[0].second.time, 1795305600);
+  EXPECT_EQ(runs[1].second.file, "/data/b, \"2\".yaml");
+  EXPECT_EQ(runs[1].second.robot, "robot");
+  EXPECT_TRUE(std::isnan(runs[1].second.time));
+  EXPECT_EQ(runs[2].second.file, "/maps/c.yaml");
 }
 
 TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
@@ -53,7 +55,7 @@ TEST(ReadRunList, aBadLineCostsItselfAlone) {
   const auto keep = [&](const std::string& line) { bad.push_back(line); };
   const auto runs = readRunList("site,file,time\na,b,soon\na,c,\n,d,\n", "list.csv", "/", keep);
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_EQ(runs[0].file, "/c");
+  EXPECT_EQ(runs[0].second.file, "/c");
   ASSERT_EQ(bad.size(), 2u);
   EXPECT_NE(bad[0].find("line 2: 'soon'"), std::string::npos);
   EXPECT_NE(bad[1].find("line 4 has no site"), std::string::npos);
@@ -62,7 +64,7 @@ TEST(ReadRunList, aBadLineCostsItselfAlone) {
 TEST(ReadRunList, takesWhatSpreadsheetsWrite) {
   const auto runs = readRunList("\xef\xbb\xbfsite,file\r\na,b\r\n", "list.csv", "/", refuseLine);
   ASSERT_EQ(runs.size(), 1u);
-  EXPECT_EQ(runs[0].site, "a");
+  EXPECT_EQ(runs[0].first, "a");
 }
 
 TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
@@ -74,8 +76,8 @@ TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
     for (std::size_t i = random.below(30); i > 0; --i)
       text += letters[random.below(letters.size())];
     try {
-      for (const ListedRun& run : readRunList(text, "list.csv", "/data", refuseLine)) {
-        EXPECT_FALSE(run.site.empty());
+      for (const auto& [site, run] : readRunList(text, "list.csv", "/data", refuseLine)) {
+        EXPECT_FALSE(site.empty());
         EXPECT_EQ(run.file[0], '/');
       }
       ++read;
@@ -91,7 +93,7 @@ TEST(ReadRunList, whateverStandsInItIsReadOrRefusedInOneLine) {
 TEST(ReadRunList, aFileIsInTheFolderOfTheListUnlessItSaysOtherwise) {
   const auto fileOf = [](const std::string& file) {
     return readRunList("site,file\na," + file + "\n", "list.csv", "/data/night", refuseLine)[0]
-        .file;
+        .second.file;
   };
   EXPECT_EQ(fileOf("m.yaml"), "/data/night/m.yaml");
   EXPECT_EQ(fileOf("../m.yaml"), "/data/m.yaml");

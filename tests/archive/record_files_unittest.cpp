@@ -16,16 +16,16 @@ namespace {
 /** Maps in a folder, the first the oldest and the best. */
 struct Maps {
   test::Folder folder;
-  std::vector<KnownRun> runs;
+  std::vector<HistoryRun> runs;
   std::vector<std::string> missing;
 
   explicit Maps(int count) {
     for (int i = 0; i < count; ++i) {
-      KnownRun run;
+      HistoryRun run = test::historyRun("anna", i, 0.1 + 0.01 * i);
       run.file = folder.file("m" + std::to_string(i) + ".pgm");
       write(run.file, i);
       run.sha256 = mapSha256(run.file);
-      run.time = i, run.error = 0.1 + 0.01 * i;
+      run.time = i;
       runs.push_back(run);
     }
   }
@@ -36,8 +36,8 @@ struct Maps {
   std::vector<double> chosen(std::size_t most) {
     missing.clear();
     std::vector<double> times;
-    for (const KnownRun& run :
-         recordRuns(runs, most, [&](const KnownRun& gone) { missing.push_back(gone.file); }))
+    for (const HistoryRun& run :
+         recordRuns(runs, most, [&](const HistoryRun& gone) { missing.push_back(gone.file); }))
       times.push_back(run.time);
     return times;
   }
@@ -91,5 +91,44 @@ TEST(RunTime, withoutScansIsThatOfTheFile) {
   EXPECT_THROW(runTime(maps.folder.file("none.pgm")), std::exception);
 }
 
+std::string write(const std::string& file, const std::string& text) {
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path());
+  std::ofstream(file) << text;
+  return file;
+}
+
+TEST(KeepMap, aCopyOutlivesItsMap) {
+  const test::Folder folder;
+  const std::string map = write(folder.file("latest.pgm"), "P2 2 1 255 0 254");
+  const std::string sha256 = mapSha256(map);
+  const std::string kept = keepMap(map, sha256, folder.file("kept"));
+  EXPECT_EQ(std::filesystem::path(kept).filename(), "latest.pgm");
+  EXPECT_EQ(keepMap(map, sha256, folder.file("kept")), kept);
+  write(map, "P2 2 1 255 254 254");
+  EXPECT_EQ(mapSha256(kept), sha256);
+  EXPECT_NE(keepMap(map, mapSha256(map), folder.file("kept")), kept);
+}
+
+TEST(KeepMap, thePictureOfARosMapIsKeptWithIt) {
+  const test::Folder folder;
+  write(folder.file("map.pgm"), "P2 2 1 255 0 254");
+  const std::string yaml =
+      write(folder.file("map.yaml"), "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+  const std::string kept = keepMap(yaml, mapSha256(yaml), folder.file("kept"));
+  std::filesystem::remove(folder.file("map.pgm"));
+  EXPECT_NO_THROW(mapSha256(kept));
+}
+
+TEST(KeepMap, whatCannotBeKeptIsRefused) {
+  const test::Folder folder;
+  write(folder.file("map.pgm"), "P2 2 1 255 0 254");
+  const std::string yaml = write(folder.file("deep/map.yaml"),
+                                 "image: ../map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+  EXPECT_THROW(keepMap(yaml, mapSha256(yaml), folder.file("kept")), DataError);
+  const std::string map = folder.file("map.pgm");
+  EXPECT_THROW(keepMap(map, std::string(64, '0'), folder.file("kept")), DataError);
+}
+
 }  // namespace
+
 }  // namespace roomgraph

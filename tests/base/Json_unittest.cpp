@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace roomgraph {
 namespace {
 
@@ -11,5 +14,33 @@ TEST(LineOf, keepsTheOrderOfMembersOnOneLine) {
 
 TEST(LineOf, replacesWhatIsNoUtf8) { EXPECT_EQ(lineOf(Json("a\xff")), "\"a\xEF\xBF\xBD\""); }
 
+TEST(Rounded, keepsATenthOfAMillimetre) {
+  EXPECT_DOUBLE_EQ(rounded(1.23456), 1.2346);
+  EXPECT_EQ(rounded(rounded(1.23456)), rounded(1.23456));
+  EXPECT_FALSE(std::signbit(rounded(-0.00004))) << "never -0";
+}
+
+std::string text(double value) {
+  std::string json;
+  addNumber(json, value);
+  return json;
+}
+
+TEST(AddNumber, roundsToATenthOfAMillimetreAndDropsZeros) {
+  EXPECT_EQ(text(1.5), "1.5");
+  EXPECT_EQ(text(-12.00016), "-12.0002");
+  EXPECT_EQ(text(3), "3");
+  EXPECT_EQ(text(0.0501), "0.0501");
+  EXPECT_EQ(text(100), "100");
+  EXPECT_EQ(text(-0.00001), "0");
+}
+
+TEST(AddNumber, keepsLargeNumbersAndWritesNoneForWhatIsNotFinite) {
+  EXPECT_EQ(text(1e12), "1e+12");
+  EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "null");
+  EXPECT_EQ(text(std::nan("")), "null");
+}
+
 }  // namespace
+
 }  // namespace roomgraph

@@ -6,7 +6,6 @@
 #include <set>
 #include <tuple>
 
-#include "draw_map.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "sample_graph.h"
 

@@ -18,8 +18,8 @@
 namespace roomgraph {
 namespace {
 
-/** A run of an addition that is to be written. */
-struct RunToWrite {
+/** What is to be written of a run. */
+struct Entry {
   RunOrigin origin;
   const ComparedRun* compared = nullptr;  ///< none where it lies in no site of the others
   std::string reason;
@@ -64,7 +64,7 @@ class Archive::Tables {
     Transaction transaction(database);
     const std::int64_t site = siteOf(addition.site);
     reformSite(database, site, addition.comparison);
-    std::vector<RunToWrite> runs = newRuns(site, addition);
+    std::vector<Entry> runs = newRuns(site, addition);
     if (runs.empty()) return {};
     Added added;
     added.runs = runs.size();
@@ -72,7 +72,7 @@ class Archive::Tables {
     Comparison comparison = addition.comparison;
     added.roomsFailed = nameRoomsOf(site, comparison);
     const std::int64_t id = writeComparison(site, comparison);
-    for (const RunToWrite& run : runs) write(run, site, id, comparison);
+    for (const Entry& run : runs) write(run, site, id, comparison);
     for (const ComparedRun& run : comparison.runs)
       Statement(database,
                 "INSERT INTO compared SELECT ?, id FROM run WHERE site = ? AND sha256 = ?")
@@ -138,11 +138,11 @@ class Archive::Tables {
     return true;
   }
 
-  std::vector<RunToWrite> newRuns(std::int64_t site, const Addition& addition) {
-    std::vector<RunToWrite> runs;
+  std::vector<Entry> newRuns(std::int64_t site, const Addition& addition) {
+    std::vector<Entry> runs;
     const Comparison& comparison = addition.comparison;
     for (const RunOrigin& origin : addition.runs) {
-      const auto isSame = [&](const RunToWrite& run) { return run.origin.sha256 == origin.sha256; };
+      const auto isSame = [&](const Entry& run) { return run.origin.sha256 == origin.sha256; };
       if (keyOf(site, origin.sha256) || std::any_of(runs.begin(), runs.end(), isSame)) continue;
       if (const ComparedRun* run = findRun(comparison, origin.sha256)) {
         runs.push_back({origin, run, run->reason});
@@ -157,12 +157,12 @@ class Archive::Tables {
   }
 
   /** The runs that are there, but had no figures to be trusted, or no place, when they came. */
-  void addStale(std::int64_t site, const Comparison& comparison, std::vector<RunToWrite>& runs) {
+  void addStale(std::int64_t site, const Comparison& comparison, std::vector<Entry>& runs) {
     if (!isKnownSite(site, comparison)) return;
     for (const ComparedRun& run : comparison.runs) {
       const std::int64_t key = keyOf(site, run.sha256);
       if (!key || !run.score || hasTrustedError(key)) continue;
-      RunToWrite stale;
+      Entry stale;
       stale.compared = &run, stale.reason = run.reason, stale.known = key;
       runs.push_back(stale);
     }
@@ -202,7 +202,7 @@ class Archive::Tables {
     return database.number("SELECT last_insert_rowid()");
   }
 
-  void write(const RunToWrite& run, std::int64_t site, std::int64_t comparison,
+  void write(const Entry& run, std::int64_t site, std::int64_t comparison,
              const Comparison& found) {
     std::int64_t key = run.known;
     if (key) {
@@ -253,19 +253,8 @@ std::vector<std::string> Archive::sites() const {
   return names;
 }
 
-std::vector<KnownRun> Archive::runs(const std::string& site) const {
-  Statement rows(tables_->database,
-                 "SELECT sha256, robot, file, time, state = 'placed', "
-                 "coalesce((SELECT value FROM figure WHERE run = run.id AND name = ?), 0) > 0, "
-                 "(SELECT value FROM figure WHERE run = run.id AND name = ? AND meaningful) "
-                 "FROM run JOIN site ON run.site = site.id WHERE site.name = ? "
-                 "ORDER BY time, sha256");
-  rows.with(kBreaks, kMapError, site);
-  std::vector<KnownRun> runs;
-  while (rows.step())
-    runs.push_back({rows.text(0), rows.text(1), rows.text(2), rows.number(3), rows.integer(4) != 0,
-                    rows.integer(5) != 0, rows.numberIfAny(6)});
-  return runs;
+std::vector<HistoryRun> Archive::runs(const std::string& site) const {
+  return readRuns(tables_->database, site, {kBreaks, kMapError});
 }
 
 bool Archive::knows(const std::string& site, const std::string& sha256) const {

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "roomgraph/archive/keep_map.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/map_sha256.h"
@@ -54,7 +53,7 @@ AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& 
   addition.site = options.site;
   addition.runs = {{sha256, options.robot, added, options.time.value_or(0)}};
   std::vector<std::string> files;
-  for (const KnownRun& run :
+  for (const HistoryRun& run :
        recordRuns(archive.runs(options.site), options.most, options.onMissing))
     files.push_back(run.file);
   const ReadRuns read = readAll(files, added, options);

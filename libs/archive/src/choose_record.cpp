@@ -13,7 +13,8 @@ constexpr std::size_t kLast = 100;
 /** Fills a list of runs, each once, up to a number. */
 class Choice {
  public:
-  Choice(const std::vector<KnownRun>& runs, const std::function<bool(const KnownRun&)>& isUsable)
+  Choice(const std::vector<HistoryRun>& runs,
+         const std::function<bool(const HistoryRun&)>& isUsable)
       : runs_(runs), isUsable_(isUsable), states_(runs.size()) {}
 
   void fill(const std::vector<std::size_t>& candidates, std::size_t upTo) {
@@ -33,25 +34,27 @@ class Choice {
   }
 
  private:
-  const std::vector<KnownRun>& runs_;
-  const std::function<bool(const KnownRun&)>& isUsable_;
+  const std::vector<HistoryRun>& runs_;
+  const std::function<bool(const HistoryRun&)>& isUsable_;
   std::vector<std::optional<bool>> states_;  // whether it is usable; none where nobody has asked
   std::vector<std::size_t> chosen_;
 };
 
 }  // namespace
 
-std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
-                                      const std::function<bool(const KnownRun&)>& isUsable) {
+std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::size_t most,
+                                      const std::function<bool(const HistoryRun&)>& isUsable) {
   std::vector<std::size_t> latest, best, elsewhere;
   for (std::size_t i = runs.size(); i-- > 0 && latest.size() < kLast;) {
     if (runs[i].isPlaced) latest.push_back(i);
     if (latest.empty()) elsewhere.push_back(i);
   }
   for (const std::size_t i : latest)
-    if (runs[i].error && !runs[i].isBroken) best.push_back(i);
+    if (trustedFigure(runs[i], kMapError) && figureOf(runs[i], kBreaks).value_or(0) == 0)
+      best.push_back(i);
+  const auto errorOf = [&](std::size_t i) { return *trustedFigure(runs[i], kMapError); };
   std::stable_sort(best.begin(), best.end(),
-                   [&](std::size_t l, std::size_t r) { return *runs[l].error < *runs[r].error; });
+                   [&](std::size_t l, std::size_t r) { return errorOf(l) < errorOf(r); });
   Choice choice(runs, isUsable);
   choice.fill(elsewhere, (most + 2) / 3);
   choice.fill(latest, (choice.count() + most) / 2);

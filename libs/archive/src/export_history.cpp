@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "read_history.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/printable.h"
-#include "roomgraph/base/rounded.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -21,11 +21,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<double> valueOf(const HistoryRun& run, const char* name) {
-  const Measure* figure = find(run.figures, name);
-  return figure ? figure->value : std::nullopt;
-}
-
 std::string csvLine(const std::string& site, const HistoryRun& run) {
   std::string line = csvField(site) + "," + csvField(run.robot) + "," + timeText(run.time) + "," +
                      csvField(run.file) + "," + run.sha256 + "," +
@@ -35,9 +30,9 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
           csvNumber(error ? error->low : std::nullopt) + "," +
           csvNumber(error ? error->high : std::nullopt) +
           (error && error->isMeaningful ? ",1" : ",0");
-  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(valueOf(run, name));
+  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(figureOf(run, name));
   for (const MeasureKind& kind : runMeasureKinds())
-    line += "," + csvNumber(valueOf(run, kind.name));
+    line += "," + csvNumber(figureOf(run, kind.name));
   return line + "," + csvField(run.reason) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #include "roomgraph/archive/plan_fleet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -18,17 +19,17 @@ namespace {
 /** The new runs of a site, by content. */
 using NewRuns = std::map<std::string, RunOrigin>;
 
-std::map<std::string, NewRuns> newRunsOf(const std::vector<ListedRun>& listed,
-                                         const Archive& archive, const PlanFleetOptions& options) {
+std::map<std::string, NewRuns> newRunsOf(const RunList& listed, const Archive& archive,
+                                         const PlanFleetOptions& options) {
   std::map<std::string, NewRuns> sites;
-  for (const ListedRun& run : listed) {
+  for (auto [site, run] : listed) {
     try {
-      const std::string sha256 = mapSha256(run.file);
-      if (archive.knows(run.site, sha256)) continue;
-      const double time = run.time ? *run.time : runTime(run.file);
-      sites[run.site].insert({sha256, {sha256, run.robot, run.file, time}});
+      run.sha256 = mapSha256(run.file);
+      if (archive.knows(site, run.sha256)) continue;
+      if (std::isnan(run.time)) run.time = runTime(run.file);
+      sites[site].insert({run.sha256, run});
     } catch (const DataError& error) {
-      options.onUnread(printable(run.site) + ": " + error.what());
+      options.onUnread(printable(site) + ": " + error.what());
     }
   }
   return sites;
@@ -36,15 +37,15 @@ std::map<std::string, NewRuns> newRunsOf(const std::vector<ListedRun>& listed,
 
 }  // namespace
 
-std::vector<FleetTask> planFleet(const std::vector<ListedRun>& listed, const Archive& archive,
+std::vector<FleetTask> planFleet(const RunList& listed, const Archive& archive,
                                  const PlanFleetOptions& options) {
   std::vector<FleetTask> tasks;
   for (const auto& [site, news] : newRunsOf(listed, archive, options)) {
     FleetTask task;
     task.site = site, task.newRuns = news.size();
     for (const auto& [sha256, run] : news) task.runs.push_back(run);
-    for (const KnownRun& run : recordRuns(archive.runs(site), options.most, options.onMissing))
-      task.runs.push_back({run.sha256, run.robot, run.file, run.time});
+    for (const HistoryRun& run : recordRuns(archive.runs(site), options.most, options.onMissing))
+      task.runs.push_back(run);
     task.key = keyOf(task, options.compare);
     tasks.push_back(std::move(task));
   }

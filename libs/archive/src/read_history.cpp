@@ -35,13 +35,14 @@ RunPlaces readRuns(Database& database, const std::string& site, std::vector<Hist
   return places;
 }
 
-void readFigures(Database& database, const std::string& site, const RunPlaces& places,
-                 std::vector<HistoryRun>& runs) {
+/** `name` is that of the figures, "%" for all. */
+void readFigures(Database& database, const std::string& site, const std::string& name,
+                 const RunPlaces& places, std::vector<HistoryRun>& runs) {
   Statement rows(database,
                  "SELECT run, figure.name, value, low, high, unit, support, meaningful "
                  "FROM figure JOIN run ON figure.run = run.id JOIN site ON run.site = site.id "
-                 "WHERE site.name = ? ORDER BY run, figure.name");
-  rows.with(site);
+                 "WHERE site.name = ? AND figure.name LIKE ? ORDER BY run, figure.name");
+  rows.with(site, name);
   while (rows.step()) {
     Measure figure;
     figure.name = rows.text(1), figure.value = rows.numberIfAny(2);
@@ -76,12 +77,22 @@ const char* sightingText(RoomSighting sighting) {
   return sighting == RoomSighting::gone ? "gone" : "unvisited";
 }
 
+std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
+                                 const std::vector<std::string>& figures) {
+  std::vector<HistoryRun> runs;
+  database.run("BEGIN");  // one state of the archive for all
+  const RunPlaces places = readRuns(database, site, runs);
+  for (const std::string& name : figures) readFigures(database, site, name, places, runs);
+  database.run("COMMIT");
+  return runs;
+}
+
 SiteHistory readHistory(Database& database, const std::string& site) {
   SiteHistory history;
   history.site = site;
   database.run("BEGIN");  // one state of the archive for all three
   const RunPlaces places = readRuns(database, site, history.runs);
-  readFigures(database, site, places, history.runs);
+  readFigures(database, site, "%", places, history.runs);
   readSightings(database, site, places, history.runs);
   Statement ledger(database, "SELECT ledger FROM site WHERE name = ? AND ledger <> ''");
   if (ledger.with(site).step()) history.ledger = parseSiteJson(ledger.text(0), database.file());

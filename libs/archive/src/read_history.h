@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "Database.h"
 #include "roomgraph/archive/SiteHistory.h"
@@ -8,6 +9,10 @@ namespace roomgraph {
 
 /** "seen", "gone" or "unvisited", as in the tables. */
 const char* sightingText(RoomSighting sighting);
+
+/** The runs of a site without rooms, and of their figures only those of these names. */
+std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
+                                 const std::vector<std::string>& figures);
 
 /** All that the tables have of a site; empty for one that is not there. */
 SiteHistory readHistory(Database& database, const std::string& site);

@@ -1,10 +1,11 @@
 #include "roomgraph/archive/read_run_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
-#include "roomgraph/base/CsvReader.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/time_text.h"
 
 namespace roomgraph {
@@ -24,29 +25,29 @@ struct Columns {
 };
 
 /** @throws DataError for a line that says too little, or something else. */
-ListedRun runOf(const Cells& cells, const Columns& columns, const std::string& folder,
-                const std::string& where) {
+RunList::value_type runOf(const Cells& cells, const Columns& columns, const std::string& folder,
+                          const std::string& where) {
   const auto cell = [&](std::optional<std::size_t> column) {
     return column && *column < cells.size() ? cells[*column] : std::string();
   };
   if (cell(columns.site).empty() || cell(columns.file).empty())
     throw DataError(where + " has no site or no file: fill it in, or take the line out");
-  ListedRun run{
-      cell(columns.site), "", cell(columns.robot).empty() ? "robot" : cell(columns.robot), {}};
+  RunOrigin run;
+  run.robot = cell(columns.robot).empty() ? "robot" : cell(columns.robot);
   run.file = std::filesystem::absolute(std::filesystem::path(folder) / cell(columns.file))
                  .lexically_normal()
                  .string();
   const std::string time = cell(columns.time);
-  if (!time.empty() && !(run.time = parseTime(time)))
-    throw DataError(where + ": '" + time + "' is not a time: give 2026-11-22T03:00");
-  return run;
+  const auto seconds = time.empty() ? std::optional<double>(NAN) : parseTime(time);
+  if (!seconds) throw DataError(where + ": '" + time + "' is not a time: give 2026-11-22T03:00");
+  run.time = *seconds;
+  return {cell(columns.site), run};
 }
 
 }  // namespace
 
-std::vector<ListedRun> readRunList(const std::string& text, const std::string& name,
-                                   const std::string& folder,
-                                   const std::function<void(const std::string&)>& onBadLine) {
+RunList readRunList(const std::string& text, const std::string& name, const std::string& folder,
+                    const std::function<void(const std::string&)>& onBadLine) {
   CsvReader reader(text);
   const Cells names = reader.nextLine();
   const Columns columns{columnOf(names, "site"), columnOf(names, "file"), columnOf(names, "robot"),
@@ -54,7 +55,7 @@ std::vector<ListedRun> readRunList(const std::string& text, const std::string& n
   if (!columns.site || !columns.file)
     throw DataError(name +
                     ": has no columns 'site' and 'file': name the columns in its first line");
-  std::vector<ListedRun> runs;
+  RunList runs;
   while (!reader.isAtEnd()) {
     const Cells cells = reader.nextLine();
     if (cells.size() == 1 && cells[0].empty()) continue;

@@ -2,16 +2,19 @@
 
 #include <chrono>
 #include <filesystem>
+#include <limits>
 
 #include "roomgraph/archive/choose_record.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/map_files/read_recording.h"
 
 namespace roomgraph {
 namespace {
 
-bool isThere(const KnownRun& run) {
+bool isThere(const HistoryRun& run) {
   try {
     return mapSha256(run.file) == run.sha256;
   } catch (const DataError&) {
@@ -19,16 +22,32 @@ bool isThere(const KnownRun& run) {
   }
 }
 
+namespace fs = std::filesystem;
+
+constexpr std::size_t kNameLength = 16;  // of a folder: enough of the hash to be the only one
+
+void copy(const std::string& from, const fs::path& to) {
+  writeFileAtomically(to.string(), readFile(from, std::numeric_limits<std::uint64_t>::max()));
+}
+
+bool isKept(const std::string& file, const std::string& sha256) {
+  try {
+    return mapSha256(file) == sha256;
+  } catch (const DataError&) {
+    return false;
+  }
+}
+
 }  // namespace
 
-std::vector<KnownRun> recordRuns(const std::vector<KnownRun>& runs, std::size_t most,
-                                 const std::function<void(const KnownRun&)>& onMissing) {
-  const auto isUsable = [&](const KnownRun& run) {
+std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::size_t most,
+                                   const std::function<void(const HistoryRun&)>& onMissing) {
+  const auto isUsable = [&](const HistoryRun& run) {
     const bool isUsed = isThere(run);
     if (!isUsed) onMissing(run);
     return isUsed;
   };
-  std::vector<KnownRun> record;
+  std::vector<HistoryRun> record;
   for (const std::size_t i : chooseRecord(runs, most, isUsable)) record.push_back(runs[i]);
   return record;
 }
@@ -43,6 +62,23 @@ double runTime(const std::string& file) {
                        std::chrono::duration_cast<std::chrono::system_clock::duration>(age);
   return double(
       std::chrono::duration_cast<std::chrono::seconds>(written.time_since_epoch()).count());
+}
+
+std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder) {
+  const fs::path home = fs::absolute(folder).lexically_normal() / sha256.substr(0, kNameLength);
+  std::string kept = (home / fs::path(file).filename()).string();
+  if (isKept(kept, sha256)) return kept;
+  makeWritableFolder(folder);
+  makeWritableFolder(home.string());
+  if (const std::string picture = pictureOfMap(file); !picture.empty()) {
+    const fs::path place = fs::path(picture).lexically_relative(fs::path(file).parent_path());
+    if (place.empty() || place.has_parent_path())
+      refuse(file, "names a picture in another folder, " + picture, "keep both in one folder");
+    copy(picture, home / place);
+  }
+  copy(file, kept);
+  if (!isKept(kept, sha256)) refuse(file, "was changed while it was added", "add it again");
+  return kept;
 }
 
 }  // namespace roomgraph

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/whole_stream.h"
-#include "zstd_frame.h"
 
 namespace roomgraph {
 namespace {

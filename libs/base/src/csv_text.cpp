@@ -1,9 +1,10 @@
 #include "roomgraph/base/csv_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
 
 namespace roomgraph {
 
@@ -21,6 +22,39 @@ std::string csvNumber(std::optional<double> value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4f", rounded(*value));
   return text;
+}
+
+std::vector<std::string> CsvReader::nextLine() {
+  ++line_;
+  std::vector<std::string> cells{cell()};
+  while (at_ < text_.size() && text_[at_] == ',') {
+    ++at_;
+    cells.push_back(cell());
+  }
+  if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+  if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+  return cells;
+}
+
+std::string CsvReader::cell() {
+  if (at_ < text_.size() && text_[at_] == '"') return quotedCell();
+  const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
+  std::string cell = text_.substr(at_, end - at_);
+  at_ = end;
+  return cell;
+}
+
+std::string CsvReader::quotedCell() {
+  std::string cell;
+  for (++at_; at_ < text_.size(); ++at_) {
+    const bool isQuote = text_[at_] == '"';
+    const bool isTwice = isQuote && at_ + 1 < text_.size() && text_[at_ + 1] == '"';
+    if (isQuote && !isTwice) break;
+    cell += text_[at_];
+    if (isTwice) ++at_;
+  }
+  at_ = std::min(text_.find_first_of(",\r\n", std::min(at_ + 1, text_.size())), text_.size());
+  return cell;
 }
 
 }  // namespace roomgraph

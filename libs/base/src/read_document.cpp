@@ -1,7 +1,8 @@
 #include "roomgraph/base/read_document.h"
 
+#include <algorithm>
+
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/json_fault.h"
 
 namespace roomgraph {
 namespace {
@@ -13,6 +14,21 @@ std::string ourFormat(const std::string& text) {
   const auto end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_/", start + 1);
   return end != std::string::npos && text[end] == '"' ? text.substr(start + 1, end - start - 1)
                                                       : std::string();
+}
+
+/** How deep lists and objects are nested in each other. */
+int nesting(const std::string& text) {
+  int depth = 0, most = 0;
+  bool isInString = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') isInString = !isInString;
+    if (isInString && c == '\\') ++i;  // what follows ends no string
+    if (isInString) continue;
+    if (c == '{' || c == '[') most = std::max(most, ++depth);
+    if (c == '}' || c == ']') --depth;
+  }
+  return most;
 }
 
 }  // namespace
@@ -32,6 +48,17 @@ nlohmann::ordered_json parseDocument(const std::string& text, const std::string&
 void refuseDocument(const std::string& name, const Broken& broken, const std::string& remedy) {
   const std::string where = broken.where.empty() ? "the file" : broken.where;
   throw DataError(name + ": " + where + " " + broken.problem + "; " + remedy);
+}
+
+std::string jsonFault(const std::string& text, const std::string& format) {
+  constexpr const char* kBlank = " \t\r\n";
+  constexpr int kDeepest = 20;
+  const auto first = text.find_first_not_of(kBlank), last = text.find_last_not_of(kBlank);
+  if (first == std::string::npos) return "is empty";
+  if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";
+  if (text.find('"' + format + '"') == std::string::npos) return "is not of format " + format;
+  if (nesting(text) > kDeepest) return "is nested too deeply";
+  return {};
 }
 
 }  // namespace roomgraph

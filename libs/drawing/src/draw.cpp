@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "area_layers.h"
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "area_layers.h"
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"

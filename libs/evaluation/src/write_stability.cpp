@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "stability_json.h"

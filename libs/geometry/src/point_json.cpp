@@ -1,6 +1,6 @@
 #include "roomgraph/geometry/point_json.h"
 
-#include "roomgraph/base/json_text.h"
+#include "roomgraph/base/Json.h"
 
 namespace roomgraph {
 

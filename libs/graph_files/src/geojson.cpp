@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "roomgraph/base/json_text.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/topology/kind_names.h"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "number_text.h"
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/topology/kind_names.h"
+#include "text.h"
 
 namespace roomgraph {
 namespace {

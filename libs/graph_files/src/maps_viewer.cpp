@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "number_text.h"
-#include "quoted_text.h"
+#include "text.h"
 
 namespace roomgraph {
 namespace {

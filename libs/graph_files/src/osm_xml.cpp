@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "number_text.h"
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/topology/kind_names.h"
+#include "text.h"
 
 namespace roomgraph {
 namespace {

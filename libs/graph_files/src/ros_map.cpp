@@ -3,9 +3,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "number_text.h"
-#include "quoted_text.h"
 #include "roomgraph/images/png_bytes.h"
+#include "text.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,7 @@
-#include "decode_bmp.h"
-
 #include <algorithm>
 #include <cstdlib>
 
+#include "decoders.h"
 #include "roomgraph/base/remedies.h"
 
 namespace roomgraph {

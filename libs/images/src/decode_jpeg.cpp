@@ -1,11 +1,11 @@
-#include "decode_jpeg.h"
-
 #include <csetjmp>
 #include <cstdio>
+
+#include "decoders.h"
 // jpeglib.h uses what stands above it.
 #include <jpeglib.h>
 
-#include "pixel_grey.h"
+#include "pixels.h"
 #include "roomgraph/base/remedies.h"
 
 namespace roomgraph {

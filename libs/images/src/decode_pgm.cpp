@@ -1,9 +1,8 @@
-#include "decode_pgm.h"
-
 #include <algorithm>
 #include <cctype>
 #include <limits>
 
+#include "decoders.h"
 #include "roomgraph/base/remedies.h"
 
 namespace roomgraph {

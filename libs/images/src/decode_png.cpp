@@ -1,12 +1,11 @@
-#include "decode_png.h"
-
 #include <png.h>
 #include <zlib.h>
 
 #include <csetjmp>
 #include <memory>
 
-#include "pixel_grey.h"
+#include "decoders.h"
+#include "pixels.h"
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/base/whole_stream.h"
 

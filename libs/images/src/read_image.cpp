@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "decode_bmp.h"
-#include "decode_jpeg.h"
-#include "decode_pgm.h"
-#include "decode_png.h"
-#include "flip_rows.h"
-#include "pixel_grey.h"
+#include "decoders.h"
+#include "pixels.h"
 #include "roomgraph/base/remedies.h"
 
 namespace roomgraph {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <new>
 
-#include "decode_pgm.h"
-#include "decode_png.h"
-#include "flip_rows.h"
+#include "decoders.h"
+#include "pixels.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/images/read_image.h"
 

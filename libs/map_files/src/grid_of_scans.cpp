@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "read_gridmap.h"
+#include "readers.h"
 #include "roomgraph/base/Options.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/scans/mrpt_scan.h"

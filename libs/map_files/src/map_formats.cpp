@@ -4,18 +4,17 @@
 #include <cctype>
 #include <filesystem>
 
-#include "read_bare_image.h"
-#include "read_gridmap.h"
-#include "read_metric_map.h"
-#include "read_ros_map.h"
-#include "read_rtabmap.h"
+#include "readers.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/images/read_image.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/scans/read_simplemap.h"
 
 namespace roomgraph {
 namespace {
 
 /** "a, b or c". */
-std::string listed(std::string (*textOf)(const MapFormat&)) {
+std::string namesOf(std::string (*textOf)(const MapFormat&)) {
   const std::vector<MapFormat>& formats = mapFormats();
   std::string text;
   for (const MapFormat& format : formats) {
@@ -32,6 +31,23 @@ bool endsWith(const std::string& name, const std::string& end) {
          });
 }
 
+/** A picture without a yaml, at options.resolution. */
+GreyMap readBareImage(CheckedFile& file, const LoadGridOptions& options) {
+  GreyMap map;
+  readImage(file, map);
+  map.frame.resolution = options.resolution;
+  // Common pictures of maps draw the unknown at 205 to 230, and free space near white.
+  map.occupiedAbove = 0.65;
+  map.freeBelow = 0.095;
+  if (!options.isResolutionGiven)
+    map.notes.push_back({"assumed_resolution",
+                         formatted("a picture does not say how large it is: read at %g m per cell, "
+                                   "the default of --resolution",
+                                   options.resolution),
+                         std::nullopt});
+  return map;
+}
+
 }  // namespace
 
 const std::vector<MapFormat>& mapFormats() {
@@ -44,7 +60,7 @@ const std::vector<MapFormat>& mapFormats() {
       {"image",
        {".png", ".pgm", ".bmp", ".jpg", ".jpeg"},
        "picture",
-       isBareImage,
+       [](CheckedFile& file) { return isImage(file.head()); },
        readBareImage,
        nullptr},
   };
@@ -52,11 +68,11 @@ const std::vector<MapFormat>& mapFormats() {
 }
 
 std::string mapFormatNames() {
-  return listed([](const MapFormat& format) { return std::string(format.name); });
+  return namesOf([](const MapFormat& format) { return std::string(format.name); });
 }
 
 std::string mapFormatsText() {
-  return listed([](const MapFormat& format) {
+  return namesOf([](const MapFormat& format) {
     std::string text = format.name;
     const char* separator = " (";
     for (const char* extension : format.extensions)

@@ -1,6 +1,6 @@
 #include "roomgraph/map_files/map_sha256.h"
 
-#include "read_ros_map.h"
+#include "readers.h"
 
 namespace roomgraph {
 

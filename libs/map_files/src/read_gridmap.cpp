@@ -1,13 +1,13 @@
-#include "read_gridmap.h"
-
 #include <array>
 #include <cmath>
+
+#include "readers.h"
 // It does not include what it uses, and stands behind what does.
 #include <mrpt/maps/CLogOddsGridMapLUT.h>
 
-#include "decimal.h"
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/object_header.h"
+#include "stored_cells.h"
 
 namespace roomgraph {
 namespace {

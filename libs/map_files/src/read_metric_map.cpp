@@ -1,11 +1,9 @@
-#include "read_metric_map.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "grid_of_points.h"
-#include "read_gridmap.h"
 #include "read_layer_points.h"
+#include "readers.h"
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/find_slice.h"
 #include "roomgraph/scans/object_header.h"

@@ -1,14 +1,13 @@
-#include "read_ros_map.h"
-
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
-#include "grey_of_percent.h"
+#include "readers.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
+#include "stored_cells.h"
 #include "turn_map.h"
 
 namespace roomgraph {

@@ -1,5 +1,3 @@
-#include "read_rtabmap.h"
-
 #include <sqlite3.h>
 #include <zlib.h>
 
@@ -7,10 +5,10 @@
 #include <memory>
 #include <new>
 
-#include "decimal.h"
-#include "grey_of_percent.h"
+#include "readers.h"
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/base/whole_stream.h"
+#include "stored_cells.h"
 
 namespace roomgraph {
 namespace {

@@ -1,7 +1,7 @@
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 
+#include "comparison_bytes.h"
 #include "object_bytes.h"
-#include "roomgraph/mrpt_plugin/read_map_comparison.h"
 
 namespace roomgraph {
 
@@ -11,7 +11,10 @@ std::string mapComparisonBytes(const CMapComparison& comparison) {
 
 CMapComparison loadMapComparison(const std::string& path) {
   CMapComparison comparison;
-  static_cast<MappedComparison&>(comparison) = readMapComparison(path);
+  readObjectFile(path,
+                 {"CMapComparison", "comparison of maps", "give a comparison.roomgraph",
+                  kComparisonBytesVersion},
+                 [&](ByteView body) { readComparisonBytes(body, path, comparison); });
   return comparison;
 }
 

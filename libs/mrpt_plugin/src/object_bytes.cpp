@@ -2,9 +2,30 @@
 
 #include <mrpt/io/CMemoryStream.h>
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
+#include "roomgraph/scans/object_header.h"
 
 namespace roomgraph {
+namespace {
+
+/** Reads what the stream claims to hold piece by piece: a false claim costs no memory. */
+std::string readClaimed(mrpt::serialization::CArchive& in, std::uint64_t size) {
+  constexpr std::uint64_t pieceSize = 1 << 20;
+  std::string bytes;
+  while (bytes.size() < size) {
+    const auto piece = static_cast<std::size_t>(std::min(size - bytes.size(), pieceSize));
+    bytes.resize(bytes.size() + piece);
+    if (in.ReadBuffer(bytes.data() + bytes.size() - piece, piece) != piece)
+      throw std::runtime_error("end of stream");
+  }
+  return bytes;
+}
+
+}  // namespace
 
 std::string objectBytes(const mrpt::serialization::CSerializable& object) {
   mrpt::io::CMemoryStream stream;
@@ -15,6 +36,40 @@ std::string objectBytes(const mrpt::serialization::CSerializable& object) {
 
 std::string gzippedObject(const mrpt::serialization::CSerializable& object) {
   return compressed(objectBytes(object), Compression::gzip);
+}
+
+void putBody(mrpt::serialization::CArchive& out, const std::string& bytes) {
+  out << static_cast<std::uint64_t>(bytes.size());
+  out.WriteBuffer(bytes.data(), bytes.size());
+}
+
+std::string takeBody(mrpt::serialization::CArchive& in, const BodyKind& kind) {
+  if (kind.version > kind.newest)
+    refuse(kind.name, "its version " + std::to_string(kind.version) + " is not known",
+           "read it with a newer roomgraph");
+  try {
+    return readClaimed(in, in.ReadAs<std::uint64_t>());
+  } catch (const std::exception&) {
+    // MRPT's own message is a page with a backtrace.
+    refuse(kind.name, "it is cut short or damaged", "copy or save it again");
+  }
+}
+
+void readObjectFile(const std::string& path, const ObjectKind& kind,
+                    const std::function<void(ByteView)>& read) {
+  CheckedFile file(path);
+  const std::optional<ObjectHeader> head = peekObjectHeader(file.head());
+  if (!head || head->className != kind.className)
+    refuse(path, std::string("is not a ") + kind.name, kind.remedy);
+  ByteReader in(file.content(), path);
+  const ObjectHeader header = readObjectHeader(in);
+  checkVersion(in, header, kind.newest);
+  const auto size = in.get<std::uint64_t>();
+  const ByteView body{in.take(size), static_cast<std::size_t>(size)};
+  readObjectEnd(in, header);
+  if (in.left() > 0)
+    refuse(path, std::string("something follows the ") + kind.name + " in it", "save it again");
+  read(body);
 }
 
 }  // namespace roomgraph

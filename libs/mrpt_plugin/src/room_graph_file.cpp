@@ -3,7 +3,6 @@
 #include "graph_bytes.h"
 #include "object_bytes.h"
 #include "roomgraph/base/write_file.h"
-#include "roomgraph/mrpt_plugin/read_room_graph.h"
 
 namespace roomgraph {
 
@@ -18,7 +17,8 @@ void saveRoomGraph(const std::string& path, const CRoomGraph& graph) {
 
 CRoomGraph loadRoomGraph(const std::string& path) {
   CRoomGraph graph;
-  static_cast<MappedGraph&>(graph) = readRoomGraph(path);
+  readObjectFile(path, {"CRoomGraph", "room graph", "give a .roomgraph file", kGraphBytesVersion},
+                 [&](ByteView body) { readGraphBytes(body, path, graph); });
   return graph;
 }
 

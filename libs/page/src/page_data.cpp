@@ -7,12 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base64.h"
-#include "break_scans.h"
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
+#include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
-#include "upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -103,6 +102,16 @@ Box boxOfRooms(const Comparison& comparison) {
   return points.empty() ? Box{{0, 0}, {1, 1}} : boundingBox(points);
 }
 
+constexpr std::size_t kMostDotsOfScans = 250;
+
+std::vector<Point> thinned(const std::vector<Point>& places) {
+  const std::size_t step = (places.size() + kMostDotsOfScans - 1) / kMostDotsOfScans;
+  std::vector<Point> some;
+  for (std::size_t i = 0; i < places.size(); i += std::max<std::size_t>(1, step))
+    some.push_back(places[i]);
+  return some;
+}
+
 }  // namespace
 
 std::string colourText(std::size_t run) {
@@ -159,6 +168,21 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
                      {"runs", std::move(runsJson)},
                      {"breaks", std::move(breaks)}};
   return safeInScript(data.dump());
+}
+
+BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
+                      const std::vector<Run>& runs) {
+  const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
+  const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
+  const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
+  if (run == runs.end() || placed == comparison.runs.end()) return {};
+  const Motion2D move(placed->pose);
+  BreakScans scans;
+  const FramesAtBreak frames = framesAtBreak(tear, run->scans);
+  for (std::size_t k = frames.first; k < frames.end; ++k)
+    for (const WallPoint& wall : run->scans[k].walls)
+      (k < frames.behind ? scans.before : scans.behind).push_back(move(wall.place));
+  return {thinned(scans.before), thinned(scans.behind)};
 }
 
 }  // namespace roomgraph

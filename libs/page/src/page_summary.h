@@ -15,4 +15,8 @@ std::string pageCounts(const Comparison& comparison);
  *  a site without anything. */
 std::vector<std::string> pageSummary(const Comparison& comparison);
 
+/** Whether the best map is good enough to drive by, and what that rests on: a sentence or two, by
+ *  the table of docs/scoring.md. Empty where there is no best map. */
+std::string navigationWord(const Comparison& comparison);
+
 }  // namespace roomgraph

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "roomgraph/base/CsvReader.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/csv_text.h"
 

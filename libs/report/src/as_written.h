@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/base/rounded.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/compare/RunScore.h"
 
 namespace roomgraph {

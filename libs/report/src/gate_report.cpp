@@ -13,27 +13,27 @@ namespace roomgraph {
 namespace {
 
 /** What the gate says of a run. */
-struct JudgedRun {
+struct TestCase {
   std::string name;
   std::vector<std::string> complaints;
 };
 
 /** The complaints are "run: what is wrong"; those of no run that is known stand below "gate". */
-std::vector<JudgedRun> judgedRuns(const Comparison& comparison) {
+std::vector<TestCase> testCases(const Comparison& comparison) {
   const GateVerdict gate = comparison.gate.value_or(GateVerdict{});
   const auto isJudged = [&](const std::string& name) {
     const auto& names = gate.candidates;
     return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
   };
-  std::vector<JudgedRun> runs;
+  std::vector<TestCase> runs;
   for (const ComparedRun& run : comparison.runs)
     if (run.name != comparison.reference && isJudged(run.name)) runs.push_back({run.name, {}});
   for (const LeftOutRun& run : comparison.leftOut)
     if (isJudged(run.name)) runs.push_back({run.name, {}});
-  JudgedRun rest{"gate", {}};
+  TestCase rest{"gate", {}};
   for (const std::string& line : gate.complaints) {
-    JudgedRun* owner = &rest;
-    for (JudgedRun& run : runs)
+    TestCase* owner = &rest;
+    for (TestCase& run : runs)
       if (line.rfind(run.name + ": ", 0) == 0) owner = &run;
     const std::size_t begin = owner == &rest ? 0 : owner->name.size() + 2;
     owner->complaints.push_back(line.substr(begin));
@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) {
+std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
   const RunScore score = asWritten(run.score.value_or(RunScore()));
   const std::string figures = run.score
                                   ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
@@ -66,7 +66,7 @@ std::string rowOf(const ComparedRun& run, const std::vector<JudgedRun>& judged) 
                                               score.isMeaningful ? "" : " (too little to judge by)")
                                   : " - | - | - ";
   std::string verdict = "not judged";
-  for (const JudgedRun& one : judged)
+  for (const TestCase& one : judged)
     if (one.name == run.name)
       verdict =
           one.complaints.empty() ? "passes" : "**" + markdownText(joined(one.complaints)) + "**";
@@ -85,14 +85,14 @@ std::string headingOf(const Comparison& comparison) {
          (names.empty() ? "" : ": " + markdownText(names)) + "\n\n";
 }
 
-std::string junitOf(const std::vector<JudgedRun>& runs) {
+std::string junitOf(const std::vector<TestCase>& runs) {
   const auto failures = std::count_if(runs.begin(), runs.end(),
-                                      [](const JudgedRun& run) { return !run.complaints.empty(); });
+                                      [](const TestCase& run) { return !run.complaints.empty(); });
   const std::string counts =
       "tests=\"" + std::to_string(runs.size()) + "\" failures=\"" + std::to_string(failures) + "\"";
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites " + counts +
                      ">\n <testsuite name=\"roomgraph\" " + counts + " errors=\"0\">\n";
-  for (const JudgedRun& run : runs) {
+  for (const TestCase& run : runs) {
     text += "  <testcase classname=\"roomgraph\" name=\"" + xmlText(run.name) + "\"";
     if (run.complaints.empty())
       text += "/>\n";
@@ -105,10 +105,10 @@ std::string junitOf(const std::vector<JudgedRun>& runs) {
 
 }  // namespace
 
-std::string gateJunit(const Comparison& comparison) { return junitOf(judgedRuns(comparison)); }
+std::string gateJunit(const Comparison& comparison) { return junitOf(testCases(comparison)); }
 
 std::string gateJunit(const std::vector<RunCheck>& checks) {
-  std::vector<JudgedRun> runs;
+  std::vector<TestCase> runs;
   for (const RunCheck& check : checks) runs.push_back({check.name, check.complaints});
   return junitOf(runs);
 }
@@ -128,7 +128,7 @@ std::string gateMarkdown(const std::vector<RunCheck>& checks) {
 }
 
 std::string gateMarkdown(const Comparison& comparison) {
-  const std::vector<JudgedRun> judged = judgedRuns(comparison);
+  const std::vector<TestCase> judged = testCases(comparison);
   std::string text = headingOf(comparison);
   if (comparison.gate) {
     const GateVerdict& gate = *comparison.gate;

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/rounded.h"
 #include "roomgraph/ledger/SiteRoom.h"
 
 namespace roomgraph {

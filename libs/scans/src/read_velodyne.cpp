@@ -1,8 +1,12 @@
 #include "read_velodyne.h"
 
+#include <mrpt/obs/CObservationVelodyneScan.h>
+
+#include <algorithm>
+#include <cstring>
+
 #include "point_bytes.h"
 #include "roomgraph/scans/read_observation.h"
-#include "velodyne_points.h"
 
 namespace roomgraph {
 namespace {
@@ -15,6 +19,30 @@ struct Floats {
 Floats readFloats(ByteReader& in) {
   const auto count = in.get<std::uint32_t>();
   return {in.take(std::uint64_t(count) * sizeof(float)), count};
+}
+
+using mrpt::math::TPoint3Df;
+using mrpt::obs::CObservationVelodyneScan;
+
+static_assert(sizeof(CObservationVelodyneScan::TVelodyneRawPacket) == VelodynePackets::kPacketSize);
+static_assert(sizeof(mrpt::obs::VelodyneCalibration::PerLaserCalib) == VelodynePackets::kLaserSize);
+
+template <class T>
+void copyInto(std::vector<T>& list, ByteView bytes) {
+  list.resize(bytes.size / sizeof(T));
+  if (!list.empty()) std::memcpy(list.data(), bytes.data, list.size() * sizeof(T));
+}
+
+/** MRPT would print a line for each packet that it does not know. */
+bool areKnown(const CObservationVelodyneScan& scan) {
+  const std::size_t lasers = scan.calibration.laser_corrections.size();
+  if (scan.scan_packets.empty() || (lasers != 16 && lasers != 32 && lasers != 64)) return false;
+  for (const auto& packet : scan.scan_packets)
+    for (const auto& block : packet.blocks)
+      if (block.header() != CObservationVelodyneScan::UPPER_BANK &&
+          (lasers < 64 || block.header() != CObservationVelodyneScan::LOWER_BANK))
+        return false;
+  return true;
 }
 
 }  // namespace
@@ -40,6 +68,23 @@ void readVelodyne(ByteReader& in, PointCloud& cloud) {
     cloud.points = [=] { return pointsOf(x.bytes, y.bytes, z.bytes, x.count); };
   else
     cloud.points = [=] { return velodynePoints(packets); };
+}
+
+CloudPoints velodynePoints(const VelodynePackets& from) {
+  CObservationVelodyneScan scan;
+  scan.timestamp = mrpt::Clock::now();  // any: points are placed from the packets alone
+  scan.minRange = from.minRange, scan.maxRange = from.maxRange;
+  copyInto(scan.scan_packets, from.packets);
+  copyInto(scan.calibration.laser_corrections, from.lasers);
+  if (!areKnown(scan)) return {};
+  scan.generatePointCloud();
+  CloudPoints points;
+  for (std::size_t i = 0; i < scan.point_cloud.x.size(); ++i)
+    points.emplace_back(scan.point_cloud.x[i], scan.point_cloud.y[i], scan.point_cloud.z[i]);
+  points.erase(
+      std::remove_if(points.begin(), points.end(), [](const TPoint3Df& p) { return !isFinite(p); }),
+      points.end());
+  return points;
 }
 
 }  // namespace roomgraph

@@ -9,12 +9,6 @@
 
 namespace roomgraph {
 
-/** A run that an archive is told of, and where it comes from. */
-struct RunOrigin {
-  std::string sha256, robot, file;
-  double time = 0;  ///< [s since 1970]
-};
-
 /** A comparison that an archive is to keep. */
 struct Addition {
   std::string site;
@@ -26,15 +20,6 @@ struct Addition {
 struct Added {
   std::size_t runs = 0;     ///< that were not known before
   std::string roomsFailed;  ///< why its rooms could not be told from those that are known; or empty
-};
-
-/** What is enough of a run to choose those to compare with. */
-struct KnownRun {
-  std::string sha256, robot, file;
-  double time = 0;  ///< [s since 1970]
-  bool isPlaced = true;
-  bool isBroken = false;
-  std::optional<double> error;  ///< map error; none where it cannot be trusted [m]
 };
 
 /** One file that keeps, of every run of one or several sites, where it comes from, its figures and
@@ -51,8 +36,9 @@ class Archive {
   ~Archive();
 
   std::vector<std::string> sites() const;
-  /** All runs of a site, by time, then by content. O(runs). */
-  std::vector<KnownRun> runs(const std::string& site) const;
+  /** All runs of a site, by time, then by content, without rooms; of their figures only kMapError
+   *  and kBreaks: what is enough to choose those to compare with. O(runs). */
+  std::vector<HistoryRun> runs(const std::string& site) const;
   bool knows(const std::string& site, const std::string& sha256) const;
   /** Empty for a site that is not there. O(all that is kept of it). */
   SiteHistory history(const std::string& site) const;

@@ -1,18 +1,16 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "roomgraph/archive/Archive.h"
 
 namespace roomgraph {
 
-/** A run that a list names. */
-struct ListedRun {
-  std::string site, file, robot;
-  std::optional<double> time;  ///< [s since 1970]; none where the list does not tell
-};
+/** Sites with a run of each that a list names. Its hash is not known yet, and its time is NaN where
+ *  the list does not tell. */
+using RunList = std::vector<std::pair<std::string, RunOrigin>>;
 
 /** What is to be done for one site: its new runs are compared with each other and with the record.
  *  The same task gives the same bytes wherever and however often it is done. */

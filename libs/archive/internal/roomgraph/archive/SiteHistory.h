@@ -24,10 +24,14 @@ struct RoomSeen {
   std::optional<double> shift, boundaryAgreement;  ///< as in RoomInRun
 };
 
-/** A run of an archive. */
-struct HistoryRun {
+/** A run that an archive is told of, and where it comes from. */
+struct RunOrigin {
   std::string sha256, robot, file;
-  double time = 0;       ///< [s since 1970]
+  double time = 0;  ///< [s since 1970]
+};
+
+/** A run of an archive. */
+struct HistoryRun : RunOrigin {
   bool isPlaced = true;  ///< false where it is of another site
   std::string reason;    ///< of its score, or why it has none
   std::string version;   ///< of the program that the figures are from
@@ -42,6 +46,9 @@ struct SiteHistory {
   std::vector<HistoryRun> runs;  ///< by time, then by content
   SiteFile ledger;
 };
+
+/** The value of a figure, whether it can be trusted or not; nothing where it has none. */
+std::optional<double> figureOf(const HistoryRun& run, const char* name);
 
 /** The value of a figure that has one and can be trusted; nothing else. */
 std::optional<double> trustedFigure(const HistoryRun& run, const char* name);

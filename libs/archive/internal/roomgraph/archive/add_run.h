@@ -20,7 +20,7 @@ struct AddRunOptions {
   CompareMapsOptions compare;  ///< without a reference
   std::string kept;            ///< folder for a copy of the map, see keepMap; empty for none
   /** Told of each run that would be compared with, but whose file is gone or another one now. */
-  std::function<void(const KnownRun&)> onMissing = [](const KnownRun&) {};
+  std::function<void(const HistoryRun&)> onMissing = [](const HistoryRun&) {};
 };
 
 /** What became of a run. */

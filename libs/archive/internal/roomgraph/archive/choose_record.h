@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "roomgraph/archive/Archive.h"
+#include "roomgraph/archive/SiteHistory.h"
 
 namespace roomgraph {
 
@@ -18,7 +18,7 @@ namespace roomgraph {
  *  without breaks, then more of the latest; all of them among the last hundred. Other runs of
  *  another site are none of them, nor those that are not `isUsable`, which is asked of no more runs
  *  than needed. */
-std::vector<std::size_t> chooseRecord(const std::vector<KnownRun>& runs, std::size_t most,
-                                      const std::function<bool(const KnownRun&)>& isUsable);
+std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::size_t most,
+                                      const std::function<bool(const HistoryRun&)>& isUsable);
 
 }  // namespace roomgraph

@@ -9,7 +9,7 @@
 namespace roomgraph {
 
 // Ours
-// In:   ListedRun, Archive
+// In:   RunList, Archive
 // Out:  FleetTask
 // Next: taskLines, doTask
 
@@ -20,12 +20,12 @@ struct PlanFleetOptions {
    *  problem. */
   std::function<void(const std::string& line)> onUnread = [](const std::string&) {};
   /** Told of each run of the archive whose file is gone or another one. */
-  std::function<void(const KnownRun&)> onMissing = [](const KnownRun&) {};
+  std::function<void(const HistoryRun&)> onMissing = [](const HistoryRun&) {};
 };
 
 /** A task for each site of which a run is listed that the archive does not know, by site. A site of
  *  which nothing is new has none. Reads each listed file once, to tell it by its content. */
-std::vector<FleetTask> planFleet(const std::vector<ListedRun>& listed, const Archive& archive,
+std::vector<FleetTask> planFleet(const RunList& listed, const Archive& archive,
                                  const PlanFleetOptions& options);
 
 /** The key of a task with these options, see FleetTask. */

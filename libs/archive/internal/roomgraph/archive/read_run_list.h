@@ -9,7 +9,7 @@ namespace roomgraph {
 
 // Ours
 // In:   a table of runs
-// Out:  ListedRun
+// Out:  RunList
 // Next: planFleet
 
 /** The runs of a CSV text with a line of column names: site and file, and where they are there
@@ -19,8 +19,7 @@ namespace roomgraph {
  *  of it.
  *  @throws DataError where there are no such columns, or no line is left: the program that wrote
  *  the list has failed. */
-std::vector<ListedRun> readRunList(const std::string& text, const std::string& name,
-                                   const std::string& folder,
-                                   const std::function<void(const std::string&)>& onBadLine);
+RunList readRunList(const std::string& text, const std::string& name, const std::string& folder,
+                    const std::function<void(const std::string&)>& onBadLine);
 
 }  // namespace roomgraph

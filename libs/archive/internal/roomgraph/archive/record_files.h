@@ -14,11 +14,23 @@ namespace roomgraph {
 
 /** The choice of chooseRecord among the runs whose files are there and hold what they held.
  *  `onMissing` is told of each that was asked for in vain. */
-std::vector<KnownRun> recordRuns(const std::vector<KnownRun>& runs, std::size_t most,
-                                 const std::function<void(const KnownRun&)>& onMissing);
+std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::size_t most,
+                                   const std::function<void(const HistoryRun&)>& onMissing);
 
 /** When a run was made [s since 1970]: the time of its first scan, else that of its file.
  *  @throws DataError where it cannot be read. */
 double runTime(const std::string& file);
+
+// Ours
+// In:   a map file
+// Out:  the name of a copy of it
+// Next: addRun
+
+/** Copies a map, and the picture of a ROS map, to a folder of its own in `folder`, which is named
+ *  after its content, and returns the name of the copy. What is there already stays. `sha256` is
+ *  what the content should be, see mapSha256. Written so that a copy is whole or not there.
+ *  @throws DataError where it cannot be read or written, is another map now, or names a picture
+ *  outside of its folder. */
+std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder);
 
 }  // namespace roomgraph

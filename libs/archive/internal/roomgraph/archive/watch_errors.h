@@ -2,9 +2,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "roomgraph/archive/change_point.h"
-#include "roomgraph/archive/mann_kendall.h"
-#include "roomgraph/archive/theil_sen.h"
+#include "roomgraph/archive/Samples.h"
 
 namespace roomgraph {
 

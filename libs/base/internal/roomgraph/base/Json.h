@@ -14,4 +14,12 @@ Json numberOrNull(std::optional<double> value);
 /** On one line. File names need not be UTF-8; what is not gets a replacement sign. */
 std::string lineOf(const Json& json);
 
+/** Metres (or m2) as files hold them: rounded to 0.1 mm, never "-0". Files hold no more than that,
+ *  so that reading and writing again gives the same bytes. */
+double rounded(double value);
+
+/** A coordinate as JSON text, rounded as files hold it. Most of a file is coordinates, and text
+ *  written at once takes a fraction of the time of a tree of values. null where not finite. */
+void addNumber(std::string& json, double value);
+
 }  // namespace roomgraph

@@ -1,6 +1,8 @@
 #pragma once
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace roomgraph {
 
@@ -10,5 +12,27 @@ std::string csvField(const std::string& text);
 
 /** A number with four places; empty for none. */
 std::string csvNumber(std::optional<double> value);
+
+/** Takes cells from a CSV text, line by line: what csvField wrote, and what spreadsheets write with
+ *  commas. Whatever stands behind a closing quote is no part of any cell. */
+class CsvReader {
+ public:
+  /** `text` must outlive this. A byte order mark, as spreadsheets put before it, is skipped. */
+  explicit CsvReader(const std::string& text)
+      : text_(text), at_(text.rfind("\xef\xbb\xbf", 0) == 0 ? 3 : 0) {}
+
+  bool isAtEnd() const { return at_ >= text_.size(); }
+  std::size_t line() const { return line_; }  ///< the number of the last one, from 1
+
+  /** At least one cell, which is empty where the line is. */
+  std::vector<std::string> nextLine();
+
+ private:
+  std::string cell();
+  std::string quotedCell();
+
+  const std::string& text_;
+  std::size_t at_, line_ = 0;
+};
 
 }  // namespace roomgraph

@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/JsonNode.h"
-#include "roomgraph/base/rounded.h"
 #include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 
 namespace roomgraph {
@@ -57,5 +58,9 @@ void refuseEmptySlice(const Slice& slice, const std::string& file);
 
 /** For people: "heights 0.6 to 1.1 m above the floor at -1 m". */
 std::string sliceText(const Slice& slice);
+
+/** How many of the cells lie in straight, thin pieces of at least ten, as those of walls do, along
+ *  any of 36 directions. Cells may be repeated, and stand in any order. O(cells log cells). */
+std::size_t countStraightCells(std::vector<Cell> cells);
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #pragma once
 #include <charconv>
+#include <cstdint>
 
 namespace roomgraph {
 
@@ -10,6 +11,11 @@ inline double decimal(float value) {
   double result = value;
   std::from_chars(text, end, result);
   return result;
+}
+
+/** The grey of a cell that is occupied with this probability [%], as ROS keeps its grids. */
+inline std::uint8_t greyOfPercent(int percent) {
+  return std::uint8_t((255 * (100 - percent) + 50) / 100);
 }
 
 }  // namespace roomgraph

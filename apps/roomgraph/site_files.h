@@ -9,6 +9,12 @@
 
 namespace roomgraph {
 
+/** The path of each run with scans in the frame of the site (comparison.RUN.tum), and the error
+ *  along it for evo_res (comparison.RUN.evo.zip). Returns their names.
+ *  @throws UsageError where one of them would replace a run. */
+std::vector<std::string> addTrajectories(const Comparison& comparison,
+                                         const std::filesystem::path& folder, StagedFiles& staged);
+
 /** Each run as a ROS map in the frame of the site (comparison.RUN.yaml and .pgm), its pose in that
  *  frame, and a session of the viewer "maps" with all of them. Returns their names.
  *  @throws DataError where a run cannot be read any more; UsageError where one of them would

@@ -1,4 +1,5 @@
 #pragma once
+#include <charconv>
 #include <cstdio>
 #include <string>
 
@@ -18,6 +19,13 @@ inline std::string quotedText(const std::string& text) {
     quoted += c;
   }
   return quoted + "\"";
+}
+
+/** The shortest text that reads back equal; the same in every locale. */
+inline std::string numberText(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
 }
 
 }  // namespace roomgraph
