@@ -45,20 +45,6 @@ std::unique_ptr<Solved> solve(const std::vector<PythonMap>& maps,
   return solved;
 }
 
-const char* nameOf(RepairState state) {
-  switch (state) {
-    case RepairState::mended:
-      return "mended";
-    case RepairState::kept:
-      return "kept";
-    case RepairState::reference:
-      return "reference";
-    case RepairState::lost:
-      break;
-  }
-  return "lost";
-}
-
 /** A run after its repair, and its file. */
 struct MendedRun {
   std::string name, file, simplemap, tum;
@@ -144,7 +130,7 @@ py::tuple tupleOf(const CarriedPlace& place) {
 
 /** Calls without Python's lock, and makes a Python object of each of what comes back. */
 template <class Work, class ToObject>
-py::list unlocked(const Work& work, const ToObject& toObject) {
+py::list callUnlocked(const Work& work, const ToObject& toObject) {
   decltype(work()) found;
   {
     const py::gil_scoped_release released;
@@ -162,14 +148,14 @@ void bindSite(py::module_& module) {
       "repair",
       [](const std::vector<PythonMap>& maps, const std::optional<PythonMap>& reference,
          const PythonCall& call) {
-        return unlocked([&] { return repair(maps, reference, call); }, dictOf);
+        return callUnlocked([&] { return repair(maps, reference, call); }, dictOf);
       },
       py::arg("maps"), py::arg("reference"), py::arg("call"));
   module.def(
       "carry",
       [](const std::vector<NamedPose>& places, const PythonMap& from, const PythonMap& to,
          const std::vector<PythonMap>& via, const PythonCall& call) {
-        return unlocked([&] { return carry(places, from, to, via, call); }, tupleOf);
+        return callUnlocked([&] { return carry(places, from, to, via, call); }, tupleOf);
       },
       py::arg("places"), py::arg("old"), py::arg("new"), py::arg("via"), py::arg("call"));
 }

@@ -15,9 +15,9 @@ namespace {
 constexpr const char* kCheckDisk = "check the disk or the network that it is on";
 
 std::string sizeText(std::uint64_t bytes) {
-  constexpr std::uint64_t kGiga = 1'000'000'000, kMega = 1'000'000;
-  return bytes >= kGiga ? std::to_string(bytes / kGiga) + " GB"
-                        : std::to_string(bytes / kMega) + " MB";
+  const std::uint64_t megabytes = bytes / 1'000'000;
+  return megabytes >= 1000 ? std::to_string(megabytes / 1000) + " GB"
+                           : std::to_string(megabytes) + " MB";
 }
 
 /** Of the last call that failed. */

@@ -6,11 +6,6 @@
 #include <cstdlib>
 
 namespace roomgraph {
-namespace {
-
-constexpr double kLargestNumber = 1e10;  // below, 0.1 mm is a whole number of 64 bits
-
-}  // namespace
 
 Json numberOrNull(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return nullptr;
@@ -21,10 +16,7 @@ std::string lineOf(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-double rounded(double value) {
-  constexpr double kPerMetre = 1e4;
-  return std::round(value * kPerMetre) / kPerMetre + 0.0;
-}
+double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 
 void addNumber(std::string& json, double value) {
   if (!std::isfinite(value)) {
@@ -33,7 +25,7 @@ void addNumber(std::string& json, double value) {
   }
   char buffer[40];
   char* const end = buffer + sizeof buffer;
-  if (std::abs(value) > kLargestNumber) {
+  if (std::abs(value) > 1e10) {  // 0.1 mm may be no whole number of 64 bits
     json.append(buffer, std::to_chars(buffer, end, value).ptr);
     return;
   }

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kHeadSize = 1 << 16;
 constexpr std::uint64_t kLargestFile = 2'000'000'000;
-// No deflate stream grows by more than this.
-constexpr std::uint64_t kMostInflation = 1032;
 
 /** zlib's inflater for one gzip member; it checks length and checksum at the end. */
 class Inflater {
@@ -104,7 +102,8 @@ void CheckedFile::readGzipHead() {
   std::uint8_t tail[4];
   file_.read(file_.size() - sizeof tail, tail, sizeof tail);
   claimedSize_ = ByteReader({tail, sizeof tail}, name()).get<std::uint32_t>();
-  if (claimedSize_ / kMostInflation > file_.size()) refuseGzip(name());
+  // No deflate stream grows by more than that.
+  if (claimedSize_ / 1032 > file_.size()) refuseGzip(name());
   if (claimedSize_ > kLargestFile)
     refuse(name(), "claims to inflate to more than 2 GB", "give a smaller map");
 

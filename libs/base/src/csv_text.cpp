@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 
@@ -19,9 +19,7 @@ std::string csvField(const std::string& given) {
 
 std::string csvNumber(std::optional<double> value) {
   if (!value || !std::isfinite(*value)) return "";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.4f", rounded(*value));
-  return text;
+  return formatted("%.4f", rounded(*value));
 }
 
 std::vector<std::string> CsvReader::nextLine() {

@@ -11,8 +11,7 @@ namespace {
 
 /** MRPT's messages carry a backtrace in further lines. */
 std::string firstLine(const std::string& text) {
-  constexpr std::size_t kMost = 200;
-  return text.substr(0, std::min(text.find('\n'), kMost));
+  return text.substr(0, std::min<std::size_t>(text.find('\n'), 200));
 }
 
 std::string unforeseen(const std::exception& error) {

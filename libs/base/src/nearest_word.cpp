@@ -26,10 +26,9 @@ std::size_t changesBetween(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string nearestWord(const std::string& typed, const std::vector<std::string>& words) {
-  constexpr std::size_t kLongest = 40;  // nobody types that by mistake
   std::string nearest;
   std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
-  if (typed.size() > kLongest) return nearest;
+  if (typed.size() > 40) return nearest;  // nobody types that by mistake
   for (const std::string& word : words)
     if (const std::size_t changes = changesBetween(typed, word); changes < fewest)
       nearest = word, fewest = changes;

@@ -51,13 +51,12 @@ void refuseDocument(const std::string& name, const Broken& broken, const std::st
 }
 
 std::string jsonFault(const std::string& text, const std::string& format) {
-  constexpr const char* kBlank = " \t\r\n";
-  constexpr int kDeepest = 20;
-  const auto first = text.find_first_not_of(kBlank), last = text.find_last_not_of(kBlank);
+  const char* const blank = " \t\r\n";
+  const auto first = text.find_first_not_of(blank), last = text.find_last_not_of(blank);
   if (first == std::string::npos) return "is empty";
   if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";
   if (text.find('"' + format + '"') == std::string::npos) return "is not of format " + format;
-  if (nesting(text) > kDeepest) return "is nested too deeply";
+  if (nesting(text) > 20) return "is nested too deeply";
   return {};
 }
 

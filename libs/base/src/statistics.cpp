@@ -13,7 +13,7 @@ namespace {
  *  more does: the same but where exactly that much lies up to the first. */
 std::optional<std::pair<double, double>> weightedBounds(std::vector<WeightedValue> values,
                                                         double share) {
-  constexpr double kRounding = 1e-12;  // of sums of weights
+  constexpr double rounding = 1e-12;  // of sums of weights
   std::sort(values.begin(), values.end(), [](const WeightedValue& l, const WeightedValue& r) {
     return std::tie(l.value, l.weight) < std::tie(r.value, r.weight);
   });
@@ -24,8 +24,8 @@ std::optional<std::pair<double, double>> weightedBounds(std::vector<WeightedValu
     if (v.weight <= 0) continue;
     if (lower) return std::pair(*lower, v.value);
     upToHere += v.weight;
-    if (upToHere > (share + kRounding) * all) return std::pair(v.value, v.value);
-    if (upToHere >= (share - kRounding) * all) lower = v.value;
+    if (upToHere > (share + rounding) * all) return std::pair(v.value, v.value);
+    if (upToHere >= (share - rounding) * all) lower = v.value;
   }
   if (!lower) return std::nullopt;
   return std::pair(*lower, *lower);

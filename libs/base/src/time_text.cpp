@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "roomgraph/base/sentence_text.h"
+
 namespace roomgraph {
 namespace {
 
@@ -26,10 +28,8 @@ std::string timeText(double seconds) {
   const auto time = std::time_t(std::floor(seconds));
   std::tm parts{};
   gmtime_r(&time, &parts);
-  char text[64];
-  std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02dZ", parts.tm_year + 1900,
-                parts.tm_mon + 1, parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
-  return text;
+  return formatted("%04d-%02d-%02dT%02d:%02d:%02dZ", parts.tm_year + 1900, parts.tm_mon + 1,
+                   parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
 }
 
 std::string dayText(double seconds) { return timeText(seconds).substr(0, 10); }

@@ -11,9 +11,8 @@ namespace {
 class Sink {
  public:
   explicit Sink(Deflated kind) : buffer_(1 << 16) {
-    constexpr int kGzipOnly = 16 + MAX_WBITS;
-    if (inflateInit2(&stream_, kind == Deflated::asGzip ? kGzipOnly : MAX_WBITS) != Z_OK)
-      throw std::bad_alloc();
+    const int window = kind == Deflated::asGzip ? 16 + MAX_WBITS : MAX_WBITS;
+    if (inflateInit2(&stream_, window) != Z_OK) throw std::bad_alloc();
   }
   ~Sink() { inflateEnd(&stream_); }
   Sink(const Sink&) = delete;

@@ -7,22 +7,12 @@ namespace roomgraph {
 
 std::string xmlText(const std::string& given) {
   std::string text;
-  for (const char c : printable(utf8Text(given))) switch (c) {
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '&':
-        text += "&amp;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      default:
-        text += c;
-    }
+  for (const char c : printable(utf8Text(given)))
+    text += c == '<'   ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '&' ? "&amp;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
   return text;
 }
 

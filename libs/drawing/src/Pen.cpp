@@ -8,8 +8,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kTolerancePx = 0.3;
-
 void traceSquare(cairo_t* cairo, Point px, double half) {
   cairo_rectangle(cairo, px.x - half, px.y - half, 2 * half, 2 * half);
 }
@@ -36,7 +34,7 @@ void Pen::ink(Colour c, double alpha) const {
 void Pen::trace(const Polyline& line) const {
   Polyline px;
   for (const Point p : line) px.push_back(view_.px(p));
-  const Polyline thinned = thinnedLine(px, kTolerancePx);
+  const Polyline thinned = thinnedLine(px, 0.3);
   for (std::size_t i = 0; i < thinned.size(); ++i)
     (i == 0 ? cairo_move_to : cairo_line_to)(cairo_, thinned[i].x, thinned[i].y);
 }

@@ -16,7 +16,7 @@ class Strokes {
  public:
   Strokes(const Pen& pen, double widthPx) : pen_(pen), widthPx_(widthPx) {}
   ~Strokes() { pen_.stroke(widthPx_); }
-  void added() {
+  void add() {
     if (++count_ % 256 == 0) pen_.stroke(widthPx_);
   }
 
@@ -32,7 +32,7 @@ void strokeEdges(const Pen& pen, const TopologyGraph& graph, bool insideRooms, d
     if (bool(edge.room) != insideRooms) continue;
     pen.trace(edge.path.points);
     // One by one, or crossing lines of one stroke would each restart the dashes elsewhere.
-    strokes.added();
+    strokes.add();
   }
 }
 
@@ -76,8 +76,7 @@ void strokeSample(const Pen& pen, Point at, Colour colour, double widthPx) {
   pen.stroke(widthPx);
 }
 
-constexpr double kPassagePx = 2.4, kRingPx = 0.5;
-constexpr double kLeastPx = 1.2;
+constexpr double kPassagePx = 2.4;
 constexpr Colour kClutter{150, 60, 118};
 
 /** Adds to cairo's current path. */
@@ -92,7 +91,7 @@ void finishRings(const Pen& pen) {
   pen.ink(kClutter, 0.12);
   cairo_fill_preserve(pen.cairo());
   pen.ink(kClutter, 0.5);
-  pen.stroke(kRingPx);
+  pen.stroke(0.5);
 }
 
 }  // namespace
@@ -153,7 +152,7 @@ void drawVoronoi(const Pen& pen, const VoronoiGraph& graph,
     const VoronoiEdge& edge = graph.edges[e];
     if (edge.isInfinite() || !isShown(e)) continue;
     pen.trace(Polyline{graph.vertices[edge.source].at, graph.vertices[edge.target].at});
-    strokes.added();
+    strokes.add();
   }
 }
 
@@ -246,7 +245,7 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter) {
   int count = 0;
   for (const Clutter& piece : clutter) {
     const double radius = 0.5 * piece.size * pen.view().pxPerMetre();
-    addRing(pen, pen.view().px(piece.center), std::max(kLeastPx, radius));
+    addRing(pen, pen.view().px(piece.center), std::max(1.2, radius));
     if (++count % 64 == 0) finishRings(pen);
   }
   finishRings(pen);

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /** One step: what it counts, what it shows. */
 // NOLINTNEXTLINE(bugprone-exception-escape): JSON throws nothing when it is moved

@@ -16,7 +16,7 @@ namespace {
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
 using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
-Surface owned(cairo_surface_t* surface) { return Surface(surface, cairo_surface_destroy); }
+Surface own(cairo_surface_t* surface) { return Surface(surface, cairo_surface_destroy); }
 
 /** Pictures are bounded in size, so only memory can run out. */
 void check(cairo_status_t status) {
@@ -26,7 +26,7 @@ void check(cairo_status_t status) {
 }
 
 Surface imageSurface(cairo_format_t format, int width, int height) {
-  Surface surface = owned(cairo_image_surface_create(format, width, height));
+  Surface surface = own(cairo_image_surface_create(format, width, height));
   check(cairo_surface_status(surface.get()));
   return surface;
 }
@@ -119,7 +119,7 @@ std::string renderSvg(const Grid& grid, const Scene& scene) {
   std::string svg;
   {
     const Surface sheet =
-        owned(cairo_svg_surface_create_for_stream(append, &svg, layout.width, layout.height));
+        own(cairo_svg_surface_create_for_stream(append, &svg, layout.width, layout.height));
     check(cairo_surface_status(sheet.get()));
     cairo_svg_surface_set_document_unit(sheet.get(), CAIRO_SVG_UNIT_PX);
     drawSheet(sheet.get(), scene, view, layout, map.get());

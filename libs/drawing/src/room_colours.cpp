@@ -1,6 +1,5 @@
 #include "room_colours.h"
 
-#include <algorithm>
 #include <array>
 
 #include "Pen.h"

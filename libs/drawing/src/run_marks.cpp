@@ -12,8 +12,6 @@ constexpr Colour kColours[] = {ink::blue,     ink::vermilion,  ink::green,     i
                                {140, 81, 10}, {128, 128, 128}, {120, 150, 30}, {150, 20, 80},
                                {40, 60, 130}, {240, 128, 114}};
 
-constexpr std::size_t kRunsAPattern = 7, kPatterns = 4;
-
 struct Shape {
   const char *name, *path;
 };
@@ -31,7 +29,7 @@ constexpr Shape kShapes[] = {
 
 Colour runColour(std::size_t run) { return kColours[run % std::size(kColours)]; }
 
-RunPattern runPattern(std::size_t run) { return RunPattern(run / kRunsAPattern % kPatterns); }
+RunPattern runPattern(std::size_t run) { return RunPattern(run / 7 % 4); }
 
 const char* runShape(std::size_t run) { return kShapes[run % std::size(kShapes)].path; }
 

@@ -1,7 +1,5 @@
 #include "roomgraph/geometry/Polyline.h"
 
-#include <algorithm>
-
 namespace roomgraph {
 
 double length(const Polyline& line) {

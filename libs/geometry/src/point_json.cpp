@@ -1,7 +1,5 @@
 #include "roomgraph/geometry/point_json.h"
 
-#include "roomgraph/base/Json.h"
-
 namespace roomgraph {
 
 Point readPoint(const JsonNode& node) {

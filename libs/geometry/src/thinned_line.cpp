@@ -19,11 +19,11 @@ class Sleeve {
 
   void add(Point p) {
     const Point way = p - from_;
-    const double far = norm(way);
-    farthest_ = std::max(farthest_, far);
-    if (far <= tolerance_) return;
+    const double length = norm(way);
+    farthest_ = std::max(farthest_, length);
+    if (length <= tolerance_) return;
     // The tangents to the disc of the tolerance round p.
-    const double sine = tolerance_ / far, cosine = std::sqrt(1 - sine * sine);
+    const double sine = tolerance_ / length, cosine = std::sqrt(1 - sine * sine);
     const Point left{cosine * way.x - sine * way.y, sine * way.x + cosine * way.y};
     const Point right{cosine * way.x + sine * way.y, -sine * way.x + cosine * way.y};
     if (!isBounded_ || cross(left, left_) > 0) left_ = left;

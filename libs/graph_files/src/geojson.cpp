@@ -40,12 +40,9 @@ class Members {
   std::string text_;
 };
 
-/** Full speed from here on [m]; nearer to obstacles in proportion, but never less than the least.
- */
-constexpr double kFullSpeedClearance = 1, kLeastPercent = 20;
-
+/** Full speed from a clearance of 1 m on, below in proportion, but never less than 20 %. */
 double speedPercent(double clearance) {
-  return std::clamp(std::round(100 * clearance / kFullSpeedClearance), kLeastPercent, 100.0);
+  return std::clamp(std::round(100 * clearance), 20.0, 100.0);
 }
 
 std::string pointText(Point p) {

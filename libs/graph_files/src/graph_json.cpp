@@ -1,14 +1,10 @@
 #include "roomgraph/graph_files/graph_json.h"
 
-#include <nlohmann/json.hpp>
-
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json point(Point p) { return {rounded(p.x), rounded(p.y)}; }
 

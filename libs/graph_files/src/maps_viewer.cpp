@@ -7,9 +7,6 @@
 namespace roomgraph {
 namespace {
 
-/** Grey at half strength, multiplied with its own transparency as the viewer keeps colours. */
-constexpr const char* kHalf = "[128, 128, 128, 128]";
-
 /** "key = value"; TOML has no integers where a float is asked for. */
 std::string line(const char* key, double value) {
   const std::string number = numberText(value);
@@ -25,7 +22,8 @@ std::string mapText(const SessionMap& map) {
   const std::string table = "maps." + quotedText(map.yaml);
   const Point origin = map.pose(map.frame.origin);
   const auto header = [&](const char* name) { return "\n[" + table + name + "]\n"; };
-  return header("") + "visible = true\ntint = " + kHalf + "\n" + header(".meta") +
+  // Grey at half strength, multiplied with its own transparency as the viewer keeps colours.
+  return header("") + "visible = true\ntint = [128, 128, 128, 128]\n" + header(".meta") +
          quotedLine("image_path", map.picture) + quotedLine("yaml_path", map.yaml) +
          line("resolution", map.frame.resolution) + header(".meta.origin_xy") +
          line("x", origin.x) + line("y", origin.y) + header(".meta.origin_theta") +

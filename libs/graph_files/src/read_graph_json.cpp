@@ -1,17 +1,15 @@
 #include "roomgraph/graph_files/read_graph_json.h"
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 GraphFile::Input readInput(const JsonNode& node) {
   GraphFile::Input input;

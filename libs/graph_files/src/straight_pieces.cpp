@@ -6,8 +6,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kMaxDeviation = 0.1;  // [m]
-
 /** The point between two others that is farthest from their straight line, and how far. */
 std::pair<std::size_t, double> farthest(const Polyline& line, std::size_t from, std::size_t to) {
   std::pair<std::size_t, double> best{from, 0};
@@ -26,7 +24,7 @@ std::vector<std::size_t> straightPieces(const Path& path, const ObstacleRows& ob
   if (line.size() < 3)
     return line.size() == 2 ? std::vector<std::size_t>{0, 1}
                             : std::vector<std::size_t>(line.size());
-  const double tolerance = std::min(kMaxDeviation, path.minClearance / 2);
+  const double tolerance = std::min(0.1, path.minClearance / 2);
   std::vector<bool> isKept(line.size());
   isKept.front() = isKept.back() = true;
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, line.size() - 1}};

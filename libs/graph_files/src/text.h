@@ -1,7 +1,8 @@
 #pragma once
 #include <charconv>
-#include <cstdio>
 #include <string>
+
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 
@@ -10,9 +11,7 @@ inline std::string quotedText(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      char code[8];
-      std::snprintf(code, sizeof code, "\\u%04x", unsigned(c));
-      quoted += code;
+      quoted += formatted("\\u%04x", unsigned(c));
       continue;
     }
     if (c == '"' || c == '\\') quoted += '\\';

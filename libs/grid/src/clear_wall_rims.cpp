@@ -1,7 +1,5 @@
 #include "roomgraph/grid/clear_wall_rims.h"
 
-#include <algorithm>
-
 namespace roomgraph {
 namespace {
 

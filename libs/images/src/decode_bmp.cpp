@@ -66,7 +66,7 @@ std::uint64_t rowBytes(const BmpHeader& header) {
 }
 
 /** The part of a pixel that a mask cuts out, on a scale up to 255. */
-std::uint8_t masked(std::uint32_t pixel, std::uint32_t mask) {
+std::uint8_t maskedBits(std::uint32_t pixel, std::uint32_t mask) {
   if (mask == 0) return 0;
   std::uint64_t value = pixel & mask, most = mask;
   while ((most & 1) == 0) value >>= 1, most >>= 1;
@@ -94,8 +94,8 @@ BmpPixel pixelAt(const std::uint8_t* row, std::size_t x, const BmpHeader& header
   std::uint32_t pixel = 0;
   std::memcpy(&pixel, p, bytes);
   const auto& masks = header.masks;
-  return {masked(pixel, masks[0]), masked(pixel, masks[1]), masked(pixel, masks[2]),
-          masks[3] ? masked(pixel, masks[3]) : std::uint8_t(255)};
+  return {maskedBits(pixel, masks[0]), maskedBits(pixel, masks[1]), maskedBits(pixel, masks[2]),
+          masks[3] ? maskedBits(pixel, masks[3]) : std::uint8_t(255)};
 }
 
 }  // namespace

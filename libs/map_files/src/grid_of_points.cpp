@@ -10,10 +10,8 @@ namespace {
 
 using mrpt::math::TPoint3Df;
 
-constexpr double kFloorDepth = 0.15;     // above and below the floor [m]
-constexpr double kWidestFloorGap = 0.3;  // in a floor [m]
-constexpr double kMargin = 0.5;          // around all points [m]
-constexpr std::uint8_t kWallGrey = 0, kUnseenGrey = 128, kFreeGrey = 255;
+constexpr double kMargin = 0.5;  // around all points [m]
+constexpr std::uint8_t kWallGrey = 0, kFreeGrey = 255;
 
 GridFrame frameOf(const std::vector<TPoint3Df>& points, double resolution,
                   const std::string& file) {
@@ -58,15 +56,15 @@ GreyMap gridOfPoints(const std::vector<TPoint3Df>& points, const Slice& slice, d
                      const std::string& file) {
   GreyMap map;
   map.frame = frameOf(points, resolution, file);
-  map.grey.assign(map.frame.cellCount(), kUnseenGrey);
+  map.grey.assign(map.frame.cellCount(), 128);  // nobody has seen them
   const auto cellOf = [&](const TPoint3Df& p) -> std::uint8_t& {
     return map.grey[map.frame.index(map.frame.cellAt({double(p.x), double(p.y)}))];
   };
   for (const TPoint3Df& p : points)
-    if (std::abs(double(p.z) - slice.floor) <= kFloorDepth) cellOf(p) = kFreeGrey;
+    if (std::abs(double(p.z) - slice.floor) <= 0.15) cellOf(p) = kFreeGrey;
   for (const TPoint3Df& p : points)
     if (slice.contains(double(p.z))) cellOf(p) = kWallGrey;
-  const int gap = int(kWidestFloorGap / resolution);
+  const int gap = int(0.3 / resolution);
   fillGaps(map.grey, map.frame, gap, true);
   fillGaps(map.grey, map.frame, gap, false);
   map.occupiedAbove = 0.55;

@@ -12,7 +12,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kNewestVersion = 7;  // the layout of 6, in 8 bits only
 struct GridHeader {
   ObjectHeader object;
   std::uint8_t bitsPerCell = 8;
@@ -54,7 +53,7 @@ void check(const GridHeader& header, const std::string& file) {
 GridHeader readHeader(ByteReader& in) {
   GridHeader header;
   header.object = readObjectHeader(in);
-  checkVersion(in, header.object, kNewestVersion);
+  checkVersion(in, header.object, 7);  // which has the layout of 6, in 8 bits only
   if (header.object.version >= 2) header.bitsPerCell = in.get<std::uint8_t>();
   header.width = in.get<std::uint32_t>();
   header.height = in.get<std::uint32_t>();

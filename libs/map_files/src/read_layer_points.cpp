@@ -13,9 +13,7 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 constexpr char kKeyframes[] = "KeyframePointCloudMap", kIncremental[] = "IncrementalPointCloud";
-constexpr std::uint64_t kLongestOptions = 4096;  // before the first key frame
-constexpr std::uint64_t kBeforePose = 8 + 8;     // number and time of a key frame
-constexpr std::uint64_t kSmallestKeyframe = 100;
+constexpr std::uint64_t kBeforePose = 8 + 8;  // number and time of a key frame
 
 /** Steps to the next pose that is announced within so many bytes. Returns how far that was. */
 std::optional<std::uint64_t> seekPose(ByteReader& in, std::uint64_t most) {
@@ -31,11 +29,11 @@ std::optional<std::uint64_t> seekPose(ByteReader& in, std::uint64_t most) {
  *  any, what is taken for the first may be a pose behind the layer. */
 std::uint32_t readKeyframeCount(ByteReader& in) {
   ByteReader ahead = in;
-  const auto distance = seekPose(ahead, kLongestOptions);
+  const auto distance = seekPose(ahead, 4096);
   if (!distance || *distance < kBeforePose + 4) return 0;
   in.skip(*distance - kBeforePose - 4);
   const auto count = in.get<std::uint32_t>();
-  return count > in.left() / kSmallestKeyframe ? 0 : count;
+  return count > in.left() / 100 ? 0 : count;
 }
 
 void addPoints(ByteReader& in, const mrpt::poses::CPose3D& pose, CloudPoints& points) {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "grid_of_points.h"
 #include "read_layer_points.h"
@@ -12,7 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kMostMapLayers = 1000;
 // As stored, with its namespace; the shortest known is "mola::NDT".
 constexpr int kShortestStoredClass = 8;
 
@@ -73,7 +71,7 @@ std::vector<Layer> readLayers(ByteReader& in) {
   checkVersion(in, map, 5);
   skipFeatures(in);
   const auto count = in.get<std::uint32_t>();
-  if (count > kMostMapLayers)
+  if (count > 1000)
     refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers",
            kSaveMapAgain);
   std::vector<Layer> layers;

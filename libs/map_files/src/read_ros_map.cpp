@@ -15,7 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLongestYaml = 1 << 16;
 constexpr double kFarthestOrigin = 1e7;
 
 struct RosMap {
@@ -190,7 +189,7 @@ std::string pictureOf(const RosMap& ros, const std::string& name) {
 }  // namespace
 
 bool isRosMap(CheckedFile& file) {
-  if (file.claimedSize() > kLongestYaml || !isText(file.head())) return false;
+  if (file.claimedSize() > 1 << 16 || !isText(file.head())) return false;
   const std::string text = textOf(file.head());
   return text.find("image:") != std::string::npos || text.find("image\":") != std::string::npos;
 }

@@ -1,7 +1,6 @@
 #include <sqlite3.h>
 #include <zlib.h>
 
-#include <cmath>
 #include <memory>
 #include <new>
 
@@ -13,9 +12,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint8_t kUnknownCell = 128;
-constexpr std::int32_t kSignedBytes = 1;  // OpenCV's CV_8SC1
-constexpr double kFarthestOrigin = 1e7;   // [m]
+constexpr double kFarthestOrigin = 1e7;  // [m]
 
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
@@ -26,7 +23,7 @@ using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
 /** The bytes as a database that is only read, and in which nothing but tables is believed: a view
  *  or an expression in a foreign file may be anything. They must live as long as it does. */
-Database opened(ByteView bytes) {
+Database openDatabase(ByteView bytes) {
   sqlite3* handle = nullptr;
   const int code =
       sqlite3_open_v2(":memory:", &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_MEMORY, nullptr);
@@ -74,13 +71,14 @@ double lengthAt(sqlite3_stmt* row, int column, double low, double high, const st
 }
 
 /** Sets the size of the frame and inflates the cells. */
-std::vector<std::uint8_t> unpacked(ByteView packed, GridFrame& frame, const std::string& file) {
+std::vector<std::uint8_t> unpack(ByteView packed, GridFrame& frame, const std::string& file) {
   constexpr std::size_t trailer = 3 * sizeof(std::int32_t);
   if (packed.size <= trailer) refuseDamaged(file);
   const ByteView stream{packed.data, packed.size - trailer};
   ByteReader in({packed.data + stream.size, trailer}, file);
   const auto rows = in.get<std::int32_t>(), columns = in.get<std::int32_t>();
-  if (in.get<std::int32_t>() != kSignedBytes || rows <= 0 || columns <= 0) refuseDamaged(file);
+  constexpr std::int32_t signedBytes = 1;  // OpenCV's CV_8SC1
+  if (in.get<std::int32_t>() != signedBytes || rows <= 0 || columns <= 0) refuseDamaged(file);
   frame.width = columns, frame.height = rows;
   if (frame.cellCount() > kMostCells)
     refuse(file,
@@ -95,7 +93,7 @@ std::vector<std::uint8_t> unpacked(ByteView packed, GridFrame& frame, const std:
 }
 
 std::uint8_t greyOfCell(std::uint8_t cell) {
-  return cell <= 100 ? greyOfPercent(cell) : kUnknownCell;  // -1 is 255 here
+  return cell <= 100 ? greyOfPercent(cell) : 128;  // unknown: -1 is 255 here
 }
 
 }  // namespace
@@ -107,7 +105,7 @@ bool isRtabmap(CheckedFile& file) {
 }
 
 GreyMap readRtabmap(CheckedFile& file, const LoadGridOptions&) {
-  const Database database = opened(file.content());
+  const Database database = openDatabase(file.content());
   const Statement row = rowOfMap(database.get(), file.name());
   GreyMap map;
   map.frame.origin.x = lengthAt(row.get(), 1, -kFarthestOrigin, kFarthestOrigin, file.name());
@@ -115,7 +113,7 @@ GreyMap readRtabmap(CheckedFile& file, const LoadGridOptions&) {
   map.frame.resolution = lengthAt(row.get(), 3, 1e-4, 1e3, file.name());
   const ByteView packed{static_cast<const std::uint8_t*>(sqlite3_column_blob(row.get(), 0)),
                         std::size_t(sqlite3_column_bytes(row.get(), 0))};
-  map.grey = unpacked(packed, map.frame, file.name());
+  map.grey = unpack(packed, map.frame, file.name());
   for (auto& cell : map.grey) cell = greyOfCell(cell);
   map.occupiedAbove = 0.65, map.freeBelow = 0.196;  // those of ROS
   return map;

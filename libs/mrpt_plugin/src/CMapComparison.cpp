@@ -14,8 +14,6 @@ IMPLEMENTS_SERIALIZABLE(CMapComparison, CSerializable, roomgraph)
 namespace roomgraph {
 namespace {
 
-const char* const kComparisonStream = "comparison of maps";
-
 std::string breakLine(const MapBreak& tear, bool isDoubtful) {
   std::string line = "  " + tear.run +
                      formatted(" at (%.2f, %.2f) m, by %.1f deg and %.2f m", tear.place.x,
@@ -42,16 +40,15 @@ void CMapComparison::getVisualizationInto(viz::CSetOfObjects& container) const {
   container.insert(drawComparison(comparison, walls));
 }
 
-uint8_t CMapComparison::serializeGetVersion() const { return kComparisonBytesVersion; }
+uint8_t CMapComparison::serializeGetVersion() const { return kMapComparisonObject.newest; }
 
 void CMapComparison::serializeTo(mrpt::serialization::CArchive& out) const {
   putBody(out, comparisonBytes(*this));
 }
 
 void CMapComparison::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-  const std::string bytes = takeBody(in, {kComparisonStream, version, kComparisonBytesVersion});
-  readComparisonBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
-                      kComparisonStream, *this);
+  readBody(in, version, kMapComparisonObject,
+           [&](ByteView body) { readComparisonBytes(body, kMapComparisonObject.name, *this); });
 }
 
 }  // namespace roomgraph

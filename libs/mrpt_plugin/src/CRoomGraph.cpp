@@ -8,11 +8,6 @@
 IMPLEMENTS_SERIALIZABLE(CRoomGraph, CSerializable, roomgraph)
 
 namespace roomgraph {
-namespace {
-
-const char* const kGraphStream = "room graph";
-
-}  // namespace
 
 CRoomGraph::CRoomGraph(const Stages& stages) : MappedGraph{graphFile(stages), stages.grid} {}
 
@@ -22,16 +17,15 @@ void CRoomGraph::getVisualizationInto(viz::CSetOfObjects& container) const {
   container.insert(drawGraph(*this));
 }
 
-uint8_t CRoomGraph::serializeGetVersion() const { return kGraphBytesVersion; }
+uint8_t CRoomGraph::serializeGetVersion() const { return kRoomGraphObject.newest; }
 
 void CRoomGraph::serializeTo(mrpt::serialization::CArchive& out) const {
   putBody(out, graphBytes(*this));
 }
 
 void CRoomGraph::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version) {
-  const std::string bytes = takeBody(in, {kGraphStream, version, kGraphBytesVersion});
-  readGraphBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, kGraphStream,
-                 *this);
+  readBody(in, version, kRoomGraphObject,
+           [&](ByteView body) { readGraphBytes(body, kRoomGraphObject.name, *this); });
 }
 
 }  // namespace roomgraph

@@ -16,9 +16,8 @@ constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155},
 constexpr double kLayerStep = 0.05;    // between layers, so that none hides in another [m]
 constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterHeight = 0.5;  // [m]
-constexpr double kSceneMargin = 1;     // round what is shown [m]
 
-const Run* named(const std::vector<Run>& runs, const std::string& name) {
+const Run* findRun(const std::vector<Run>& runs, const std::string& name) {
   const auto found =
       std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; });
   return found == runs.end() ? nullptr : &*found;
@@ -96,7 +95,7 @@ class Piece {
 void addOthers(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs,
                MrptScene& scene) {
   for (const ComparedRun& other : comparison.runs) {
-    const Run* run = named(runs, other.name);
+    const Run* run = findRun(runs, other.name);
     if (other.name == tear.run || !run) continue;
     const Motion2D move(other.pose);
     std::vector<Point> walls;
@@ -115,7 +114,7 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
   MrptScene scene;
   addOthers(comparison, tear, runs, scene);
   std::vector<Point> shown{tear.place};
-  if (const Run* run = named(runs, tear.run)) {
+  if (const Run* run = findRun(runs, tear.run)) {
     const Transform2D pose = poseOf(comparison, tear.run);
     constexpr double above = kRobotMark, below = -kRobotMark - kLetterHeight;
     Piece before("before", kBefore, kLayerStep, above),
@@ -134,8 +133,7 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
     for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
   }
   Box box = boundingBox(shown);
-  box.low = box.low - Point{kSceneMargin, kSceneMargin},
-  box.high = box.high + Point{kSceneMargin, kSceneMargin};
+  box.low = box.low - Point{1, 1}, box.high = box.high + Point{1, 1};
   lookFromAbove(scene, box);
   return scene;
 }

@@ -1,13 +1,14 @@
 #pragma once
 #include <string>
 
+#include "object_bytes.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/mrpt_plugin/MappedComparison.h"
 
 namespace roomgraph {
 
-/** The newest layout of the object's bytes. */
-constexpr std::uint8_t kComparisonBytesVersion = 0;
+constexpr ObjectKind kMapComparisonObject{"CMapComparison", "comparison of maps",
+                                          "give a comparison.roomgraph", 0};
 
 /** Everything that a MappedComparison holds: the comparison as JSON, then the walls of each run. */
 std::string comparisonBytes(const MappedComparison& comparison);

@@ -11,12 +11,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLayerHeight = 0.1;                  // between runs [m]
-constexpr double kBreakRadius = 0.6;                  // [m]
-constexpr double kLean = M_PI / 5;                    // of words [rad]
-constexpr double kSmallest = 0.4, kLargest = 1.5;     // letters [m]
-constexpr double kLetterShare = 0.018;                // of the larger side of the site
-constexpr mrpt::img::TColor kNameColour{15, 15, 20};  // shows on light and on RawLogViewer's grey
+constexpr double kLayerHeight = 0.1;  // between runs [m]
+constexpr double kBreakRadius = 0.6;  // [m]
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   auto cloud = viz::CPointCloud::Create();
@@ -68,7 +64,7 @@ std::vector<double> crossings(const Polygon& polygon, double y) {
 }
 
 /** The same polygon with x and y exchanged. */
-Polygon exchanged(Polygon polygon) {
+Polygon exchangeAxes(Polygon polygon) {
   const auto exchange = [](Ring& ring) {
     for (Point& p : ring) std::swap(p.x, p.y);
   };
@@ -82,7 +78,7 @@ Polygon exchanged(Polygon polygon) {
 Point labelPlace(const SiteRoom& room) {
   if (room.polygon.outer.size() < 3) return room.center;
   const Box box = boundingBox(room.polygon.outer);
-  const Polygon across = exchanged(room.polygon);
+  const Polygon across = exchangeAxes(room.polygon);
   Point best = room.center;
   double most = 0;
   constexpr int rows = 31;
@@ -122,7 +118,7 @@ class Writer {
       const auto box = text->getBoundingBox();
       place = place - 0.5 * Point{double(box.min.x + box.max.x), double(box.min.y + box.max.y)};
     }
-    text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, 0, 0, kLean));
+    text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, 0, 0, M_PI / 5));
     return text;
   }
 
@@ -136,9 +132,10 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, const Writer
                                 double height) {
   auto names = viz::CSetOfObjects::Create();
   names->setName("room names");
+  const mrpt::img::TColor colour{15, 15, 20};  // shows on light and on RawLogViewer's grey
   for (const SiteRoom& room : rooms)
-    names->insert(writer.written(room.name.empty() ? room.id : room.name, kNameColour,
-                                 namePlace(room), height, true));
+    names->insert(writer.written(room.name.empty() ? room.id : room.name, colour, namePlace(room),
+                                 height, true));
   return names;
 }
 
@@ -218,7 +215,7 @@ Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls) {
 
 double letterHeight(const Box& box) {
   const Point size = box.high - box.low;
-  return std::clamp(kLetterShare * std::max(size.x, size.y), kSmallest, kLargest);
+  return std::clamp(0.018 * std::max(size.x, size.y), 0.4, 1.5);
 }
 
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,

@@ -156,7 +156,7 @@ viz::CSetOfTriangles::Ptr drawVertices(const RoomGraph& graph, const Sheet& shee
 
 viz::CText3D::Ptr drawNumber(std::size_t number, Point at, double discRadius, const Sheet& sheet) {
   auto text = viz::CText3D::Create(std::to_string(number), "sans", 1.0F, viz::FILL);
-  text->setColor_u8(mrptColour(kNumberColour));
+  text->setColor_u8(mrptColour(kRimColour));
   // The text's box tells how large it is at scale 1, and where its middle lies.
   const auto box = text->getBoundingBox();
   const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;

@@ -1,13 +1,13 @@
 #pragma once
 #include <string>
 
+#include "object_bytes.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/mrpt_plugin/MappedGraph.h"
 
 namespace roomgraph {
 
-/** The newest layout of the object's bytes. */
-constexpr std::uint8_t kGraphBytesVersion = 1;
+constexpr ObjectKind kRoomGraphObject{"CRoomGraph", "room graph", "give a .roomgraph file", 1};
 
 /** Throws UsageError where the map has more or fewer cells than its frame calls for. */
 void checkMapSize(const MappedGraph& graph);

@@ -11,9 +11,7 @@ std::string mapComparisonBytes(const CMapComparison& comparison) {
 
 CMapComparison loadMapComparison(const std::string& path) {
   CMapComparison comparison;
-  readObjectFile(path,
-                 {"CMapComparison", "comparison of maps", "give a comparison.roomgraph",
-                  kComparisonBytesVersion},
+  readObjectFile(path, kMapComparisonObject,
                  [&](ByteView body) { readComparisonBytes(body, path, comparison); });
   return comparison;
 }

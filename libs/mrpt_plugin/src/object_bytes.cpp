@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/scans/object_header.h"
 
@@ -43,16 +42,19 @@ void putBody(mrpt::serialization::CArchive& out, const std::string& bytes) {
   out.WriteBuffer(bytes.data(), bytes.size());
 }
 
-std::string takeBody(mrpt::serialization::CArchive& in, const BodyKind& kind) {
-  if (kind.version > kind.newest)
-    refuse(kind.name, "its version " + std::to_string(kind.version) + " is not known",
+void readBody(mrpt::serialization::CArchive& in, std::uint8_t version, const ObjectKind& kind,
+              const std::function<void(ByteView)>& read) {
+  if (version > kind.newest)
+    refuse(kind.name, "its version " + std::to_string(version) + " is not known",
            "read it with a newer roomgraph");
+  std::string bytes;
   try {
-    return readClaimed(in, in.ReadAs<std::uint64_t>());
+    bytes = readClaimed(in, in.ReadAs<std::uint64_t>());
   } catch (const std::exception&) {
     // MRPT's own message is a page with a backtrace.
     refuse(kind.name, "it is cut short or damaged", "copy or save it again");
   }
+  read({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 void readObjectFile(const std::string& path, const ObjectKind& kind,

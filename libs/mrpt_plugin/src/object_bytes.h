@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -13,27 +14,20 @@ std::string gzippedObject(const mrpt::serialization::CSerializable& object);
 /** The object as MRPT streams it. */
 std::string objectBytes(const mrpt::serialization::CSerializable& object);
 
-// What the classes of this library have in common: in a stream, each is the size of its bytes and
-// these bytes.
-
-/** Which object is read from a stream. */
-struct BodyKind {
-  const char* name;             ///< for messages
-  int version = 0, newest = 0;  ///< of its layout: what the stream says, and what is known here
+/** A class of this library. In a stream, an object is the size of its bytes and these bytes. */
+struct ObjectKind {
+  const char *className, *name;  ///< without its namespace; for people
+  const char* remedy;            ///< for a file that holds something else
+  std::uint8_t newest = 0;       ///< version of the layout that is known
 };
 
 void putBody(mrpt::serialization::CArchive& out, const std::string& bytes);
 
-/** Reads what the stream claims to hold piece by piece: a false claim costs no memory.
+/** Calls `read` with the bytes of an object whose layout has this version. What the stream claims
+ *  to hold is read piece by piece: a false claim costs no memory.
  *  @throws DataError with one line. */
-std::string takeBody(mrpt::serialization::CArchive& in, const BodyKind& kind);
-
-/** What kind of object a file is to hold. */
-struct ObjectKind {
-  const char *className, *name;  ///< without its namespace; for people
-  const char* remedy;
-  int newest = 0;  ///< version of the layout that is known
-};
+void readBody(mrpt::serialization::CArchive& in, std::uint8_t version, const ObjectKind& kind,
+              const std::function<void(ByteView)>& read);
 
 /** Calls `read` with the bytes of the one object in a file, gzipped or not.
  *  @throws DataError with one line where the file holds another object, or more than that. */

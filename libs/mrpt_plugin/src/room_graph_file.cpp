@@ -17,8 +17,7 @@ void saveRoomGraph(const std::string& path, const CRoomGraph& graph) {
 
 CRoomGraph loadRoomGraph(const std::string& path) {
   CRoomGraph graph;
-  readObjectFile(path, {"CRoomGraph", "room graph", "give a .roomgraph file", kGraphBytesVersion},
-                 [&](ByteView body) { readGraphBytes(body, path, graph); });
+  readObjectFile(path, kRoomGraphObject, [&](ByteView body) { readGraphBytes(body, path, graph); });
   return graph;
 }
 

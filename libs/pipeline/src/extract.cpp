@@ -30,7 +30,7 @@ double discRadius(const FindRoomsOptions& options, double resolution, double cle
 }
 
 /** What the steps need to know of the map and the options. */
-Stages prepared(const GreyMap& map, const ExtractOptions& options) {
+Stages prepare(const GreyMap& map, const ExtractOptions& options) {
   Stages s;
   s.options = options;
   s.source = map.source;
@@ -85,7 +85,7 @@ enum class Diagram { isKept, isDropped };
 
 /** The paper, section by section. `cells` gives the map as Grid; without it, grid, obstacles and
  *  diagram are there already. */
-Stages extracted(Stages s, const std::function<Grid()>& cells, Diagram diagram) {
+Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram) {
   const ExtractOptions& options = s.options;
   StepTimer step(s);
   if (cells) {
@@ -130,7 +130,7 @@ Stages extracted(Stages s, const std::function<Grid()>& cells, Diagram diagram) 
 
 Stages extract(const GreyMap& map, const ExtractOptions& options) {
   const auto cells = [&] { return binarize(map, options.binarize); };
-  return extracted(prepared(map, options), cells, Diagram::isKept);
+  return extractGrid(prepare(map, options), cells, Diagram::isKept);
 }
 
 Stages extractGraph(GreyMap map, const ExtractOptions& options) {
@@ -139,14 +139,14 @@ Stages extractGraph(GreyMap map, const ExtractOptions& options) {
     map = {};
     return grid;
   };
-  return extracted(prepared(map, options), cells, Diagram::isDropped);
+  return extractGrid(prepare(map, options), cells, Diagram::isDropped);
 }
 
 Stages extractAgain(Stages before, const GreyMap& map, const ExtractOptions& options) {
-  Stages s = prepared(map, options);
+  Stages s = prepare(map, options);
   s.grid = std::move(before.grid), s.obstacles = std::move(before.obstacles);
   s.voronoi = std::move(before.voronoi);
-  return extracted(std::move(s), nullptr, Diagram::isKept);
+  return extractGrid(std::move(s), nullptr, Diagram::isKept);
 }
 
 }  // namespace roomgraph

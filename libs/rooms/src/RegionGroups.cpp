@@ -1,6 +1,5 @@
 #include "RegionGroups.h"
 
-#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>

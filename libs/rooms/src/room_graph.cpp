@@ -58,10 +58,10 @@ bool crosses(const Path& straight, const Path& other) {
   const Point p = straight.points.front(), q = straight.points.back();
   const auto isShared = [&](double at) {
     const Point meeting = p + at * (q - p);
-    const double near = 1e-6;  // [m]
-    return (distance(meeting, p) < near && distance(other.points.front(), p) < near) ||
-           (distance(meeting, q) < near && distance(other.points.back(), q) < near) ||
-           (distance(meeting, q) < near && distance(other.points.front(), q) < near);
+    const double rounding = 1e-6;  // [m]
+    return (distance(meeting, p) < rounding && distance(other.points.front(), p) < rounding) ||
+           (distance(meeting, q) < rounding && distance(other.points.back(), q) < rounding) ||
+           (distance(meeting, q) < rounding && distance(other.points.front(), q) < rounding);
   };
   for (std::size_t i = 0; i + 1 < other.points.size(); ++i)
     for (const double at : intersect(p, q, other.points[i], other.points[i + 1]))

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <tuple>
 
 #include "roomgraph/base/checked_file.h"
@@ -17,7 +16,6 @@ constexpr double kBandHeight = 0.5;   // [m]
 constexpr double kLowestBand = 0.2;   // above the floor: its own noise, thresholds, cables [m]
 constexpr double kHighestBand = 1.9;  // lintels of doors begin here [m]
 
-constexpr std::size_t kMostCubes = 20'000'000;  // more memory would tell no more
 constexpr int kBits = 24, kHeightBits = 12;
 constexpr std::int32_t kMiddle = 1 << (kBits - 1), kHeightMiddle = 1 << (kHeightBits - 1);
 
@@ -99,10 +97,7 @@ bool isEmptyBand(const Layers& layers, const Slice& slice, double lowest) {
   return true;
 }
 
-constexpr int kTurns = 36;     // directions of half a turn
-constexpr int kShortest = 10;  // of a piece [cells]
-constexpr int kWidestGap = 2;  // in a piece [cells]
-constexpr int kThickest = 3;   // across a piece [cells]
+constexpr int kTurns = 36;  // directions of half a turn
 
 /** A cell by the line of a direction that it is on, and how far along. */
 struct Seen {
@@ -122,7 +117,7 @@ void measureRuns(const std::vector<Cell>& cells, double angle, std::vector<std::
   });
   for (std::size_t first = 0, i = 0; i < seen.size(); ++i) {
     const bool isLast = i + 1 == seen.size() || seen[i + 1].line != seen[i].line ||
-                        seen[i + 1].along - seen[i].along > kWidestGap + 1;
+                        seen[i + 1].along - seen[i].along > 3;
     if (!isLast) continue;
     const std::int32_t length = seen[i].along - seen[first].along + 1;
     for (; first <= i; ++first) run[seen[first].cell] = length;
@@ -134,7 +129,7 @@ void measureRuns(const std::vector<Cell>& cells, double angle, std::vector<std::
 void Voxels::add(double x, double y, double z) {
   constexpr double farthest = 1e4, highest = 100;
   if (!(std::abs(x) < farthest && std::abs(y) < farthest && std::abs(z) < highest)) return;
-  if (cubes_.size() >= kMostCubes) return;
+  if (cubes_.size() >= 20'000'000) return;  // more memory would tell no more
   const auto index = [](double value, std::int32_t middle) {
     return std::uint64_t(std::int64_t(std::floor(value / kCube)) + middle);
   };
@@ -210,7 +205,7 @@ std::size_t countStraightCells(std::vector<Cell> cells) {
     for (std::size_t k = 1; k < kTurns; ++k)
       if (runs[k][i] > runs[longest][i]) longest = k;
     const std::int32_t across = runs[(longest + kTurns / 2) % kTurns][i];
-    count += runs[longest][i] >= kShortest && across <= kThickest;
+    count += runs[longest][i] >= 10 && across <= 3;
   }
   return count;
 }

@@ -1,7 +1,6 @@
 #include "roomgraph/scans/move_poses.h"
 
 #include <array>
-#include <cmath>
 
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/object_header.h"

@@ -1,6 +1,5 @@
 #include "roomgraph/scans/mrpt_object.h"
 
-#include <mrpt/poses/CPose2D.h>
 #include <mrpt/poses/CPose3DPDFParticles.h>
 #include <mrpt/poses/CPose3DQuat.h>
 #include <mrpt/poses/CPosePDFParticles.h>
@@ -87,7 +86,7 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
   return m;
 }
 
-CPose3D checked(const CPose2D& pose, const ByteReader& in) {
+CPose3D checkPose(const CPose2D& pose, const ByteReader& in) {
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !(std::abs(pose.phi()) < 1e3))
     refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
   return CPose3D(CPose2D(pose.x(), pose.y(), pose.phi()));
@@ -140,7 +139,7 @@ CPose3D readParticles2D(ByteReader& in, int version) {
   }
   CPose2D mean;
   pdf.getMean(mean);
-  return checked(mean, in);
+  return checkPose(mean, in);
 }
 
 CPose3D readGaussian3D(ByteReader& in) {
@@ -150,7 +149,7 @@ CPose3D readGaussian3D(ByteReader& in) {
 }
 
 CPose3D readGaussian2D(ByteReader& in, int version) {
-  CPose3D mean = checked(readPose2D(in), in);
+  CPose3D mean = checkPose(readPose2D(in), in);
   if (version == 0)
     skipMatrix(in);
   else
@@ -159,7 +158,7 @@ CPose3D readGaussian2D(ByteReader& in, int version) {
 }
 
 CPose3D readInformation2D(ByteReader& in) {
-  CPose3D mean = checked(readCoordinates<double>(in), in);
+  CPose3D mean = checkPose(readCoordinates<double>(in), in);
   in.skip(6 * sizeof(double));
   return mean;
 }

@@ -5,7 +5,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLongestClassName = 120;
 bool isNameByte(std::uint8_t c) { return std::isalnum(c) || c == '_' || c == ':'; }
 
 }  // namespace
@@ -24,7 +23,7 @@ std::optional<ObjectHeader> peekObjectHeader(ByteView bytes) {
   header.isOldFormat = (bytes.data[0] & 0x80) == 0;
   const std::size_t length = bytes.data[0] & 0x7f;
   const std::size_t start = header.isOldFormat ? 4 : 1;
-  if (length == 0 || length > kLongestClassName || bytes.size < start + length) return std::nullopt;
+  if (length == 0 || length > 120 || bytes.size < start + length) return std::nullopt;
   for (std::size_t i = 1; i < start; ++i)
     if (bytes.data[i] != 0) return std::nullopt;
   for (std::size_t i = 0; i < length; ++i)

@@ -7,13 +7,10 @@
 namespace roomgraph {
 namespace {
 
-// MRPT keeps the beams of a scan on the stack while it inserts them.
-constexpr std::uint32_t kMostBeams = 100'000;
-
 /** Fills in the beams. */
 void readBeams(ByteReader& in, int version, RangeScan& scan) {
   const auto count = in.get<std::uint32_t>();
-  if (count > kMostBeams)
+  if (count > 100'000)  // MRPT keeps them on the stack while it inserts them
     refuse(in.file(), "it is damaged: a scan in it claims " + std::to_string(count) + " beams",
            kSaveMapAgain);
   const std::uint8_t* ranges = in.take(std::uint64_t(count) * sizeof(float));

@@ -10,9 +10,7 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kBeams = 3600;
-constexpr double kNearestSeen = 0.2;  // what is nearer is the robot itself [m]
 constexpr float kNothing = HUGE_VALF;
-constexpr float kMrptMaxRange = 80;  // what MRPT takes for granted where nobody says it [m]
 
 /** FNV-1a. */
 class Hash {
@@ -64,7 +62,8 @@ PlacedScan sliceScan(const CloudPoints& points, const mrpt::poses::CPose3D& sens
   for (const auto& point : points) {
     const auto p = sensor.composePoint(mrpt::math::TPoint3D(point));
     const double dx = p.x - sensor.x(), dy = p.y - sensor.y(), range = std::hypot(dx, dy);
-    if (range < kNearestSeen || !slice.contains(p.z - ground)) continue;
+    // What is nearer than 0.2 m is the robot itself.
+    if (range < 0.2 || !slice.contains(p.z - ground)) continue;
     const double turns = std::atan2(dy, dx) / (2 * M_PI) + 0.5;
     auto& nearest = ranges[std::size_t(std::lround(turns * kBeams)) % kBeams];
     nearest = std::min(nearest, float(range));
@@ -75,7 +74,7 @@ PlacedScan sliceScan(const CloudPoints& points, const mrpt::poses::CPose3D& sens
   placed.id = pointsId(points);
   RangeScan& scan = placed.scan;
   scan.aperture = float(2 * M_PI);
-  scan.maxRange = kMrptMaxRange;
+  scan.maxRange = 80;  // what MRPT takes for granted where nobody says it [m]
   scan.isValid.resize(kBeams);
   for (std::size_t i = 0; i < kBeams; ++i) {
     scan.isValid[i] = ranges[i] != kNothing;

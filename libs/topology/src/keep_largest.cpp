@@ -1,7 +1,6 @@
 #include "roomgraph/topology/keep_largest.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "roomgraph/base/UnionFind.h"

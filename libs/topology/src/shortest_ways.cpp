@@ -1,7 +1,5 @@
 #include "roomgraph/topology/shortest_ways.h"
 
-#include <functional>
-
 namespace roomgraph {
 
 ShortestWays::ShortestWays(const TopologyGraph& graph, const std::vector<EdgeId>& edges,

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNone = VoronoiEdge::kNoVertex;
 
-VoronoiEdge flipped(VoronoiEdge edge) {
+VoronoiEdge flip(VoronoiEdge edge) {
   std::swap(edge.source, edge.target);
   std::swap(edge.left, edge.right);
   return edge;
@@ -86,7 +86,7 @@ class HoleFiller {
       for (const auto obstacle : {edge.left, edge.right})
         if (!isLeftOut_[obstacle]) hole.obstacles.push_back(obstacle);
       if (!goes(edge.source)) hole.rim.push_back(edge);
-      if (!goes(edge.target)) hole.rim.push_back(flipped(edge));
+      if (!goes(edge.target)) hole.rim.push_back(flip(edge));
     }
     return holes;
   }
@@ -162,7 +162,7 @@ class HoleFiller {
     edge.target = inner;
     if (edge.source == kNone) {  // from infinity: edges start at a vertex
       const VoronoiVertex& vertex = result_.vertices[inner];
-      edge = flipped(edge);
+      edge = flip(edge);
       const Point ahead{q.y - p.y, p.x - q.x};
       const bool passesBetween = dot(midpoint(p, q) - vertex.at, ahead) > 0;
       edge.minClearance = passesBetween ? distance(p, q) / 2 : vertex.clearance;

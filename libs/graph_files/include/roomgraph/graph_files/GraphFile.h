@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <string>
 #include <variant>
 #include <vector>

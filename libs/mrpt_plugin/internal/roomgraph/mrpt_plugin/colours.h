@@ -15,8 +15,7 @@ constexpr mrpt::img::TColor mrptColour(Colour c) { return {c.red, c.green, c.blu
 constexpr Colour kCorridorColour{0, 82, 155};      ///< ways outside of rooms
 constexpr Colour kRoomWayColour{84, 105, 120};     ///< ways from a room's vertex to its borders
 constexpr Colour kRoomOutlineColour{92, 99, 112};  ///< rings of the rooms' polygons
-constexpr Colour kRimColour{255, 255, 255};        ///< round each vertex
-constexpr Colour kNumberColour{255, 255, 255};     ///< of the rooms
+constexpr Colour kRimColour{255, 255, 255};        ///< round each vertex, and of rooms' numbers
 constexpr Colour kBackgroundColour{236, 239, 243};
 constexpr std::uint8_t kFreeGrey = 255, kUnknownGrey = 205, kOccupiedGrey = 45;
 

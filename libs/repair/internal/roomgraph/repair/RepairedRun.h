@@ -14,6 +14,9 @@ enum class RepairState {
   lost        ///< left as it was: much of it fits nowhere
 };
 
+/** "mended", "kept", "reference" or "lost". */
+const char* nameOf(RepairState state);
+
 /** Successive key frames, by their numbers in the file, both included. */
 struct KeyFrames {
   std::size_t from = 0, to = 0;

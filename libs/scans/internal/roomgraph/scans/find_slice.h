@@ -2,7 +2,6 @@
 #include <mrpt/math/TPoint3D.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
