@@ -3,7 +3,6 @@
 #include <nanogui/opengl.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "draw_marks.h"
 

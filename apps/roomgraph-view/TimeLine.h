@@ -2,7 +2,6 @@
 #include <mrpt/gui/CDisplayWindowGUI.h>
 
 #include <functional>
-#include <vector>
 
 #include "ViewState.h"
 

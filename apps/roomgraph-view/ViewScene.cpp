@@ -1,7 +1,6 @@
 #include "ViewScene.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "draw_marks.h"
 #include "draw_stage.h"

@@ -1,7 +1,6 @@
 #include "draw_marks.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "heights.h"
 #include "read_place.h"

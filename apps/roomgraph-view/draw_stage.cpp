@@ -113,7 +113,7 @@ std::vector<bool> edgesAt(const Stages& stages, ShownStage stage) {
                                        : clearEdges(stages);
 }
 
-viz::CSetOfObjects::Ptr drawn(const Stages& stages, ShownStage stage) {
+viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
   switch (stage) {
     case ShownStage::grid:
       return viz::CSetOfObjects::Create();
@@ -169,7 +169,7 @@ std::string countsAt(const Stages& stages, ShownStage stage) {
 }  // namespace
 
 viz::CSetOfObjects::Ptr drawStage(const Stages& stages, std::size_t stage) {
-  return drawn(stages, ShownStage(stage));
+  return drawParts(stages, ShownStage(stage));
 }
 
 std::string stageLine(const Stages& stages, std::size_t stage) {

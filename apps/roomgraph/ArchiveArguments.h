@@ -24,8 +24,6 @@ struct ArchiveArguments {
   std::string room, name;  ///< a room's id or a robot, and the name that it is to have
   std::string run;         ///< that is to be taken out
   bool isQuiet = false, failsOnAlarm = false, failsOnLatest = false;
-  CLI::App *rooms = nullptr, *naming = nullptr, *removing = nullptr, *renaming = nullptr;
-  CLI::App *add = nullptr, *list = nullptr, *report = nullptr, *exporting = nullptr;
 };
 
 /** Declares --site. */

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <set>
 
 #include "commands.h"
@@ -82,9 +81,8 @@ int addToArchive(const ArchiveArguments& arguments) {
     throw DataError(arguments.files.front() + ": there is no such file: check the name");
   Archive archive(arguments.archive, Archive::Access::orNew);
   options.site = siteToAddTo(arguments, archive);
-  std::optional<PairFolder> cache;
-  if (!arguments.cache.empty())
-    options.compare.compare.kept = cache.emplace(arguments.cache).kept();
+  PairFolder cache(arguments.cache);
+  options.compare.compare.kept = cache.kept();
   std::set<std::string> missing;
   options.onMissing = [&](const HistoryRun& run) { missing.insert(run.file); };
   int exitCode = kDone;
@@ -99,7 +97,7 @@ int addToArchive(const ArchiveArguments& arguments) {
     }
   }
   if (!missing.empty()) printError(missingText(missing));
-  if (cache && !cache->failure().empty()) printError(cache->failure());
+  if (!cache.failure().empty()) printError(cache.failure());
   return exitCode;
 }
 

@@ -188,6 +188,28 @@ int exportAll(const ArchiveArguments& arguments) {
   return kDone;
 }
 
+/** A command of the archive. */
+struct ArchiveCommand {
+  const char *name, *sentence;
+  void (*declare)(ArchiveArguments& arguments, CLI::App& app);
+  int (*run)(const ArchiveArguments& arguments);
+};
+
+constexpr ArchiveCommand kArchiveCommands[] = {
+    {"add", "Compare runs with some of those in the archive, and keep the results.", declareAdd,
+     addToArchive},
+    {"report",
+     "Tell whether the latest maps may be rolled out, whether maps get worse, and which rooms have "
+     "changed.",
+     declareReport, report},
+    {"list", "List the runs.", declareSite, list},
+    {"rooms", "List the rooms with their ids and names.", declareSite, listRooms},
+    {"name", "Give a room a name, which it keeps.", declareNaming, nameRoom},
+    {"remove", "Take a run out, with its figures; its file stays.", declareRemoving, removeRun},
+    {"rename", "Give the runs of a robot another name.", declareRenaming, renameRobot},
+    {"export", "Write all that is known, for other programs.", declareExport, exportAll},
+};
+
 }  // namespace
 
 std::function<int()> archiveCommand(CLI::App& app) {
@@ -195,37 +217,13 @@ std::function<int()> archiveCommand(CLI::App& app) {
   addArgument(app, "ARCHIVE", arguments->archive,
               "File of the archive (SQLite); 'add' creates it if missing.");
   app.require_subcommand(1);
-  arguments->add = app.add_subcommand(
-      "add", "Compare runs with some of those in the archive, and keep the results.");
-  arguments->report = app.add_subcommand(
-      "report",
-      "Tell whether the latest maps may be rolled out, whether maps get worse, and "
-      "which rooms have changed.");
-  arguments->list = app.add_subcommand("list", "List the runs.");
-  arguments->rooms = app.add_subcommand("rooms", "List the rooms with their ids and names.");
-  arguments->naming = app.add_subcommand("name", "Give a room a name, which it keeps.");
-  arguments->removing =
-      app.add_subcommand("remove", "Take a run out, with its figures; its file stays.");
-  arguments->renaming = app.add_subcommand("rename", "Give the runs of a robot another name.");
-  declareRemoving(*arguments, *arguments->removing);
-  declareRenaming(*arguments, *arguments->renaming);
-  declareSite(*arguments, *arguments->rooms);
-  declareNaming(*arguments, *arguments->naming);
-  arguments->exporting =
-      app.add_subcommand("export", "Write all that is known, for other programs.");
-  declareAdd(*arguments, *arguments->add);
-  declareReport(*arguments, *arguments->report);
-  declareSite(*arguments, *arguments->list);
-  declareExport(*arguments, *arguments->exporting);
-  return [arguments] {
-    if (arguments->add->parsed()) return addToArchive(*arguments);
-    if (arguments->list->parsed()) return list(*arguments);
-    if (arguments->rooms->parsed()) return listRooms(*arguments);
-    if (arguments->naming->parsed()) return nameRoom(*arguments);
-    if (arguments->removing->parsed()) return removeRun(*arguments);
-    if (arguments->renaming->parsed()) return renameRobot(*arguments);
-    return arguments->report->parsed() ? report(*arguments) : exportAll(*arguments);
-  };
+  const auto chosen = std::make_shared<const ArchiveCommand*>(nullptr);
+  for (const ArchiveCommand& command : kArchiveCommands) {
+    CLI::App* sub = app.add_subcommand(command.name, command.sentence);
+    command.declare(*arguments, *sub);
+    sub->final_callback([chosen, &command] { *chosen = &command; });
+  }
+  return [arguments, chosen] { return (*chosen)->run(*arguments); };
 }
 
 }  // namespace roomgraph

@@ -154,12 +154,12 @@ ReadRuns readMaps(const CompareArguments& arguments) {
 }
 
 /** Compares, with what is kept of earlier calls. */
-Comparison compared(const ReadRuns& read, const CompareArguments& arguments) {
+Comparison compare(const ReadRuns& read, const CompareArguments& arguments) {
   CompareMapsOptions options = optionsOf(arguments);
-  std::optional<PairFolder> cache;
-  if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();
+  PairFolder cache(arguments.cache);
+  options.compare.kept = cache.kept();
   Comparison comparison = compareMaps(read, options);
-  if (cache && !cache->failure().empty()) printError(cache->failure());
+  if (!cache.failure().empty()) printError(cache.failure());
   return comparison;
 }
 
@@ -214,7 +214,7 @@ void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArgume
   for (int number = 2;; ++number) {
     read = otherSitesIn(std::move(read), comparison);
     if (read.runs.size() < 2) return;
-    comparison = compared(read, arguments);
+    comparison = compare(read, arguments);
     if (comparison.runs.size() < 2) return;
     const auto folder =
         (std::filesystem::path(arguments.folder) / ("site" + std::to_string(number))).string();
@@ -247,7 +247,7 @@ int run(const CompareArguments& arguments) {
   ReadRuns read = readMaps(arguments);
   laps.end("read_maps");
   if (arguments.running.isVerbose) printMaps(read.runs);
-  Comparison comparison = compared(read, arguments);
+  Comparison comparison = compare(read, arguments);
   laps.end("compare");
   if (site) {
     NamedRooms named = nameRooms(std::move(comparison.rooms), *std::move(site), arguments.names);

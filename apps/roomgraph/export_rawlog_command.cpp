@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 
 #include "commands.h"
 #include "mrpt_results.h"

@@ -29,19 +29,13 @@ void declareResults(ExtractArguments& arguments, CLI::App& app) {
             "Also draw every step of the extraction, into DIR/X.");
 }
 
-Verbosity verbosityOf(const RunningArguments& arguments) {
-  if (arguments.isQuiet) return Verbosity::quiet;
-  return arguments.isVerbose ? Verbosity::verbose : Verbosity::normal;
-}
-
 int run(const ExtractArguments& arguments) {
   ExtractTask task;
   task.options = toOptions(arguments.options);
   task.formats = parseFormats(arguments.formats);
   task.folder = arguments.folder;
   task.stagesFolder = arguments.stagesFolder;
-  task.showTimings = arguments.running.showsTimings;
-  task.verbosity = verbosityOf(arguments.running);
+  task.running = arguments.running;
 
   std::vector<std::string> extensions;
   for (const OutputFormat& format : task.formats) extensions.push_back(format.extension);
@@ -55,7 +49,7 @@ int run(const ExtractArguments& arguments) {
   jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
     return extractMap(arguments.maps[index], task, stepDone);
   };
-  return runInOrder(jobs, arguments.running.threads, task.verbosity != Verbosity::quiet);
+  return runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
 }
 
 }  // namespace

@@ -80,12 +80,12 @@ class Extraction {
   }
 
   void describe(const Stages& stages) {
-    if (task_.showTimings) report_.err += laps_.table(mapFile_);
-    if (task_.verbosity == Verbosity::quiet) return;
-    if (task_.verbosity == Verbosity::verbose) report_.err += verboseLine(mapFile_, stages);
+    if (task_.running.showsTimings) report_.err += laps_.table(mapFile_);
+    if (task_.running.isQuiet) return;
+    if (task_.running.isVerbose) report_.err += verboseLine(mapFile_, stages);
     std::vector<MapNote> notes;
     for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
-    report_.err += noteLines(notes, task_.verbosity == Verbosity::verbose);
+    report_.err += noteLines(notes, task_.running.isVerbose);
     report_.out += summaryLine(mapFile_, stages.result);
     for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
   }

@@ -3,13 +3,12 @@
 #include <string>
 #include <vector>
 
+#include "option_arguments.h"
 #include "output_formats.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 #include "run_in_order.h"
 
 namespace roomgraph {
-
-enum class Verbosity { quiet, normal, verbose };
 
 /** What to do with each map. */
 struct ExtractTask {
@@ -17,8 +16,7 @@ struct ExtractTask {
   std::vector<OutputFormat> formats;
   std::string folder;        ///< for the results
   std::string stagesFolder;  ///< for the pictures of the steps; empty for none
-  bool showTimings = false;
-  Verbosity verbosity = Verbosity::normal;
+  RunningArguments running;
 };
 
 /** How often extractMap() calls `stepDone`. */

@@ -1,16 +1,55 @@
 #include <charconv>
 #include <memory>
+#include <string>
 
 #include "commands.h"
-#include "graph_of_map.h"
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/graph_files/GraphFile.h"
+#include "roomgraph/graph_files/read_graph_json.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/pipeline/ExtractOptions.h"
+#include "roomgraph/pipeline/extract.h"
 #include "roomgraph/rooms/find_route.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
+
+/** The graph in an X.json of 'roomgraph extract', or else that of a map, extracted now. */
+GraphFile graphOfMap(const std::string& file, const ExtractOptions& options) {
+  const bool isJson = [&] {
+    const CheckedFile opened(file);
+    const ByteView head = opened.head();
+    return head.size > 0 && head.data[0] == '{';
+  }();
+  if (isJson) return readGraphJson(file);
+  return graphFile(extractGraph(loadGrid(file, options.loadGrid), options));
+}
+
+/** "R3" for a room, "C7" for a corridor by the number of its area, "nowhere" for none. */
+std::string areaName(const GraphFile& file, AreaId area) {
+  if (!area) return "nowhere";
+  const Area& found = file.areas.areas[area.index()];
+  return found.isRoom() ? "R" + std::to_string(found.room.index())
+                        : "C" + std::to_string(area.index());
+}
+
+/** The other area of a passage. */
+AreaId behind(const Passage& passage, AreaId area) {
+  return passage.a == area ? passage.b : passage.a;
+}
+
+/** A line for a passage, and where it leads. */
+std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
+  const Passage& passage = file.areas.passages[id.index()];
+  return formatted("  passage %zu at (%.2f, %.2f), %.2f m wide, to %s\n", id.index(),
+                   passage.middle().x, passage.middle().y, passage.width,
+                   areaName(file, to).c_str());
+}
 
 struct RouteArguments {
   std::string map;
@@ -48,11 +87,8 @@ std::string routeText(const GraphFile& file, const Route& route, AreaId from, Ar
                                areaName(file, from).c_str());
   AreaId at = from;
   for (const PassageId p : route.passages) {
-    const Passage& passage = file.areas.passages[p.index()];
-    at = passage.a == at ? passage.b : passage.a;
-    text += formatted("  passage %zu at (%.2f, %.2f), %.2f m wide, to %s\n", p.index(),
-                      passage.middle().x, passage.middle().y, passage.width,
-                      areaName(file, at).c_str());
+    at = behind(file.areas.passages[p.index()], at);
+    text += passageLine(file, p, at);
   }
   if (at != to) text += "  " + areaName(file, to) + "\n";
   return text;
@@ -68,6 +104,34 @@ int run(const RouteArguments& arguments) {
   return route ? kDone : kBadData;
 }
 
+struct WhereArguments {
+  std::string map;
+  Point place;
+  OptionArguments options;
+};
+
+/** What kind of area it is, how large, and where its passages lead. */
+std::string areaText(const GraphFile& file, AreaId id) {
+  const Area& area = file.areas.areas[id.index()];
+  std::string text =
+      formatted("%s: %s of %.1f m2\n", areaName(file, id).c_str(),
+                area.isRoom() ? "a room" : "a corridor", roomgraph::area(area.polygon));
+  for (const PassageId p : area.passages)
+    text += passageLine(file, p, behind(file.areas.passages[p.index()], id));
+  return text;
+}
+
+int run(const WhereArguments& arguments) {
+  const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
+  const Whereabouts where = whereIs(file.graph, file.areas, arguments.place);
+  std::string text = where.area ? areaText(file, where.area) : "in no room and no corridor\n";
+  if (where.edge)
+    text += formatted("  the nearest way is %.2f m off, at (%.2f, %.2f)\n",
+                      distance(where.on, arguments.place), where.on.x, where.on.y);
+  print(text);
+  return kDone;
+}
+
 }  // namespace
 
 std::function<int()> routeCommand(CLI::App& app) {
@@ -78,6 +142,17 @@ std::function<int()> routeCommand(CLI::App& app) {
   };
   add("--from", arguments->from, "Where to start: a room as R3, a corridor as C7, or x and y. (m)");
   add("--to", arguments->to, "Where to go, in the same words.");
+  declareConfig(arguments->options, app);
+  declareReading(arguments->options, app);
+  declareRooms(arguments->options, app);
+  return [arguments] { return run(*arguments); };
+}
+
+std::function<int()> whereCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<WhereArguments>();
+  addArgument(app, "MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.");
+  addArgument(app, "X", arguments->place.x, "The place, in the frame of the map. (m)");
+  addArgument(app, "Y", arguments->place.y, "The same. (m)");
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);
   declareRooms(arguments->options, app);

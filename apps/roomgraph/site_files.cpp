@@ -1,14 +1,10 @@
 #include "site_files.h"
 
 #include <cctype>
-#include <filesystem>
 #include <set>
-#include <string>
 
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
-#include "roomgraph/compare/Comparison.h"
 #include "roomgraph/graph_files/maps_viewer.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"

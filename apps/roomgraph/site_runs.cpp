@@ -1,9 +1,7 @@
 #include "site_runs.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
-#include <optional>
 
 #include "commands.h"
 #include "roomgraph/base/Error.h"
@@ -55,13 +53,13 @@ std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   CompareMapsOptions options = optionsOf(arguments);
   ReadRuns read = readRuns(arguments.files, options);
   options.compare.reference = read.reference;
-  std::optional<PairFolder> cache;
-  if (!arguments.cache.empty()) options.compare.kept = cache.emplace(arguments.cache).kept();
+  PairFolder cache(arguments.cache);
+  options.compare.kept = cache.kept();
   const ForEach& forEach = options.compare.forEach;
   const RelateRunsOptions relating{options.compare.areAligned, read.reference,
                                    std::size_t(options.compare.core)};
   const MapPairs related = relateRuns(read.runs, relating, forEach, options.compare.kept);
-  if (cache && !cache->failure().empty()) printError(cache->failure());
+  if (!cache.failure().empty()) printError(cache.failure());
   SolvedSite solved = solveSite(read.runs, related, read.reference, forEach);
   // The runs stay where they are: the vector is moved, not what it holds.
   std::unique_ptr<SolvedRuns> runs(new SolvedRuns{std::move(read), std::move(solved)});

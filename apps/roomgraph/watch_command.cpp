@@ -110,9 +110,8 @@ void tell(const std::string& line, const WatchArguments& arguments) {
 
 int run(const WatchArguments& arguments) {
   AddRunOptions options = addOptionsOf(arguments.adding);
-  std::optional<PairFolder> cache;
-  if (!arguments.adding.cache.empty())
-    options.compare.compare.kept = cache.emplace(arguments.adding.cache).kept();
+  PairFolder cache(arguments.adding.cache);
+  options.compare.compare.kept = cache.kept();
   options.onMissing = [](const HistoryRun&) {};  // each night anew: 'archive add' tells of it
   FolderWatch folder(arguments.folder);
   siteToAddTo(arguments.adding, Archive(arguments.adding.archive, Archive::Access::orNew));

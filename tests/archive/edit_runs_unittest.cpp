@@ -1,5 +1,3 @@
-#include "edit_runs.h"
-
 #include <gtest/gtest.h>
 
 #include "roomgraph/base/Error.h"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "roomgraph/archive/Archive.h"
+#include "roomgraph/report/measure_json.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -88,9 +89,9 @@ TEST(ReadHistory, allOfARunComesBack) {
 }
 
 TEST(SightingText, isAnotherForEach) {
-  EXPECT_STREQ(sightingText(RoomSighting::seen), "seen");
-  EXPECT_STREQ(sightingText(RoomSighting::gone), "gone");
-  EXPECT_STREQ(sightingText(RoomSighting::unvisited), "unvisited");
+  EXPECT_STREQ(nameOf(RoomSighting::seen), "seen");
+  EXPECT_STREQ(nameOf(RoomSighting::gone), "gone");
+  EXPECT_STREQ(nameOf(RoomSighting::unvisited), "unvisited");
 }
 
 }  // namespace

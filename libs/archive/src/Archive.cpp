@@ -1,10 +1,8 @@
 #include "roomgraph/archive/Archive.h"
 
 #include <algorithm>
-#include <map>
 
 #include "Database.h"
-#include "edit_runs.h"
 #include "figures_of.h"
 #include "name_known_rooms.h"
 #include "read_history.h"
@@ -12,6 +10,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/report/measure_json.h"
 #include "roomgraph/report/site_json.h"
 #include "schema.h"
 
@@ -48,22 +47,15 @@ std::string textOf(const std::vector<UsedOption>& options) {
   return text;
 }
 
-}  // namespace
-
-class Archive::Tables {
+/** Keeps one addition after the other. */
+class Recorder {
  public:
-  Tables(const std::string& file, Access access) : database(file, access == Access::orNew) {
-    // What an answer from the disk is worth must not depend on what reads at the same time. Where
-    // another program is just doing the same, its mode will do.
-    if (!database.isReadOnly()) database.tryRun("PRAGMA journal_mode = WAL");
-    database.run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
-    migrate(database, schemaSteps());
-  }
+  explicit Recorder(Database& database) : database_(database) {}
 
   Added record(const Addition& addition) {
-    Transaction transaction(database);
+    Transaction transaction(database_);
     const std::int64_t site = siteOf(addition.site);
-    reformSite(database, site, addition.comparison);
+    reformSite(database_, site, addition.comparison);
     std::vector<Entry> runs = newRuns(site, addition);
     if (runs.empty()) return {};
     Added added;
@@ -74,7 +66,7 @@ class Archive::Tables {
     const std::int64_t id = writeComparison(site, comparison);
     for (const Entry& run : runs) write(run, site, id, comparison);
     for (const ComparedRun& run : comparison.runs)
-      Statement(database,
+      Statement(database_,
                 "INSERT INTO compared SELECT ?, id FROM run WHERE site = ? AND sha256 = ?")
           .with(id, site, run.sha256)
           .run();
@@ -82,46 +74,27 @@ class Archive::Tables {
     return added;
   }
 
-  void nameRoom(const std::string& site, const std::string& id, const std::string& name) {
-    Transaction transaction(database);
-    Statement row(database, "SELECT ledger FROM site WHERE name = ?");
-    const std::string text = row.with(site).step() ? row.text(0) : "";
-    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
-    const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
-                                   [&](const KnownRoom& known) { return known.id == id; });
-    if (room == ledger.rooms.end())
-      throw DataError(database.file() + ": has no room " + id +
-                      ": 'rooms' lists those that it has");
-    room->name = name;
-    Statement(database, "UPDATE site SET ledger = ? WHERE name = ?")
-        .with(siteJson(ledger), site)
-        .run();
-    transaction.commit();
-  }
-
-  mutable Database database;
-
  private:
   std::int64_t siteOf(const std::string& name) {
-    Statement(database, "INSERT OR IGNORE INTO site (name) VALUES (?)").with(name).run();
-    Statement found(database, "SELECT id FROM site WHERE name = ?");
+    Statement(database_, "INSERT OR IGNORE INTO site (name) VALUES (?)").with(name).run();
+    Statement found(database_, "SELECT id FROM site WHERE name = ?");
     found.with(name).step();
     return found.integer(0);
   }
 
   /** The key of a run that is there, else 0. */
   std::int64_t keyOf(std::int64_t site, const std::string& sha256) {
-    Statement found(database, "SELECT id FROM run WHERE site = ? AND sha256 = ?");
+    Statement found(database_, "SELECT id FROM run WHERE site = ? AND sha256 = ?");
     return found.with(site, sha256).step() ? found.integer(0) : 0;
   }
 
   bool isPlaced(std::int64_t run) {
-    Statement found(database, "SELECT state = 'placed' FROM run WHERE id = ?");
+    Statement found(database_, "SELECT state = 'placed' FROM run WHERE id = ?");
     return found.with(run).step() && found.integer(0) != 0;
   }
 
   bool hasTrustedError(std::int64_t run) {
-    Statement found(database, "SELECT meaningful FROM figure WHERE run = ? AND name = ?");
+    Statement found(database_, "SELECT meaningful FROM figure WHERE run = ? AND name = ?");
     return found.with(run, kMapError).step() && found.integer(0) != 0;
   }
 
@@ -130,7 +103,7 @@ class Archive::Tables {
   bool isKnownSite(std::int64_t site, const Comparison& comparison) {
     for (const ComparedRun& run : comparison.runs)
       if (const std::int64_t key = keyOf(site, run.sha256); key && isPlaced(key)) return true;
-    Statement known(database, "SELECT file FROM run WHERE site = ? AND state = 'placed'");
+    Statement known(database_, "SELECT file FROM run WHERE site = ? AND state = 'placed'");
     known.with(site);
     while (known.step())
       if (const LeftOutRun* left = findLeftOut(comparison, known.text(0)))
@@ -169,21 +142,21 @@ class Archive::Tables {
   }
 
   std::string nameRoomsOf(std::int64_t site, Comparison& comparison) {
-    Statement row(database, "SELECT ledger FROM site WHERE id = ?");
+    Statement row(database_, "SELECT ledger FROM site WHERE id = ?");
     row.with(site).step();
     const std::string text = row.text(0);
-    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
+    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database_.file());
     try {
-      if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database.file());
+      if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database_.file());
     } catch (const DataError& error) {
-      if (!areRoomsOutvoted(database, site, comparison)) {
+      if (!areRoomsOutvoted(database_, site, comparison)) {
         comparison.rooms.clear();
         return error.what();
       }
       ledger = {};
-      nameKnownRooms(comparison, ledger, database.file());
+      nameKnownRooms(comparison, ledger, database_.file());
     }
-    Statement(database, "UPDATE site SET ledger = ? WHERE id = ?")
+    Statement(database_, "UPDATE site SET ledger = ? WHERE id = ?")
         .with(siteJson(ledger), site)
         .run();
     return "";
@@ -191,96 +164,93 @@ class Archive::Tables {
 
   std::int64_t writeComparison(std::int64_t site, const Comparison& comparison) {
     const std::string options = textOf(comparison.options);
-    Statement(database, "INSERT OR IGNORE INTO settings (version, options) VALUES (?, ?)")
+    Statement(database_, "INSERT OR IGNORE INTO settings (version, options) VALUES (?, ?)")
         .with(version(), options)
         .run();
-    Statement(database,
+    Statement(database_,
               "INSERT INTO comparison (site, settings, verdict) "
               "SELECT ?, id, ? FROM settings WHERE version = ? AND options = ?")
         .with(site, comparison.verdict, version(), options)
         .run();
-    return database.number("SELECT last_insert_rowid()");
+    return database_.number("SELECT last_insert_rowid()");
   }
 
   void write(const Entry& run, std::int64_t site, std::int64_t comparison,
              const Comparison& found) {
     std::int64_t key = run.known;
     if (key) {
-      Statement(database,
+      Statement(database_,
                 "UPDATE run SET comparison = ?, reason = ?, state = 'placed' WHERE id = ?")
           .with(comparison, run.reason, key)
           .run();
-      Statement(database, "DELETE FROM figure WHERE run = ?").with(key).run();
-      Statement(database, "DELETE FROM sighting WHERE run = ?").with(key).run();
+      Statement(database_, "DELETE FROM figure WHERE run = ?").with(key).run();
+      Statement(database_, "DELETE FROM sighting WHERE run = ?").with(key).run();
     } else {
       const RunOrigin& origin = run.origin;
-      Statement(database,
+      Statement(database_,
                 "INSERT INTO run (site, sha256, robot, time, file, state, reason, comparison) "
                 "VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
           .with(site, origin.sha256, origin.robot, origin.time, origin.file,
                 run.compared ? "placed" : "other site", run.reason, comparison)
           .run();
-      key = database.number("SELECT last_insert_rowid()");
+      key = database_.number("SELECT last_insert_rowid()");
     }
     if (run.compared) writeFigures(key, *run.compared, found);
   }
 
   void writeFigures(std::int64_t key, const ComparedRun& run, const Comparison& comparison) {
-    Statement figure(database, "INSERT INTO figure VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    Statement figure(database_, "INSERT INTO figure VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Measure& one : figuresOf(run, comparison))
       figure
           .with(key, one.name, one.value, one.low, one.high, one.unit, one.support,
                 one.isMeaningful)
           .run();
-    Statement sighting(database, "INSERT INTO sighting VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    Statement sighting(database_, "INSERT INTO sighting VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const RoomSeen& one : roomsOf(run, comparison))
       sighting
-          .with(key, one.room, sightingText(one.sighting), one.pieces, one.isMerged, one.doors,
-                one.area, one.shift, one.boundaryAgreement)
+          .with(key, one.room, nameOf(one.sighting), one.pieces, one.isMerged, one.doors, one.area,
+                one.shift, one.boundaryAgreement)
           .run();
   }
+
+  Database& database_;
 };
 
+}  // namespace
+
 Archive::Archive(const std::string& file, Access access)
-    : tables_(std::make_unique<Tables>(file, access)) {}
+    : database_(std::make_unique<Database>(file, access == Access::orNew)) {
+  // What an answer from the disk is worth must not depend on what reads at the same time. Where
+  // another program is just doing the same, its mode will do.
+  if (!database_->isReadOnly()) database_->tryRun("PRAGMA journal_mode = WAL");
+  database_->run("PRAGMA synchronous = FULL; PRAGMA foreign_keys = ON");
+  migrate(*database_, schemaSteps());
+}
 
 Archive::~Archive() = default;
 
 std::vector<std::string> Archive::sites() const {
   std::vector<std::string> names;
-  Statement rows(tables_->database, "SELECT name FROM site ORDER BY name");
+  Statement rows(*database_, "SELECT name FROM site ORDER BY name");
   while (rows.step()) names.push_back(rows.text(0));
   return names;
 }
 
 std::vector<HistoryRun> Archive::runs(const std::string& site) const {
-  return readRuns(tables_->database, site, {kBreaks, kMapError});
+  return readRuns(*database_, site, {kBreaks, kMapError});
 }
 
 bool Archive::knows(const std::string& site, const std::string& sha256) const {
-  Statement found(tables_->database,
+  Statement found(*database_,
                   "SELECT 1 FROM run JOIN site ON run.site = site.id "
                   "WHERE site.name = ? AND sha256 = ?");
   return found.with(site, sha256).step();
 }
 
 SiteHistory Archive::history(const std::string& site) const {
-  return readHistory(tables_->database, site);
+  return readHistory(*database_, site);
 }
 
-Added Archive::record(const Addition& addition) { return tables_->record(addition); }
-
-void Archive::removeRun(const std::string& site, const std::string& run) {
-  roomgraph::removeRun(tables_->database, site, run);
-}
-
-void Archive::renameRobot(const std::string& site, const std::string& robot,
-                          const std::string& name) {
-  roomgraph::renameRobot(tables_->database, site, robot, name);
-}
-
-void Archive::nameRoom(const std::string& site, const std::string& id, const std::string& name) {
-  tables_->nameRoom(site, id, name);
-}
+Added Archive::record(const Addition& addition) { return Recorder(*database_).record(addition); }
 
 }  // namespace roomgraph

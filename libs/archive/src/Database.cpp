@@ -10,8 +10,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMostWait = 120'000;  // for another program that writes [ms]
-
 const char* remedyOf(int code) {
   switch (code & 0xff) {
     case SQLITE_NOTADB:
@@ -74,7 +72,7 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
     refuse(file, sqlite3_errstr(code), remedyOf(code));
   }
   sqlite3_extended_result_codes(handle_, 1);
-  sqlite3_busy_timeout(handle_, kMostWait);
+  sqlite3_busy_timeout(handle_, 120'000);  // ms, for another program that writes
 }
 
 Database::~Database() { sqlite3_close(handle_); }

@@ -12,16 +12,16 @@ Json lineJson(const std::string& file) {
 }  // namespace
 
 std::string addedRunJson(const std::string& file, const AddedRun& run, const RobotWatch* robot) {
-  const auto of = [&](double RunScore::*member) {
+  const auto figure = [&](double RunScore::*member) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
   Json json = lineJson(file);
   json["error"] = nullptr;
   json["placed"] = run.isPlaced;
-  json["map_error_m"] = of(&RunScore::mapError);
-  json["map_error_low"] = of(&RunScore::errorLow);
-  json["map_error_high"] = of(&RunScore::errorHigh);
-  json["score"] = of(&RunScore::score);
+  json["map_error_m"] = figure(&RunScore::mapError);
+  json["map_error_low"] = figure(&RunScore::errorLow);
+  json["map_error_high"] = figure(&RunScore::errorHigh);
+  json["score"] = figure(&RunScore::score);
   json["meaningful"] = run.score && run.score->isMeaningful;
   json["reason"] = run.reason;
   json["alarm"] = robot && robot->errors.isAlarm();

@@ -9,17 +9,16 @@
 namespace roomgraph {
 namespace {
 
-constexpr const char* kOther = "is another map now than when it was planned";
-
 /** Takes out what is not as it was planned. */
 void dropOthers(ReadRuns& read, const FleetTask& task, std::vector<std::string>& failures) {
+  const std::string reason = "is another map now than when it was planned";
   std::map<std::string, std::string> planned;
   for (const RunOrigin& run : task.runs) planned[run.file] = run.sha256;
   const auto isOther = [&](const Run& run) { return planned[run.file] != run.sha256; };
   for (const Run& run : read.runs) {
     if (!isOther(run)) continue;
-    read.leftOut.push_back({run.name, run.file, kOther, false});
-    failures.push_back(run.file + ": " + kOther);
+    read.leftOut.push_back({run.name, run.file, reason, false});
+    failures.push_back(run.file + ": " + reason);
   }
   read.runs.erase(std::remove_if(read.runs.begin(), read.runs.end(), isOther), read.runs.end());
 }

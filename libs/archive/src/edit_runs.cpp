@@ -1,18 +1,18 @@
-#include "edit_runs.h"
-
+#include <algorithm>
 #include <vector>
 
+#include "Database.h"
+#include "roomgraph/archive/Archive.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/report/site_json.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLeastDigits = 8;  // of a SHA-256 that names a run
-
 bool isMeant(const std::string& run, const std::string& file, const std::string& sha256) {
   return run == file || run == fileName(file) ||
-         (run.size() >= kLeastDigits && sha256.compare(0, run.size(), run) == 0);
+         (run.size() >= 8 && sha256.compare(0, run.size(), run) == 0);
 }
 
 std::int64_t keyOfRun(Database& database, const std::string& site, const std::string& run) {
@@ -34,7 +34,8 @@ std::int64_t keyOfRun(Database& database, const std::string& site, const std::st
 
 }  // namespace
 
-void removeRun(Database& database, const std::string& site, const std::string& run) {
+void Archive::removeRun(const std::string& site, const std::string& run) {
+  Database& database = *database_;
   Transaction transaction(database);
   const std::int64_t key = keyOfRun(database, site, run);
   for (const char* table : {"figure", "sighting", "compared"})
@@ -43,8 +44,9 @@ void removeRun(Database& database, const std::string& site, const std::string& r
   transaction.commit();
 }
 
-void renameRobot(Database& database, const std::string& site, const std::string& robot,
-                 const std::string& name) {
+void Archive::renameRobot(const std::string& site, const std::string& robot,
+                          const std::string& name) {
+  Database& database = *database_;
   Transaction transaction(database);
   Statement(database,
             "UPDATE run SET robot = ? WHERE robot = ? AND site = (SELECT id FROM site WHERE name = "
@@ -54,6 +56,23 @@ void renameRobot(Database& database, const std::string& site, const std::string&
   if (database.number("SELECT changes()") == 0)
     throw DataError(database.file() + ": has no robot " + robot + " in " + site +
                     ": 'list' names those that it has");
+  transaction.commit();
+}
+
+void Archive::nameRoom(const std::string& site, const std::string& id, const std::string& name) {
+  Database& database = *database_;
+  Transaction transaction(database);
+  Statement row(database, "SELECT ledger FROM site WHERE name = ?");
+  const std::string text = row.with(site).step() ? row.text(0) : "";
+  SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
+  const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
+                                 [&](const KnownRoom& known) { return known.id == id; });
+  if (room == ledger.rooms.end())
+    throw DataError(database.file() + ": has no room " + id + ": 'rooms' lists those that it has");
+  room->name = name;
+  Statement(database, "UPDATE site SET ledger = ? WHERE name = ?")
+      .with(siteJson(ledger), site)
+      .run();
   transaction.commit();
 }
 

@@ -14,7 +14,6 @@ namespace {
 constexpr double kPlotWidth = 1000, kPlotHeight = 260;  // of the picture [px], as all that follows
 constexpr double kLeft = 56, kRight = 16, kTop = 14, kBottom = 30;
 constexpr double kSparkWidth = 120, kSparkHeight = 24;
-constexpr int kDates = 6, kErrors = 4;
 
 /** A run that can be judged. */
 struct Dot {
@@ -70,7 +69,7 @@ Scales scalesOf(const std::vector<Dot>& dots, const WatchOptions& options) {
   std::vector<double> errors;
   for (const Dot& dot : dots) errors.push_back(dot.error);
   const double most = std::max(1.3 * options.limit, 1.4 * quantile(errors, 0.9));
-  const double step = niceStep(most / kErrors);
+  const double step = niceStep(most / 4);
   scales.most = step * std::ceil(most / step);
   return scales;
 }
@@ -82,7 +81,7 @@ std::string line(double x1, double y1, double x2, double y2, const char* style) 
 
 std::string axes(const Scales& scales) {
   std::string svg;
-  const double step = niceStep(scales.most / kErrors);
+  const double step = niceStep(scales.most / 4);
   for (int k = 0; k * step <= scales.most * (1 + 1e-9); ++k) {
     const double error = k * step, y = scales.y(error);
     svg += line(kLeft, y, kPlotWidth - kRight, y, "stroke:var(--grid)");
@@ -90,7 +89,7 @@ std::string axes(const Scales& scales) {
                      kLeft - 8, y + 4, std::round(error * 1e6) / 1e6);
   }
   const double days = (scales.last - scales.first) / kDay;
-  const double apart = std::max(1.0, std::ceil(days / kDates));
+  const double apart = std::max(1.0, std::ceil(days / 6));
   const double firstDay = std::ceil(scales.first / kDay);
   for (int k = 0; (firstDay + k * apart) * kDay <= scales.last; ++k) {
     const double time = (firstDay + k * apart) * kDay;

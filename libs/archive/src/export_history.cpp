@@ -1,11 +1,8 @@
 #include "roomgraph/archive/export_history.h"
 
 #include <cmath>
-#include <cstdio>
 #include <functional>
-#include <nlohmann/json.hpp>
 
-#include "read_history.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/printable.h"
@@ -18,8 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string csvLine(const std::string& site, const HistoryRun& run) {
   std::string line = csvField(site) + "," + csvField(run.robot) + "," + timeText(run.time) + "," +
@@ -38,7 +33,7 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
 
 Json roomJson(const RoomSeen& room) {
   return {{"room", room.room},
-          {"sighting", sightingText(room.sighting)},
+          {"sighting", nameOf(room.sighting)},
           {"pieces", room.pieces},
           {"merged", room.isMerged},
           {"doors", room.doors},
@@ -147,7 +142,7 @@ Gauge flag(bool ErrorWatch::*member) {
 }
 
 const std::vector<GaugeKind>& gauges() {
-  static const std::vector<GaugeKind> kGauges{
+  static const std::vector<GaugeKind> all{
       {"roomgraph_may_roll_out", "1 where the latest map may be rolled out, 0 where it may not.",
        [](const SiteHistory&, const RobotWatch& robot) -> std::optional<double> {
          if (robot.rollout == Rollout::unknown) return {};
@@ -184,7 +179,7 @@ const std::vector<GaugeKind>& gauges() {
          if (!robot.lastGood) return {};
          return history.runs[*robot.lastGood].time;
        }}};
-  return kGauges;
+  return all;
 }
 
 }  // namespace
@@ -219,10 +214,8 @@ std::string historyPrometheus(const std::vector<WatchedSite>& sites) {
       for (const RobotWatch& robot : site.watch.robots) {
         const auto value = gauge.value(site.history, robot);
         if (!value || !std::isfinite(*value)) continue;
-        char number[40];
-        std::snprintf(number, sizeof number, " %.10g\n", *value);
         text += std::string(gauge.name) + "{site=" + quoted(site.history.site) +
-                ",robot=" + quoted(robot.robot) + "}" + number;
+                ",robot=" + quoted(robot.robot) + formatted("} %.10g\n", *value);
       }
   }
   return text;

@@ -6,19 +6,13 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/base/xml_text.h"
-#include "roomgraph/page/page_style.h"
+#include "roomgraph/page/simple_page.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMostSites = 20;  // with plots
-constexpr std::size_t kLatestRuns = 15;
-
-constexpr const char* kMoreStyle =
-    ".plots h3{margin-top:22px} .state{font-weight:650;white-space:nowrap} "
-    ".state.bad{color:var(--alarm)} .state.unsure{color:var(--soft);font-weight:400}";
 
 /** A robot in a site. */
 struct Row {
@@ -121,7 +115,7 @@ std::string runsHtml(const SiteHistory& history) {
       "<details><summary>Latest runs</summary><div class=\"scroll\"><table><thead><tr><th "
       "scope=\"col\">Time</th><th scope=\"col\">Robot</th><th scope=\"col\" class=\"n\">Map error "
       "[m]</th><th scope=\"col\">File</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
-  const std::size_t count = std::min(kLatestRuns, history.runs.size());
+  const std::size_t count = std::min<std::size_t>(15, history.runs.size());
   for (std::size_t i = 0; i < count; ++i) {
     const HistoryRun& run = history.runs[history.runs.size() - 1 - i];
     html += "<tr><td>" + timeText(run.time) + "</td><td>" + xmlText(run.robot) +
@@ -172,21 +166,17 @@ std::string historyPage(const std::vector<WatchedSite>& sites, const WatchOption
   const std::vector<Row> rows = rowsByNeed(sites);
   std::size_t runs = 0;
   for (const WatchedSite& site : sites) runs += site.history.runs.size();
-  const std::string title = sites.size() == 1 ? xmlText(sites[0].history.site) : "Sites";
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-         "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width, "
-         "initial-scale=1\">\n<title>" +
-         title + " over time - roomgraph</title>\n<style>" + pageStyle() + kMoreStyle +
-         "</style>\n</head>\n<body>\n<header class=\"top\">\n<p class=\"brand\">roomgraph "
-         "<span>maps over time</span></p>\n<h1>" +
-         xmlText(headline(rows)) + "</h1>\n<p class=\"counts\">" +
-         counted(sites.size(), "site", "sites") + ", " + counted(rows.size(), "robot", "robots") +
-         ", " + counted(runs, "run", "runs") + "</p>\n</header>\n<main>\n" +
-         robotsHtml(rows, options) + sitesHtml(rows, options) +
-         "</main>\n<footer><p>Made by roomgraph " + version() +
-         ". What alarms, and why, stands in roomgraph's docs/archive.md.</p></footer>\n</body>\n"
-         "</html>\n";
+  SimplePage page;
+  page.title = (sites.size() == 1 ? xmlText(sites[0].history.site) : "Sites") + " over time";
+  page.subject = "maps over time", page.heading = xmlText(headline(rows));
+  page.counts = counted(sites.size(), "site", "sites") + ", " +
+                counted(rows.size(), "robot", "robots") + ", " + counted(runs, "run", "runs");
+  page.style =
+      ".plots h3{margin-top:22px} .state{font-weight:650;white-space:nowrap} "
+      ".state.bad{color:var(--alarm)} .state.unsure{color:var(--soft);font-weight:400}";
+  page.body = robotsHtml(rows, options) + sitesHtml(rows, options);
+  page.footer = "What alarms, and why, stands in roomgraph's docs/archive.md.";
+  return simplePage(page);
 }
 
 }  // namespace roomgraph

@@ -7,8 +7,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLookBack = 60;
-
 /** Some values on end, and how many of them lie off their median. */
 struct Level {
   double value = 0;
@@ -54,7 +52,7 @@ std::vector<LastingChange> lastingChanges(const std::vector<double>& values, dou
   std::vector<LastingChange> changes;
   std::size_t begin = 0;
   for (std::size_t end = 1; end <= values.size(); ++end) {
-    if (end - begin > kLookBack) begin = end - kLookBack;
+    if (end - begin > 60) begin = end - 60;
     const auto at = [&](std::size_t i) { return values.begin() + std::ptrdiff_t(i); };
     auto found = lastingChange({at(begin), at(end)}, tolerance, least);
     if (!found) continue;

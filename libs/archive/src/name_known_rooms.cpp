@@ -8,8 +8,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kRunsThatAreTooFew = 2;  // whose rooms are taken as they are
-
 std::size_t seenBy(const SiteRoom& room) {
   return std::size_t(std::count_if(room.runs.begin(), room.runs.end(), [](const RoomInRun& in) {
     return in.sighting == RoomSighting::seen;
@@ -26,8 +24,7 @@ void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string&
   };
   std::set<std::string> dropped;
   for (const SiteRoom& room : rooms)
-    if (comparison.runs.size() > kRunsThatAreTooFew && seenBy(room) < 2 && !isKnown(room))
-      dropped.insert(room.id);
+    if (comparison.runs.size() > 2 && seenBy(room) < 2 && !isKnown(room)) dropped.insert(room.id);
   const auto isDropped = [&](const auto& room) { return dropped.count(room.id) > 0; };
   rooms.erase(std::remove_if(rooms.begin(), rooms.end(), isDropped), rooms.end());
   file.rooms.erase(std::remove_if(file.rooms.begin(), file.rooms.end(), isDropped),

@@ -1,8 +1,6 @@
 #include "roomgraph/archive/plan_fleet.h"
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <set>
 

@@ -72,11 +72,6 @@ void readSightings(Database& database, const std::string& site, const RunPlaces&
 
 }  // namespace
 
-const char* sightingText(RoomSighting sighting) {
-  if (sighting == RoomSighting::seen) return "seen";
-  return sighting == RoomSighting::gone ? "gone" : "unvisited";
-}
-
 std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
                                  const std::vector<std::string>& figures) {
   std::vector<HistoryRun> runs;

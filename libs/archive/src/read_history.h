@@ -7,9 +7,6 @@
 
 namespace roomgraph {
 
-/** "seen", "gone" or "unvisited", as in the tables. */
-const char* sightingText(RoomSighting sighting);
-
 /** The runs of a site without rooms, and of their figures only those of these names. */
 std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
                                  const std::vector<std::string>& figures);

@@ -24,8 +24,6 @@ bool isThere(const HistoryRun& run) {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kNameLength = 16;  // of a folder: enough of the hash to be the only one
-
 void copy(const std::string& from, const fs::path& to) {
   writeFileAtomically(to.string(), readFile(from, std::numeric_limits<std::uint64_t>::max()));
 }
@@ -65,7 +63,7 @@ double runTime(const std::string& file) {
 }
 
 std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder) {
-  const fs::path home = fs::absolute(folder).lexically_normal() / sha256.substr(0, kNameLength);
+  const fs::path home = fs::absolute(folder).lexically_normal() / sha256.substr(0, 16);
   std::string kept = (home / fs::path(file).filename()).string();
   if (isKept(kept, sha256)) return kept;
   makeWritableFolder(folder);

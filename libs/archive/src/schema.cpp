@@ -94,8 +94,8 @@ bool isArchive(Database& database) {
 }  // namespace
 
 const std::vector<std::string>& schemaSteps() {
-  static const std::vector<std::string> kSteps{kFirst};
-  return kSteps;
+  static const std::vector<std::string> steps{kFirst};
+  return steps;
 }
 
 void migrate(Database& database, const std::vector<std::string>& steps) {

@@ -1,17 +1,12 @@
 #include "roomgraph/archive/task_lines.h"
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/Json.h"
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/** File names may hold bytes that are no UTF-8; those are no JSON. */
-constexpr auto kReplace = Json::error_handler_t::replace;
 
 FleetTask taskOf(const Json& json) {
   FleetTask task;
@@ -40,7 +35,7 @@ std::string taskLines(const std::vector<FleetTask>& tasks) {
           {{"sha256", run.sha256}, {"robot", run.robot}, {"file", run.file}, {"time", run.time}});
     const Json line = {
         {"site", task.site}, {"key", task.key}, {"new", task.newRuns}, {"runs", runs}};
-    text += line.dump(-1, ' ', false, kReplace) + "\n";
+    text += lineOf(line) + "\n";
   }
   return text;
 }

@@ -1,11 +1,8 @@
 #include "roomgraph/archive/watch_site.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "roomgraph/archive/lasting_change.h"
 #include "roomgraph/base/sentence_text.h"
@@ -15,14 +12,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kAgreeing = 5;  // runs that must agree on a change
-constexpr double kDoors = 0.5, kSeen = 0.5;
-constexpr double kAreaShare = 0.15;  // smaller changes of a room's area are drawing
-
 bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
-
-/** Placed runs of a site without which nothing tells how wrong a map is. */
-constexpr std::size_t kLeastOthers = 2;
 
 RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
                       const WatchOptions& options) {
@@ -32,7 +22,7 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
   std::size_t others = 0;
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
-    const bool isJudgeable = !run.isPlaced || others >= kLeastOthers;
+    const bool isJudgeable = !run.isPlaced || others >= 2;
     others += run.isPlaced ? 1 : 0;
     if (run.robot != robot) continue;
     watch.latest = i;
@@ -138,8 +128,8 @@ AllSeries seriesOf(const SiteHistory& history) {
 }
 
 double toleranceOf(const std::string& what, const RoomSeries& series) {
-  if (what == "area") return kAreaShare * series.values.front();
-  return what == "doors" ? kDoors : kSeen;
+  // Smaller changes of an area are drawing; doors are counted, and a room is seen or not.
+  return what == "area" ? 0.15 * series.values.front() : 0.5;
 }
 
 }  // namespace
@@ -155,7 +145,7 @@ SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
   }
   for (const auto& [key, series] : seriesOf(history))
     for (const LastingChange& change :
-         lastingChanges(series.values, toleranceOf(key.second, series), kAgreeing))
+         lastingChanges(series.values, toleranceOf(key.second, series), 5))
       watch.changes.push_back(
           {key.first, key.second, series.runs[change.first], change.before, change.after});
   std::stable_sort(watch.changes.begin(), watch.changes.end(),

@@ -4,10 +4,9 @@
 #include <cmath>
 
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
-#include "roomgraph/page/page_style.h"
+#include "roomgraph/page/simple_page.h"
 #include "roomgraph/report/run_check_json.h"
 
 namespace roomgraph {
@@ -122,23 +121,18 @@ std::string figuresHtml(const RunCheck& check) {
 }  // namespace
 
 std::string checkPage(const RunCheck& check, const Run& run) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-         "'unsafe-inline'\">\n<meta name=\"viewport\" content=\"width=device-width, "
-         "initial-scale=1\">\n<title>" +
-         xmlText(check.name) + " by itself - roomgraph</title>\n<style>" + pageStyle() +
-         kCheckStyle +
-         "</style>\n</head>\n<body>\n<header class=\"top\">\n<p class=\"brand\">roomgraph "
-         "<span>one run by itself</span></p>\n<h1>" +
-         xmlText(check.name) + "</h1>\n<p class=\"counts\">It " + xmlText(check.sentence) +
-         ".</p>\n</header>\n<main>\n" + figuresHtml(check) +
-         "<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">Its path: grey where it was driven "
-         "once; else green where it agrees with itself within 0.1 m, then yellow to 0.3 m, orange "
-         "to 1 m, red beyond. A ring is a break.</p>\n" +
-         mapPicture(check, run) + "</section>\n" + breaksHtml(check, run) +
-         "</main>\n<footer><p>Made by roomgraph " + version() +
-         ". What the figures mean stands in roomgraph's docs/check.md.</p></footer>\n</body>\n"
-         "</html>\n";
+  SimplePage page;
+  page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
+  page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
+  page.style = kCheckStyle;
+  page.body =
+      figuresHtml(check) +
+      "<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">Its path: grey where it was driven "
+      "once; else green where it agrees with itself within 0.1 m, then yellow to 0.3 m, orange "
+      "to 1 m, red beyond. A ring is a break.</p>\n" +
+      mapPicture(check, run) + "</section>\n" + breaksHtml(check, run);
+  page.footer = "What the figures mean stands in roomgraph's docs/check.md.";
+  return simplePage(page);
 }
 
 }  // namespace roomgraph

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "base64.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/page/site_pictures.h"
@@ -15,12 +14,6 @@
 
 namespace roomgraph {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int kMostPixels = 2500, kMostPixelsOfMany = 1200, kMostHeatCells = 1000;
-constexpr std::size_t kManyRuns = 20;
-constexpr std::size_t kFaintSum = 90;  // opacity of free space that all runs share, of 255
 
 Json pointJson(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
@@ -67,7 +60,7 @@ double putUpright(std::vector<PlacedMap>& maps) {
 
 /** Two cells of the coarsest map, so that turned maps leave no gaps. */
 double heatCellOf(const Box& site, const std::vector<PlacedMap>& maps) {
-  double cell = pixelFor(site, {}, kMostHeatCells);
+  double cell = pixelFor(site, {}, 1000);
   for (const PlacedMap& placed : maps) cell = std::max(cell, 2 * placed.map->frame.resolution);
   return cell;
 }
@@ -76,19 +69,11 @@ double heatCellOf(const Box& site, const std::vector<PlacedMap>& maps) {
 std::string safeInScript(const std::string& json) {
   std::string text;
   text.reserve(json.size() + 64);
-  for (const char c : json) switch (c) {
-      case '<':
-        text += "\\u003c";
-        break;
-      case '>':
-        text += "\\u003e";
-        break;
-      case '&':
-        text += "\\u0026";
-        break;
-      default:
-        text += c;
-    }
+  for (const char c : json)
+    if (c == '<' || c == '>' || c == '&')
+      text += formatted("\\u%04x", unsigned(c));
+    else
+      text += c;
   return text;
 }
 
@@ -102,10 +87,9 @@ Box boxOfRooms(const Comparison& comparison) {
   return points.empty() ? Box{{0, 0}, {1, 1}} : boundingBox(points);
 }
 
-constexpr std::size_t kMostDotsOfScans = 250;
-
 std::vector<Point> thinned(const std::vector<Point>& places) {
-  const std::size_t step = (places.size() + kMostDotsOfScans - 1) / kMostDotsOfScans;
+  constexpr std::size_t most = 250;
+  const std::size_t step = (places.size() + most - 1) / most;
   std::vector<Point> some;
   for (std::size_t i = 0; i < places.size(); i += std::max<std::size_t>(1, step))
     some.push_back(places[i]);
@@ -116,17 +100,12 @@ std::vector<Point> thinned(const std::vector<Point>& places) {
 
 std::string colourText(std::size_t run) {
   const Colour c = runColour(run);
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", unsigned(c.red), unsigned(c.green),
-                unsigned(c.blue));
-  return text;
+  return formatted("#%02x%02x%02x", unsigned(c.red), unsigned(c.green), unsigned(c.blue));
 }
 
 std::string fixedText(std::optional<double> value, int digits) {
   if (!value || !std::isfinite(*value)) return "–";
-  char text[60];
-  std::snprintf(text, sizeof text, "%.*f", digits, rounded(*value));
-  return text;
+  return formatted("%.*f", digits, rounded(*value)).substr(0, 59);
 }
 
 std::string percentText(double share) { return fixedText(100 * rounded(share), 0) + " %"; }
@@ -145,10 +124,10 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
                              [](const PlacedMap& map) { return map.map == nullptr; }),
               known.end());
   const Box site = known.empty() ? boxOfRooms(comparison) : knownBox(known);
-  const double pixel =
-      pixelFor(site, known, placed.size() > kManyRuns ? kMostPixelsOfMany : kMostPixels);
-  const auto faint = std::uint8_t(
-      std::clamp<std::size_t>(kFaintSum / std::max<std::size_t>(1, placed.size()), 8, 30));
+  const double pixel = pixelFor(site, known, placed.size() > 20 ? 1200 : 2500);
+  // Of free space, so that what all runs share is not too dark.
+  const auto faint =
+      std::uint8_t(std::clamp<std::size_t>(90 / std::max<std::size_t>(1, placed.size()), 8, 30));
   Json runsJson = Json::array();
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const SitePicture picture =

@@ -35,7 +35,7 @@ std::size_t pairsOfSite(const Comparison& comparison) {
 }
 
 // As docs/scoring.md has them [m].
-constexpr double kForSharedPlaces = 0.1, kForLengths = 0.3;
+constexpr double kForSharedPlaces = 0.1;
 
 std::string errorText(const RunScore& score) {
   return "its map error is about " + fixedText(score.mapError, 2) +
@@ -49,7 +49,7 @@ std::string wordFor(const RunScore& score) {
   if (score.mapError <= kForSharedPlaces)
     return "good enough with a localisation that corrects itself; probably also for docking, and "
            "for goals and zones that robots share";
-  if (score.mapError <= kForLengths)
+  if (score.mapError <= 0.3)
     return "good enough with a localisation that corrects itself, and for lengths and areas; not "
            "for docking, or goals and zones that robots share";
   return "perhaps: a slow bend does no harm to a localisation that corrects itself, a bend in one "

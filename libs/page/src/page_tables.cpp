@@ -24,9 +24,6 @@ using page_values::flag;
 using page_values::rowsOf;
 using page_values::text;
 
-constexpr std::size_t kMostOpenRuns = 30;   // more scroll in a box of their own
-constexpr std::size_t kMostOpenPairs = 60;  // a longer table starts closed
-
 /** "0.12" for metres, "93 %" for shares. */
 std::string valueText(std::optional<double> value, const std::string& unit) {
   if (!value) return "–";
@@ -177,7 +174,7 @@ class Tables {
 
   /** The best run and those that are torn; all where none is. */
   bool isShownAtFirst(std::size_t i) const {
-    if (i >= kMostShown) return false;
+    if (i >= 12) return false;  // more hide each other
     return i == 0 || comparison_.breaks.empty() || breaksOf(comparison_.runs[i].name) > 0;
   }
 
@@ -193,8 +190,6 @@ class Tables {
       if (!run.measures.empty()) return run.measures;
     return none;
   }
-
-  static constexpr std::size_t kMostShown = 12;  // layers that are switched on at first
 
   const Comparison& comparison_;
   std::map<std::string, std::size_t> places_;
@@ -237,7 +232,7 @@ data pageTables(const Comparison& comparison) {
              return text(sentence);
            }));
   page.set("runs", tables.runs());
-  page.set("runsAreMany", flag(comparison.runs.size() > kMostOpenRuns));
+  page.set("runsAreMany", flag(comparison.runs.size() > 30));
   page.set("measureNames", tables.measureNames());
   page.set("command", text(commandLine(comparison)));
   page.set("hasPairs", flag(comparison.runs.size() > 1));
@@ -246,7 +241,7 @@ data pageTables(const Comparison& comparison) {
   page.set("hasBreaks", flag(!comparison.breaks.empty()));
   page.set("breaks", tables.breaks());
   page.set("pairs", tables.pairs());
-  page.set("pairsAreFew", flag(comparison.pairs.size() <= kMostOpenPairs));
+  page.set("pairsAreFew", flag(comparison.pairs.size() <= 60));
   page.set("hasLeftOut", flag(!comparison.leftOut.empty()));
   page.set("leftOut", tables.leftOut());
   page.set("options", optionRows(comparison.options));

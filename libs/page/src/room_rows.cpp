@@ -13,8 +13,6 @@ using page_values::flag;
 using page_values::list;
 using page_values::text;
 
-constexpr std::size_t kMostDots = 16;  // sightings of a room that are shown one by one
-
 void setSightings(data& row, const SiteRoom& room) {
   std::size_t seen = 0, gone = 0;
   data dots = list();
@@ -33,7 +31,7 @@ void setSightings(data& row, const SiteRoom& room) {
   row.set("of", std::to_string(room.runs.size()));
   row.set("gone", gone ? std::to_string(gone) : std::string());
   row.set("hasGone", flag(gone > 0));
-  row.set("isStrip", flag(room.runs.size() <= kMostDots));
+  row.set("isStrip", flag(room.runs.size() <= 16));
   row.set("dots", dots);
 }
 

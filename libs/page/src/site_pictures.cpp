@@ -8,8 +8,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::uint8_t kWallAlphas[] = {110, 170, 220, 255};  // by their share of a pixel, of 255
-constexpr std::uint8_t kHeatAlpha = 225;
-constexpr std::uint8_t kWeakestWall = 1;  // as Sampler has it, that of free space
 
 /** Calls `use(place in the site, state)` for each known cell. */
 template <class Use>
@@ -94,14 +92,14 @@ class Sampler {
 };
 
 /** What a pixel shows in a pattern: between the threads a wall is as weak as can be. */
-std::uint8_t woven(std::uint8_t shown, RunPattern pattern, int x, int y) {
+std::uint8_t weave(std::uint8_t shown, RunPattern pattern, int x, int y) {
   constexpr int thread = 4;  // [px]
   const auto isOdd = [](int along) { return (along / thread) % 2 == 1; };
   const bool isGap = pattern == RunPattern::rising    ? isOdd(x + y)
                      : pattern == RunPattern::falling ? isOdd(x - y + (1 << 20))
                      : pattern == RunPattern::dotted  ? isOdd(x) != isOdd(y)
                                                       : false;
-  return isGap ? std::min(shown, kWeakestWall) : shown;
+  return isGap ? std::min<std::uint8_t>(shown, 1) : shown;  // as Sampler has free space
 }
 
 /** For each cell what one run has seen there. */
@@ -127,9 +125,6 @@ bool isWallNear(const Looks& looks, const GridFrame& frame, Cell cell) {
       if (frame.contains({x, y}) && looks.hasWall[frame.index({x, y})]) return true;
   return false;
 }
-
-constexpr double kWorthATurn = M_PI / 180;  // that is worth it [rad]
-constexpr double kLeastInLine = 0.15;       // of the walls, that agree
 
 }  // namespace
 
@@ -161,7 +156,7 @@ SitePicture runPicture(const PlacedMap& placed, const RunInk& ink, double pixel)
   for (int y = frame.height - 1; y >= 0; --y)
     for (int x = 0; x < frame.width; ++x)
       image.indices.push_back(
-          woven(sampler.at(frame.origin + pixel * Point{double(x), double(y)}), ink.pattern, x, y));
+          weave(sampler.at(frame.origin + pixel * Point{double(x), double(y)}), ink.pattern, x, y));
   return {boxOf(frame), pngBytes(image)};
 }
 
@@ -206,7 +201,7 @@ SitePicture heatPicture(const Disagreement& disagreement) {
     return {boxOf(frame), ""};
   PaletteImage image{frame.width, frame.height, {{}}, {}, {0}};
   image.palette.insert(image.palette.end(), heatColours().begin(), heatColours().end());
-  image.alphas.resize(image.palette.size(), kHeatAlpha);
+  image.alphas.resize(image.palette.size(), 225);
   for (int y = frame.height - 1; y >= 0; --y)
     for (int x = 0; x < frame.width; ++x) {
       const double share = double(disagreement.shares[frame.index({x, y})]);
@@ -223,9 +218,9 @@ double uprightTurn(const PlacedMap& placed) {
     const double angle = 4 * std::atan2(wall.normal.y, wall.normal.x);
     cosine += std::cos(angle), sine += std::sin(angle);
   }
-  if (std::hypot(cosine, sine) < kLeastInLine * double(placed.map->walls.size())) return 0;
+  if (std::hypot(cosine, sine) < 0.15 * double(placed.map->walls.size())) return 0;
   const double turn = -std::remainder(std::atan2(sine, cosine) + 4 * placed.pose.phi, 2 * M_PI) / 4;
-  return std::abs(turn) < kWorthATurn ? 0 : turn;
+  return std::abs(turn) < M_PI / 180 ? 0 : turn;
 }
 
 }  // namespace roomgraph

@@ -10,10 +10,11 @@
 namespace roomgraph {
 
 PairFolder::PairFolder(std::string folder) : folder_(std::move(folder)) {
-  makeWritableFolder(folder_);
+  if (!folder_.empty()) makeWritableFolder(folder_);
 }
 
 KeptPairs PairFolder::kept() {
+  if (folder_.empty()) return {};
   return {[this](const std::string& name) -> std::optional<std::string> {
             try {
               return readFile(fileOf(name));

@@ -2,10 +2,11 @@
 
 #include <functional>
 
-#include "comparison_words.h"
 #include "json_places.h"
 #include "roomgraph/base/csv_text.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/measures/measure_kinds.h"
+#include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "as_written.h"
-#include "comparison_words.h"
 #include "json_places.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -42,30 +42,30 @@ Json pathJson(const std::vector<PathPose>& path) {
 }
 
 Json runJson(const ComparedRun& run, const Comparison& comparison) {
-  const auto of = [&](double RunScore::*member) {
+  const auto figure = [&](double RunScore::*member) {
     return run.score ? numberOrNull((*run.score).*member) : Json(nullptr);
   };
   Json json = {{"name", run.name},
                {"file", fileName(run.file)},
                {"sha256", run.sha256},
-               {"score", of(&RunScore::score)},
-               {"score_low", of(&RunScore::low)},
-               {"score_high", of(&RunScore::high)},
-               {"map_error_m", of(&RunScore::mapError)},
-               {"map_error_low", of(&RunScore::errorLow)},
-               {"map_error_high", of(&RunScore::errorHigh)},
+               {"score", figure(&RunScore::score)},
+               {"score_low", figure(&RunScore::low)},
+               {"score_high", figure(&RunScore::high)},
+               {"map_error_m", figure(&RunScore::mapError)},
+               {"map_error_low", figure(&RunScore::errorLow)},
+               {"map_error_high", figure(&RunScore::errorHigh)},
                {"meaningful", run.score && run.score->isMeaningful},
                {"certainty", certaintyText(comparison.certaintyOf(run))},
                {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
                {"reason", run.reason},
-               {"shared_walls", of(&RunScore::share)},
-               {"compared_walls", of(&RunScore::support)},
+               {"shared_walls", figure(&RunScore::share)},
+               {"compared_walls", figure(&RunScore::support)},
                {"others", run.score ? Json(run.score->others) : Json(nullptr)},
-               {"trust", of(&RunScore::trust)},
-               {"confirmed", of(&RunScore::confirmed)},
-               {"contradicted", of(&RunScore::contradicted)},
-               {"jitter_m", of(&RunScore::jitter)},
-               {"scale", of(&RunScore::scale)},
+               {"trust", figure(&RunScore::trust)},
+               {"confirmed", figure(&RunScore::confirmed)},
+               {"contradicted", figure(&RunScore::contradicted)},
+               {"jitter_m", figure(&RunScore::jitter)},
+               {"scale", figure(&RunScore::scale)},
                {"scale_disputed", run.score && run.score->isScaleDisputed},
                {"pose", poseJson(run.pose)},
                {"resolution", std::round(run.resolution * 1e6) / 1e6},

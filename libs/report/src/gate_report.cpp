@@ -1,7 +1,6 @@
 #include "roomgraph/report/gate_report.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "as_written.h"
 #include "roomgraph/base/printable.h"

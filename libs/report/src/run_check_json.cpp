@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "comparison_words.h"
 #include "json_places.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +7,8 @@
 #include "roomgraph/compare/Comparison.h"
 
 namespace roomgraph {
+
+class Database;
 
 /** A comparison that an archive is to keep. */
 struct Addition {
@@ -63,8 +64,7 @@ class Archive {
   void renameRobot(const std::string& site, const std::string& robot, const std::string& name);
 
  private:
-  class Tables;
-  std::unique_ptr<Tables> tables_;
+  std::unique_ptr<Database> database_;
 };
 
 }  // namespace roomgraph

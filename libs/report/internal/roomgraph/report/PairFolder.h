@@ -10,7 +10,8 @@ namespace roomgraph {
  *  deleted at any time; several programs may use it at once. */
 class PairFolder {
  public:
-  /** Makes the folder if it is not there. @throws DataError where that fails. */
+  /** Makes the folder if it is not there; without a name, nothing is kept.
+   *  @throws DataError where that fails. */
   explicit PairFolder(std::string folder);
 
   /** To be used as long as this object lives. */

@@ -1,8 +1,0 @@
-#pragma once
-
-namespace roomgraph {
-
-/** The style sheet of all pages. */
-const char* pageStyle();
-
-}  // namespace roomgraph
