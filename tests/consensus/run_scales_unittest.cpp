@@ -23,7 +23,7 @@ Consensus consensusOf(const std::vector<double>& scales, double error = 0) {
   consensus.graph = test::drawnPoseGraph(drawn);
   consensus.poses = test::posesOf(truth);
   consensus.errors = mapErrors(consensus.graph, consensus.poses);
-  for (MapError& error : consensus.errors) error.seen = 1, error.low = 0, error.high = 0.02;
+  for (MapError& one : consensus.errors) one.seen = 1, one.low = 0, one.high = 0.02;
   if (!scales.empty()) consensus.errors[RunId(scales.size() - 1)].error += error;
   tellScales(consensus);
   return consensus;

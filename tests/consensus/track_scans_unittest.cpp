@@ -108,7 +108,9 @@ TEST(TrackScans, whatEarlierTracksFoundChangesNothing) {
   EXPECT_GE(shareFound(again, drive.frames, {}), 0.95);
   for (std::size_t k = 0; k < once.size(); ++k) {
     ASSERT_EQ(again[k].has_value(), once[k].has_value()) << k;
-    if (once[k]) EXPECT_EQ(again[k]->shift(), once[k]->shift()) << k;
+    if (once[k]) {
+      EXPECT_EQ(again[k]->shift(), once[k]->shift()) << k;
+    }
   }
 }
 

@@ -114,8 +114,9 @@ TEST(Geojson, numbersOfTheMetadataAreNoIntegers) {
   for (const auto& list : {all.nodes, all.edges})
     for (const Json& feature : list)
       for (const char* key : {"clearance", "length", "min_clearance", "speed_limit", "penalty"})
-        if (feature["properties"]["metadata"].contains(key))
+        if (feature["properties"]["metadata"].contains(key)) {
           EXPECT_TRUE(feature["properties"]["metadata"][key].is_number_float()) << feature;
+        }
 }
 
 /** The keys that nav2's scorers and operations read by default. */

@@ -27,7 +27,7 @@ std::vector<Transform2D> solvedFrom(const PoseGraph& graph, const std::vector<Tr
                    ById<MatchGroupId, double>(graph.groups.size(), 1.0)};
   NodePoses poses = solvePoseGraph(graph, trust, NodePoses(start), startIs).poses;
   trust = {runSlack(graph, poses), beliefIn(graph, poses, kInlier)};
-  poses = solvePoseGraph(graph, trust, std::move(poses), StartIs::good).poses;
+  poses = solvePoseGraph(graph, trust, poses, StartIs::good).poses;
   return {poses.begin(), poses.end()};
 }
 

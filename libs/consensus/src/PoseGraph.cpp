@@ -41,7 +41,7 @@ NodeId PoseGraph::addNode(const Transform2D& pose, const PointSums& points,
 
 void PoseGraph::addLink(NodeId from, NodeId to) {
   const Transform2D step = nodes[from].pose.inverse() * nodes[to].pose;
-  edges.add({from, to, step, linkNoise(step)});
+  edges.add({from, to, step, linkNoise(step), {}});
   GraphRun& run = runs[runOf(to)];
   run.links = {edges.size() - 1 - run.links.size(), edges.size()};
 }

@@ -49,7 +49,7 @@ Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& co
              : solvePoseGraph(graph, trust, start, StartIs::rough).poses;
   moveStretches(graph, trust.slack, poses);
   trust.belief = beliefIn(graph, poses, kInlier);
-  Solution solution{solvePoseGraph(graph, trust, std::move(poses), StartIs::good), trust};
+  Solution solution{solvePoseGraph(graph, trust, poses, StartIs::good), trust};
   solution.found.cost += costOfDisbelief(graph, trust.belief);
   return solution;
 }
@@ -85,7 +85,7 @@ ConsensusPoses findConsensus(const PoseGraph& graph, const ForEach& forEach) {
   NodePoses start = best->found.poses;
   if (coarse) start = solvedCoarsely(graph, *coarse, trust, start, start, StartIs::good);
   ConsensusPoses result{
-      solvePoseGraph(graph, trust, std::move(start), StartIs::good).poses, std::move(trust), {}};
+      solvePoseGraph(graph, trust, start, StartIs::good).poses, std::move(trust), {}};
   for (auto other = solutions.begin(); other != solutions.end(); ++other)
     if (other != best && other->found.cost <= fitted::kAboutAsGood * best->found.cost)
       result.others.push_back(std::move(other->found.poses));

@@ -173,8 +173,8 @@ class Solver {
 
 }  // namespace
 
-PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust, NodePoses start,
-                                 StartIs startIs) {
+PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust,
+                                 const NodePoses& start, StartIs startIs) {
   return Solver(graph, trust, start).solve(startIs);
 }
 

@@ -18,7 +18,7 @@ enum class StartIs { rough, good };
  *  All count by kernels that let go of what contradicts the rest: a link that gives way is a break
  *  of its run. The first node stays where it is, or all of the reference. Deterministic. About 1 s
  *  for 2500 nodes. */
-PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust, NodePoses start,
-                                 StartIs startIs);
+PoseGraphSolution solvePoseGraph(const PoseGraph& graph, const GraphTrust& trust,
+                                 const NodePoses& start, StartIs startIs);
 
 }  // namespace roomgraph
