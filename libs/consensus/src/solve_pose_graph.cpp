@@ -15,11 +15,6 @@ namespace {
 // From stage to stage the kernels are halved.
 constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
 
-// CHOLMOD works on whole blocks, in a third of the time on graphs of many runs.
-const auto kSparse = ceres::IsSparseLinearAlgebraLibraryTypeAvailable(ceres::SUITE_SPARSE)
-                         ? ceres::SUITE_SPARSE
-                         : ceres::EIGEN_SPARSE;
-
 /** The pose of one node in another is as it was measured. */
 class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
  public:
@@ -97,7 +92,7 @@ class Solver {
   PoseGraphSolution solve(StartIs startIs) {
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-    options.sparse_linear_algebra_library_type = kSparse;
+    options.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;
     options.logging_type = ceres::SILENT;
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
