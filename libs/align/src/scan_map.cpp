@@ -106,11 +106,9 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
 WallMap stretchMap(const std::vector<ScanWalls>& scans, std::size_t first, std::size_t end) {
   const std::vector<ScanWalls> some(scans.begin() + std::ptrdiff_t(first),
                                     scans.begin() + std::ptrdiff_t(end));
-  std::vector<Transform2D> poses;
-  for (const ScanWalls& scan : some) poses.push_back(scan.pose);
   std::vector<std::size_t> all(some.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  WallMap map = scanMap(localScans(some), poses, all, HUGE_VAL);
+  WallMap map = scanMap(localScans(some), drawnPoses(some), all, HUGE_VAL);
   if (map.walls.empty()) return map;
   addSearchData(map, map.walls);
   addLookUp(map);

@@ -16,19 +16,6 @@ constexpr double kTellsTurn = 0.08, kTellsShift = 0.38;  // from which on a step
 
 constexpr std::size_t kSeenBeside = 2;  // scans
 
-/** Before which scans the step was drawn otherwise than is agreed. */
-std::vector<std::size_t> brokenSteps(const Run& run, const std::vector<Transform2D>& agreed) {
-  std::vector<std::size_t> broken;
-  for (std::size_t k = 1; k < agreed.size(); ++k) {
-    const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
-    const Transform2D right = agreed[k - 1].inverse() * agreed[k];
-    if (std::abs(wrappedAngle(step.phi - right.phi)) >= kTellsTurn ||
-        distance(step.shift(), right.shift()) >= kTellsShift)
-      broken.push_back(k);
-  }
-  return broken;
-}
-
 /** Of steps that were drawn wrong, by how much nothing tells, the first of each series; without
  *  those next to a step that is known to be broken. */
 std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
@@ -51,6 +38,7 @@ MapBreak lostAt(std::size_t k, const Run& run) {
   return tear;
 }
 
+/** By how much the step to a scan was drawn otherwise than is agreed. */
 MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& agreed) {
   const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
   const Transform2D right = agreed[k - 1].inverse() * agreed[k];
@@ -61,19 +49,22 @@ MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& 
   return tear;
 }
 
-/** The breaks of a run, and whether they are confirmed; returns whether of some nothing tells how
- *  large they are. */
-bool addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
+/** The breaks of a run, and whether they are confirmed. */
+void addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
                RunCheck& check) {
-  std::vector<std::size_t> broken = brokenSteps(run, agreed.poses);
-  for (const std::size_t k : broken) check.breaks.push_back(breakAt(k, run, agreed.poses));
+  std::vector<std::size_t> broken;
+  for (std::size_t k = 1; k < run.scans.size(); ++k) {
+    const MapBreak step = breakAt(k, run, agreed.poses);
+    if (std::abs(step.rotation) < kTellsTurn && step.shift < kTellsShift) continue;
+    broken.push_back(k);
+    check.breaks.push_back(step);
+  }
   std::stable_sort(check.breaks.begin(), check.breaks.end(),
                    [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
   const std::vector<std::size_t> lost = lostSteps(mended.evidence, broken);
   for (const std::size_t k : lost) check.breaks.push_back(lostAt(k, run));
   broken.insert(broken.end(), lost.begin(), lost.end());
   check.isConfirmed = isConfirmed(agreed, broken);
-  return !lost.empty();
 }
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
@@ -125,7 +116,8 @@ RunCheck checkRun(const Run& run) {
                           agreed.poses[k], agreed.error.errors[k],
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
-  const bool isLost = addBreaks(run, mended, agreed, check);
+  addBreaks(run, mended, agreed, check);
+  const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
   const bool mayLieAnywhere = isLost && !check.isConfirmed && agreed.error.low <= 0;
   if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;

@@ -34,9 +34,7 @@ std::vector<Transform2D> solvedFrom(const PoseGraph& graph, const std::vector<Tr
 /** The error of the run as it was drawn, and what of it was seen twice. */
 MapError errorOf(const Run& run, const std::vector<Revisit>& revisits,
                  const std::vector<Transform2D>& poses) {
-  std::vector<Transform2D> drawn;
-  for (const ScanWalls& scan : run.scans) drawn.push_back(scan.pose);
-  MapError error = mapError(graphAt(run, drawn, {}), RunId(0), NodePoses(poses), 1);
+  MapError error = mapError(graphAt(run, drawnPoses(run.scans), {}), RunId(0), NodePoses(poses), 1);
   for (const Revisit& revisit : revisits)
     for (const PoseEdge& edge : revisit)
       error.isSeen[edge.from.index()] = error.isSeen[edge.to.index()] = true;
