@@ -54,11 +54,10 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
   try {
     CompareMapsOptions options = toCompareOptions(arguments.options);
     std::vector<MapNote> notes;
-    options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
     options.onNote = [&](const std::string& noted, const Note& note) {
       notes.push_back({noted, note});
     };
-    const Run run = readRuns({file}, options).runs.front();
+    const Run run = readRun(file, options);
     if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
     check = checkRun(run);
     check->complaints = complaintsOf(*check, arguments.gate);

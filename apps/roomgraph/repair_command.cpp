@@ -123,7 +123,7 @@ std::string lineOf(const Run& run, const RepairedRun& repaired, const char* unse
 /** Mends one run by what it tells of itself. */
 int runAlone(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
-  const Run run = readRun(site);
+  const Run run = readRun(site.files.front(), toCompareOptions(site.options));
   checkNames({run}, arguments);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -41,12 +40,6 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
   declareRunning(arguments.running, "maps or pairs", "what is done with each map", app);
   declareConfig(arguments.options, app);
   declareReading(arguments.options, app);
-}
-
-Run readRun(const SiteArguments& arguments) {
-  CompareMapsOptions options = toCompareOptions(arguments.options);
-  options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
-  return readRuns(arguments.files, options).runs.front();
 }
 
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {

@@ -25,9 +25,6 @@ struct SolvedRuns {
   SolvedSite solved;  ///< of `read.runs`, so this is not to be copied or moved
 };
 
-/** The only run that is named, with its scans. Throws where it cannot be read. */
-Run readRun(const SiteArguments& arguments);
-
 /** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments);
 

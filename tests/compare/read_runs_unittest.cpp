@@ -58,6 +58,18 @@ TEST(ReadRuns, whatCannotBeReadIsLeftOutAndTheRestIsUsed) {
   EXPECT_FALSE(read.reference);
 }
 
+TEST(ReadRun, givesTheRunOrSaysWhyThereIsNone) {
+  Maps maps;
+  EXPECT_EQ(readRun(maps.building("a.pgm", {}), maps.options).name, "a");
+  const std::string empty = maps.add("empty.pgm", "P5 3 1 255\n\xfe\xfe\xfe");
+  try {
+    readRun(empty, maps.options);
+    FAIL() << "a map without walls was taken";
+  } catch (const DataError& error) {
+    EXPECT_EQ(error.what(), empty + ": has no wall beside free space: a run must have some");
+  }
+}
+
 TEST(ReadRuns, theOrderOfTheFilesChangesNothing) {
   Maps maps;
   const std::string a = maps.building("a.pgm", {}), b = maps.building("b.pgm", {1, 2, 0.3}),

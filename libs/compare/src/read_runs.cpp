@@ -197,4 +197,9 @@ ReadRuns readRuns(const std::vector<std::string>& files, const CompareMapsOption
   return Reader(files, options).read();
 }
 
+Run readRun(const std::string& file, CompareMapsOptions options) {
+  options.onUnread = [](const LeftOutRun& run) { throw DataError(run.file + ": " + run.reason); };
+  return readRuns({file}, options).runs.front();
+}
+
 }  // namespace roomgraph

@@ -56,6 +56,9 @@ struct ReadRuns {
 [[nodiscard]] ReadRuns readRuns(const std::vector<std::string>& files,
                                 const CompareMapsOptions& options);
 
+/** One run, as readRuns reads it. @throws DataError where it cannot be used. */
+[[nodiscard]] Run readRun(const std::string& file, CompareMapsOptions options);
+
 /** Compares what was read, see compareRuns; what was left out there is left out here, too. */
 [[nodiscard]] Comparison compareMaps(const ReadRuns& read, const CompareMapsOptions& options);
 
