@@ -34,7 +34,7 @@ constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
   double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
-  double back = 0;           ///< as far as an ordinary step leads back [m], at most 0
+  double back = 0;           ///< no step leads farther back [m]; at most 0
   PoseTolerance longest;     ///< no step is longer
   double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
 
@@ -48,7 +48,7 @@ struct Gait {
       if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
     }
     way = median(ways), turn = quantile(turns, 0.9) + 0.2;
-    back = quantile(ahead, 0.02) - 0.5;
+    back = std::min(0.0, quantile(ahead, 0.02) - 0.5);
     longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
     speed = 1.3 * quantile(speeds, 0.98);
   }
