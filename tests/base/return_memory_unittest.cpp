@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <thread>
 #include <vector>
 
 namespace roomgraph {
@@ -13,7 +16,7 @@ namespace {
 constexpr std::size_t kMega = 1 << 20;
 
 /** Memory of this process that is there [bytes]. */
-std::size_t residentBytes() {
+[[maybe_unused]] std::size_t residentBytes() {
   std::ifstream file("/proc/self/statm");
   std::size_t all = 0, resident = 0;
   file >> all >> resident;
@@ -37,6 +40,27 @@ TEST(ReturnMemory, whatIsFreeBetweenWhatIsInUseGoesBack) {
 #else
   returnMemory();
 #endif
+}
+
+/** Ends well where \p threads call returnMemory() for the first time of their process at once. */
+void callAtOnce(std::size_t threads) {
+  std::atomic<std::size_t> there{0};
+  std::vector<std::thread> calls;
+  for (std::size_t i = 0; i < threads; ++i) {
+    calls.emplace_back([&] {
+      ++there;
+      while (there < threads) std::this_thread::yield();
+      returnMemory();
+    });
+  }
+  for (std::thread& call : calls) call.join();
+  std::_Exit(0);
+}
+
+// A program of its own, since only the first call of all is at risk, and only beside another allocator.
+TEST(ReturnMemoryDeathTest, manyThreadsMayCallItFirst) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  for (int i = 0; i < 5; ++i) EXPECT_EXIT(callAtOnce(8), testing::ExitedWithCode(0), "");
 }
 
 }  // namespace
