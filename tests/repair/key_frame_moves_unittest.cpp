@@ -40,6 +40,14 @@ TEST(KeyFrameMoves, thoseWithoutAScanGoAlongWithTheirNeighbours) {
   }
 }
 
+TEST(KeyFrameMoves, thoseWithoutAScanAreAsSureAsTheirNeighboursAre) {
+  SevenFrames seven;
+  seven.repaired.covariances = {{0.1, 0, 0, 0, 0, 0}, {0.5, 0, 0, 0, 0, 0}};
+  const double expected[] = {0.1, 0.1, 0.2, 0.3, 0.4, 0.5, 0.5};
+  const std::vector<PoseMove> moves = keyFrameMoves(seven.run, seven.repaired, seven.stored);
+  for (std::size_t k = 0; k < 7; ++k) EXPECT_NEAR(moves[k].covariance->xx, expected[k], 1e-12) << k;
+}
+
 TEST(KeyFrameMoves, aRunThatIsLeftAsItWasDoesNotMove) {
   SevenFrames seven;
   seven.repaired.state = RepairState::kept;

@@ -36,6 +36,18 @@ TEST(RepairRuns, aTornRunIsPutTogetherWhereItsLargerPartWas) {
   EXPECT_TRUE(repaired[1].unseen.empty());
 }
 
+TEST(RepairRuns, mendedPosesAreSureAndOthersStayAsTheyAre) {
+  const test::SolvedDrives& torn = test::tornAmongSound();
+  const std::vector<RepairedRun> repaired = repairRuns(torn.solved, torn.real);
+  EXPECT_TRUE(repaired[0].covariances.empty());
+  ASSERT_EQ(repaired[1].covariances.size(), repaired[1].poses.size());
+  for (const PlanarCovariance& sure : repaired[1].covariances) {
+    EXPECT_GT(sure.xx, 0);
+    EXPECT_LT(std::sqrt(sure.xx + sure.yy), 0.3);
+    EXPECT_LT(std::sqrt(sure.pp), 0.05);
+  }
+}
+
 TEST(RepairRuns, aRunWhoseErrorMayBeNoneStaysAsItWas) {
   const test::SolvedDrives& torn = test::tornAmongSound();
   const RepairedRun sound = repairRuns(torn.solved, torn.real)[0];

@@ -45,4 +45,23 @@ inline EdgeTerm termOf(const PoseGraph& graph, const PoseEdge& edge, const Graph
                     : linkTerm(edge, trust.slack[graph.runOf(edge.from)]);
 }
 
+/** The information of a measured pose, the inverse of its variances [1/m^2, 1/rad^2]. */
+struct PoseInformation {
+  double place = 0, turn = 0;
+};
+
+/** What an edge still says at `poses`, as the last step of the solution weighs it: next to nothing
+ *  where it contradicts the rest. */
+inline PoseInformation informationOf(const PoseGraph& graph, const PoseEdge& edge,
+                                     const GraphTrust& trust, const NodePoses& poses) {
+  const Transform2D found = poses[edge.from].inverse() * poses[edge.to];
+  const EdgeTerm term = termOf(graph, edge, trust);
+  const double place = distance(found.shift(), edge.measured.shift()) / term.noise.place;
+  const double turn = wrappedAngle(found.phi - edge.measured.phi) / term.noise.turn;
+  const double left = 1 / (1 + (place * place + turn * turn) / (term.width * term.width));
+  const double weight = term.weight * left;
+  return {weight / (term.noise.place * term.noise.place),
+          weight / (term.noise.turn * term.noise.turn)};
+}
+
 }  // namespace roomgraph

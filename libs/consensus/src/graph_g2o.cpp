@@ -14,17 +14,10 @@ std::string graphG2o(const Consensus& consensus) {
   }
   if (graph.nodes.size() > 0) text += "FIX 0\n";
   for (const PoseEdge& edge : graph.edges) {
-    const Transform2D found = consensus.poses[edge.from].inverse() * consensus.poses[edge.to];
-    const EdgeTerm term = termOf(graph, edge, consensus.trust);
-    const double place = distance(found.shift(), edge.measured.shift()) / term.noise.place;
-    const double turn = wrappedAngle(found.phi - edge.measured.phi) / term.noise.turn;
-    const double left = 1 / (1 + (place * place + turn * turn) / (term.width * term.width));
-    const double weight = term.weight * left;
+    const PoseInformation known = informationOf(graph, edge, consensus.trust, consensus.poses);
     text += formatted("EDGE_SE2 %zu %zu %.6f %.6f %.9f %.6g 0 0 %.6g 0 %.6g\n", edge.from.index(),
                       edge.to.index(), edge.measured.x, edge.measured.y, edge.measured.phi,
-                      weight / (term.noise.place * term.noise.place),
-                      weight / (term.noise.place * term.noise.place),
-                      weight / (term.noise.turn * term.noise.turn));
+                      known.place, known.place, known.turn);
   }
   return text;
 }

@@ -6,6 +6,15 @@
 namespace roomgraph {
 namespace {
 
+/** How sure a pose between two is: 0 is the one, 1 the other. */
+PlanarCovariance between(const PlanarCovariance& l, const PlanarCovariance& r, double share) {
+  const auto mix = [&](double PlanarCovariance::*of) {
+    return (1 - share) * l.*of + share * r.*of;
+  };
+  using C = PlanarCovariance;
+  return {mix(&C::xx), mix(&C::yy), mix(&C::pp), mix(&C::xy), mix(&C::xp), mix(&C::yp)};
+}
+
 /** Between two motions of a pose: 0 is the one, 1 the other. */
 Transform2D between(const Transform2D& one, const Transform2D& other, double share,
                     const Transform2D& pose) {
@@ -27,8 +36,11 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
   std::vector<PoseMove> moves(stored.frames.size());
   if (repaired.state != RepairState::mended || run.scans.empty()) return moves;
   std::vector<std::optional<Transform2D>> known(moves.size());
-  for (std::size_t k = run.scans.size(); k-- > 0;)  // of several scans of one key frame the first
+  std::vector<PlanarCovariance> sure(moves.size());
+  for (std::size_t k = run.scans.size(); k-- > 0;) {  // of several scans of one key frame the first
     known.at(run.scans[k].keyFrame) = repaired.poses[k] * run.scans[k].pose.inverse();
+    if (!repaired.covariances.empty()) sure[run.scans[k].keyFrame] = repaired.covariances[k];
+  }
   std::optional<std::size_t> before;
   for (std::size_t k = 0; k < moves.size(); ++k) {
     std::size_t next = k;
@@ -38,6 +50,8 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
     if (next == moves.size()) next = *before;
     const double share = next > *before ? double(k - *before) / double(next - *before) : 0;
     moves[k].motion = between(*known[*before], *known[next], share, planar(stored.frames[k]));
+    if (!repaired.covariances.empty())
+      moves[k].covariance = between(sure[*before], sure[next], share);
   }
   return moves;
 }

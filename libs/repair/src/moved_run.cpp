@@ -28,4 +28,15 @@ void moveTo(const std::vector<Transform2D>& real, const Run& run, RepairedRun& r
   repaired.moved = std::sqrt(squares / double(real.size()));
 }
 
+PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
+  const auto& [xx, yy, pp, xy, xp, yp] = covariance;
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * c * xx - 2 * c * s * xy + s * s * yy,
+          s * s * xx + 2 * c * s * xy + c * c * yy,
+          pp,
+          c * s * (xx - yy) + (c * c - s * s) * xy,
+          c * xp - s * yp,
+          s * xp + c * yp};
+}
+
 }  // namespace roomgraph

@@ -7,6 +7,7 @@
 #include "moved_run.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/consensus/pose_covariances.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
@@ -68,6 +69,10 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
     return repaired;
   }
   moveTo(real, run, repaired);
+  const Consensus& consensus = solved.consensus;
+  for (const PlanarCovariance& sure :
+       poseCovariances(consensus.graph, consensus.trust, consensus.poses, consensus.graphRuns[i]))
+    repaired.covariances.push_back(turned(sure, repaired.frame.phi));
   return repaired;
 }
 

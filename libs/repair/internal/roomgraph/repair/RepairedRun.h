@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/scans/move_poses.h"
 
 namespace roomgraph {
 
@@ -26,8 +26,10 @@ struct KeyFrames {
 struct RepairedRun {
   std::size_t run = 0, siteRun = 0;  ///< its place among all runs, and in the site
   RepairState state = RepairState::kept;
-  std::string reason;               ///< of the state, one line
-  std::vector<Transform2D> poses;   ///< in the run's own frame; as they were unless it is mended
+  std::string reason;              ///< of the state, one line
+  std::vector<Transform2D> poses;  ///< in the run's own frame; as they were unless it is mended
+  /** How sure `poses` are, in the same frame; none where nothing was worked out. */
+  std::vector<PlanarCovariance> covariances;
   Transform2D frame;                ///< run <- site: where its sound majority stays as it was
   double moved = 0, movedMost = 0;  ///< how far scans lie from where they were, RMS and largest [m]
   std::size_t movedMostAt = 0;      ///< the key frame that has moved farthest
