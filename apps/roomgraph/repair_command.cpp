@@ -17,6 +17,7 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/page/repair_page.h"
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/loop_constraints.h"
 #include "roomgraph/repair/repair_alone.h"
@@ -107,17 +108,26 @@ void checkNames(const std::vector<Run>& runs, const RepairArguments& arguments) 
                        "'roomgraph compare' prints");
 }
 
-std::string lineOf(const Run& run, const RepairedRun& repaired, const char* unseen) {
-  std::string line = run.name + ": " + repaired.reason;
+/** What becomes of a run, for terminal and page. */
+std::string lineOf(const RepairedRun& repaired, const char* unseen) {
+  std::string line = repaired.reason;
   if (repaired.state == RepairState::mended)
     line += formatted(", moved by up to %.2f m at key frame %zu", repaired.movedMost,
                       repaired.movedMostAt);
   std::vector<std::string> stretches;
-  for (const KeyFrames& stretch : repaired.unseen)
-    stretches.push_back(formatted("%zu to %zu", stretch.from, stretch.to));
+  for (const KeyFrames& stretch : repaired.unseen) stretches.push_back(stretch.text());
   if (!stretches.empty())
     line += "; key frames " + listed(stretches, 3) + " were " + unseen + " and stay on their links";
-  return printable(line) + "\n";
+  return line;
+}
+
+/** The page of all runs, and its lines on the terminal. */
+void tell(const std::vector<ShownRepair>& shown, const SiteArguments& site, StagedFiles& staged) {
+  staged.add((std::filesystem::path(site.folder) / "repair.html").string(), repairPage(shown));
+  staged.commit();
+  std::string lines;
+  for (const ShownRepair& one : shown) lines += printable(one.run->name + ": " + one.line) + "\n";
+  if (!site.running.isQuiet) print(lines);
 }
 
 /** Mends one run by what it tells of itself. */
@@ -131,9 +141,8 @@ int runAlone(const RepairArguments& arguments) {
   StagedFiles staged;
   addRun(run, repaired, site.folder, staged);
   if (arguments.format == "mola") addConstraints(run, agreedPoses(check), site.folder, staged);
-  staged.commit();
+  tell({{&run, &repaired, lineOf(repaired, "driven once")}}, site, staged);
   if (repaired.state == RepairState::mended) writeGrids({run.file}, site);
-  if (!site.running.isQuiet) print(lineOf(run, repaired, "driven once"));
   return kDone;
 }
 
@@ -145,24 +154,24 @@ int run(const RepairArguments& arguments) {
   const auto runs = solveRuns(site);
   checkNames(runs->read.runs, arguments);
   StagedFiles staged;
-  std::string lines;
+  std::vector<ShownRepair> shown;
   std::vector<std::string> mended;
   const RealPoses real = rejoinPieces(runs->solved);
-  for (const RepairedRun& one : repairRuns(runs->solved, real)) {
+  const std::vector<RepairedRun> repaired = repairRuns(runs->solved, real);
+  for (const RepairedRun& one : repaired) {
     const Run& run = runs->read.runs[one.run];
     if (!isAskedFor(run, arguments)) continue;
     addRun(run, one, site.folder, staged);
     if (one.state == RepairState::mended) mended.push_back(run.file);
     if (arguments.format == "mola") addConstraints(run, real[one.siteRun], site.folder, staged);
-    lines += lineOf(run, one, "seen by no other run");
+    shown.push_back({&run, &one, lineOf(one, "seen by no other run")});
   }
-  if (lines.empty())
+  if (shown.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
   staged.add((std::filesystem::path(site.folder) / "site.g2o").string(),
              graphG2o(runs->solved.consensus));
-  staged.commit();
+  tell(shown, site, staged);
   writeGrids(mended, site);
-  if (!site.running.isQuiet) print(lines);
   return kDone;
 }
 
@@ -172,11 +181,12 @@ std::function<int()> repairCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RepairArguments>();
   addArgument(app, "RUN", arguments->site.files,
               "Simplemaps of one site, each of a drive. One alone is mended by what it saw twice.");
-  declareSite(arguments->site,
-              "X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
-              "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and of several runs "
-              "site.g2o",
-              app);
+  declareSite(
+      arguments->site,
+      "repair.html, X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
+      "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and of several runs "
+      "site.g2o",
+      app);
   addOption(app, "--format NAME", arguments->format,
             "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "
             "mola-sm-lc-cli: key frames of a run that were at the same place.");

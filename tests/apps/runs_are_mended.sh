@@ -28,6 +28,7 @@ less "$(error "${others[@]}" alone/office_run3.repaired.simplemap.gz)" \
 expect 0 "$roomgraph" repair "$maps"/office_run[134].simplemap.gz -o together
 [ "$(wc -l < out)" -eq 3 ] || fail "not a line for each run"
 [ -s together/site.g2o ] || fail "no pose graph of the site"
+[ "$(grep -c '<section>' together/repair.html)" -eq 3 ] || fail "not a picture of each run"
 less "$(error "${others[@]}" together/office_run3.repaired.simplemap.gz)" \
   "0.5 * $(error "${others[@]}" "$maps"/office_run3.simplemap.gz)"
 

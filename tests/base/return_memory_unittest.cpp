@@ -57,7 +57,7 @@ void callAtOnce(std::size_t threads) {
   std::_Exit(0);
 }
 
-// A program of its own, since only the first call of all is at risk, and only beside another allocator.
+// In a program of its own, since only the first call of all is at risk, beside another allocator.
 TEST(ReturnMemoryDeathTest, manyThreadsMayCallItFirst) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   for (int i = 0; i < 5; ++i) EXPECT_EXIT(callAtOnce(8), testing::ExitedWithCode(0), "");

@@ -18,8 +18,9 @@ struct Drive {
   explicit Drive(std::size_t size, double heading = 0) {
     graph.addRun(true);
     for (std::size_t k = 0; k < size; ++k) {
+      const auto along = double(k);
       const NodeId node =
-          graph.addNode({k * std::cos(heading), k * std::sin(heading), heading}, {}, {});
+          graph.addNode({along * std::cos(heading), along * std::sin(heading), heading}, {}, {});
       if (k > 0) graph.addLink(NodeId(k - 1), node);
     }
     trust.slack = ById<RunId, double>(1, 1.0);

@@ -12,8 +12,8 @@ namespace roomgraph {
 
 void returnMemory() {
 #ifdef __GLIBC__
-  // Where another allocator stands in, as a sanitizer's, the first call sets up that of the C library,
-  // which two threads must not do at once.
+  // Where another allocator stands in, as a sanitizer's, the first call sets up that of the C
+  // library, which two threads must not do at once.
   static std::mutex one_at_a_time;
   const std::lock_guard<std::mutex> lock(one_at_a_time);
   malloc_trim(0);

@@ -11,9 +11,9 @@ namespace roomgraph {
 namespace {
 
 constexpr Eigen::Index kAsked = 60;  // nodes that are worked out, about
-// Holds one node of the run or all of the reference, and all others hardly, so that every part of the
-// graph is somewhere.
-constexpr double kHeld = 1e6, kHardlyHeld = 1e-6;
+// Information [1/m^2, 1/rad^2] that fixes one node of the run, or all of the reference, and that
+// leaves all others as good as free, but puts each part of the graph somewhere.
+constexpr double kFixed = 1e6, kAnywhere = 1e-6;
 
 using Eigen::Matrix3d;
 using Blocks = std::vector<Eigen::Triplet<double>>;
@@ -50,9 +50,9 @@ class RunCovariances {
     for (const PoseEdge& edge : graph.edges)
       if (edge.from != edge.to) addEdge(graph, edge, trust, poses, blocks);
     for (const NodeId node : poses.ids())
-      addBlock(node, node, kHardlyHeld * Matrix3d::Identity(), blocks);
+      addBlock(node, node, kAnywhere * Matrix3d::Identity(), blocks);
     for (const NodeId node : graph.reference ? graph.runs[graph.reference].nodes : nodes_) {
-      addBlock(node, node, kHeld * Matrix3d::Identity(), blocks);
+      addBlock(node, node, kFixed * Matrix3d::Identity(), blocks);
       if (!graph.reference) break;
     }
     Eigen::SparseMatrix<double> normal(size_, size_);
@@ -93,7 +93,7 @@ class RunCovariances {
       const Matrix3d motion = motionOf(node);
       square += motion.transpose() * places * motion;
     }
-    square(2, 2) += kHardlyHeld;  // of a run that stands still
+    square(2, 2) += kAnywhere;  // of a run that stands still
     const Matrix3d inverse = square.inverse();
     Eigen::MatrixXd fit = Eigen::MatrixXd::Zero(size_, 3);
     for (const NodeId node : nodes_)

@@ -20,6 +20,11 @@ const char* nameOf(RepairState state);
 /** Successive key frames, by their numbers in the file, both included. */
 struct KeyFrames {
   std::size_t from = 0, to = 0;
+
+  /** "5", or "5 to 8". */
+  std::string text() const {
+    return from == to ? std::to_string(from) : std::to_string(from) + " to " + std::to_string(to);
+  }
 };
 
 /** A run after its repair. Poses are those of its scans, in their order: run <- robot. */

@@ -1,0 +1,165 @@
+#include "roomgraph/page/repair_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "roomgraph/align/LocalScan.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/xml_text.h"
+#include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/page/simple_page.h"
+#include "roomgraph/page/site_pictures.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kPixel = 0.1;  // [m]
+// The picture before lies over the one after; its right edge can be drawn.
+constexpr const char* kRepairStyle =
+    ".swipe{position:relative;container-type:inline-size;border:1px solid var(--line);"
+    "background:#fff} .swipe svg{display:block;width:100cqw} "
+    ".swipe .before{position:absolute;inset:0 auto 0 0;width:50%;max-width:100%;overflow:hidden;"
+    "resize:horizontal;background:#fff;border-right:2px solid #0a4f8f} "
+    ".swipe p{position:absolute;top:0;margin:4px;padding:0 6px;background:#fff;color:#17202e} "
+    ".swipe>p{right:0} ";
+
+/** Where the scans of a run and what they have met lie in its picture, in pixels, y down. */
+struct Drawing {
+  std::set<std::pair<int, int>> walls;
+  std::vector<Point> path;
+};
+
+Point pixelOf(const Transform2D& upright, Point place) {
+  const Point at = upright(place);
+  return {at.x / kPixel, -at.y / kPixel};
+}
+
+Drawing drawingOf(const Run& run, const std::vector<Transform2D>& poses,
+                  const Transform2D& upright) {
+  Drawing drawing;
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    const ScanWalls& scan = run.scans[k];
+    const Transform2D motion = upright * (poses[k] * scan.pose.inverse());
+    for (const WallPoint& wall : scan.walls) {
+      const Point at = pixelOf(motion, wall.place);
+      drawing.walls.insert({int(std::floor(at.y)), int(std::floor(at.x))});
+    }
+    drawing.path.push_back(pixelOf(upright, poses[k].shift()));
+  }
+  return drawing;
+}
+
+/** A box round both drawings, as an SVG has it. */
+std::string viewBox(const Drawing& one, const Drawing& other) {
+  Point low{1e9, 1e9}, high{-1e9, -1e9};
+  const auto include = [&](Point p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  };
+  for (const Drawing* drawing : {&one, &other}) {
+    for (const auto& [row, column] : drawing->walls) include({double(column), double(row)});
+    for (const Point p : drawing->path) include(p);
+  }
+  return formatted("%.0f %.0f %.0f %.0f", low.x - 5, low.y - 5, high.x - low.x + 10,
+                   high.y - low.y + 10);
+}
+
+/** Walls, and the path: blue, or grey where the scans stay on their links. */
+std::string picture(const Drawing& drawing, const std::string& viewBox, const char* what,
+                    const Run& run, const std::vector<KeyFrames>& unseen) {
+  std::string walls;
+  for (const auto& [row, column] : drawing.walls) walls += formatted("M%d %dh1", column, row);
+  std::string known, driven;
+  for (std::size_t k = 1; k < drawing.path.size(); ++k) {
+    const std::size_t frame = run.scans[k].keyFrame;
+    const bool isUnseen = std::any_of(unseen.begin(), unseen.end(), [&](const KeyFrames& stretch) {
+      return stretch.from <= frame && frame <= stretch.to;
+    });
+    const Point from = drawing.path[k - 1], to = drawing.path[k];
+    (isUnseen ? driven : known) += formatted("M%.0f %.0fL%.0f %.0f", from.x, from.y, to.x, to.y);
+  }
+  return "<svg role=\"img\" aria-label=\"" + std::string(what) + "\" viewBox=\"" + viewBox +
+         "\"><g fill=\"none\"><path stroke=\"#17202e\" stroke-width=\"1.2\" d=\"" + walls +
+         "\"/><path stroke=\"#0a4f8f\" stroke-width=\"2\" d=\"" + known +
+         "\"/><path stroke=\"#8a929c\" stroke-width=\"2\" d=\"" + driven + "\"/></g></svg>";
+}
+
+/** The steps from scan to scan that were breaks, as the repair has changed them. */
+std::vector<MapBreak> mendedBreaks(const Run& run, const RepairedRun& repaired) {
+  std::vector<MapBreak> breaks;
+  for (std::size_t k = 1; k < run.scans.size(); ++k) {
+    const Transform2D drawn = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
+    const Transform2D mended = repaired.poses[k - 1].inverse() * repaired.poses[k];
+    MapBreak tear;
+    tear.rotation = wrappedAngle(mended.phi - drawn.phi);
+    tear.shift = distance(drawn.shift(), mended.shift());
+    tear.keyFrame = run.scans[k].keyFrame;
+    if (tear.kind() != BreakClass::slight) breaks.push_back(tear);
+  }
+  std::sort(breaks.begin(), breaks.end(),
+            [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
+  return breaks;
+}
+
+std::string row(const char* head, const std::string& cell) {
+  return "<tr><th scope=\"row\">" + std::string(head) + "</th><td>" + cell + "</td></tr>\n";
+}
+
+std::string figures(const Run& run, const RepairedRun& repaired) {
+  std::string breaks, stretches;
+  for (const MapBreak& tear : mendedBreaks(run, repaired))
+    breaks += formatted("before key frame %zu, by %.1f degrees and %.2f m<br>\n", *tear.keyFrame,
+                        std::abs(tear.rotation) * 180 / M_PI, tear.shift);
+  for (const KeyFrames& stretch : repaired.unseen)
+    stretches += (stretches.empty() ? "key frames " : ", ") + stretch.text();
+  const bool isMended = repaired.state == RepairState::mended;
+  return "<table><tbody>\n" +
+         (isMended
+              ? row("Moved", formatted("%.2f m RMS, up to %.2f m at key frame %zu", repaired.moved,
+                                       repaired.movedMost, repaired.movedMostAt)) +
+                    row("Breaks mended", breaks.empty() ? "none" : breaks)
+              : std::string()) +
+         row("Known by links alone", stretches.empty() ? "nothing" : stretches) +
+         "</tbody></table>\n";
+}
+
+std::string section(const ShownRepair& shown) {
+  const Run& run = *shown.run;
+  const RepairedRun& repaired = *shown.repaired;
+  const Transform2D upright{0, 0, uprightTurn({&run.map, {}})};
+  const Drawing before = drawingOf(run, drawnPoses(run.scans), upright);
+  const Drawing after = drawingOf(run, repaired.poses, upright);
+  const std::string box = viewBox(before, after);
+  std::string html = "<section><h2>" + xmlText(run.name) + "</h2>\n<p>" + xmlText(shown.line) +
+                     "</p>\n" + figures(run, repaired);
+  if (repaired.state != RepairState::mended)
+    return html + "<div class=\"swipe\">" +
+           picture(before, box, "as it was", run, repaired.unseen) +
+           "<p>as it was</p></div></section>\n";
+  return html + "<div class=\"swipe\">" + picture(after, box, "after", run, repaired.unseen) +
+         "<p>after</p><div class=\"before\">" + picture(before, box, "before", run, {}) +
+         "<p>before</p></div></div></section>\n";
+}
+
+}  // namespace
+
+std::string repairPage(const std::vector<ShownRepair>& repairs) {
+  const auto mended = std::count_if(repairs.begin(), repairs.end(), [](const ShownRepair& shown) {
+    return shown.repaired->state == RepairState::mended;
+  });
+  SimplePage page;
+  page.title = page.heading = "Repaired runs", page.subject = "runs before and after their repair";
+  page.counts = formatted("%zu of %zu mended.", std::size_t(mended), repairs.size());
+  page.style = kRepairStyle;
+  page.body =
+      "<p class=\"hint\">Drag the lower right corner of the picture on top to see more or less of "
+      "the one below it. The path is grey where only the links from key frame to key frame tell "
+      "where it lies.</p>\n";
+  for (const ShownRepair& shown : repairs) page.body += section(shown);
+  page.footer = "How runs are mended stands in roomgraph's docs/repair.md.";
+  return simplePage(page);
+}
+
+}  // namespace roomgraph
