@@ -2,29 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/geometry/thinned_line.h"
+#include "roomgraph/graph_files/OsmOrigin.h"
 #include "roomgraph/topology/kind_names.h"
 #include "text.h"
 
 namespace roomgraph {
 namespace {
-
-/** Radii of curvature of the WGS84 ellipsoid on the equator [m], eastward and northward. */
-constexpr double kEastRadius = 6378137.0, kNorthRadius = kEastRadius * (1 - 0.00669437999014);
-
-/** Degrees with nine digits, 0.1 mm; the same on every machine and in every locale. */
-std::string degreesText(double metres, double radius) {
-  constexpr std::int64_t kUnit = 1000000000;
-  const std::int64_t all = std::llround(metres / radius * 180 / M_PI * double(kUnit));
-  const std::string fraction = std::to_string(std::abs(all) % kUnit);
-  return (all < 0 ? "-" : "") + std::to_string(std::abs(all) / kUnit) + "." +
-         std::string(9 - fraction.size(), '0') + fraction;
-}
 
 /** Keys and values are our own words and numbers, so there is nothing to escape. */
 std::string tag(const char* key, const std::string& value) {
@@ -101,8 +89,8 @@ class OsmWriter {
   void addNode(Point p) {
     const auto [known, isNew] = nodeIds_.emplace(p, kRoot - 1 - std::int64_t(nodeIds_.size()));
     if (isNew)
-      nodes_ += element("node", known->second) + " lat=\"" + degreesText(p.y, kNorthRadius) +
-                "\" lon=\"" + degreesText(p.x, kEastRadius) + "\"/>\n";
+      nodes_ += element("node", known->second) + " lat=\"" + origin_.latitudeText(p) + "\" lon=\"" +
+                origin_.longitudeText(p) + "\"/>\n";
     ways_ += "    <nd ref=\"" + std::to_string(known->second) + "\"/>\n";
   }
 
@@ -188,6 +176,7 @@ class OsmWriter {
 
   const AreaGraph& graph_;
   const OsmXmlOptions& options_;
+  OsmOrigin origin_;
   std::set<Point> passageEnds_;
   std::map<Point, std::int64_t> nodeIds_;
   std::int64_t lastWay_ = 0, lastRelation_ = 0;
