@@ -55,7 +55,8 @@ std::string jsonFault(const std::string& text, const std::string& format) {
   const auto first = text.find_first_not_of(blank), last = text.find_last_not_of(blank);
   if (first == std::string::npos) return "is empty";
   if (text[first] != '{' || text[last] != '}') return "is not JSON, or only a part of it";
-  if (text.find('"' + format + '"') == std::string::npos) return "is not of format " + format;
+  if (!format.empty() && text.find('"' + format + '"') == std::string::npos)
+    return "is not of format " + format;
   if (nesting(text) > 20) return "is nested too deeply";
   return {};
 }

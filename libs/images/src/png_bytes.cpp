@@ -97,6 +97,14 @@ std::string pngBytes(const unsigned char* pixels, int width, int height, int str
   return encoder.finish();
 }
 
+std::string pngBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
+  Encoder encoder(width, height, 8, PNG_COLOR_TYPE_GRAY);
+  png_write_info(encoder.png(), encoder.info());
+  for (int y = 0; y < height; ++y)
+    png_write_row(encoder.png(), &levels[std::size_t(y) * std::size_t(width)]);
+  return encoder.finish();
+}
+
 std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height) {
   Encoder encoder(width, height, 16, PNG_COLOR_TYPE_GRAY);
   // Most rows are like the one before.

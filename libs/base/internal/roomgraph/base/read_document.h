@@ -14,7 +14,8 @@ nlohmann::ordered_json parseDocument(const std::string& text, const std::string&
                                  const std::string& remedy);
 
 /** What a file of JSON holds: `read` makes it from the top of the file, and throws Broken where
- *  something is wrong. `format` is that of the file, such as "roomgraph/graph".
+ *  something is wrong. `format` is that of the file, such as "roomgraph/graph"; empty where
+ *  files of this kind name none.
  *  @throws DataError with one line: `name` of the file, place, problem, remedy. */
 template <class Read>
 auto readDocument(const std::string& text, const std::string& name, const std::string& format,
@@ -27,9 +28,10 @@ auto readDocument(const std::string& text, const std::string& name, const std::s
   }
 }
 
-/** Why the text cannot be a whole JSON object of this format, such as "roomgraph/graph"; empty
- *  where it can. Looks at ends, nesting and the format's name only, so that a foreign or damaged
- *  file is refused before a parser takes twenty times its size in memory. O(bytes). */
+/** Why the text cannot be a whole JSON object of this format, such as "roomgraph/graph" (of any, if
+ *  it is empty); empty where it can. Looks at ends, nesting and the format's name only, so that a
+ *  foreign or damaged file is refused before a parser takes twenty times its size in memory.
+ *  O(bytes). */
 std::string jsonFault(const std::string& text, const std::string& format);
 
 }  // namespace roomgraph

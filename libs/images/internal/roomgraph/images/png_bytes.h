@@ -23,7 +23,8 @@ std::string pngBytes(const PaletteImage& image);
  *  from row to row, row 0 on top. Fast rather than small. */
 std::string pngBytes(const unsigned char* pixels, int width, int height, int stride);
 
-/** PNG file with 16 bits of grey for each pixel; `levels` are row-major, row 0 on top. */
+/** PNG file with 8 bits of grey for each pixel, or 16; `levels` are row-major, row 0 on top. */
+std::string pngBytes(const std::vector<std::uint8_t>& levels, int width, int height);
 std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height);
 
 }  // namespace roomgraph
