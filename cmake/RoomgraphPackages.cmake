@@ -69,7 +69,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libroomgraph-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
   "roomgraph-mrpt (= ${PROJECT_VERSION}), libmrpt-maps-dev, libmrpt-opengl-dev, libboost-dev, \
-libceres-dev, libcgal-dev, libeigen3-dev, libcairo2-dev, libjpeg-dev, libpng-dev, libsqlite3-dev, \
+libceres-dev, libcgal-dev, libeigen3-dev, libcairo2-dev, libexpat1-dev, libjpeg-dev, libpng-dev, libsqlite3-dev, \
 libssl-dev, libglu1-mesa-dev, libyaml-cpp-dev, libzstd-dev, nlohmann-json3-dev, zlib1g-dev, pkg-config")
 set(CPACK_DEBIAN_DEV_DESCRIPTION "rooms and paths of 2D grid maps - development files
  Headers, static libraries and CMake's configuration of roomgraph.")

@@ -6,6 +6,7 @@ roomgraph_need_mrpt(viz)
 find_dependency(Boost)      # headers of Boost.Polygon
 find_dependency(Ceres)      # the consensus of several runs
 find_dependency(CGAL)       # only its kernel, which is LGPL
+find_dependency(EXPAT)
 find_dependency(JPEG)
 find_dependency(OpenSSL)
 find_dependency(OpenGL)

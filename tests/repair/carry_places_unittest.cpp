@@ -49,6 +49,8 @@ TEST(CarryPlaces, aPlaceInANewWallIsGone) {
   for (std::size_t cell = 0; cell < map.states.size(); ++cell)
     if (distance(map.placeOf(cell), place.pose.shift()) < 0.6) map.states[cell] = State::occupied;
   EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::gone);
+  const Place corner{"zone", place.pose, true};  // outlines may run along walls
+  EXPECT_NE(carryPlaces({corner}, site.solved, site.real, 0, 1)[0].state, CarryState::gone);
 }
 
 }  // namespace

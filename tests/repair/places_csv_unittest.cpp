@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "carried_by.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {
@@ -10,30 +11,38 @@ namespace {
 const std::string kTable = "y,name,note,x,yaw\n2,\"dock, main\",kept,1,0.5\n\n-1.5,,,3,0\n";
 
 TEST(PlacesCsv, columnsMayStandInAnyOrder) {
-  const std::vector<Place> places = placesOfCsv(kTable, "goals.csv");
-  ASSERT_EQ(places.size(), 2u);
-  EXPECT_EQ(places[0].name, "dock, main");
-  EXPECT_EQ(places[0].pose.shift(), (Point{1, 2}));
-  EXPECT_EQ(places[0].pose.phi, 0.5);
-  EXPECT_EQ(places[1].name, "line 4");
-  EXPECT_EQ(placesOfCsv("x,y\n1,2\n", "goals.csv")[0].pose.phi, 0);
+  const MarkedFile file = csvPlaces(kTable, "goals.csv");
+  ASSERT_EQ(file.places.size(), 2u);
+  EXPECT_EQ(file.places[0].name, "dock, main");
+  EXPECT_EQ(file.places[0].pose.shift(), (Point{1, 2}));
+  EXPECT_EQ(file.places[0].pose.phi, 0.5);
+  EXPECT_EQ(file.things[1].name, "line 4");
+  EXPECT_EQ(csvPlaces("x,y\n1,2\n", "goals.csv").places[0].pose.phi, 0);
 }
 
 TEST(PlacesCsv, otherColumnsStay) {
-  CarriedPlace there, nowhere;
-  there.pose = Transform2D{4, 5, -1}, there.state = CarryState::carried, there.error = 0.0314;
-  nowhere.reason = "not, seen";
-  EXPECT_EQ(carriedCsv(kTable, "goals.csv", {there, nowhere}),
+  CarriedThing there, nowhere;
+  there.poses = {{4, 5, -1}}, there.error = 0.0314;
+  nowhere.poses = {{7, 8, 0}}, nowhere.state = CarryState::unseen, nowhere.reason = "not, seen";
+  const auto files = csvPlaces(kTable, "old/goals.csv").write({there, nowhere}, {});
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].name, "goals.csv");
+  EXPECT_EQ(files[0].bytes,
             "y,name,note,x,yaw,state,error_m,reason\n"
             "5.0000,\"dock, main\",kept,4.0000,-1.0000,carried,0.0314,\n"
             ",,,,,unseen,,\"not, seen\"\n");
 }
 
+TEST(PlacesCsv, whatWasCarriedBeforeIsToldAnew) {
+  EXPECT_EQ(test::textBy({1, 0, 0}, csvPlaces("state,x,y,reason\ngone,1,2,a wall\n", "goals.csv")),
+            "state,x,y,reason,error_m\ncarried,2.0000,2.0000,,0.0500\n");
+}
+
 TEST(PlacesCsv, whatIsNoPlaceIsRefused) {
-  EXPECT_THROW(placesOfCsv("name,x\na,1\n", "goals.csv"), DataError);
-  EXPECT_THROW(placesOfCsv("x,y\n1,\n", "goals.csv"), DataError);
-  EXPECT_THROW(placesOfCsv("x,y\n1,2 m\n", "goals.csv"), DataError);
-  EXPECT_THROW(placesOfCsv("x,y\n1,nan\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("name,x\na,1\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("x,y\n1,\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("x,y\n1,2 m\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("x,y\n1,nan\n", "goals.csv"), DataError);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ class Carrier {
     if (route.onward.nearest > kBeenThere)
       return flag(CarryState::unseen,
                   formatted("the new map was made no nearer than %.1f m", route.onward.nearest));
-    const bool wasFree = stateAt(old_, was) == State::free;
+    const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
     if (wasFree && stateAt(new_, at) == State::occupied && !isFreeNear(new_, at, 3 * carried.error))
       return flag(CarryState::gone, "what was free is a wall now");
     if (wasFree && stateAt(new_, at) == State::occupied)

@@ -6,6 +6,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/csv_text.h"
+#include "roomgraph/base/file_name.h"
 
 namespace roomgraph {
 namespace {
@@ -56,7 +57,7 @@ class PlacesTable {
     const std::string& cell = cells[*columnOf(name)];
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
-    if (cell.empty() || *end != '\0' || !(std::abs(value) < 1e7))
+    if (cell.empty() || *end != '\0' || !(std::abs(value) < kFarthestMark))
       refuse(file_, "'" + cell + "' in line " + std::to_string(reader_.line()) + " is no " + name,
              "give metres, and radians for yaw");
     return value;
@@ -80,37 +81,46 @@ Cells fieldsOf(const Cells& cells) {
   return fields;
 }
 
-}  // namespace
-
-std::vector<Place> placesOfCsv(const std::string& text, const std::string& file) {
-  PlacesTable table(text, file);
-  std::vector<Place> places;
-  for (Cells cells = table.nextLine(); !cells.empty(); cells = table.nextLine())
-    places.push_back(table.placeOf(cells));
-  return places;
-}
-
 std::string carriedCsv(const std::string& text, const std::string& file,
-                       const std::vector<CarriedPlace>& carried) {
+                       const std::vector<CarriedThing>& carried) {
   PlacesTable table(text, file);
-  Cells names = fieldsOf(table.names());
-  const std::size_t columns = names.size();
-  for (const char* more : {"state", "error_m", "reason"}) names.push_back(more);
-  std::string out = lineOf(names);
-  for (const CarriedPlace& place : carried) {
+  Cells names = table.names();
+  const auto columnOf = [&](const char* name) {
+    const auto column = table.columnOf(name);
+    if (!column) names.emplace_back(name);
+    return column.value_or(names.size() - 1);
+  };
+  const std::size_t state = columnOf("state"), error = columnOf("error_m"),
+                    reason = columnOf("reason");
+  std::string out = lineOf(fieldsOf(names));
+  for (const CarriedThing& place : carried) {
     Cells fields = fieldsOf(table.nextLine());
-    fields.resize(columns);
+    fields.resize(names.size());
     const auto set = [&](const char* name, double Transform2D::*value) {
       if (const auto column = table.columnOf(name))
-        fields[*column] = place.pose ? csvNumber((*place.pose).*value) : "";
+        fields[*column] = place.error ? csvNumber(place.poses.front().*value) : "";
     };
     set("x", &Transform2D::x), set("y", &Transform2D::y), set("yaw", &Transform2D::phi);
-    fields.push_back(nameOf(place.state));
-    fields.push_back(place.pose ? csvNumber(place.error) : "");
-    fields.push_back(csvField(place.reason));
+    fields[state] = nameOf(place.state), fields[error] = csvNumber(place.error);
+    fields[reason] = csvField(place.reason);
     out += lineOf(fields);
   }
   return out;
+}
+
+}  // namespace
+
+MarkedFile csvPlaces(const std::string& text, const std::string& file) {
+  MarkedFile marked;
+  PlacesTable table(text, file);
+  for (Cells cells = table.nextLine(); !cells.empty(); cells = table.nextLine()) {
+    marked.places.push_back(table.placeOf(cells));
+    marked.things.push_back({marked.places.back().name, {marked.places.size() - 1}});
+  }
+  marked.write = [text, file](const std::vector<CarriedThing>& carried, const GridFrame&) {
+    return std::vector<NamedBytes>{{fileName(file), carriedCsv(text, file, carried)}};
+  };
+  return marked;
 }
 
 }  // namespace roomgraph

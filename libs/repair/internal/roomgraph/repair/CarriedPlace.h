@@ -10,6 +10,8 @@ namespace roomgraph {
 struct Place {
   std::string name;
   Transform2D pose;  ///< map <- place
+  bool isCorner =
+      false;  ///< of an area: these lie at walls, so in one it is neither gone nor unsure
 };
 
 enum class CarryState {

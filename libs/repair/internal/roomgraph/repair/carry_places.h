@@ -10,7 +10,7 @@ namespace roomgraph {
 // Ours
 // In:   places on one map, and the site that it and another map belong to
 // Out:  CarriedPlace of each
-// Next: carriedCsv
+// Next: carryThings
 
 /** Carries places from run `from` of the site to run `to`: by the key frames of the one that have
  *  seen them from nearest by to where they really lie, and from there by those of the other, so

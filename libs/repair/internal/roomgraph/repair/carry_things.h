@@ -1,0 +1,25 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/repair/MarkedFile.h"
+#include "roomgraph/repair/rejoin_pieces.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   MarkedFile, and the site that its map and another one belong to
+// Out:  CarriedThing of each of its things
+// Next: MarkedFile::write, StagedFiles
+
+/** Carries all that a file has marked on the map of run `from` to that of run `to`, see
+ *  carryPlaces. */
+std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& solved,
+                                      const RealPoses& real, std::size_t from, std::size_t to);
+
+/** The same of places that were carried: `rigid` (new map <- old map) lays those out of which
+ *  nothing at all is known. */
+std::vector<CarriedThing> carriedThings(const MarkedFile& file,
+                                        const std::vector<CarriedPlace>& carried,
+                                        const Transform2D& rigid);
+
+}  // namespace roomgraph

@@ -1,0 +1,69 @@
+#include "roomgraph/repair/carry_things.h"
+
+#include <algorithm>
+
+#include "keep_shape.h"
+#include "roomgraph/repair/carry_places.h"
+
+namespace roomgraph {
+namespace {
+
+/** new map <- place of all, also of those of which nothing is known. */
+std::vector<Transform2D> posesOf(const std::vector<Place>& places,
+                                 const std::vector<CarriedPlace>& carried,
+                                 const Transform2D& rigid) {
+  std::vector<std::size_t> known;
+  for (std::size_t i = 0; i < carried.size(); ++i)
+    if (carried[i].pose) known.push_back(i);
+  std::vector<Transform2D> poses;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (carried[i].pose || known.empty()) {
+      poses.push_back(carried[i].pose.value_or(rigid * places[i].pose));
+      continue;
+    }
+    const auto farFrom = [&](std::size_t k) {
+      return squaredNorm(places[k].pose.shift() - places[i].pose.shift());
+    };
+    const std::size_t nearest =
+        *std::min_element(known.begin(), known.end(),
+                          [&](std::size_t l, std::size_t r) { return farFrom(l) < farFrom(r); });
+    poses.push_back(*carried[nearest].pose * places[nearest].pose.inverse() * places[i].pose);
+  }
+  return poses;
+}
+
+}  // namespace
+
+std::vector<CarriedThing> carriedThings(const MarkedFile& file,
+                                        const std::vector<CarriedPlace>& carried,
+                                        const Transform2D& rigid) {
+  const std::vector<Transform2D> poses = posesOf(file.places, carried, rigid);
+  std::vector<CarriedThing> things;
+  for (const Thing& thing : file.things) {
+    CarriedThing& there = things.emplace_back();
+    std::vector<Transform2D> were;
+    for (const auto* places : {&thing.places, &thing.around})
+      for (const std::size_t i : *places)
+        were.push_back(file.places[i].pose), there.poses.push_back(poses[i]);
+    const std::vector<bool> hasMoved = keepShape(were, there.poses);
+    there.error = 0;
+    for (std::size_t i = 0; i < thing.places.size(); ++i) {
+      CarriedPlace place = carried[thing.places[i]];
+      if (hasMoved[i] && place.state == CarryState::carried)
+        place.state = CarryState::unsure, place.reason = "its parts lie apart on the new map";
+      if (place.state > there.state) there.state = place.state, there.reason = place.reason;
+      if (!place.pose) there.error.reset();
+      if (there.error) there.error = std::max(*there.error, place.error);
+    }
+  }
+  return things;
+}
+
+std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& solved,
+                                      const RealPoses& real, std::size_t from, std::size_t to) {
+  const Site& site = solved.site;
+  return carriedThings(file, carryPlaces(file.places, solved, real, from, to),
+                       site.poses[to].inverse() * site.poses[from]);
+}
+
+}  // namespace roomgraph

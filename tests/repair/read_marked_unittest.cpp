@@ -1,0 +1,38 @@
+#include "roomgraph/repair/read_marked.h"
+
+#include <gtest/gtest.h>
+
+#include "map_files.h"
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+TEST(ReadMarked, theContentTellsTheFormat) {
+  const test::TempDir folder;
+  const auto kindOf = [&](const std::string& text) {
+    return std::string(readMarked(folder.write("things", text)).kind);
+  };
+  folder.write("mask.pgm", "P5\n1 1\n255\n~");
+  EXPECT_EQ(kindOf("x,y\n1,2\n"), "place");
+  EXPECT_EQ(kindOf("{\"type\":\"Point\",\"coordinates\":[1,2]}"), "feature");
+  EXPECT_EQ(kindOf("{\"format\":\"roomgraph/site\",\"rooms\":[]}"), "room");
+  EXPECT_EQ(kindOf("<osm><node id='1' lat='0' lon='0'><tag k='name' v='root'/></node></osm>"),
+            "way");
+  EXPECT_EQ(kindOf("image: mask.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n"), "region");
+}
+
+TEST(ReadMarked, othersAreRefusedInOneLine) {
+  const test::TempDir folder;
+  for (const std::string text : {"", "P5\n1 1\n255\n~", "{\"a\":1}", "<a/>", "image: a\n", "a,b\n"})
+    try {
+      readMarked(folder.write("things", text));
+      ADD_FAILURE() << text;
+    } catch (const DataError& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  EXPECT_THROW(readMarked(folder.path("none")), DataError);
+}
+
+}  // namespace
+}  // namespace roomgraph
