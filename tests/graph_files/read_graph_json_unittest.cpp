@@ -38,6 +38,17 @@ TEST(ReadGraphJson, writtenAgainGivesTheSameBytes) {
   }
 }
 
+TEST(ReadGraphJson, givesTheNamesOfAreasBack) {
+  GraphFile file = graphFile(sampleStages());
+  for (std::size_t a = 0; a < file.areas.areas.size(); ++a)
+    file.areaNames.push_back("Room \"" + std::to_string(a) + "\"");
+  ASSERT_FALSE(file.areaNames.empty());
+  const std::string text = graphJson(file);
+  EXPECT_EQ(parseGraphJson(text, "x.json").areaNames, file.areaNames);
+  const std::string first = R"(,"name":"Room \"0\"")";
+  expectOneLine(refusal(std::string(text).erase(text.find(first), first.size())));
+}
+
 TEST(ReadGraphJson, givesTheGraphBack) {
   const Stages stages = sampleStages();
   const GraphFile file = parseGraphJson(graphJson(stages), "x.json");

@@ -62,8 +62,9 @@ std::string closedRing(Ring ring, double tolerance) {
 
 class Writer {
  public:
-  Writer(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance)
-      : graph_(graph), obstacles_(obstacles), clearance_(clearance) {}
+  Writer(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance,
+         const std::vector<std::string>& roomNames)
+      : graph_(graph), obstacles_(obstacles), clearance_(clearance), roomNames_(roomNames) {}
 
   std::string write() {
     for (std::size_t r = 0; r < graph_.rooms.size(); ++r) addRoomPolygon(r);
@@ -103,9 +104,10 @@ class Writer {
     const double halfCell = obstacles_.cellSide() / 2;  // that much the map does not tell
     std::string rings = "[" + closedRing(room.polygon.outer, halfCell);
     for (const Ring& hole : room.polygon.holes) rings += "," + closedRing(hole, halfCell);
-    addFeature(Members()
-                   .add("room", r)
-                   .number("area", area(room.polygon))
+    Members properties;
+    properties.add("room", r);
+    if (!roomNames_.empty()) properties.add("name", lineOf(Json(roomNames_[r])));
+    addFeature(properties.number("area", area(room.polygon))
                    .number("inscribed_radius", room.inscribedRadius),
                "Polygon", rings + "]");
   }
@@ -181,6 +183,7 @@ class Writer {
   const RoomGraph& graph_;
   const ObstacleRows& obstacles_;
   double clearance_;
+  const std::vector<std::string>& roomNames_;
   std::string features_;
   std::size_t nextId_ = 0;
   std::vector<std::vector<Node>> chains_;  // per edge, from its source to its target
@@ -188,8 +191,9 @@ class Writer {
 
 }  // namespace
 
-std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance) {
-  return Writer(graph, obstacles, clearance).write();
+std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance,
+                    const std::vector<std::string>& roomNames) {
+  return Writer(graph, obstacles, clearance, roomNames).write();
 }
 
 }  // namespace roomgraph

@@ -90,16 +90,17 @@ std::string roomText(std::size_t id, const GraphRoom& room) {
   return withPolygon(text(json), polygon);
 }
 
-std::string areaText(std::size_t id, const Area& area) {
+std::string areaText(const std::vector<std::string>& names, std::size_t id, const Area& area) {
   Json passages = Json::array();
   for (const PassageId p : area.passages) passages.push_back(p.index());
-  const Json json{{"id", id},
-                  {"kind", area.isRoom() ? "room" : "corridor"},
-                  {"room", idOrNull(area.room)},
-                  {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
-                  {"inscribed_radius", rounded(area.inscribedRadius)},
-                  {"widest_place", point(area.widestPlace)},
-                  {"passages", std::move(passages)}};
+  Json json{{"id", id},
+            {"kind", area.isRoom() ? "room" : "corridor"},
+            {"room", idOrNull(area.room)},
+            {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
+            {"inscribed_radius", rounded(area.inscribedRadius)},
+            {"widest_place", point(area.widestPlace)},
+            {"passages", std::move(passages)}};
+  if (!names.empty()) json["name"] = names[id];
   return withPolygon(text(json), area.polygon);
 }
 
@@ -157,7 +158,8 @@ std::string graphJson(const GraphFile& file) {
   addList(all += ",\n", "edges", graph.edges(),
           [&](std::size_t id, const Edge& edge) { return edgeText(graph, id, edge); });
   addList(all += ",\n", "rooms", file.graph.rooms, roomText);
-  addList(all += ",\n", "areas", file.areas.areas, areaText);
+  addList(all += ",\n", "areas", file.areas.areas,
+          [&](std::size_t id, const Area& area) { return areaText(file.areaNames, id, area); });
   addList(all += ",\n", "passages", file.areas.passages, passageText);
   addList(all += ",\n", "notes", file.notes, noteText);
   return all += "\n}\n";

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/xml_text.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
 #include "roomgraph/topology/kind_names.h"
@@ -14,7 +15,7 @@
 namespace roomgraph {
 namespace {
 
-/** Keys and values are our own words and numbers, so there is nothing to escape. */
+/** Keys and values are our own words and numbers, so there is nothing to escape, but in names. */
 std::string tag(const char* key, const std::string& value) {
   return std::string("    <tag k=\"") + key + "\" v=\"" + value + "\"/>\n";
 }
@@ -73,6 +74,7 @@ class OsmWriter {
   static constexpr std::int64_t kRoot = -1;
 
   std::string areaName(AreaId area) const {
+    if (!options_.names.empty()) return xmlText(options_.names[area.index()]);
     return std::string(kindName(graph_.areas[area.index()])) + "_" + std::to_string(area.index());
   }
 

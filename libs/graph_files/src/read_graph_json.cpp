@@ -163,6 +163,11 @@ GraphFile readTop(const JsonNode& top) {
   file.options = readOptions(top["options"]);
   file.graph = readGraph(top);
   file.areas = readAreas(top, file.graph.rooms.size());
+  if (top.contains("areas"))
+    for (const JsonNode& node : top["areas"].list())
+      if (node.contains("name")) file.areaNames.push_back(node["name"].text());
+  if (!file.areaNames.empty() && file.areaNames.size() != file.areas.areas.size())
+    throw Broken{"areas", "have names, but not all of them"};
   for (const JsonNode& node : top["notes"].list()) file.notes.push_back(readNote(node));
   return file;
 }

@@ -27,7 +27,8 @@ struct GraphFile {
   std::vector<SavedOption> options;  ///< all of them, in pipeline order
   /** Read from a file, the paths have no obstacles and all numbers are rounded to 0.1 mm. */
   RoomGraph graph;
-  AreaGraph areas;  ///< without labels, which are a picture of their own
+  AreaGraph areas;                     ///< without labels, which are a picture of their own
+  std::vector<std::string> areaNames;  ///< given by users; empty for none
   Notes notes;
 };
 

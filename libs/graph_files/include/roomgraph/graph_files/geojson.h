@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/rooms/RoomGraph.h"
@@ -25,13 +26,14 @@ namespace roomgraph {
  *  nearer to an obstacle, but no less than `clearance` [m]; speed_limit: for AdjustSpeedLimit [% of
  *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
- *  Polygons, off by half a cell at most, with room, area and inscribed_radius, which nav2 skips.
+ *  Polygons, off by half a cell at most, with room, area, inscribed_radius and, where there are
+ *  `roomNames` (by RoomId; more may follow), name, which nav2 skips.
  *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
  *  ("room", "way", "corridor"). All numbers but ids have a point, as nav2 casts metadata to float
  *  and stops at an integer. It refuses a graph without edges, and a node without one is none: a
  *  vertex without a way gets one within its disc of clearance, to a node of class "bend". Same
  *  graph, same bytes. */
 [[nodiscard]] std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles,
-                                  double clearance);
+                                  double clearance, const std::vector<std::string>& roomNames = {});
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "roomgraph/rooms/AreaGraph.h"
 
@@ -11,8 +12,9 @@ namespace roomgraph {
 // Next: writeFileAtomically
 
 struct OsmXmlOptions {
-  double tolerance = 0;     ///< how far outlines may be from those of the areas [m]
-  bool hasNumbers = false;  ///< areas are named by their ids, as osmAG's planner reads them
+  double tolerance = 0;            ///< how far outlines may be from those of the areas [m]
+  bool hasNumbers = false;         ///< areas are named by their ids, as osmAG's planner reads them
+  std::vector<std::string> names;  ///< of the areas, each another; empty for room_3, corridor_7
 };
 
 /** The areas as OpenStreetMap XML in the manner of osmAG (Feng et al., "osmAG: Hierarchical
@@ -25,9 +27,9 @@ struct OsmXmlOptions {
  *    others lie as far east (x) and north (y) of it as in the map, by the radii of WGS84 at the
  *    root (equirectangular), to 0.1 mm.
  *  - An area is a closed way, counter-clockwise, tagged osmAG:type=area, osmAG:areaType=room or
- *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id; level and height
- *    are 0, as the map does not tell on which floor it is. An area with holes is also the outer
- *    member of a relation type=multipolygon; its holes are ways without tags.
+ *    corridor, indoor the same, and name=room_3 or corridor_7 by the area's id, or its name; level
+ *    and height are 0, as the map does not tell on which floor it is. An area with holes is also
+ *    the outer member of a relation type=multipolygon; its holes are ways without tags.
  *  - A passage is a way of two nodes, its ends, which are nodes of both areas; tagged
  *    osmAG:type=passage, osmAG:from and osmAG:to with the names of the areas (osmAG's semantic
  *    variant: JOSM changes ids when it saves; with hasNumbers their ids), level, name=passage_2 and
