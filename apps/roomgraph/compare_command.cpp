@@ -13,7 +13,6 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
@@ -106,13 +105,6 @@ void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& file
     for (const std::string& input : inputs)
       if (areSameFile(result, input))
         throw UsageError(result + ": would replace a map: choose another folder with --output");
-}
-
-/** The rooms of the site as they are known; nothing where there is no such file. */
-SiteFile readSite(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) return {};
-  return parseSiteJson(readFile(file), file);
 }
 
 /** The names of the candidates. */

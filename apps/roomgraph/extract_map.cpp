@@ -61,7 +61,7 @@ class Extraction {
     StagedFiles staged;
     std::vector<std::string> contents;
     for (const OutputFormat& format : task_.formats) {
-      contents.push_back(format.bytes(stages));
+      contents.push_back(format.bytes(stages, {}));
       lap(format.name);
     }
     if (!task_.stagesFolder.empty()) {

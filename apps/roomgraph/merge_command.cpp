@@ -1,173 +1,18 @@
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
-#include "mrpt_results.h"
-#include "output_formats.h"
-#include "output_names.h"
-#include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
-#include "roomgraph/base/compressed.h"
-#include "roomgraph/base/printable.h"
-#include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
-#include "roomgraph/graph_files/ros_map.h"
-#include "roomgraph/images/png_bytes.h"
-#include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/mrpt_plugin/gridmap_file.h"
-#include "roomgraph/pipeline/extract.h"
-#include "roomgraph/repair/key_frame_moves.h"
-#include "roomgraph/repair/merge_runs.h"
-#include "roomgraph/repair/repair_runs.h"
-#include "roomgraph/scans/join_simplemaps.h"
-#include "roomgraph/scans/read_stored_poses.h"
-#include "run_in_order.h"
-#include "site_runs.h"
-#include "terminal.h"
+#include "merge_site.h"
 
 namespace roomgraph {
-namespace {
-
-struct MergeArguments {
-  SiteArguments site;
-  bool prefersLatest = false;
-};
-
-constexpr const char* kGraphFormats = "json,svg,geojson,osm";
-
-/** The runs that are merged, and where they are from. */
-struct Merging {
-  std::vector<MergedRun> runs;
-  std::vector<const Run*> from;
-  std::vector<RepairedRun> poses;  ///< in the frame of the site
-  std::vector<std::string> leftOut;
-};
-
-MergedRun mergedRun(const Run& run, const std::vector<Transform2D>& real,
-                    const LoadGridOptions& reading) {
-  MergedRun merged;
-  merged.name = run.name;
-  merged.scans = loadMap(run.file, reading).keyframes;
-  if (merged.scans.size() != real.size())
-    throw DataError(run.file + ": has changed since it was read: start again");
-  for (std::size_t k = 0; k < real.size(); ++k) {
-    merged.scans[k].pose = real[k];
-    if (!merged.time) merged.time = merged.scans[k].time;
-  }
-  return merged;
-}
-
-Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
-  Merging merging;
-  const RealPoses real = rejoinPieces(runs.solved);
-  for (std::size_t i = 0; i < real.size(); ++i) {
-    const Run& run = *runs.solved.site.runs[i];
-    if (run.scans.empty()) {
-      merging.leftOut.push_back(run.name + ": has no scans");
-    } else if (!isTrusted(runs.solved.consensus.errorOf(i))) {
-      merging.leftOut.push_back(run.name + ": others have not seen enough of it");
-    } else {
-      merging.runs.push_back(mergedRun(run, real[i], reading));
-      merging.from.push_back(&run);
-      RepairedRun& inSite = merging.poses.emplace_back();
-      inSite.state = RepairState::mended, inSite.poses = real[i];
-    }
-  }
-  if (merging.runs.empty())
-    throw DataError("merge: there is no run with scans that others bear out: add runs of the site");
-  return merging;
-}
-
-/** Names what was left out of the runs that were merged. */
-void tellLeftOut(const MergedMap& map, Merging& merging) {
-  for (std::size_t r = 0; r < merging.runs.size(); ++r) {
-    const std::size_t count = map.leftOut[r].size(), all = merging.runs[r].scans.size();
-    if (count == all)
-      merging.leftOut.push_back(merging.runs[r].name + ": contradicts what the others see");
-    else if (count > 0)
-      merging.leftOut.push_back(formatted("%s: %zu of its %zu scans contradict what the others see",
-                                          merging.runs[r].name.c_str(), count, all));
-  }
-}
-
-/** All key frames that were merged in one map, and those beside them that have no scan. */
-std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
-  std::vector<SimplemapPart> parts;
-  for (std::size_t r = 0; r < merging.runs.size(); ++r) {
-    CheckedFile file(merging.from[r]->file);
-    SimplemapPart& part = parts.emplace_back();
-    part.stored = readStoredPoses(file);
-    part.content = movePoses(file.content(), file.name(), part.stored,
-                             keyFrameMoves(*merging.from[r], merging.poses[r], part.stored));
-    std::vector<bool> isLeftOut(part.stored.frames.size());
-    for (const std::size_t k : map.leftOut[r]) isLeftOut.at(merging.runs[r].scans[k].number) = true;
-    const bool isWhollyOut = map.leftOut[r].size() == merging.runs[r].scans.size();
-    for (std::size_t k = 0; k < isLeftOut.size() && !isWhollyOut; ++k)
-      if (!isLeftOut[k]) part.frames.push_back(k);
-  }
-  return compressed(joinSimplemaps(parts), Compression::gzip);
-}
-
-/** How many runs have seen each cell, as grey from 0 on; the highest row on top. */
-std::string runsPng(const MergedMap& map) {
-  const GridFrame& frame = map.map.frame;
-  std::vector<std::uint16_t> levels;
-  for (int y = frame.height; y-- > 0;)
-    for (int x = 0; x < frame.width; ++x) levels.push_back(map.runs[frame.index({x, y})]);
-  return pngBytes(levels, frame.width, frame.height);
-}
-
-int run(const MergeArguments& arguments) {
-  const SiteArguments& site = arguments.site;
-  if (site.files.size() < 2)
-    throw UsageError("merge: one run is a map of its own: name two or more");
-  makeWritableFolder(site.folder);
-  const CompareMapsOptions options = toCompareOptions(site.options);
-  const auto runs = solveRuns(site);
-  Merging merging = chooseRuns(*runs, options.extract.loadGrid);
-  MergeOptions how;
-  how.resolution = options.extract.loadGrid.resolution, how.prefersLatest = arguments.prefersLatest;
-  const MergedMap map =
-      mergeRuns(merging.runs, how, onThreads(site.running.threads, !site.running.isQuiet));
-  tellLeftOut(map, merging);
-  const Stages stages = extract(map.map, options.extract);
-  StagedFiles staged;
-  std::string lines;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    const std::string path = (std::filesystem::path(site.folder) / name).string();
-    for (const std::string& file : site.files)
-      if (areSameFile(path, file))
-        throw UsageError(path + ": would replace a map: choose another folder with --output");
-    staged.add(path, bytes);
-    lines += printable(path) + "\n";
-  };
-  add("site.simplemap.gz", siteSimplemap(merging, map));
-  add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
-  add("site.yaml", rosMapYaml(stages.grid.frame, "site.pgm"));
-  add("site.pgm", mapPgm(stages.grid));
-  add("site.runs.png", runsPng(map));
-  for (const OutputFormat& format : parseFormats(kGraphFormats))
-    add(std::string("site.graph.") + format.extension, format.bytes(stages));
-  staged.commit();
-  for (const std::string& text : merging.leftOut) printError(text + ": left out");
-  if (!site.running.isQuiet) print(lines);
-  return kDone;
-}
-
-}  // namespace
 
 std::function<int()> mergeCommand(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
   addArgument(app, "RUN", arguments->site.files, "Simplemaps of one site, each of a drive.");
-  app.add_flag("--latest", arguments->prefersLatest,
-               "Let each run count twice as much as the one made before it.");
-  declareSite(
-      arguments->site,
-      "site.simplemap.gz, site.gridmap.gz, site.yaml with site.pgm, site.runs.png (how many "
-      "runs have seen each cell), and the graph with rooms as site.graph.json, .svg, "
-      ".geojson and .osm",
-      app);
-  return [arguments] { return run(*arguments); };
+  addOption(app, "--names FILE", arguments->names,
+            "JSON file that keeps the ids and names of the site's rooms, as for 'roomgraph "
+            "compare': the graph has them.");
+  declareMerging(*arguments, app);
+  return [arguments] { return mergeSite(*arguments); };
 }
 
 }  // namespace roomgraph

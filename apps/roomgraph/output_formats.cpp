@@ -17,29 +17,47 @@
 namespace roomgraph {
 namespace {
 
+using Names = std::vector<std::string>;
+
 /** Outlines may be off by half a cell: that much the map does not tell. */
-OsmXmlOptions osmOptions(const Stages& stages) {
+OsmXmlOptions osmOptions(const Stages& stages, const Names& names) {
   OsmXmlOptions options;
+  options.names = names;
   options.tolerance = stages.grid.frame.resolution / 2;
   return options;
 }
 
 constexpr OutputFormat kFormats[] = {
-    {"json", "json", [](const Stages& stages) { return graphJson(stages); }},
-    {"svg", "svg", drawSvg},
-    {"png", "png", drawPng},
-    {"graphml", "graphml", [](const Stages& stages) { return graphml(stages.result); }},
+    {"json", "json",
+     [](const Stages& stages, const Names& names) {
+       GraphFile file = graphFile(stages);
+       file.areaNames = names;
+       return graphJson(file);
+     }},
+    {"svg", "svg", [](const Stages& stages, const Names&) { return drawSvg(stages); }},
+    {"png", "png", [](const Stages& stages, const Names&) { return drawPng(stages); }},
+    {"graphml", "graphml",
+     [](const Stages& stages, const Names&) { return graphml(stages.result); }},
     {"geojson", "geojson",
-     [](const Stages& s) { return geojson(s.result, ObstacleRows(s.obstacles), s.clearance); }},
-    {"3Dscene", "3Dscene", [](const Stages& s) { return sceneBytes(CRoomGraph(s)); }},
-    {"roomgraph", "roomgraph", [](const Stages& s) { return roomGraphBytes(CRoomGraph(s)); }},
+     [](const Stages& s, const Names& names) {
+       return geojson(s.result, ObstacleRows(s.obstacles), s.clearance, names);
+     }},
+    {"3Dscene", "3Dscene", [](const Stages& s, const Names&) { return sceneBytes(CRoomGraph(s)); }},
+    {"roomgraph", "roomgraph",
+     [](const Stages& s, const Names&) { return roomGraphBytes(CRoomGraph(s)); }},
     {"labels", "areas.png",
-     [](const Stages& stages) { return areaLabelsPng(stages.areas, stages.grid.frame); }, false},
-    {"osm", "osm", [](const Stages& stages) { return osmXml(stages.areas, osmOptions(stages)); },
+     [](const Stages& stages, const Names&) {
+       return areaLabelsPng(stages.areas, stages.grid.frame);
+     },
+     false},
+    {"osm", "osm",
+     [](const Stages& stages, const Names& names) {
+       return osmXml(stages.areas, osmOptions(stages, names));
+     },
      false},
     {"osm_ids", "ids.osm",
-     [](const Stages& stages) {
-       OsmXmlOptions options = osmOptions(stages);
+     [](const Stages& stages, const Names& names) {
+       OsmXmlOptions options = osmOptions(stages, names);
        options.hasNumbers = true;
        return osmXml(stages.areas, options);
      },

@@ -9,7 +9,8 @@ namespace roomgraph {
 /** A kind of file that a result can be written as. */
 struct OutputFormat {
   const char *name, *extension;  ///< for --format; of the file
-  std::string (*bytes)(const Stages& stages);
+  /** `names` of the areas, by AreaId; empty for none. */
+  std::string (*bytes)(const Stages& stages, const std::vector<std::string>& names);
   bool isDefault = true;  ///< written where nothing else is asked for
 };
 

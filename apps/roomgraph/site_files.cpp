@@ -5,12 +5,14 @@
 
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
 #include "roomgraph/graph_files/maps_viewer.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/relate/estimate_scale.h"
 #include "roomgraph/report/evo_files.h"
+#include "roomgraph/report/site_json.h"
 
 namespace roomgraph {
 namespace {
@@ -47,6 +49,12 @@ Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {
 }
 
 }  // namespace
+
+SiteFile readSite(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  return parseSiteJson(readFile(file), file);
+}
 
 std::vector<std::string> addTrajectories(const Comparison& comparison,
                                          const std::filesystem::path& folder, StagedFiles& staged) {

@@ -5,9 +5,13 @@
 
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/ledger/SiteFile.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
 
 namespace roomgraph {
+
+/** The rooms of a site as a file of names knows them; nothing where there is no such file. */
+SiteFile readSite(const std::string& file);
 
 /** The path of each run with scans in the frame of the site (comparison.RUN.tum), and the error
  *  along it for evo_res (comparison.RUN.evo.zip). Returns their names.
