@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "merge_site.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"
@@ -23,6 +24,8 @@ struct ArchiveArguments {
   unsigned threads = 0;
   std::string room, name;  ///< a room's id or a robot, and the name that it is to have
   std::string run;         ///< that is to be taken out
+  bool repairs = false;    ///< keeps mended runs, too
+  MergeArguments merge;    ///< of 'merge', but for the runs
   bool isQuiet = false, failsOnAlarm = false, failsOnLatest = false;
 };
 

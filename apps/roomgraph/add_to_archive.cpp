@@ -5,10 +5,13 @@
 #include <set>
 
 #include "commands.h"
+#include "keep_repaired.h"
+#include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
 #include "terminal.h"
@@ -38,6 +41,23 @@ std::string missingText(const std::set<std::string>& files) {
          ": note: is gone or another file now: not compared with; --keep keeps copies";
 }
 
+/** Adds a run, and says what became of it. */
+void addOne(Archive& archive, const std::string& file, const AddRunOptions& options,
+            const ArchiveArguments& arguments) {
+  std::vector<std::string> record;  // as it is before this run belongs to it
+  if (arguments.repairs)
+    for (const HistoryRun& run :
+         recordRuns(archive.runs(options.site), options.most, [](const HistoryRun&) {}))
+      record.push_back(run.file);
+  const AddedRun added = addRun(archive, file, options);
+  if (!arguments.isQuiet) print(lineOf(file, added));
+  if (!added.roomsFailed.empty()) printError(added.roomsFailed);
+  if (!arguments.repairs || added.wasKnown || !added.isPlaced) return;
+  const std::string kept = keepMap(file, mapSha256(file), options.kept);  // is there already
+  const std::string line = keepRepaired(kept, record, arguments);
+  if (!arguments.isQuiet) print(line);
+}
+
 }  // namespace
 
 AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
@@ -49,6 +69,8 @@ AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
   AddRunOptions options;
   options.robot = arguments.robot, options.most = arguments.most;
   options.kept = arguments.kept;
+  if (arguments.repairs && arguments.kept.empty())
+    throw UsageError("--repair: a mended run lies beside its copy: name a folder with --keep");
   if (!arguments.time.empty()) {
     options.time = parseTime(arguments.time);
     if (!options.time)
@@ -88,9 +110,7 @@ int addToArchive(const ArchiveArguments& arguments) {
   int exitCode = kDone;
   for (const std::string& file : arguments.files) {
     try {
-      const AddedRun added = addRun(archive, file, options);
-      if (!arguments.isQuiet) print(lineOf(file, added));
-      if (!added.roomsFailed.empty()) printError(added.roomsFailed);
+      addOne(archive, file, options, arguments);
     } catch (const DataError& error) {
       printError(error.what());
       exitCode = kBadData;

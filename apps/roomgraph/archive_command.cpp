@@ -3,6 +3,7 @@
 
 #include "ArchiveArguments.h"
 #include "add_to_archive.h"
+#include "archive_runs.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -26,7 +27,19 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
             "When they were made, in UTC, such as 2026-11-22 or 2026-11-22T03:00. Without it, "
             "the time of the first scan, or else that of the file.");
   declareAdding(arguments, app);
+  app.add_flag("--repair", arguments.repairs,
+               "Keep each run as it is mended, too, beside its copy (needs --keep): "
+               "X.repaired.simplemap, see 'roomgraph repair'.");
   declareQuiet(arguments.isQuiet, app);
+}
+
+void declareMerge(ArchiveArguments& arguments, CLI::App& app) {
+  declareSite(arguments, app);
+  addOption(app, "--runs N", arguments.most,
+            "How many runs are merged (2 to 100): half of them the latest, the others the best.")
+      ->check(CLI::Range(2, 100))
+      ->capture_default_str();
+  declareMerging(arguments.merge, app);
 }
 
 void declareNaming(ArchiveArguments& arguments, CLI::App& app) {
@@ -91,6 +104,19 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
     told.push_back(std::move(one));
   }
   return told;
+}
+
+/** One map of the runs, with the names that the archive knows; it changes nothing in it. */
+int mergeRunsOf(const ArchiveArguments& arguments) {
+  MergeArguments merge = arguments.merge;
+  const Archive archive(arguments.archive, Archive::Access::existing);
+  const std::string site = siteToAddTo(arguments, archive);
+  merge.site.files = recordFiles(archive, site, arguments.most);
+  merge.known = archive.history(site).ledger;
+  if (merge.site.files.size() < 2)
+    throw DataError(arguments.archive + ": has less than two runs of " + site +
+                    " whose files are there: add some");
+  return mergeSite(merge);
 }
 
 int list(const ArchiveArguments& arguments) {
@@ -202,6 +228,7 @@ constexpr ArchiveCommand kArchiveCommands[] = {
      "Tell whether the latest maps may be rolled out, whether maps get worse, and which rooms have "
      "changed.",
      declareReport, report},
+    {"merge", "Make one map of the runs, as 'roomgraph merge' does.", declareMerge, mergeRunsOf},
     {"list", "List the runs.", declareSite, list},
     {"rooms", "List the rooms with their ids and names.", declareSite, listRooms},
     {"name", "Give a room a name, which it keeps.", declareNaming, nameRoom},

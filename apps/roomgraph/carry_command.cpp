@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <memory>
-#include <set>
 
+#include "ArchiveArguments.h"
+#include "ResultFolder.h"
+#include "add_to_archive.h"
+#include "archive_runs.h"
 #include "commands.h"
-#include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/repair/carry_things.h"
 #include "roomgraph/repair/read_marked.h"
 #include "site_runs.h"
@@ -19,13 +18,31 @@
 namespace roomgraph {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct CarryArguments {
   SiteArguments site;
   std::vector<std::string> things, via;
   std::string from, to;
+  ArchiveArguments archive;  ///< its file and site; without a file, OLD, NEW and RUN are files
 };
+
+/** The same with the files of the runs of an archive that OLD, NEW and RUN name; without any RUN,
+ *  those of its record. */
+CarryArguments withFiles(CarryArguments arguments) {
+  const std::string& file = arguments.archive.archive;
+  if (file.empty()) return arguments;
+  const Archive archive(file, Archive::Access::existing);
+  const std::string site = siteToAddTo(arguments.archive, archive);
+  if (arguments.via.empty())
+    arguments.via = recordFiles(archive, site, arguments.archive.most);
+  else
+    for (std::string& run : arguments.via) run = fileOfRun(archive, site, run, file);
+  for (std::string* run : {&arguments.from, &arguments.to}) {
+    *run = fileOfRun(archive, site, *run, file);
+    arguments.via.erase(std::remove(arguments.via.begin(), arguments.via.end(), *run),
+                        arguments.via.end());
+  }
+  return arguments;
+}
 
 /** The place of a map in the site. */
 std::size_t placeOf(const std::string& file, const SolvedRuns& runs) {
@@ -56,53 +73,26 @@ bool isAllCarried(const std::vector<CarriedThing>& carried) {
                      [](const CarriedThing& thing) { return thing.state == CarryState::carried; });
 }
 
-/** The files that are written, none of them one that is read, or another of them. */
-class Results {
- public:
-  Results(std::string folder, std::vector<std::string> inputs)
-      : folder_(std::move(folder)), inputs_(std::move(inputs)) {}
-
-  /** Returns its name. */
-  std::string add(const NamedBytes& file) {
-    std::string name = (fs::path(folder_) / file.name).string();
-    for (const std::string& input : inputs_)
-      if (areSameFile(name, input))
-        throw UsageError(name +
-                         ": would replace what is read: choose another folder with --output");
-    if (!names_.insert(name).second)
-      throw UsageError(name + ": is asked for twice: carry files of one name one after the other");
-    staged_.add(name, file.bytes);
-    return name;
-  }
-  void commit() { staged_.commit(); }
-
- private:
-  std::string folder_;
-  std::vector<std::string> inputs_;
-  std::set<std::string> names_;
-  StagedFiles staged_;
-};
-
-int run(const CarryArguments& arguments) {
+int run(const CarryArguments& given) {
+  const CarryArguments arguments = withFiles(given);
   SiteArguments site = arguments.site;
   site.files = {arguments.from, arguments.to};
   for (const std::string& file : arguments.via) site.files.push_back(file);
-  makeWritableFolder(site.folder);
+  std::vector<std::string> inputs = site.files;
+  inputs.insert(inputs.end(), arguments.things.begin(), arguments.things.end());
+  ResultFolder results(site.folder, inputs);
   std::vector<MarkedFile> files;
   for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
   const auto runs = solveRuns(site);
   const std::size_t from = placeOf(arguments.from, *runs), to = placeOf(arguments.to, *runs);
   const RealPoses real = rejoinPieces(runs->solved);
-  std::vector<std::string> inputs = site.files;
-  inputs.insert(inputs.end(), arguments.things.begin(), arguments.things.end());
-  Results results(site.folder, inputs);
   std::string lines;
   bool areCarried = true;
   for (const MarkedFile& file : files) {
     const auto carried = carryThings(file, runs->solved, real, from, to);
     std::vector<std::string> names;
     for (const NamedBytes& one : file.write(carried, runs->solved.site.mapOf(to).frame))
-      names.push_back(results.add(one));
+      names.push_back(results.add(one.name, one.bytes));
     lines += lineOf(names.front(), file.kind, carried);
     areCarried = areCarried && isAllCarried(carried);
   }
@@ -124,6 +114,11 @@ std::function<int()> carryCommand(CLI::App& app) {
   addOption(app, "--to NEW", arguments->to, "The map that they are to be carried to.")->required();
   addOption(app, "--via RUN", arguments->via,
             "More runs of the site, which tell how both maps bend.");
+  addOption(app, "--archive FILE", arguments->archive.archive,
+            "OLD, NEW and RUN name runs of this archive, by their files as 'archive list' names "
+            "them, with or without the folder, or by eight digits of their SHA-256. Without "
+            "--via, those that 'archive add' would compare with.");
+  declareSite(arguments->archive, app);
   declareSite(arguments->site, "each THING under its own name", app);
   return [arguments] { return run(*arguments); };
 }

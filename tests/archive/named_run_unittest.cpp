@@ -1,0 +1,34 @@
+#include "roomgraph/archive/named_run.h"
+
+#include <gtest/gtest.h>
+
+#include "roomgraph/base/Error.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<HistoryRun> runs() {
+  std::vector<HistoryRun> runs(3);
+  runs[0].file = "/a/map.simplemap", runs[0].sha256 = "0123456789abcdef";
+  runs[1].file = "/b/map.simplemap", runs[1].sha256 = "fedcba9876543210";
+  runs[2].file = "/b/other.yaml", runs[2].sha256 = "0123456789000000";
+  return runs;
+}
+
+TEST(NamedRun, filesNamesAndHashesNameARun) {
+  const std::vector<HistoryRun> all = runs();
+  for (const char* name : {"/b/other.yaml", "other.yaml", "01234567890", "0123456789000000"})
+    EXPECT_EQ(&namedRun(all, name, "site.db"), &all[2]) << name;
+}
+
+TEST(NamedRun, whatNamesNoneOrSeveralIsRefused) {
+  for (const char* name : {"map.simplemap", "01234567", "none.yaml", "fedcba9", ""}) try {
+      namedRun(runs(), name, "site.db");
+      ADD_FAILURE() << name;
+    } catch (const DataError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("site.db: has ", 0), 0u) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace roomgraph
