@@ -484,12 +484,29 @@ def it_asks_for_nothing_and_complains_of_nothing(browser, url):
 def it_can_be_printed(browser, folder):
     content = browser.save_print(folder / "report.pdf")
     check(content.startswith(b"%PDF") and len(content) > 20000, "the print is empty")
-    sides = {tuple(map(float, box.split()[2:4])) for box in
-             re.findall(rb"/MediaBox \[([^]]*)\]", content)}
-    check(any(wide > high for wide, high in sides) and any(wide < high for wide, high in sides),
-          f"the table of measures has no wide page: {sides}")
+    pages = len(re.findall(rb"/Type\s*/Page\b", content))
+    check(pages <= 4, f"the print has {pages} pages")
     check(browser.value("document.querySelector('#map').style.width") == "",
           "the map keeps the size of the paper")
+    check(browser.value("document.querySelector('#options details').open") is False,
+          "what was folded stays open after the print")
+
+
+def measures_stand_below_each_other_on_paper(browser):
+    browser.ask("Emulation.setEmulatedMedia", {"media": "print"})
+    browser.value("document.querySelector('.all-measures').open = true")
+    places = browser.value("""JSON.stringify(
+        [...document.querySelectorAll('#measures-table thead th')].map((cell, k) => {
+          const box = cell.getBoundingClientRect();
+          const value = document.querySelectorAll('#measures-table tbody tr')[0].cells[k]
+            .getBoundingClientRect();
+          return [box.left, box.top, value.top];
+        }))""")
+    lines = json.loads(places)
+    check(len({left for left, _, _ in lines}) == 1, "names of measures stand beside each other")
+    check(all(abs(top - value) < 1 for _, top, value in lines),
+          "a measure does not stand beside its name")
+    browser.ask("Emulation.setEmulatedMedia", {"media": ""})
 
 
 def find_browser():
@@ -517,6 +534,7 @@ def work_with(browser, folder, url):
     the_address_brings_back_what_is_shown(browser, url)
     names_strike_nothing(browser)
     it_can_be_printed(browser, folder)
+    measures_stand_below_each_other_on_paper(browser)
     for width in (1000, 400):
         nothing_is_wider_than_the_window(browser, width)
     rows_lead_to_the_map(browser)

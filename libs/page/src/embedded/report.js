@@ -637,7 +637,7 @@
     window.addEventListener("beforeprint", () => {
       view = {center: map.getCenter(), zoom: map.getZoom(), isWhole: isWhole};
       closed = all("main details:not([open])");
-      closed.forEach((details) => { if (details.closest("#ranking, #options")) details.open = true; });
+      closed.forEach((details) => { if (details.closest("#ranking")) details.open = true; });
       const size = map.getSize(), around = map.getBounds();
       Object.assign(one("#map").style, {width: "690px", height: Math.round(690 * Math.min(1, size.y / size.x)) + "px"});
       map.invalidateSize({animate: false});
