@@ -60,6 +60,10 @@ printf '<!DOCTYPE html>\n' > page.html
 opened_by page.html browser
 printf '# message formats\nPARAM laser_front_laser_resolution 1.0 nohost 0\nFLASER 3 1 2 3 0 0 0\n' > drive.log
 opened_by drive.log CARMEN carmen2simplemap
+printf '# time x y z qx qy qz qw\n1.5 0 0 0 0 0 0 1\n' > run.tum
+opened_by run.tum "is a trajectory"
+printf '1 0 0 0 0 1 0 0 0 0 1 0\n' > run.kitti
+opened_by run.kitti "is a trajectory"
 printf 'Scene of a play\n' > text.txt
 opened_by text.txt "is not a map of a known kind"
 

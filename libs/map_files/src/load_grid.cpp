@@ -2,6 +2,7 @@
 
 #include <new>
 #include <optional>
+#include <sstream>
 
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/map_files/grid_of_scans.h"
@@ -45,6 +46,19 @@ constexpr OtherFile kOtherTexts[] = {
     {"FLASER ", "is a log of CARMEN, and no map", "make a simplemap of it with carmen2simplemap"},
 };
 
+/** Whether the first line that is no comment is one pose of TUM's files (a time, a place, a
+ *  quaternion) or KITTI's (a matrix). */
+bool isTrajectory(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line = "#";
+  while (line.rfind('#', 0) == 0 && std::getline(lines, line)) {
+  }
+  std::istringstream numbers(line);
+  std::size_t count = 0;
+  for (double number = 0; numbers >> number;) ++count;
+  return numbers.eof() && (count == 8 || count == 12);
+}
+
 [[noreturn]] void refuseUnknown(CheckedFile& file) {
   if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
   const auto object = peekObjectHeader(file.head());
@@ -58,6 +72,9 @@ constexpr OtherFile kOtherTexts[] = {
   for (const OtherFile& other : kOtherTexts)
     if (head.find(other.sign) != std::string::npos)
       refuse(file.name(), other.problem, other.remedy);
+  if (isTrajectory(head))
+    refuse(file.name(), "is a trajectory, which shows no walls",
+           "give the simplemap or the map of the run");
   refuse(file.name(), "is not a map of a known kind", remedy);
 }
 
