@@ -2,6 +2,7 @@
 the disk, as a user does, and works with it by mouse and keyboard. Exits with 77 without Chromium.
 Talks to the browser through two pipes (--remote-debugging-pipe): JSON, ended by a zero byte."""
 import base64
+import collections
 import contextlib
 import csv
 import json
@@ -372,17 +373,28 @@ def the_address_brings_back_what_is_shown(browser, url):
     browser.open(url)
 
 
+def errors_are_drawn_along_each_drive(browser):
+    drawn = json.loads(browser.value("""JSON.stringify(
+        Array.from(document.querySelectorAll('#along .along'), (group) => [
+          group.querySelector('title').textContent, group.querySelectorAll('path').length]))"""))
+    data = json.loads(browser.value("document.querySelector('#comparison').textContent"))
+    marks = collections.Counter(tear["run"] for tear in data["breaks"] if tear["key_frame"] is not None)
+    driven = [run["name"] for run in data["runs"] if len(run["path"]) > 1]
+    check(driven and dict(drawn) == {name: 1 + marks[name] for name in driven},
+          f"along the drives there is {drawn}, with {marks} at breaks")
+
+
 def figures_and_tables_are_saved(browser, folder):
     saved = folder / "saved"
     shutil.rmtree(saved, ignore_errors=True)
     saved.mkdir()
     browser.ask("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
-    for figure in ("map", "plot"):
-        for kind in ("SVG", "PNG"):
-            browser.click_on(f'[data-figure="{figure}"] [data-kind="{kind}"]')
+    # Chromium lets a page save ten files; both plots are saved in the same way.
+    for figure, kind in (("map", "SVG"), ("map", "PNG"), ("plot", "PNG"), ("along", "SVG")):
+        browser.click_on(f'[data-figure="{figure}"] [data-kind="{kind}"]')
     browser.value("Array.from(document.querySelectorAll('.csv')).filter("
                   "b => b.textContent === 'Save as CSV').forEach(b => b.click())")
-    wanted = {"map.svg", "map.png", "plot.svg", "plot.png", "rooms.csv", "ranking.csv", "breaks.csv",
+    wanted = {"map.svg", "map.png", "plot.png", "along.svg", "rooms.csv", "ranking.csv", "breaks.csv",
               "pairs.csv", "measures.csv", "files.csv"}
     end = time.monotonic() + TIMEOUT
     while not wanted <= {p.name for p in saved.iterdir()}:
@@ -392,7 +404,7 @@ def figures_and_tables_are_saved(browser, folder):
     for name in ("map.png", "plot.png"):
         check((saved / name).read_bytes().startswith(b"\x89PNG") and
               (saved / name).stat().st_size > 5000, f"{name} is no picture")
-    for name in ("map.svg", "plot.svg"):
+    for name in ("map.svg", "along.svg"):
         xml.etree.ElementTree.parse(saved / name)
     with open(saved / "breaks.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
@@ -530,6 +542,7 @@ def work_with(browser, folder, url):
     scans_are_shown_in_the_row_of_a_break(browser)
     runs_are_swiped(browser)
     runs_are_shown_side_by_side(browser)
+    errors_are_drawn_along_each_drive(browser)
     figures_and_tables_are_saved(browser, folder)
     the_address_brings_back_what_is_shown(browser, url)
     names_strike_nothing(browser)
