@@ -1,6 +1,7 @@
 #include "usage_fault.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <regex>
 
 #include "roomgraph/base/nearest_word.h"
@@ -34,9 +35,18 @@ std::size_t filesOf(const CLI::App& command) {
       .size();
 }
 
-/** CLI11 writes the ends of a range with six decimals. */
+/** CLI11 writes the ends of a range with six decimals, and takes what is no number for one out of
+ *  range. */
 std::string plainText(const CLI::ParseError& error) {
-  const std::string text = std::regex_replace(error.what(), std::regex("([0-9])\\.0+\\b"), "$1");
+  std::smatch parts;
+  const std::string what = error.what();
+  if (std::regex_match(what, parts, std::regex("(.*)Value (.*) not in range .*"))) {
+    const std::string value = parts[2];
+    char* end = nullptr;
+    std::strtod(value.c_str(), &end);
+    if (value.empty() || *end) return parts[1].str() + "'" + value + "' is not a number";
+  }
+  const std::string text = std::regex_replace(what, std::regex("([0-9])\\.0+\\b"), "$1");
   return std::regex_replace(text, std::regex("(\\.[0-9]*[1-9])0+\\b"), "$1");
 }
 

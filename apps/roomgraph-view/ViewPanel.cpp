@@ -1,10 +1,14 @@
 #include "ViewPanel.h"
 
+#include <nanogui/opengl.h>
+
 #include <algorithm>
 #include <memory>
 
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/drawing/run_marks.h"
+#include "roomgraph/mrpt_plugin/draw_comparison.h"
 
 namespace roomgraph {
 namespace {
@@ -47,6 +51,29 @@ std::string captionOf(const std::string& name) {
   return text.substr(0, end) + "...";
 }
 
+/** The layer of a run, with the colour of its walls behind its name. */
+class RunBox : public nanogui::CheckBox {
+ public:
+  RunBox(nanogui::Widget* parent, const std::string& caption, Colour colour)
+      : CheckBox(parent, caption), colour_(colour) {}
+  nanogui::Vector2i preferredSize(NVGcontext* context) const override {
+    return CheckBox::preferredSize(context) + nanogui::Vector2i(2 * kSide, 0);
+  }
+  void draw(NVGcontext* context) override {
+    CheckBox::draw(context);
+    const auto side = float(kSide);
+    nvgBeginPath(context);
+    nvgRect(context, float(mPos.x() + mSize.x()) - side,
+            float(mPos.y()) + (float(mSize.y()) - side) / 2, side, side);
+    nvgFillColor(context, nvgRGB(colour_.red, colour_.green, colour_.blue));
+    nvgFill(context);
+  }
+
+ private:
+  static constexpr int kSide = 12;  // [px]
+  Colour colour_;
+};
+
 /** Where the `count` rows of a list go: the panel, or a part of it that scrolls where they are
  *  higher than `height`. */
 nanogui::Widget* hostOf(nanogui::Widget& panel, std::size_t count, int height) {
@@ -82,15 +109,22 @@ ViewPanel::ViewPanel(nanogui::Screen& screen, View& view, ViewState& state,
 void ViewPanel::addLayers(nanogui::Widget& panel, const std::vector<std::string>& layers,
                           int height) {
   nanogui::Widget* host = hostOf(panel, layers.size(), height);
+  const auto& runs = view_.comparison.runs;
   for (const std::string& layer : layers) {
-    auto* box =
-        new nanogui::CheckBox(host, captionOf(nameOfLayer(layer)), [this, layer](bool isShown) {
-          if (isShown)
-            state_.hidden.erase(layer);
-          else
-            state_.hidden.insert(layer);
-          calls_.refresh();
-        });
+    const std::string caption = captionOf(nameOfLayer(layer));
+    const auto run = std::find_if(runs.begin(), runs.end(), [&](const ComparedRun& one) {
+      return runLayer(one.name) == layer;
+    });
+    auto* box = run == runs.end()
+                    ? new nanogui::CheckBox(host, caption)
+                    : new RunBox(host, caption, runColour(std::size_t(run - runs.begin())));
+    box->setCallback([this, layer](bool isShown) {
+      if (isShown)
+        state_.hidden.erase(layer);
+      else
+        state_.hidden.insert(layer);
+      calls_.refresh();
+    });
     boxes_[layer] = box;
   }
 }

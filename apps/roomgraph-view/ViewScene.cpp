@@ -20,7 +20,7 @@ constexpr double kFaint = 0.3;         // share of its colour that a faint wall 
 constexpr float kRobotRadius = 0.25f;  // [m]
 constexpr mrpt::img::TColor kScan{200, 30, 30}, kRobot{20, 20, 20}, kText{30, 34, 40};
 
-constexpr const char* kBreaks = "breaks";
+constexpr const char *kBreaks = "breaks", *kRoomNames = "room names";
 constexpr const char* kGraphParts[] = {"map",       "rooms",    "room outlines", "ways in rooms",
                                        "corridors", "vertices", "room numbers"};
 
@@ -119,7 +119,7 @@ void ViewScene::addComparison() {
   MrptScene drawn = comparisonScene(view_.comparison, view_.runs);
   std::vector<std::string> names;
   for (const ComparedRun& run : view_.comparison.runs) names.push_back(runLayer(run.name));
-  names.insert(names.end(), {"rooms", "room names", kBreaks});
+  names.insert(names.end(), {"rooms", kRoomNames, kBreaks});
   for (const std::string& name : names)
     if (const auto object = drawn.getByName(name)) {
       scene_->insert(object);
@@ -215,9 +215,10 @@ void ViewScene::hideLayers(const ViewState& state) {
   for (std::size_t i = 0; i < view_.comparison.runs.size(); ++i)
     if (const auto path = scene_->getByName("path " + std::to_string(i)))
       path->setVisibility(i == state.run && !state.tear);
-  // The two poses tell more of the break that is looked at; the words of others would hide them.
-  const auto breaks = scene_->getByName(kBreaks);
-  if (breaks && state.tear) breaks->setVisibility(false);
+  // The two poses tell more of the break that is looked at; other words would hide them.
+  for (const char* name : {kBreaks, kRoomNames})
+    if (const auto words = scene_->getByName(name); words && state.tear)
+      words->setVisibility(false);
   hideGraph(state);
   hideRuns(state);
 }

@@ -5,6 +5,7 @@
 #include "View.h"
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -19,7 +20,14 @@ using Say = std::function<void(const std::string&)>;
 
 constexpr int kWallsOfScan = 400;  // one scan is drawn at a time
 
-bool isComparison(const std::string& file) { return fs::path(file).extension() == ".json"; }
+/** Graphs are JSON as well: who reads maps knows what opens them. */
+bool isComparison(const std::string& file) {
+  if (fs::path(file).extension() != ".json") return false;
+  const CheckedFile opened(file);
+  const ByteView head = opened.head();
+  return std::string(reinterpret_cast<const char*>(head.data), head.size)
+             .find("\"roomgraph/graph\"") == std::string::npos;
+}
 
 /** Adds the runs of a map file to the view; says why where there is none. */
 void addMap(const std::string& file, View& view, const std::string& comparison, const Say& say) {

@@ -2,6 +2,7 @@
 #include <mrpt/opengl/CFBORender.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -61,7 +62,11 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
 
 std::string wordsFor(const std::vector<std::string>& files) {
   if (files.size() == 1) return "Reading " + printable(fs::path(files[0]).filename().string());
-  return "Reading and comparing " + std::to_string(files.size()) + " files";
+  const bool isCompared = std::any_of(files.begin(), files.end(), [](const std::string& file) {
+    return fs::path(file).extension() == ".json";
+  });
+  return (isCompared ? "Reading " : "Reading and comparing ") + std::to_string(files.size()) +
+         " files";
 }
 
 /** Draws into memory: no display is needed. */

@@ -25,7 +25,7 @@ bool hasRuns(const View& view) { return view.comparison.runs.size() > 1; }
 bool hasBreaks(const View& view) { return !view.comparison.breaks.empty(); }
 
 constexpr KeyHelp kKeys[] = {
-    {"B, V", "next, last break", hasBreaks},
+    {"B, V", "next, previous break", hasBreaks},
     {"right, left", "key frame on, back; up, down: ten; shift: to the end", hasPath},
     {"space", "play", hasPath},
     {"G", "grow: only what was seen up to the key frame", hasPath},
@@ -34,7 +34,7 @@ constexpr KeyHelp kKeys[] = {
     {"F", "flicker between the two", hasRuns},
     {"W", "swipe: one run on each side of a line", hasRuns},
     {"N", "nudge the run, and see how it fits the other one", hasRuns},
-    {"X, Z", "next, last stage of the extraction", hasMap},
+    {"X, Z", "next, previous stage of the extraction", hasMap},
     {"D", "where the runs disagree", hasRuns},
     {"M", "measure", always},
     {"click", "read what is there", always},

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "HelpFormatter.h"
@@ -56,6 +57,17 @@ std::string helpOf(const CLI::App& app) {
   return call + " --help";
 }
 
+/** The words of the call; 'help compare' as of git is 'compare --help'. */
+std::vector<std::string> wordsOf(int count, char** arguments) {
+  std::vector<std::string> words(arguments + 1, arguments + count);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  const auto isCalled = [&](const Command& command) { return command.name == words.front(); };
+  if (words.empty() || std::any_of(std::begin(kCommands), std::end(kCommands), isCalled))
+    words.emplace_back("--help");
+  return words;
+}
+
 int run(int count, char** arguments) {
   CLI::App app("Room-aware topology graphs of 2D grid maps.", "roomgraph");
   app.set_version_flag("--version", version());
@@ -66,12 +78,13 @@ int run(int count, char** arguments) {
     CLI::App* sub = app.add_subcommand(command.name, command.sentence);
     sub->final_callback([&exitCode, work = command.declare(*sub)] { exitCode = work(); });
   }
-  if (count == 1) return std::fputs(app.help().c_str(), stderr), kBadUsage;
+  const std::vector<std::string> words = wordsOf(count, arguments);
+  if (words.empty()) return std::fputs(app.help().c_str(), stderr), kBadUsage;
   try {
-    app.parse(count, arguments);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    const std::string fault = usageFault(app, {arguments + 1, arguments + count}, error);
+    const std::string fault = usageFault(app, words, error);
     printError(fault + " (see '" + helpOf(app) + "')");
     return kBadUsage;
   }

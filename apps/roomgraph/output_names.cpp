@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,7 +15,9 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/graph_files/ros_map.h"
+#include "roomgraph/images/png_bytes.h"
 #include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
@@ -55,17 +58,43 @@ std::string pictureOf(const std::string& mapFile) {
   return {};
 }
 
-/** Whether a file is a ROS map that this program has not written. */
-bool isForeignMap(const std::string& file) {
-  return !pictureOf(file).empty() && firstLines(file).rfind(kRosMapMark, 0) != 0;
+/** The first bytes of a file as they lie on the disk; none where it is no file. */
+std::string storedHead(const std::string& file) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) return {};
+  // As far as the longest palette that we write, and what stands before it.
+  constexpr std::size_t enough = 512;
+  std::string head(enough, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), std::streamsize(enough));
+  head.resize(std::size_t(in.gcount()));
+  return head;
 }
 
-/** The ROS map of somebody else that is a file, or that has it for its picture; empty for none. */
+bool isOurYaml(const std::string& file) { return storedHead(file).rfind(kRosMapMark, 0) == 0; }
+
+/** Whether a file that is there has been written by this program, as far as files of its kind say
+ *  who has written them. */
+bool isOurs(const std::string& file) {
+  const auto holds = [&file](const std::string& mark) {
+    return storedHead(file).find(mark) != std::string::npos;
+  };
+  if (endsWith(file, ".yaml") || endsWith(file, ".yml")) return isOurYaml(file);
+  if (endsWith(file, ".png")) return holds(std::string("Software") + '\0' + kPngSoftware);
+  if (endsWith(file, ".pgm")) {
+    const std::string yaml = fs::path(file).replace_extension(".yaml").string();
+    return isOurYaml(yaml) && areSameFile(pictureOf(yaml), file);
+  }
+  for (const char* kind : {".gridmap", ".gridmap.gz", ".rawlog"})
+    if (endsWith(file, kind)) return holds(kGzipMark);
+  return true;
+}
+
+/** The ROS map of somebody else that has a file for its picture; empty for none. */
 std::string foreignMapOf(const std::string& file) {
-  if (isForeignMap(file)) return file;
   for (const char* extension : {".yaml", ".yml"}) {
     std::string yaml = fs::path(file).replace_extension(extension).string();
-    if (isForeignMap(yaml) && areSameFile(pictureOf(yaml), file)) return yaml;
+    if (areSameFile(pictureOf(yaml), file) && !isOurYaml(yaml)) return yaml;
   }
   return {};
 }
@@ -136,6 +165,9 @@ void checkOutputNames(const std::vector<std::string>& mapFiles, const std::strin
     if (const std::string map = foreignMapOf(result); !map.empty())
       throw UsageError(result + ": would replace a part of the map " + map + ", which roomgraph " +
                        "has not written: choose another folder with --output");
+    if (identity && !isOurs(result))
+      throw UsageError(result + ": would replace a file that roomgraph has not written: choose " +
+                       "another folder with --output");
   }
 }
 

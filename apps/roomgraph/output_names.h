@@ -15,8 +15,8 @@ bool areSameFile(const std::string& one, const std::string& other);
 bool wouldBeSameFile(const std::string& one, const std::string& other);
 
 /** Throws UsageError where two maps have a result of the same name, or where a result would replace
- *  one of the maps, the picture that a ROS map names, or a ROS map beside it that this program has
- *  not written. */
+ *  one of the maps, the picture that a ROS map names, or a yaml, picture, grid map or log that this
+ *  program has not written. */
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,
                       const std::vector<std::string>& extensions);
 

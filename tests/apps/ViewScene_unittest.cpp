@@ -73,12 +73,15 @@ TEST(ViewScene, atABreakTheNamesOfOthersAreGone) {
   ViewState state;
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
+  EXPECT_TRUE(drawn.scene()->getByName("room names")->isVisible());
   lookAtBreak(0, view, state);
   drawn.update(state);
   EXPECT_FALSE(drawn.scene()->getByName("breaks")->isVisible());
+  EXPECT_FALSE(drawn.scene()->getByName("room names")->isVisible());
   fulfil(Wish::leave, view, state);
   drawn.update(state);
   EXPECT_TRUE(drawn.scene()->getByName("breaks")->isVisible());
+  EXPECT_TRUE(drawn.scene()->getByName("room names")->isVisible());
 }
 
 TEST(ViewScene, aMapWithoutScansHasNoLayerOfPaths) {

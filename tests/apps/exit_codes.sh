@@ -11,6 +11,14 @@ one_line err missing.gridmap
 
 expect 2 "$roomgraph"
 grep -q "compare  *Rank several maps" err || fail "the commands are not named"
+expect 0 "$roomgraph" help
+cp out help
+expect 0 "$roomgraph" --help
+cmp out help
+expect 0 "$roomgraph" help extract
+grep -q "roomgraph extract \[OPTIONS\] MAP" out || fail "the help is of another command"
+expect 2 "$roomgraph" help zzz
+one_line err "there is no command 'zzz'"
 expect 2 "$roomgraph" extract
 one_line err MAP
 expect 2 "$roomgraph" exctract a.pgm
@@ -35,6 +43,29 @@ expect 2 "$roomgraph" extract a.pgm --room-width 2 --alpha-px2 200
 one_line err --room-width --alpha-px2
 expect 2 "$roomgraph" extract a.pgm --config missing.ini
 one_line err missing.ini
+
+# What is no map is named, with the program that opens it.
+expect 0 "$roomgraph" extract a.pgm --format all -o written
+opened_by() {  # FILE TEXT...
+  expect 1 "$roomgraph" extract "$1" -o none
+  one_line err "$@"
+}
+opened_by written/a.json "is a graph, and no map" "roomgraph info"
+opened_by written/a.geojson "is GeoJSON" QGIS
+opened_by written/a.graphml "is a graph, and no map" Gephi
+opened_by written/a.osm JOSM
+opened_by written/a.roomgraph "is a graph, and no map" RawLogViewer
+opened_by written/a.3Dscene "is a scene" SceneViewer3D
+printf '<!DOCTYPE html>\n' > page.html
+opened_by page.html browser
+printf '# message formats\nPARAM laser_front_laser_resolution 1.0 nohost 0\nFLASER 3 1 2 3 0 0 0\n' > drive.log
+opened_by drive.log CARMEN carmen2simplemap
+printf '# time x y z qx qy qz qw\n1.5 0 0 0 0 0 0 1\n' > run.tum
+opened_by run.tum "is a trajectory"
+printf '1 0 0 0 0 1 0 0 0 0 1 0\n' > run.kitti
+opened_by run.kitti "is a trajectory"
+printf 'Scene of a play\n' > text.txt
+opened_by text.txt "is not a map of a known kind"
 
 touch file
 expect 1 "$roomgraph" extract a.pgm -o file/below

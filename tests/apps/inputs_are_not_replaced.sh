@@ -23,12 +23,45 @@ printf 'resolution: 0.05\nimage: plan.png\norigin: [3, 0, 0]\noccupied_thresh: 0
 expect 0 "$roomgraph" convert plan.yaml --format gridmap -o ..
 mkdir before && cp plan.* before
 expect 2 "$roomgraph" convert ../plan.gridmap
-one_line err "./plan.yaml: would replace a part of the map ./plan.yaml"
+one_line err "./plan.yaml: would replace a file that roomgraph has not written"
 expect 2 "$roomgraph" extract ../plan.gridmap -o .
-one_line err "./plan.png: would replace"
+one_line err "./plan.png: would replace a part of the map ./plan.yaml"
 for file in plan.png plan.yaml; do cmp "$file" "before/$file"; done
 expect 0 "$roomgraph" extract ../plan.gridmap -o . --format json
 # What it has written itself, it may write again.
 expect 0 "$roomgraph" convert ../plan.gridmap -o own
 expect 0 "$roomgraph" convert ../plan.gridmap -o own
 expect 0 "$roomgraph" extract own/plan.yaml -o . --format json
+
+# Nor any other yaml, picture, grid map or log, even where no map names it.
+cd .. && mkdir alone && cd alone
+gunzip < ../plan.gridmap > plan.gridmap   # the mark of its author goes with the compression
+printf 'planner: true\n' > plan.yaml
+rooms plan.pgm && cp plan.pgm plan.png && cp plan.pgm plan.rawlog
+mkdir before && cp plan.* before
+for format in ros gridmap png; do
+  expect 2 "$roomgraph" convert ../theirs/plan.yaml --format $format
+  one_line err "would replace a file that roomgraph has not written"
+done
+rm plan.yaml   # a bare picture is nobody's but the user's, either
+expect 2 "$roomgraph" convert ../plan.gridmap
+one_line err "./plan.pgm: would replace a file that roomgraph has not written"
+expect 2 "$roomgraph" extract ../plan.gridmap -o . --format json,png
+one_line err "./plan.png: would replace a file that roomgraph has not written"
+gunzip -c "$source_dir/share/roomgraph/maps/office.simplemap.gz" > ../plan.simplemap
+expect 2 "$roomgraph" export-rawlog ../plan.simplemap
+one_line err "./plan.rawlog: would replace a file that roomgraph has not written"
+for file in before/plan.pgm before/plan.png before/plan.gridmap before/plan.rawlog; do
+  cmp "$file" "$(basename "$file")"
+done
+
+# Its own it writes again, in each format.
+for format in ros gridmap png; do
+  for time in first second; do
+    expect 0 "$roomgraph" convert ../theirs/plan.yaml --format $format -o again
+  done
+done
+for time in first second; do
+  expect 0 "$roomgraph" extract ../plan.gridmap --format all -o graph
+  expect 0 "$roomgraph" export-rawlog ../plan.simplemap -o log
+done

@@ -23,7 +23,7 @@ stopped() {
   rm -rf now && cp -r old now
   local code=0
   extract strace -f -o trace "${paths[@]}" \
-    -e "inject=$2:$1:when=$3" > out 2> err || code=$?
+    -e "inject=$2:$1:when=$3" "${also[@]}" > out 2> err || code=$?
   for file in now/room.*; do
     case $file in *.roomgraph-part*) continue ;; esac
     cmp -s "$file" "old/${file#now/}" || cmp -s "$file" "new/${file#now/}" ||
@@ -32,8 +32,8 @@ stopped() {
   grep -v '^strace: ' err > said || true
   [ "$code" -ne 0 ]
 }
-kills=0 full=0
-for call in openat write fsync rename; do
+kills=0 full=0 also=()
+for call in openat write fsync rename renameat2; do
   for ((n = 1; ; ++n)); do
     stopped signal=KILL $call $n || break
     kills=$((kills + 1))
@@ -41,11 +41,14 @@ for call in openat write fsync rename; do
     [ "$(ls now)" = "$(ls new)" ] || { ls now; fail "$call $n leaves something behind"; }
     for file in new/*; do cmp "$file" "now/${file#new/}"; done
   done
+  # What cannot be exchanged is renamed; here neither can be.
+  [ $call != renameat2 ] || also=(-e inject=rename:error=ENOSPC)
   for ((n = 1; ; ++n)); do
     stopped error=ENOSPC $call $n || break
     full=$((full + 1))
     one_line said roomgraph:
     [ "$(ls now)" = "$(ls old)" ] || { ls now; fail "a full disk at $call $n leaves something behind"; }
+    for file in old/*; do cmp "$file" "now/${file#old/}"; done
   done
 done
 [ "$kills" -ge 9 ] && [ "$full" -ge 9 ] || fail "$kills and $full calls that write: this sees too few"

@@ -47,6 +47,10 @@ TEST(UsageFault, doesNotBlameAnOptionThatThereIs) {
   EXPECT_EQ(faultOf({"archive", "a.db", "add", "--robot", "anna"}), "RUN is required");
 }
 
+TEST(UsageFault, tellsUnitsFromNumbersOutOfRange) {
+  EXPECT_EQ(faultOf({"extract", "a", "--width", "2m"}), "--width: '2m' is not a number");
+}
+
 TEST(UsageFault, writesRangesWithoutUselessZeros) {
   EXPECT_NE(faultOf({"extract", "a", "--width", "3"}).find("0 to 2.5"), std::string::npos)
       << faultOf({"extract", "a", "--width", "3"});

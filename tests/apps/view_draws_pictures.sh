@@ -21,6 +21,9 @@ expect 0 "$view" --break 1 --screenshot break.png --size 640 480 "$maps"/office_
 expect 0 "$view" "$maps/office.yaml" --stage 2 --screenshot stage.png
 [ "$(pixels stage.png 'rgb(213,94,0)')" -gt 1000 ] || fail "no obstacles"
 [ "$(pixels stage.png 'rgb(0,110,82)')" -eq 0 ] || fail "rooms in a stage before rooms"
+expect 0 "$compare" extract "$maps/office.yaml" --format json -o graph
+expect 1 "$view" graph/office.json --screenshot none.png
+one_line err "is a graph" "give the map that it is of"
 expect 2 "$view" "$maps/office.yaml" --stage 17 --screenshot none.png
 one_line err --stage
 

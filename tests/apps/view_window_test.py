@@ -16,6 +16,7 @@ import tempfile
 import time
 
 SKIPPED = 77
+SWATCH = 12 * 12  # pixels of the colour of a run behind its name
 COLORS = {"scan": (200, 30, 30), "untorn": (0, 130, 90), "before": (0, 82, 155),
           "text": (30, 34, 40), "ruler": (110, 60, 150), "read": (230, 0, 120),
           "vertex": (0, 110, 82), "line": (20, 20, 20),
@@ -149,7 +150,7 @@ def find_break(viewer):
 def swipe(viewer):
     viewer.press("w")
     viewer.wait("one run on each side", lambda c: c["line"] > 2000 and
-                c[LEFT_HALF]["torn"] > 500 and c[LEFT_HALF]["best"] < 20)
+                c[LEFT_HALF]["torn"] > 500 and SWATCH <= c[LEFT_HALF]["best"] < SWATCH + 20)
     viewer.drag(640, 600, 300, 600)
     viewer.wait("less of the one", lambda c: c[LEFT_HALF]["best"] > 500)
     viewer.press("w")

@@ -80,6 +80,24 @@ TEST(StagedFiles, whatCannotTakeItsPlaceIsRemoved) {
   EXPECT_EQ(older.folder.names(), (Names{"a", "b", "c"}));
 }
 
+TEST(StagedFiles, whatCannotTakeItsPlaceLeavesTheOthersAsTheyWere) {
+  const Older older;
+  std::filesystem::create_hard_link(older.folder / "a", older.folder / "link to a");
+  {
+    StagedFiles files;
+    files.add(older.folder / "a", "new a");
+    files.add(older.folder / "d", "new d");
+    files.add(older.folder / "c", "new c");
+    files.add(older.folder / "b", "new b");
+    std::filesystem::create_directory(older.folder / "c");
+    EXPECT_THROW(files.commit(), DataError);
+  }
+  older.expectUntouched();
+  EXPECT_EQ(older.folder.names(), (Names{"a", "b", "c", "link to a"}));
+  EXPECT_TRUE(std::filesystem::equivalent(older.folder / "a", older.folder / "link to a"))
+      << "a copy of the file is there, and not the file";
+}
+
 /** Does the work in a process of its own, which then stops without any destructor. */
 template <class Work>
 void stopAfter(const Work& work) {

@@ -23,5 +23,16 @@ TEST(Compressed, isReadBackAsItWasStored) {
   }
 }
 
+TEST(Gzipped, keepsItsCommentInTheHeaderAndOutOfTheContent) {
+  const TestFolder folder;
+  const std::string file = gzipped("content", kGzipMark);
+  EXPECT_EQ(file.find(kGzipMark), 10u) << "right behind the fields that each header has";
+  writeFileAtomically(folder / "a", file);
+  CheckedFile opened(folder / "a");
+  const ByteView read = opened.content();
+  EXPECT_EQ(std::string(reinterpret_cast<const char*>(read.data), read.size), "content");
+  EXPECT_EQ(gzipped("content", {}), compressed("content", Compression::gzip));
+}
+
 }  // namespace
 }  // namespace roomgraph

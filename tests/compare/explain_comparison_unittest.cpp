@@ -181,7 +181,8 @@ TEST(Notes, saysWhereDrivesAreNotKnown) {
 
 TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
   EXPECT_EQ(otherSitesNote({{"a", "b"}, {"c", "d"}}),
-            " There are 2 sites, of which only the first is compared: {a and b}, {c and d}.");
+            " There are 2 sites, of which only the first is compared (--each-site compares each): "
+            "{a and b}, {c and d}.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 3),
             " 2 runs are of one drive (a and b): what they get wrong together does not show.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 2),

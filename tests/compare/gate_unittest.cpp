@@ -50,6 +50,17 @@ TEST(Gate, coverageIsFoundByItsNameAndCountsAsItIs) {
             Lines{"little: has seen 69 % of what at least two runs have seen, less than 70 %"});
 }
 
+TEST(Gate, whatIsWrongWithARunStandsTogether) {
+  Comparison comparison = sample();
+  comparison.breaks = {{"little", {1, 2}, 0.3, 0.9, {}, {}}, {"good", {1, 2}, 0.1, 0.5, {}, {}}};
+  GateOptions options;
+  options.failsOnBreaks = options.failsOnCoverage = true;
+  const Lines lines = gateVerdict(comparison, options).complaints;
+  ASSERT_EQ(lines.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(lines[i].rfind(i == 0 ? "good: breaks" : "little: ", 0), 0u) << lines[i];
+}
+
 TEST(Gate, aBreakIsToldWithItsKeyFrameAndTime) {
   GateOptions options;
   options.failsOnBreaks = true;

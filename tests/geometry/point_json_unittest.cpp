@@ -21,6 +21,12 @@ TEST(ReadPoint, refusesWhatIsNoPair) {
   }
 }
 
+TEST(ReadPoint, refusesWhatIsTooFarAway) {
+  const Json json = Json::parse(R"({"at": [-1e7, 1e7], "far": [0, 1e308]})");
+  EXPECT_EQ(readPoint(JsonNode{json, ""}["at"]), (Point{-1e7, 1e7}));
+  EXPECT_THROW(readPoint(JsonNode{json, ""}["far"]), Broken);
+}
+
 TEST(ReadPolygon, readsRings) {
   const Json json =
       Json::parse(R"({"polygon": [[0,0],[4,0],[0,3]], "holes": [[[1,1],[1,2],[2,1]]]})");

@@ -2,6 +2,7 @@
 the disk, as a user does, and works with it by mouse and keyboard. Exits with 77 without Chromium.
 Talks to the browser through two pipes (--remote-debugging-pipe): JSON, ended by a zero byte."""
 import base64
+import collections
 import contextlib
 import csv
 import json
@@ -372,17 +373,28 @@ def the_address_brings_back_what_is_shown(browser, url):
     browser.open(url)
 
 
+def errors_are_drawn_along_each_drive(browser):
+    drawn = json.loads(browser.value("""JSON.stringify(
+        Array.from(document.querySelectorAll('#along .along'), (group) => [
+          group.querySelector('title').textContent, group.querySelectorAll('path').length]))"""))
+    data = json.loads(browser.value("document.querySelector('#comparison').textContent"))
+    marks = collections.Counter(tear["run"] for tear in data["breaks"] if tear["key_frame"] is not None)
+    driven = [run["name"] for run in data["runs"] if len(run["path"]) > 1]
+    check(driven and dict(drawn) == {name: 1 + marks[name] for name in driven},
+          f"along the drives there is {drawn}, with {marks} at breaks")
+
+
 def figures_and_tables_are_saved(browser, folder):
     saved = folder / "saved"
     shutil.rmtree(saved, ignore_errors=True)
     saved.mkdir()
     browser.ask("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(saved)})
-    for figure in ("map", "plot"):
-        for kind in ("SVG", "PNG"):
-            browser.click_on(f'[data-figure="{figure}"] [data-kind="{kind}"]')
+    # Chromium lets a page save ten files; both plots are saved in the same way.
+    for figure, kind in (("map", "SVG"), ("map", "PNG"), ("plot", "PNG"), ("along", "SVG")):
+        browser.click_on(f'[data-figure="{figure}"] [data-kind="{kind}"]')
     browser.value("Array.from(document.querySelectorAll('.csv')).filter("
                   "b => b.textContent === 'Save as CSV').forEach(b => b.click())")
-    wanted = {"map.svg", "map.png", "plot.svg", "plot.png", "rooms.csv", "ranking.csv", "breaks.csv",
+    wanted = {"map.svg", "map.png", "plot.png", "along.svg", "rooms.csv", "ranking.csv", "breaks.csv",
               "pairs.csv", "measures.csv", "files.csv"}
     end = time.monotonic() + TIMEOUT
     while not wanted <= {p.name for p in saved.iterdir()}:
@@ -392,7 +404,7 @@ def figures_and_tables_are_saved(browser, folder):
     for name in ("map.png", "plot.png"):
         check((saved / name).read_bytes().startswith(b"\x89PNG") and
               (saved / name).stat().st_size > 5000, f"{name} is no picture")
-    for name in ("map.svg", "plot.svg"):
+    for name in ("map.svg", "along.svg"):
         xml.etree.ElementTree.parse(saved / name)
     with open(saved / "breaks.csv", newline="", encoding="utf-8") as file:
         rows = list(csv.reader(file))
@@ -484,12 +496,29 @@ def it_asks_for_nothing_and_complains_of_nothing(browser, url):
 def it_can_be_printed(browser, folder):
     content = browser.save_print(folder / "report.pdf")
     check(content.startswith(b"%PDF") and len(content) > 20000, "the print is empty")
-    sides = {tuple(map(float, box.split()[2:4])) for box in
-             re.findall(rb"/MediaBox \[([^]]*)\]", content)}
-    check(any(wide > high for wide, high in sides) and any(wide < high for wide, high in sides),
-          f"the table of measures has no wide page: {sides}")
+    pages = len(re.findall(rb"/Type\s*/Page\b", content))
+    check(pages <= 4, f"the print has {pages} pages")
     check(browser.value("document.querySelector('#map').style.width") == "",
           "the map keeps the size of the paper")
+    check(browser.value("document.querySelector('#options details').open") is False,
+          "what was folded stays open after the print")
+
+
+def measures_stand_below_each_other_on_paper(browser):
+    browser.ask("Emulation.setEmulatedMedia", {"media": "print"})
+    browser.value("document.querySelector('.all-measures').open = true")
+    places = browser.value("""JSON.stringify(
+        [...document.querySelectorAll('#measures-table thead th')].map((cell, k) => {
+          const box = cell.getBoundingClientRect();
+          const value = document.querySelectorAll('#measures-table tbody tr')[0].cells[k]
+            .getBoundingClientRect();
+          return [box.left, box.top, value.top];
+        }))""")
+    lines = json.loads(places)
+    check(len({left for left, _, _ in lines}) == 1, "names of measures stand beside each other")
+    check(all(abs(top - value) < 1 for _, top, value in lines),
+          "a measure does not stand beside its name")
+    browser.ask("Emulation.setEmulatedMedia", {"media": ""})
 
 
 def find_browser():
@@ -513,10 +542,12 @@ def work_with(browser, folder, url):
     scans_are_shown_in_the_row_of_a_break(browser)
     runs_are_swiped(browser)
     runs_are_shown_side_by_side(browser)
+    errors_are_drawn_along_each_drive(browser)
     figures_and_tables_are_saved(browser, folder)
     the_address_brings_back_what_is_shown(browser, url)
     names_strike_nothing(browser)
     it_can_be_printed(browser, folder)
+    measures_stand_below_each_other_on_paper(browser)
     for width in (1000, 400):
         nothing_is_wider_than_the_window(browser, width)
     rows_lead_to_the_map(browser)

@@ -54,6 +54,9 @@ TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
   const std::string text = gateMarkdown(comparison);
   EXPECT_TRUE(has(text, "## The gate fails\n\nAsked was no break.\n\n- b")) << text;
   EXPECT_TRUE(has(text, "breaks\n\na is the best\n\n| rank")) << text;
+  comparison.gate->complaints = {"a: has no score", "a: breaks", "a: has seen little"};
+  const std::string failing = gateMarkdown(comparison);
+  EXPECT_TRUE(has(failing, "| **has no score** and 2 more |\n")) << failing;
   comparison.gate = GateVerdict{{}, {"a"}, {"no break"}, {"a: has no break"}};
   const std::string passing = gateMarkdown(comparison);
   EXPECT_EQ(passing.find("## The gate passes: a\n\nAsked was no break.\n\n- a: has no break\n"), 0u)

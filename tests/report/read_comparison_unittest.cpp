@@ -108,6 +108,16 @@ TEST(ReadComparison, aMeasureThatIsNotAnObjectIsRefused) {
   EXPECT_NE(complaintOf(json).find("runs[0].measures.coverage.support"), std::string::npos);
 }
 
+TEST(ReadComparison, placesLieWhereSomethingCanBeDrawn) {
+  for (const char* at : {"/runs/0/pose/0", "/runs/0/path/0/x", "/rooms/0/x", "/rooms/0/polygon/0/1",
+                         "/breaks/0/x"}) {
+    Json json = document();
+    ASSERT_TRUE(json.contains(Pointer(at))) << at;
+    json[Pointer(at)] = 1e308;
+    EXPECT_NE(complaintOf(json).find("is too far away to be a place"), std::string::npos) << at;
+  }
+}
+
 TEST(ReadComparison, countsAreWholeAndNotTooMany) {
   for (const Json& bad : {Json(-1), Json(0.5), Json(1e12), Json("3")}) {
     Json json = document();

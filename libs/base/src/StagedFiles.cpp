@@ -88,7 +88,7 @@ class StagedFiles::Part {
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
   ~Part() {
-    if (!isDone_) {
+    if (place_ != Place::settled) {
       const std::lock_guard<std::mutex> lock(allParts().mutex);
       unlink(name_.c_str());
       allParts().names.erase(name_);
@@ -107,17 +107,44 @@ class StagedFiles::Part {
     if (fsync(descriptor_) != 0) fail(path_, errno);
   }
 
-  /** The caller holds the mutex. */
+  // The caller of these holds the mutex.
+
+  /** What was there keeps the part's name, so that it can be put back. */
   void becomeTarget() {
+    const bool isAlone = !isFile(path_);
+    if (!isAlone && exchange()) {
+      place_ = Place::exchanged;
+      return;
+    }
     if (std::rename(name_.c_str(), path_.c_str()) != 0) fail(path_, errno);
-    isDone_ = true;
+    place_ = isAlone ? Place::alone : Place::settled;  // some file systems cannot exchange files
+  }
+  /** Puts back what was there. */
+  void undo() {
+    if (place_ == Place::exchanged && exchange()) place_ = Place::part;
+    if (place_ == Place::alone && std::rename(path_.c_str(), name_.c_str()) == 0)
+      place_ = Place::part;
+  }
+  void settle() {
+    if (place_ == Place::exchanged) unlink(name_.c_str());
+    place_ = Place::settled;
     allParts().names.erase(name_);
   }
 
  private:
+  enum class Place { part, exchanged, alone, settled };
+
+  static bool isFile(const std::string& name) {
+    struct stat status {};
+    return lstat(name.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+  }
+  bool exchange() const {
+    return renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, path_.c_str(), RENAME_EXCHANGE) == 0;
+  }
+
   std::string path_, name_;
   int descriptor_ = -1;
-  bool isDone_ = false;
+  Place place_ = Place::part;
 };
 
 StagedFiles::StagedFiles() = default;
@@ -144,7 +171,13 @@ void StagedFiles::add(const std::string& path, const std::string& bytes) {
 void StagedFiles::commit() {
   {
     const std::lock_guard<std::mutex> lock(allParts().mutex);
-    for (const std::unique_ptr<Part>& part : parts_) part->becomeTarget();
+    try {
+      for (const std::unique_ptr<Part>& part : parts_) part->becomeTarget();
+    } catch (...) {
+      for (const std::unique_ptr<Part>& part : parts_) part->undo();
+      throw;
+    }
+    for (const std::unique_ptr<Part>& part : parts_) part->settle();
   }
   parts_.clear();
 }

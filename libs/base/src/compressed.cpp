@@ -12,26 +12,6 @@
 namespace roomgraph {
 namespace {
 
-std::string gzipped(const std::string& bytes) {
-  if (bytes.size() > std::numeric_limits<uInt>::max())
-    throw std::length_error("the object is larger than 4 GB");
-  z_stream stream{};
-  // Maps and scenes compress nearly as well at the lowest level, in a third of the time.
-  constexpr int gzipFrame = 16 + MAX_WBITS, memory = 8;
-  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzipFrame, memory, Z_DEFAULT_STRATEGY) !=
-      Z_OK)
-    throw std::bad_alloc();
-  std::string out(deflateBound(&stream, uLong(bytes.size())), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = static_cast<uInt>(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  deflate(&stream, Z_FINISH);  // cannot fail: there is room for all of it
-  out.resize(stream.total_out);
-  deflateEnd(&stream);
-  return out;
-}
-
 std::string asZstd(const std::string& bytes) {
   const std::unique_ptr<ZSTD_CCtx, size_t (*)(ZSTD_CCtx*)> context(ZSTD_createCCtx(),
                                                                    ZSTD_freeCCtx);
@@ -51,10 +31,35 @@ std::string asZstd(const std::string& bytes) {
 
 }  // namespace
 
+std::string gzipped(const std::string& bytes, const std::string& comment) {
+  if (bytes.size() > std::numeric_limits<uInt>::max())
+    throw std::length_error("the object is larger than 4 GB");
+  z_stream stream{};
+  // Maps and scenes compress nearly as well at the lowest level, in a third of the time.
+  constexpr int gzipFrame = 16 + MAX_WBITS, memory = 8;
+  if (deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, gzipFrame, memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK)
+    throw std::bad_alloc();
+  constexpr int unixSystem = 3;
+  gz_header header{};
+  header.os = unixSystem;
+  header.comment = reinterpret_cast<Bytef*>(const_cast<char*>(comment.c_str()));
+  if (!comment.empty()) deflateSetHeader(&stream, &header);
+  std::string out(deflateBound(&stream, uLong(bytes.size())), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);  // cannot fail: there is room for all of it
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
 std::string compressed(const std::string& bytes, Compression how) {
   switch (how) {
     case Compression::gzip:
-      return gzipped(bytes);
+      return gzipped(bytes, {});
     case Compression::zstd:
       return asZstd(bytes);
     case Compression::none:

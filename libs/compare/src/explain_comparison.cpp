@@ -125,8 +125,9 @@ std::string scalesNote(const std::vector<std::string>& larger,
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
-  std::string text =
-      formatted(" There are %zu sites, of which only the first is compared: ", sites.size());
+  std::string text = formatted(
+      " There are %zu sites, of which only the first is compared (--each-site compares each): ",
+      sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
     text += (i == 0 ? "{" : ", {") + listed(sites[i]) + "}";
   return text + ".";

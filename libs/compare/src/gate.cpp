@@ -60,8 +60,8 @@ class Judge {
       judgeWalls(run);
       judgeConfirmed(run);
       judgeJitter(run);
+      judgeBreaks(run);
     }
-    judgeBreaks();
     for (const LeftOutRun& run : comparison_.leftOut)
       if (isJudged(run.name)) judgeLeftOut(run);
     if (judged == 0 && lines_.empty()) lines_.push_back("no run is left to be judged");
@@ -171,10 +171,11 @@ class Judge {
                                    areThin ? "thin" : "thick", *own, usual));
   }
 
-  void judgeBreaks() {
+  /** The largest first. */
+  void judgeBreaks(const ComparedRun& run) {
     for (const MapBreak& found : comparison_.breaks)
-      if (options_.failsOnBreaks && found.kind() != BreakClass::slight && isJudged(found.run))
-        complain(found.run, breakText(found));
+      if (options_.failsOnBreaks && found.run == run.name && found.kind() != BreakClass::slight)
+        complain(run.name, breakText(found));
   }
 
   void judgeError(const ComparedRun& run) {

@@ -1,11 +1,19 @@
 #include "roomgraph/geometry/point_json.h"
 
+#include <cmath>
+
 namespace roomgraph {
+
+double readCoordinate(const JsonNode& node) {
+  const double metres = node.number();
+  if (std::abs(metres) > 1e8) throw Broken{node.place, "is too far away to be a place"};
+  return metres;
+}
 
 Point readPoint(const JsonNode& node) {
   const auto numbers = node.list();
   if (numbers.size() != 2) throw Broken{node.place, "is not a pair [x, y]"};
-  return {numbers[0].number(), numbers[1].number()};
+  return {readCoordinate(numbers[0]), readCoordinate(numbers[1])};
 }
 
 std::vector<Point> readPoints(const JsonNode& node) {

@@ -36,6 +36,12 @@ class Encoder {
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(png_, 2);
     png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
+    std::string key = "Software", author = kPngSoftware;
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = key.data();
+    text.text = author.data();
+    png_set_text(png_, info_, &text, 1);
   }
   Encoder(const Encoder&) = delete;
   Encoder& operator=(const Encoder&) = delete;

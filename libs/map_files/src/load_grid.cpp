@@ -2,6 +2,7 @@
 
 #include <new>
 #include <optional>
+#include <sstream>
 
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/map_files/grid_of_scans.h"
@@ -19,15 +20,12 @@ bool isRegisteredName(const std::string& className) {
 
 /** What is no map, and the programs that open it. */
 struct OtherFile {
-  const char* sign;  ///< the class of an object, or the format that JSON names
+  const char* sign;
   const char* problem;
   const char* remedy;
 };
-constexpr OtherFile kOthers[] = {
-    {"roomgraph/comparison", "is a comparison, and no map",
-     "open it with 'roomgraph report', 'roomgraph info' or roomgraph-view"},
-    {"roomgraph/graph", "is a graph, and no map",
-     "open it with 'roomgraph info', or give the map that it is of"},
+/** By the class of an MRPT object. */
+constexpr OtherFile kOtherObjects[] = {
     {"CMapComparison", "is a comparison, and no map",
      "open it with 'roomgraph info' or RawLogViewer"},
     {"CRoomGraph", "is a graph, and no map", "open it with 'roomgraph info' or RawLogViewer"},
@@ -35,19 +33,48 @@ constexpr OtherFile kOthers[] = {
     {"Scene", "is a scene, and no map", "open it with SceneViewer3D"},
     {"CActionCollection", "is a log, and no map", "open it with RawLogViewer, or make a map of it"},
 };
+/** By what the first bytes of a text hold. */
+constexpr OtherFile kOtherTexts[] = {
+    {"\"roomgraph/comparison\"", "is a comparison, and no map",
+     "open it with 'roomgraph report', 'roomgraph info' or roomgraph-view"},
+    {"\"roomgraph/graph\"", "is a graph, and no map",
+     "open it with 'roomgraph info', or give the map that it is of"},
+    {"\"FeatureCollection\"", "is GeoJSON, and no map", "open it with QGIS or nav2's route server"},
+    {"<graphml", "is a graph, and no map", "open it with Gephi or networkx"},
+    {"<osm ", "is a map of OpenStreetMap's kind", "open it with JOSM"},
+    {"<!DOCTYPE html", "is a page, and no map", "open it in a browser"},
+    {"FLASER ", "is a log of CARMEN, and no map", "make a simplemap of it with carmen2simplemap"},
+};
+
+/** Whether the first line that is no comment is one pose of TUM's files (a time, a place, a
+ *  quaternion) or KITTI's (a matrix). */
+bool isTrajectory(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line = "#";
+  while (line.rfind('#', 0) == 0 && std::getline(lines, line)) {
+  }
+  std::istringstream numbers(line);
+  std::size_t count = 0;
+  for (double number = 0; numbers >> number;) ++count;
+  return numbers.eof() && (count == 8 || count == 12);
+}
 
 [[noreturn]] void refuseUnknown(CheckedFile& file) {
   if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
   const auto object = peekObjectHeader(file.head());
+  const bool isObject = object && isRegisteredName(object->className);
   const std::string head(reinterpret_cast<const char*>(file.head().data), file.head().size);
-  const bool isJson = head.find_first_not_of(" \t\r\n") == head.find('{');
-  for (const OtherFile& other : kOthers)
-    if (object ? object->className == other.sign
-               : isJson && head.find('"' + std::string(other.sign) + '"') != std::string::npos)
-      refuse(file.name(), other.problem, other.remedy);
+  if (object)
+    for (const OtherFile& other : kOtherObjects)
+      if (object->className == other.sign) refuse(file.name(), other.problem, other.remedy);
   const std::string remedy = "give an " + mapFormatNames();
-  if (object && isRegisteredName(object->className))
-    refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
+  if (isObject) refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
+  for (const OtherFile& other : kOtherTexts)
+    if (head.find(other.sign) != std::string::npos)
+      refuse(file.name(), other.problem, other.remedy);
+  if (isTrajectory(head))
+    refuse(file.name(), "is a trajectory, which shows no walls",
+           "give the simplemap or the map of the run");
   refuse(file.name(), "is not a map of a known kind", remedy);
 }
 

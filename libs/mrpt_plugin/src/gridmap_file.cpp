@@ -54,7 +54,7 @@ std::string gridmapBytes(const GreyMap& map, const Grid& grid) {
   }
   std::string bytes = objectBytes(object);
   placeAt(frame, bytes);
-  return compressed(bytes, Compression::gzip);
+  return gzipped(bytes, kGzipMark);
 }
 
 }  // namespace roomgraph

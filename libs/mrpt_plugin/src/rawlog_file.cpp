@@ -36,7 +36,7 @@ std::string rawlogBytes(const std::vector<PlacedScan>& scans) {
     bytes += objectBytes(frame);
     before = pose;
   }
-  return compressed(bytes, Compression::gzip);
+  return gzipped(bytes, kGzipMark);
 }
 
 std::vector<PlacedScan> moved(std::vector<PlacedScan> scans, const Transform2D& motion) {

@@ -57,6 +57,14 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+/** In bold; all but the first complaint stand above the table. */
+std::string verdictCell(const std::vector<std::string>& complaints) {
+  if (complaints.empty()) return "passes";
+  const std::size_t more = complaints.size() - 1;
+  return "**" + markdownText(complaints.front()) + "**" +
+         (more ? formatted(" and %zu more", more) : "");
+}
+
 std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
   const RunScore score = asWritten(run.score.value_or(RunScore()));
   const std::string figures = run.score
@@ -66,9 +74,7 @@ std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
                                   : " - | - | - ";
   std::string verdict = "not judged";
   for (const TestCase& one : judged)
-    if (one.name == run.name)
-      verdict =
-          one.complaints.empty() ? "passes" : "**" + markdownText(joined(one.complaints)) + "**";
+    if (one.name == run.name) verdict = verdictCell(one.complaints);
   return "| " + (run.rank ? std::to_string(run.rank) : "-") + " | " + markdownText(run.name) +
          " | " + figures + " | " + verdict + " |\n";
 }

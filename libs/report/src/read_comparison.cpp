@@ -29,7 +29,7 @@ std::size_t count(const JsonNode& node) { return node.countBelow(kMostCounted); 
 Transform2D pose(const JsonNode& node) {
   const std::vector<JsonNode> numbers = node.list();
   if (numbers.size() != 3) throw Broken{node.place, "is not a pose [x, y, phi]"};
-  return {numbers[0].number(), numbers[1].number(), numbers[2].number()};
+  return {readCoordinate(numbers[0]), readCoordinate(numbers[1]), numbers[2].number()};
 }
 
 std::optional<Transform2D> poseIfAny(const JsonNode& node) {
@@ -81,7 +81,7 @@ std::optional<std::size_t> countIfAny(const JsonNode& node) {
 PathPose pathPose(const JsonNode& node) {
   return {count(node["key_frame"]),
           numberIfAny(node["time"]),
-          {node["x"].number(), node["y"].number(), node["phi"].number()},
+          {readCoordinate(node["x"]), readCoordinate(node["y"]), node["phi"].number()},
           numberIfAny(node["error_m"])};
 }
 
@@ -128,7 +128,7 @@ std::optional<TornPose> tornPose(const JsonNode& drawn, const JsonNode& untorn) 
 
 MapBreak mapBreak(const JsonNode& node) {
   return {node["run"].text(),
-          {node["x"].number(), node["y"].number()},
+          {readCoordinate(node["x"]), readCoordinate(node["y"])},
           node["rotation_deg"].number() * M_PI / 180,
           node["shift_m"].number(),
           countIfAny(node["key_frame"]),
@@ -168,11 +168,11 @@ SiteRoom room(const JsonNode& node) {
   SiteRoom room;
   room.id = node["id"].text(), room.name = node["name"].text();
   room.isCorridor = node["kind"].text() == "corridor";
-  room.center = {node["x"].number(), node["y"].number()};
+  room.center = {readCoordinate(node["x"]), readCoordinate(node["y"])};
   room.area = node["area_m2"].number();
   room.polygon = readPolygon(node);
   for (const JsonNode& door : node["doors"].list())
-    room.doors.push_back({{door["x"].number(), door["y"].number()},
+    room.doors.push_back({{readCoordinate(door["x"]), readCoordinate(door["y"])},
                           door["width"].number(),
                           textIfAny(door["to"]).value_or(""),
                           textsIfAny(door, "seen_in"),

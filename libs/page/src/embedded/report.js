@@ -131,6 +131,61 @@
       top: isNarrow ? block + 10 + top : top, width: panelWidth}, runs, rowHeight);
   }
 
+  /** Along its path, in metres from its first key frame: [driven, error] of each key frame. */
+  function drivenErrors(run) {
+    let driven = 0;
+    return run.path.map((at, k) => {
+      const last = run.path[Math.max(0, k - 1)];
+      driven += Math.hypot(at.x - last.x, at.y - last.y);
+      return [driven, at.error_m];
+    });
+  }
+
+  function drawAxes(svg, x, y, left, right, top, bottom) {
+    y.ticks(5).forEach((tick) => {
+      svg.append("line").attr("class", "grid").attr("x1", left).attr("x2", right)
+        .attr("y1", y(tick)).attr("y2", y(tick));
+      svg.append("text").attr("class", "tick").attr("x", left - 6).attr("y", y(tick) + 4)
+        .attr("text-anchor", "end").text(tick);
+    });
+    x.ticks(Math.max(2, Math.min(8, Math.floor((right - left) / 80)))).forEach((tick) =>
+      svg.append("text").attr("class", "tick").attr("x", x(tick)).attr("y", bottom + 16)
+        .attr("text-anchor", "middle").text(tick));
+    svg.append("text").attr("class", "head").attr("x", left).attr("y", top - 12)
+      .text("Error [m] along the drive [m]");
+  }
+
+  /** As wide as the page, or as asked. Small errors have more room than large ones. */
+  function drawAlong(asked) {
+    const host = one("#along"), runs = data.runs.filter((run) => run.path.length > 1);
+    host.textContent = "";
+    one("#along-hint").hidden = !runs.length;
+    if (!runs.length) return;
+    const width = asked || Math.max(300, host.clientWidth), height = asked ? 150 : 210;
+    const left = 44, right = width - 12, top = 34, bottom = height - 24;
+    const lines = runs.map(drivenErrors);
+    const x = d3.scale.linear().range([left, right])
+      .domain([0, Math.max(...lines.map((line) => line[line.length - 1][0]))]);
+    const most = Math.max(0.1, ...lines.flat().map((at) => at[1] || 0));
+    const y = d3.scale.sqrt().domain([0, most]).range([bottom, top]);
+    const svg = d3.select(host).append("svg").attr("viewBox", "0 0 " + width + " " + height)
+      .attr("width", width).attr("role", "img")
+      .attr("aria-label", "The error of each run along its drive; comparison.json has the numbers.");
+    drawAxes(svg, x, y, left, right, top, bottom);
+    const draw = d3.svg.line().x((at) => x(at[0])).y((at) => y(at[1])).defined((at) => at[1] !== null);
+    runs.map((run, i) => i).reverse().forEach((i) => {
+      const group = svg.append("g").attr("class", "along");
+      group.append("title").text(runs[i].name);
+      group.append("path").attr("d", draw(lines[i])).attr("fill", "none").attr("stroke", runs[i].colour)
+        .attr("stroke-width", 1.6);
+      data.breaks.filter((bend) => bend.run === runs[i].name && bend.key_frame !== null).forEach((bend) => {
+        const k = runs[i].path.findIndex((at) => at.key_frame >= bend.key_frame);
+        if (k >= 0) group.append("path").attr("d", runs[i].shape).attr("fill", runs[i].colour)
+          .attr("transform", "translate(" + x(lines[i][k][0]) + "," + y(lines[i][k][1] || 0) + ")");
+      });
+    });
+  }
+
   // ---- The map. Leaflet's lat and lng are y and x [m].
 
   const latLng = (point) => [point[1], point[0]];
@@ -637,13 +692,14 @@
     window.addEventListener("beforeprint", () => {
       view = {center: map.getCenter(), zoom: map.getZoom(), isWhole: isWhole};
       closed = all("main details:not([open])");
-      closed.forEach((details) => { if (details.closest("#ranking, #options")) details.open = true; });
+      closed.forEach((details) => { if (details.closest("#ranking")) details.open = true; });
       const size = map.getSize(), around = map.getBounds();
       Object.assign(one("#map").style, {width: "690px", height: Math.round(690 * Math.min(1, size.y / size.x)) + "px"});
       map.invalidateSize({animate: false});
       map.options.zoomSnap = 0;  // as large as fits
       if (view.isWhole) home(); else map.fitBounds(around, {animate: false});
       drawRanking(690);
+      drawAlong(690);
     });
     window.addEventListener("afterprint", () => {
       closed.forEach((details) => { details.open = false; });
@@ -652,6 +708,7 @@
       map.options.zoomSnap = 0.25;
       if (view && view.isWhole) home(); else if (view) map.setView(view.center, view.zoom, {animate: false});
       drawRanking();
+      drawAlong();
     });
   }
 
@@ -683,11 +740,13 @@
   wireSorting();
   wirePrint();
   drawRanking();
+  drawAlong();
   let pending = 0;
   window.addEventListener("resize", () => {
     clearTimeout(pending);
     pending = setTimeout(() => {
       drawRanking();
+      drawAlong();
       fitFirstScreen();
       if (isWhole) home();
     }, 100);

@@ -219,9 +219,9 @@
     return svg;
   }
 
-  /** The plot of the ranking with its style written into it, on white. */
-  function plotFigure() {
-    const plot = one("#plot svg");
+  /** A plot with its style written into it, on white. */
+  function plotFigure(host) {
+    const plot = one(host + " svg");
     if (!plot) return null;
     const copy = plot.cloneNode(true), from = all("*", plot);
     all("*", copy).forEach((part, i) => {
@@ -246,7 +246,7 @@
   }
 
   function wireFigures() {
-    const figures = {map: mapFigure, plot: plotFigure};
+    const figures = {map: mapFigure, plot: () => plotFigure("#plot"), along: () => plotFigure("#along")};
     all(".save").forEach((host) => ["SVG", "PNG"].forEach((kind) => {
       const button = element("button", {type: "button", class: "csv", "data-kind": kind}, kind);
       button.addEventListener("click", () => {

@@ -22,8 +22,8 @@ class StagedFiles {
    *  @throws DataError with one line (file, problem, remedy). */
   void add(const std::string& path, const std::string& bytes);
 
-  /** In the order in which they were added, each in one step. @throws DataError like add(); the
-   *  files before the one that fails are new then, the others old. */
+  /** In the order in which they were added, each in one step. @throws DataError like add(); all are
+   *  as they were then, but on file systems that cannot exchange two files. */
   void commit();
 
   /** For a process that is about to end: waits for commits that have begun, then removes all that

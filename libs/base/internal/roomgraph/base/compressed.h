@@ -13,6 +13,13 @@ namespace roomgraph {
  *  @throws std::length_error for more than 4 GB as gzip. */
 std::string compressed(const std::string& bytes, Compression how);
 
+/** The comment of gzip files that have no other place to name their author: whoever finds none has
+ *  a file that is somebody else's. */
+constexpr char kGzipMark[] = "Written by roomgraph.";
+
+/** The same as gzip, with a comment in the header, where no reader of the content meets it. */
+std::string gzipped(const std::string& bytes, const std::string& comment);
+
 bool isZstd(ByteView head);
 
 /** What a Zstandard frame holds, found out by decompressing it: its header need not say. */

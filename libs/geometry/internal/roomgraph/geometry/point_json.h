@@ -11,7 +11,10 @@ namespace roomgraph {
 /** As files hold it, see rounded(double). */
 inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
-/** [x, y]. Throws Broken where it is not a pair of numbers. */
+/** A coordinate in metres. Throws Broken where it is none, or ten times as far out as a map may
+ *  lie: who draws it would count with infinities. */
+double readCoordinate(const JsonNode& node);
+/** [x, y]. Throws Broken where it is not a pair of coordinates. */
 Point readPoint(const JsonNode& node);
 std::vector<Point> readPoints(const JsonNode& node);
 /** The members "polygon" and "holes" of a room or an area. */

@@ -15,6 +15,10 @@ struct PaletteImage {
   std::vector<std::uint8_t> alphas;   ///< of the first colours; the others are opaque
 };
 
+/** What each PNG file says of its author, as its text "Software" in front of the pixels: whoever
+ *  finds none has a picture that is somebody else's. */
+constexpr char kPngSoftware[] = "roomgraph";
+
 /** PNG file with two bits for each pixel, or four where there are more than four colours. Where
  *  there are alphas the file is packed well rather than fast. */
 std::string pngBytes(const PaletteImage& image);
