@@ -43,6 +43,18 @@ TEST(BendField, onlyATornRunHasAPlaceTwice) {
   EXPECT_FALSE(isTwice(1, 2)) << "far from it";
 }
 
+TEST(BendField, placesBehindWallsAreKnownWhereTheKeyFramesAre) {
+  const test::SolvedDrives& site = test::tornAmongSound();
+  const BendField there(site.solved, site.real, 0, BendField::Way::toSite);
+  std::size_t behind = 0;
+  for (const ScanWalls& scan : site.runs[0].scans)
+    if (const auto carried = there(scan.pose * Transform2D{0, 4, 0}); carried && !carried->isSeen) {
+      ++behind;
+      EXPECT_TRUE(carried->isKnown);
+    }
+  EXPECT_GE(behind, 3u);
+}
+
 TEST(BendField, tellsNothingOfWhatIsFarAway) {
   const test::SolvedDrives& site = test::tornAmongSound();
   EXPECT_FALSE(BendField(site.solved, site.real, 0, BendField::Way::toSite)({500, 0, 0}));

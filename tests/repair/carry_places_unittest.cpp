@@ -41,6 +41,23 @@ TEST(CarryPlaces, whatNobodyHasBeenNearIsUnseen) {
   EXPECT_FALSE(carried[0].reason.empty());
 }
 
+TEST(CarryPlaces, whatNeitherMapKnowsGoesAlongWithWhatLiesBeside) {
+  const test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const WallMap& map = site.runs[0].map;
+  std::size_t carried = 0;
+  for (const ScanWalls& scan : site.runs[0].scans)
+    for (const double beside : {-5.0, -4.0, -3.0, 3.0, 4.0, 5.0}) {
+      const Place place{"corner", scan.pose * Transform2D{0, beside, 0}};
+      const Cell cell = map.frame.cellAt(place.pose.shift());
+      if (map.frame.contains(cell) && map.states[map.frame.index(cell)] != State::unknown) continue;
+      const CarriedPlace there = carryPlaces({place}, site.solved, site.real, 0, 1)[0];
+      if (there.state == CarryState::unseen) continue;
+      carried += there.state == CarryState::carried;
+      EXPECT_LT(distance(there.pose->shift(), place.pose.shift()), 0.1);
+    }
+  EXPECT_GE(carried, 1u);
+}
+
 TEST(CarryPlaces, aPlaceInANewWallIsGone) {
   test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
   const Place place{"goal", site.runs[0].scans[10].pose};

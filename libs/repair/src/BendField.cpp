@@ -114,7 +114,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
         return std::make_pair(!l.isSeen, l.distance) < std::make_pair(!r.isSeen, r.distance);
       });
   const Transform2D about = first.pose;
-  const double most = support(first);
+  const double most = support(first), heaviest = first.weight;
   Carried carried;
   for (const Word& word : words)
     if (word.distance < (word.isSeen ? kMeantInSight : kMeant))
@@ -132,7 +132,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
     squares += word.weight * squaredNorm(off);
     carried.isSeen |= word.isSeen, farthest = std::min(farthest, word.distance);
     if (word.isSeen) carried.nearest = std::min(carried.nearest, word.distance);
-    carried.isKnown |= word.isKnown && word.weight > kUnseen;
+    carried.isKnown |= word.isKnown && word.weight > kUnseen * heaviest;
   }
   if (!carried.isSeen) carried.nearest = farthest;
   carried.spread = std::sqrt(squares / most);

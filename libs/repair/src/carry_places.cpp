@@ -125,7 +125,7 @@ class Carrier {
       return "one of the maps has the place twice";
     if (carried.error > kLargeError) return "the maps bend here";
     const LocalScan view = viewFrom(old_, place.pose, kViewRange);
-    if (!view.isTelling()) return doubtUnseen(route, carried);
+    if (!view.isTelling()) return doubtUnseen(place, route, carried);
     const Transform2D& at = *carried.pose;
     const ScanFit here = fitNear(view, new_, at);
     if (here.known < kMajority) return "the new map has hardly seen what lies around it";
@@ -153,12 +153,14 @@ class Carrier {
   }
 
   /** The same of a place of which the old map shows too little to know it by. */
-  std::string doubtUnseen(const Route& route, const CarriedPlace& carried) const {
+  std::string doubtUnseen(const Place& place, const Route& route,
+                          const CarriedPlace& carried) const {
     if (!isPlaceSure_) return "the maps may lie in each other otherwise";
     if (!route.there.isKnown || !route.onward.isKnown) return "one map alone has been here";
-    if (!route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown)
-      return "the new map has hardly seen it";
-    return "";
+    const bool isNew =
+        !route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown;
+    const bool wasSeen = stateAt(old_, place.pose.shift()) != State::unknown;
+    return wasSeen && isNew ? "the new map has hardly seen it" : "";
   }
 
   const WallMap &old_, &new_;
