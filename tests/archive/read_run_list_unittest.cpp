@@ -39,7 +39,9 @@ TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
     return "";
   };
   EXPECT_NE(complaint("").find("list.csv: has no columns"), std::string::npos);
-  EXPECT_NE(complaint("site;file\n").find("has no columns"), std::string::npos);
+  EXPECT_NE(complaint("site;file\n").find("has no columns 'site' and 'file': "), std::string::npos);
+  EXPECT_NE(complaint("file,robot\n").find("has no column 'site': "), std::string::npos);
+  EXPECT_NE(complaint("site\n").find("has no column 'file': "), std::string::npos);
   EXPECT_NE(complaint("site,file\na,b\nc\n").find("list.csv: line 3 has no site or no file"),
             std::string::npos);
   EXPECT_NE(complaint("site,file,time\na,b,soon\n").find("line 2: 'soon' is not a time"),

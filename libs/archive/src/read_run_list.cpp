@@ -52,9 +52,13 @@ RunList readRunList(const std::string& text, const std::string& name, const std:
   const Cells names = reader.nextLine();
   const Columns columns{columnOf(names, "site"), columnOf(names, "file"), columnOf(names, "robot"),
                         columnOf(names, "time")};
-  if (!columns.site || !columns.file)
-    throw DataError(name +
-                    ": has no columns 'site' and 'file': name the columns in its first line");
+  if (!columns.site || !columns.file) {
+    const std::string missing = columns.file   ? "column 'site'"
+                                : columns.site ? "column 'file'"
+                                               : "columns 'site' and 'file'";
+    throw DataError(name + ": has no " + missing +
+                    ": name the columns in its first line, separated by commas");
+  }
   RunList runs;
   while (!reader.isAtEnd()) {
     const Cells cells = reader.nextLine();

@@ -55,8 +55,7 @@ class Reader {
     if (options_.estimatesScale) readPictures();
     ReadRuns result;
     result.runs = takeRuns();
-    if (result.runs.empty())
-      throw DataError("compare: no map could be used: nothing is written, earlier results stay");
+    if (result.runs.empty()) refuseAll();
     if (hasReference()) result.reference = placeOfReference(result.runs);
     for (const MapFile& file : files_)
       if (!file.failure.empty()) result.leftOut.push_back(file.leftOut());
@@ -87,6 +86,15 @@ class Reader {
       if (!file->failure.empty()) options_.onUnread(file->leftOut());
       for (const Note& note : std::exchange(file->notes, {})) options_.onNote(file->file, note);
     }
+  }
+
+  /** Who calls the library without a callback is told why, too. */
+  [[noreturn]] void refuseAll() const {
+    std::string text = "compare: no map could be used";
+    for (const MapFile& file : files_)
+      if (!file.failure.empty())
+        throw DataError(text + " (" + file.file + ": " + file.failure + "): earlier results stay");
+    throw DataError(text + ": earlier results stay");
   }
 
   void open(MapFile& file) const {
