@@ -37,10 +37,11 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
             "Exit with 3 if a run has a self error above this [m], or none.")
       ->check(CLI::Range(0.0, 1e6));
   addOption(app, "--fail-on LIST", arguments.failOn,
-            "Exit with 3 on this: 'broken' (a run has a break).")
+            "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), 'doubled' "
+            "(it has drawn a place twice).")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"broken"}));
+      ->check(CLI::IsMember({"broken", "doubled"}));
   addOption(app, "--junit FILE", arguments.junit,
             "Also write the verdict of the gate as JUnit XML, for CI systems.");
   addOption(app, "--summary FILE", arguments.summary,
@@ -78,7 +79,12 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
 int run(CheckArguments arguments) {
   if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
     throw UsageError("--fail-above: nan is not a length: give one in metres");
-  arguments.gate.failsOnBreaks = !arguments.failOn.empty();
+  const auto failsOn = [&](const char* fault) {
+    return std::find(arguments.failOn.begin(), arguments.failOn.end(), fault) !=
+           arguments.failOn.end();
+  };
+  arguments.gate.failsOnBreaks = failsOn("broken"),
+  arguments.gate.failsOnDoubled = failsOn("doubled");
   checkOutputNames(arguments.files, arguments.folder, {"check.json", "check.html"});
   makeWritableFolder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());

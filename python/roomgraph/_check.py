@@ -33,6 +33,11 @@ class RunCheck:
         return self.data["breaks"]
 
     @property
+    def doubled(self) -> List[Dict[str, Any]]:
+        """What it has drawn twice, the worst first."""
+        return self.data["doubled"]
+
+    @property
     def sentence(self) -> str:
         """What can be told, and what cannot, for people."""
         return self.data["sentence"]

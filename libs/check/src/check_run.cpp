@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "find_doubled.h"
 #include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/mend_steps.h"
 #include "roomgraph/consensus/map_errors.h"
 #include "self_consensus.h"
+#include "self_evidence.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kTellsTurn = 0.08, kTellsShift = 0.38;  // from which on a step is a break
+constexpr double kTellsTurn = 0.08;  // from which on a step is a break
 
 constexpr std::size_t kSeenBeside = 2;  // scans
 
@@ -49,8 +51,8 @@ MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& 
   return tear;
 }
 
-/** The breaks of a run, and whether they are confirmed. */
-void addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
+/** The breaks of a run, what else it has drawn wrong, and whether that is confirmed. */
+void addFaults(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
                RunCheck& check) {
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
@@ -65,6 +67,7 @@ void addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& a
   for (const std::size_t k : lost) check.breaks.push_back(lostAt(k, run));
   broken.insert(broken.end(), lost.begin(), lost.end());
   check.isConfirmed = isConfirmed(agreed, broken);
+  check.doubled = findDoubled(run, agreed, broken);
 }
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
@@ -116,7 +119,8 @@ RunCheck checkRun(const Run& run) {
                           agreed.poses[k], agreed.error.errors[k],
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
-  addBreaks(run, mended, agreed, check);
+  addFaults(run, mended, agreed, check);
+  check.evidence = selfEvidence(run, scans, mended, agreed);
   const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
   const bool mayLieAnywhere = isLost && !check.isConfirmed && agreed.error.low <= 0;
   if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {

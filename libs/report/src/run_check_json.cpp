@@ -28,6 +28,34 @@ Json poseJson(const CheckedPose& at) {
           {"error_m", rounded(at.error)},     {"seen_twice", at.isSeenTwice}};
 }
 
+std::string stretchText(const DrawnStretch& stretch) {
+  return formatted("at (%.1f, %.1f) by key frames %zu to %zu", stretch.place.x, stretch.place.y,
+                   stretch.first, stretch.last);
+}
+
+Json numberOrNull(const std::optional<double>& value) {
+  return value ? Json(rounded(*value)) : Json();
+}
+
+Json stretchJson(const DrawnStretch& stretch) {
+  return {{"first_key_frame", stretch.first}, {"last_key_frame", stretch.last},
+          {"key_frame", stretch.keyFrame},    {"time", stretch.time ? Json(*stretch.time) : Json()},
+          {"x", rounded(stretch.place.x)},    {"y", rounded(stretch.place.y)}};
+}
+
+Json doubledJson(const DoubledPlace& place) {
+  return {{"apart_m", rounded(place.apart)},
+          {"passes", {stretchJson(place.one), stretchJson(place.other)}}};
+}
+
+Json evidenceJson(const Evidence& row) {
+  return {{"name", row.name},
+          {"unit", row.unit},
+          {"drawn", numberOrNull(row.drawn)},
+          {"agreed", numberOrNull(row.agreed)},
+          {"support", row.support}};
+}
+
 }  // namespace
 
 std::string runCheckJson(const RunCheck& check) {
@@ -45,6 +73,8 @@ std::string runCheckJson(const RunCheck& check) {
   text += "\"seen_twice\": " + lineOf(Json(rounded(check.seenTwice))) + ",\n";
   text += "\"confirmed\": " + lineOf(Json(check.isConfirmed)) + ",\n";
   text += lines("breaks", check.breaks, breakJson);
+  text += lines("doubled", check.doubled, doubledJson);
+  text += lines("evidence", check.evidence, evidenceJson);
   text += lines("path", check.path, poseJson);
   return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
 }
@@ -55,7 +85,15 @@ std::string runCheckText(const RunCheck& check) {
     text += "; " + counted(check.breaks.size(), "break", "breaks");
     if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
   }
+  if (!check.doubled.empty())
+    text += "; " + counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
+            doubledText(check.doubled.front());
   return text + "\n";
+}
+
+std::string doubledText(const DoubledPlace& place) {
+  return stretchText(place.one) + formatted(" and, %.2f m beside, ", place.apart) +
+         stretchText(place.other);
 }
 
 std::string selfBreakText(const MapBreak& tear) {

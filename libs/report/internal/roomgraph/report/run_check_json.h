@@ -15,10 +15,13 @@ namespace roomgraph {
  *  names without their folder. */
 std::string runCheckJson(const RunCheck& check);
 
-/** "name: what it tells of itself; its breaks", a line. */
+/** "name: what it tells of itself; its breaks; what it has drawn twice", a line. */
 std::string runCheckText(const RunCheck& check);
 
 /** Where a run breaks by itself, and by how much, if that is known. */
 std::string selfBreakText(const MapBreak& tear);
+
+/** By which key frames a place was drawn, where, and how far apart. */
+std::string doubledText(const DoubledPlace& place);
 
 }  // namespace roomgraph
