@@ -112,7 +112,7 @@ std::function<int()> checkCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();
   addArgument(app, "RUN", arguments->files,
               "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
-              "maps nothing can be told.");
+              "maps only what their walls show is told, and no error.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
   declareCheckGate(*arguments, app);
   declareConfig(arguments->options, app);

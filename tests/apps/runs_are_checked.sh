@@ -21,7 +21,9 @@ diff -r results again || fail "another result"
 
 # A map without scans tells nothing, which is no error but for a gate.
 expect 0 "$roomgraph" check "$maps"/office.gridmap.gz -o grid
-grep -q 'cannot tell' out || fail "more is told of a grid than is known"
+grep -q 'cannot tell: it has no scans, and its map alone says little' out || fail "more is told of a grid than is known"
+grep -q '"self_error_m": null' grid/office.check.json || fail "an error is told of a grid"
+grep -q '"name":"wall_doubling"' grid/office.check.json || fail "nothing is told of the walls"
 expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-above 1 --junit grid.xml --summary grid.md
 grep -q 'failures="1"' grid.xml || fail "no failure in JUnit's file"
 grep -q 'cannot tell' grid.md || fail "no summary"
@@ -32,4 +34,5 @@ expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o m
 one_line err junk.simplemap
 [ -s mixed/office_run1.check.json ] || fail "the other run was not checked"
 expect 2 "$roomgraph" check
+expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz -o mixed -q --fail-on broken,doubled
 expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms

@@ -72,12 +72,14 @@ TEST(CheckPage, namesAreTextAndNothingElse) {
   EXPECT_FALSE(has(page, "a<b"));
 }
 
-TEST(CheckPage, aRunOfWhichNothingIsKnownHasAPage) {
+TEST(CheckPage, ofAGridOnlyTheMapAndItsFiguresAreShown) {
   RunCheck check;
   check.sentence = "cannot tell: it has no scans";
+  check.evidence = {{"wall_doubling", "Walls drawn twice", "1", 0.25, {}, 40}};
   const std::string page = checkPage(check, {});
   EXPECT_TRUE(has(page, "cannot tell"));
-  EXPECT_TRUE(has(page, "none is contradicted"));
+  EXPECT_TRUE(has(page, "Walls drawn twice</th><td>25.0 %"));
+  EXPECT_FALSE(has(page, "none is contradicted")) << "that would say too much";
 }
 
 }  // namespace

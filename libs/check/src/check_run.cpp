@@ -102,13 +102,25 @@ std::string sentenceOf(const RunCheck& check) {
       *check.selfError, percent, 100 - percent);
 }
 
+/** Of a run without scans. */
+std::string sentenceOf(const WallMap& map) {
+  std::string text = "cannot tell: it has no scans";
+  if (map.wallDoubling && map.axisDeviation)
+    text += formatted(
+        ", and its map alone says little: %.0f %% of its walls stand before another one that faces "
+        "alike, and half of them are off right angles by %.1f degrees or more, as furniture and "
+        "slanted walls may be",
+        100 * *map.wallDoubling, *map.axisDeviation * 180 / M_PI);
+  return text;
+}
+
 }  // namespace
 
 RunCheck checkRun(const Run& run) {
   RunCheck check;
   check.name = run.name, check.file = run.file, check.sha256 = run.sha256;
   if (run.scans.empty()) {
-    check.sentence = "cannot tell: it has no scans";
+    check.sentence = sentenceOf(run.map), check.evidence = mapEvidence(run);
     return check;
   }
   const std::vector<LocalScan> scans = localScans(run.scans);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "roomgraph/align/wall_doubling.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
@@ -49,17 +50,20 @@ const char* colourOf(const CheckedPose& at) {
 }
 
 std::string mapPicture(const RunCheck& check, const Run& run) {
-  std::vector<Point> walls;
-  for (const WallPoint& wall : run.map.walls) walls.push_back(wall.place);
+  std::vector<Point> walls, copies;
+  const bool hasCopies = run.map.wallDoubling.value_or(0) > 0;
+  for (const WallPoint& wall : run.map.walls)
+    (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
   Point low{1e9, 1e9}, high{-1e9, -1e9};
   const auto include = [&](Point p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   };
-  for (const Point wall : walls) include(wall);
+  for (const WallPoint& wall : run.map.walls) include(wall.place);
   for (const CheckedPose& at : check.path) include(at.pose.shift());
   if (low.x > high.x) return "";
-  std::string svg = pictureOf(low, high, "map") + dots(walls, "#17202e", 0.1);
+  std::string svg =
+      pictureOf(low, high, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
   for (std::size_t k = 1; k < check.path.size(); ++k) {
     const Point from = check.path[k - 1].pose.shift(), to = check.path[k].pose.shift();
     svg += formatted("<path fill=\"none\" stroke-width=\".25\" d=\"M%.2f %.2fL%.2f %.2f\" ", from.x,
@@ -187,6 +191,19 @@ std::string evidenceHtml(const RunCheck& check) {
   return html + "</tbody></table>\n</section>\n";
 }
 
+std::string mapHtml(const RunCheck& check, const Run& run) {
+  const char* path =
+      "Its path: grey where it was driven once; else green where it agrees with itself within 0.1 "
+      "m, "
+      "then yellow to 0.3 m, orange to 1 m, red beyond. A red ring is a break, a line joins the "
+      "two "
+      "places of what is drawn twice. ";
+  return std::string("<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">") +
+         (run.scans.empty() ? "" : path) +
+         "Walls in orange stand before others that face alike.</p>\n" + mapPicture(check, run) +
+         "</section>\n";
+}
+
 std::string figuresHtml(const RunCheck& check) {
   const std::string error = check.selfError ? formatted("%.3f m, %.3f to %.3f m in 4 of 5 cases",
                                                         *check.selfError, check.low, check.high)
@@ -206,14 +223,10 @@ std::string checkPage(const RunCheck& check, const Run& run) {
   page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
   page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
   page.style = kCheckStyle;
-  page.body =
-      figuresHtml(check) +
-      "<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">Its path: grey where it was driven "
-      "once; else green where it agrees with itself within 0.1 m, then yellow to 0.3 m, orange "
-      "to 1 m, red beyond. A red ring is a break, a line joins the two places of what is drawn "
-      "twice.</p>\n" +
-      mapPicture(check, run) + "</section>\n" + breaksHtml(check, run) + doubledHtml(check, run) +
-      evidenceHtml(check);
+  page.body = run.scans.empty() ? mapHtml(check, run)
+                                : figuresHtml(check) + mapHtml(check, run) +
+                                      breaksHtml(check, run) + doubledHtml(check, run);
+  page.body += evidenceHtml(check);
   page.footer = "What the figures mean stands in roomgraph's docs/check.md.";
   return simplePage(page);
 }
