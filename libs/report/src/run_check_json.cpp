@@ -79,8 +79,8 @@ std::string runCheckJson(const RunCheck& check) {
   return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
 }
 
-std::string runCheckText(const RunCheck& check) {
-  std::string text = printable(check.name) + ": " + check.sentence;
+std::string toldText(const RunCheck& check) {
+  std::string text = check.sentence;
   if (!check.breaks.empty()) {
     text += "; " + counted(check.breaks.size(), "break", "breaks");
     if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
@@ -88,7 +88,11 @@ std::string runCheckText(const RunCheck& check) {
   if (!check.doubled.empty())
     text += "; " + counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
             doubledText(check.doubled.front());
-  return text + "\n";
+  return text;
+}
+
+std::string runCheckText(const RunCheck& check) {
+  return printable(check.name) + ": " + toldText(check) + "\n";
 }
 
 std::string doubledText(const DoubledPlace& place) {

@@ -15,7 +15,10 @@ namespace roomgraph {
  *  names without their folder. */
 std::string runCheckJson(const RunCheck& check);
 
-/** "name: what it tells of itself; its breaks; what it has drawn twice", a line. */
+/** "what it tells of itself; its breaks; what it has drawn twice". */
+std::string toldText(const RunCheck& check);
+
+/** "name: " and the same, a line. */
 std::string runCheckText(const RunCheck& check);
 
 /** Where a run breaks by itself, and by how much, if that is known. */
