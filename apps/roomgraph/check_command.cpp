@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "mrpt_results.h"
 #include "note_lines.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -29,6 +30,7 @@ struct CheckArguments {
   CheckGateOptions gate;
   std::vector<std::string> failOn;
   std::string junit, summary;  ///< files; empty for none
+  bool writesBreaks = false;
   RunningArguments running;
 };
 
@@ -65,6 +67,9 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
     StagedFiles files;
     files.add(outputFile(arguments.folder, file, "check.json"), runCheckJson(*check));
     files.add(outputFile(arguments.folder, file, "check.html"), checkPage(*check, run));
+    if (arguments.writesBreaks)
+      addCheckLogs(*check, options.extract.loadGrid, outputFile(arguments.folder, file, "check"),
+                   files);
     files.commit();
     if (!arguments.running.isQuiet) report.out = runCheckText(*check);
     for (const std::string& complaint : check->complaints)
@@ -114,6 +119,10 @@ std::function<int()> checkCommand(CLI::App& app) {
               "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
               "maps only what their walls show is told, and no error.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
+  app.add_flag("--break-files", arguments->writesBreaks,
+               "Also write the scans of each break N, and of each place N that is drawn twice, for "
+               "RawLogViewer: X.check.breakN.rawlog and X.check.doubledN.rawlog as the run has "
+               "them, and .untorn.rawlog as they fit.");
   declareCheckGate(*arguments, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);

@@ -28,6 +28,21 @@ expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-above 1 --j
 grep -q 'failures="1"' grid.xml || fail "no failure in JUnit's file"
 grep -q 'cannot tell' grid.md || fail "no summary"
 
+# The scans of each break and of each place that is drawn twice, where asked for.
+expect 0 "$roomgraph" check "$maps"/office_run?.simplemap.gz -o logs -q --break-files
+python3 - logs/*.check.json <<'P'
+import json, os, sys
+for file in sys.argv[1:]:
+    check = json.load(open(file))
+    for kind, found in (("break", check["breaks"]), ("doubled", check["doubled"])):
+        for i, one in enumerate(found, 1):
+            stem = f"{file[:-5]}.{kind}{i}"
+            assert os.path.getsize(stem + ".rawlog") > 100, stem
+            has_fit = kind == "doubled" or one["shift_m"] is not None
+            assert os.path.exists(stem + ".untorn.rawlog") == has_fit, stem
+P
+ls logs/*.rawlog > out || fail "no run has a break or is drawn twice: nothing was tested"
+
 # What cannot be read is one line, and the others are checked all the same.
 echo junk > junk.simplemap
 expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o mixed -q

@@ -47,6 +47,7 @@ TEST_F(FindDoubled, tellsAPlaceByBothTimesThatItWasDrawn) {
   EXPECT_EQ(places[0].other.last, 36u);
   EXPECT_EQ(places[0].one.time, 100.0 + double(places[0].one.keyFrame) - 20);
   EXPECT_NEAR(distance(places[0].one.place, places[0].other.place), 0.8, 1e-9);
+  EXPECT_NEAR(places[0].mend.y, -0.8, 1e-9) << "of what the way back has drawn";
 }
 
 TEST_F(FindDoubled, whatLiesWhereItLayIsDrawnOnce) {

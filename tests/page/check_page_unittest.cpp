@@ -51,7 +51,7 @@ TEST(CheckPage, aBreakOfUnknownSizeIsShownAsDrawnAlone) {
 TEST(CheckPage, showsWhatIsDrawnTwiceAsDrawnAndAsItFits) {
   RunCheck check = torn();
   check.breaks.clear(), check.path[1].agreed = {1, 2, 0};
-  check.doubled = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {0, -2}}, 2}};
+  check.doubled = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {0, -2}}, 2, {0, 2, 0}}};
   const std::string page = checkPage(check, twoScans());
   EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frames 0 to 0 and, 2.00 m beside"));
   EXPECT_TRUE(has(page, "M3.00 -3.00h0")) << "the later scan's wall, 2 m farther, as it fits";

@@ -20,7 +20,7 @@ RunCheck sample() {
   tear.run = "a", tear.place = {1, 2}, tear.rotation = M_PI / 4, tear.shift = -0.5;
   tear.keyFrame = 17, tear.torn = TornPose{};
   check.breaks = {tear};
-  check.doubled = {{{12, 30, 20, 5.5, {3, 4}}, {210, 228, 219, {}, {3, 4.8}}, 0.8}};
+  check.doubled = {{{12, 30, 20, 5.5, {3, 4}}, {210, 228, 219, {}, {3, 4.8}}, 0.8, {}}};
   check.evidence = {{"beams_through_walls", "Walls", "1", 0.25, {}, 400}};
   check.path = {{0, std::nullopt, {}, {0.1, 0, 0}, 0.1, true},
                 {17, 12.5, {1, 2, 0.5}, {}, 1, false}};

@@ -66,13 +66,13 @@ class DoubledPlaces {
   }
 
  private:
-  /** Where the later scan has the place of the earlier one, if the key frames lie so. */
-  Point placeAgain(const SeenAgain& seen, const std::vector<Transform2D>& poses) const {
-    return (poses[seen.other] * (agreed_[seen.other].inverse() * agreed_[seen.one])).shift();
+  /** Where the later scan has the earlier one, if the key frames lie so. */
+  Transform2D poseAgain(const SeenAgain& seen, const std::vector<Transform2D>& poses) const {
+    return poses[seen.other] * (agreed_[seen.other].inverse() * agreed_[seen.one]);
   }
 
   double apart(const SeenAgain& seen, const std::vector<Transform2D>& poses) const {
-    return distance(poses[seen.one].shift(), placeAgain(seen, poses));
+    return distance(poses[seen.one].shift(), poseAgain(seen, poses).shift());
   }
 
   bool isTold(const SeenAgain& seen) const {
@@ -108,8 +108,10 @@ class DoubledPlaces {
   DoubledPlace placeOf(const std::vector<SeenAgain>& group) const {
     const auto byApart = [](const SeenAgain& l, const SeenAgain& r) { return l.apart < r.apart; };
     const SeenAgain& farthest = *std::max_element(group.begin(), group.end(), byApart);
+    const Transform2D again = poseAgain(farthest, drawn_);
     DoubledPlace place{stretchAt(farthest.one, drawn_[farthest.one].shift()),
-                       stretchAt(farthest.other, placeAgain(farthest, drawn_)), farthest.apart};
+                       stretchAt(farthest.other, again.shift()), farthest.apart,
+                       drawn_[farthest.one] * again.inverse()};
     for (const SeenAgain& seen : group) widen(place.one, seen.one), widen(place.other, seen.other);
     return place;
   }

@@ -154,12 +154,8 @@ std::string doubledHtml(const DoubledPlace& place, std::size_t number, const Run
     return FrameRange{at - std::min(at, kFramesBeside),
                       std::min(run.scans.size(), at + kFramesBeside + 1)};
   };
-  const CheckedPose& one = check.path.at(scanOf(place.one.keyFrame, check));
-  const CheckedPose& other = check.path.at(scanOf(place.other.keyFrame, check));
-  const Transform2D fits = one.pose * (one.agreed.inverse() * other.agreed);
   return formatted("<h3>Place %zu: ", number) + doubledText(place) + "</h3>\n" +
-         pairHtml(place.one.place, run, frames(place.one), frames(place.other),
-                  fits * other.pose.inverse());
+         pairHtml(place.one.place, run, frames(place.one), frames(place.other), place.mend);
 }
 
 std::string doubledHtml(const RunCheck& check, const Run& run) {

@@ -40,6 +40,7 @@ struct DrawnStretch {
 struct DoubledPlace {
   DrawnStretch one, other;  ///< in their order in the run
   double apart = 0;         ///< from the one place to the other, at most [m]
+  Transform2D mend;         ///< the motion that lays what `other` has drawn on what `one` has
 };
 
 /** What a run tells of itself. */
