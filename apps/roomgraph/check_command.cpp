@@ -40,7 +40,7 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
       ->check(CLI::Range(0.0, 1e6));
   addOption(app, "--fail-on LIST", arguments.failOn,
             "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), 'doubled' "
-            "(it has drawn a place twice).")
+            "(it has drawn a place twice, or laid one over another).")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"broken", "doubled"}));

@@ -22,6 +22,17 @@ TEST(BeamsThroughWalls, whereTheWayBackIsDrawnElsewhereTheyDo) {
   EXPECT_GT(shareThrough(test::broken(test::driveForthAndBack(), 50, 0, {0.5, 1.5})), 0.2);
 }
 
+TEST(BeamsThroughWalls, scansThatSeeThroughMostWallsOfAnotherTimeAreNamedWithIt) {
+  const auto overlaidIn = [](const std::vector<Keyframe>& frames) {
+    const auto scans = localScans(test::runOf(frames).scans);
+    return beamsThroughWalls(scans, test::posesOf(frames)).overlaid;
+  };
+  EXPECT_TRUE(overlaidIn(test::driveForthAndBack()).empty());
+  const auto overlaid = overlaidIn(test::broken(test::driveForthAndBack(), 50, 0, {0.5, 1.5}));
+  ASSERT_FALSE(overlaid.empty());
+  for (const ScanPair& pair : overlaid) EXPECT_TRUE(pair.one < 50 && pair.other >= 50);
+}
+
 TEST(BeamsThroughWalls, whatWasDrivenOnceIsHeldAgainstNothing) {
   const auto& once = test::driveOnce();
   const std::vector<Keyframe> half(once.begin(), once.begin() + 20);

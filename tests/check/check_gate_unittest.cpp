@@ -26,6 +26,8 @@ TEST(CheckGate, placesDrawnTwiceAreAComplaintWhereAsked) {
   check.doubled.resize(1);
   EXPECT_EQ(complaintsOf(check, {{}, false, true}),
             std::vector<std::string>{"it has drawn 1 place twice"});
+  check.welded.resize(2);
+  EXPECT_EQ(complaintsOf(check, {{}, false, true}).back(), "it has laid 2 places over another");
   EXPECT_TRUE(complaintsOf(check, {{}, true, false}).empty());
 }
 

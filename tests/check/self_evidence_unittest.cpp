@@ -14,7 +14,10 @@ std::map<std::string, Evidence> evidenceOf(const std::vector<Keyframe>& frames) 
   const auto scans = localScans(run.scans);
   const MendedSteps mended = mendSteps(scans, drawnPoses(run.scans));
   std::map<std::string, Evidence> rows;
-  for (const Evidence& row : selfEvidence(run, scans, mended, selfConsensus(run, scans, mended)))
+  const SelfConsensus consensus = selfConsensus(run, scans, mended);
+  const auto drawn = beamsThroughWalls(scans, drawnPoses(run.scans));
+  for (const Evidence& row :
+       selfEvidence(run, mended, consensus, drawn, beamsThroughWalls(scans, consensus.poses)))
     rows[row.name] = row;
   return rows;
 }

@@ -58,6 +58,15 @@ TEST(CheckPage, showsWhatIsDrawnTwiceAsDrawnAndAsItFits) {
   EXPECT_TRUE(has(page, "d=\"M0.00 -0.00L0.00 2.00\"")) << "from one place to the other on the map";
 }
 
+TEST(CheckPage, showsWhatLiesOverEachOther) {
+  RunCheck check = torn();
+  check.welded = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {1, 0}}}};
+  const std::string page = checkPage(check, twoScans());
+  EXPECT_TRUE(has(page, "Laid over each other"));
+  EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frames 0 to 0 and at (1.0, 0.0) by key"));
+  EXPECT_FALSE(has(checkPage(torn(), twoScans()), "Laid over each other"));
+}
+
 TEST(CheckPage, hasATableOfTheEvidence) {
   RunCheck check = torn();
   check.evidence = {{"a", "A<B", "1", 0.25, 0.125, 40}, {"b", "C", "m", {}, {}, 0}};

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "ScanPair.h"
 #include "roomgraph/align/LocalScan.h"
 
 namespace roomgraph {
@@ -15,6 +16,8 @@ namespace roomgraph {
 struct BeamsThroughWalls {
   std::size_t walls = 0;    ///< whose place was seen at another time, once for each such pass
   std::size_t through = 0;  ///< of those: where beams have gone through
+  /** Scans of most of whose walls that is so, each with the nearest one of that pass. */
+  std::vector<ScanPair> overlaid;
 };
 
 /** Holds the walls of each scan against the nearest passes that were drawn far from it in path. A

@@ -16,6 +16,9 @@ std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOpti
   if (options.failsOnDoubled && !check.doubled.empty())
     complaints.push_back("it has drawn " + counted(check.doubled.size(), "place", "places") +
                          " twice");
+  if (options.failsOnDoubled && !check.welded.empty())
+    complaints.push_back("it has laid " + counted(check.welded.size(), "place", "places") +
+                         " over another");
   return complaints;
 }
 

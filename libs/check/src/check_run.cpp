@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "find_doubled.h"
+#include "find_welded.h"
 #include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/mend_steps.h"
@@ -90,6 +91,10 @@ double shareOfPath(const std::vector<CheckedPose>& path) {
 
 std::string sentenceOf(const RunCheck& check) {
   const double percent = 100 * check.seenTwice;
+  if (!check.selfError && !check.welded.empty())
+    return formatted(
+        "cannot tell: key frames %zu and %zu lie in one place, and see through each other's walls",
+        check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
   if (!check.selfError && !check.breaks.empty())
     return formatted(
         "cannot tell: it is torn before key frame %zu, and by how much its scans do not tell",
@@ -132,9 +137,14 @@ RunCheck checkRun(const Run& run) {
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
   addFaults(run, mended, agreed, check);
-  check.evidence = selfEvidence(run, scans, mended, agreed);
+  const BeamsThroughWalls beams = beamsThroughWalls(scans, drawnPoses(run.scans));
+  const BeamsThroughWalls agreedBeams = beamsThroughWalls(scans, agreed.poses);
+  check.welded = findWelded(run, beams, agreedBeams);
+  check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
   const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
-  const bool mayLieAnywhere = isLost && !check.isConfirmed && agreed.error.low <= 0;
+  // It has not parted what cannot be one place, so that nothing says how far it is off.
+  const bool isBlind = !check.welded.empty() && agreed.error.error < kTellsShift;
+  const bool mayLieAnywhere = (isLost && !check.isConfirmed && agreed.error.low <= 0) || isBlind;
   if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;

@@ -5,7 +5,6 @@
 #include <iterator>
 #include <string>
 
-#include "beams_through_walls.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/measures/measure_kinds.h"
 
@@ -46,18 +45,17 @@ Evidence revisitsApart(const Run& run, const SelfConsensus& consensus) {
           double(fit.size())};
 }
 
-Evidence beamsThrough(const Run& run, const std::vector<LocalScan>& scans,
-                      const SelfConsensus& consensus) {
-  Evidence row{
-      "beams_through_walls", "Walls that beams of another time go through", "1", {}, {}, 0};
+Evidence beamsThrough(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed) {
   const auto share = [](const BeamsThroughWalls& beams) -> std::optional<double> {
     if (beams.walls == 0) return std::nullopt;
     return double(beams.through) / double(beams.walls);
   };
-  const BeamsThroughWalls drawn = beamsThroughWalls(scans, drawnPoses(run.scans));
-  row.support = double(drawn.walls), row.drawn = share(drawn);
-  row.agreed = share(beamsThroughWalls(scans, consensus.poses));
-  return row;
+  return {"beams_through_walls",
+          "Walls that beams of another time go through",
+          "1",
+          share(drawn),
+          share(agreed),
+          double(drawn.walls)};
 }
 
 /** Measured as in a comparison. */
@@ -75,10 +73,11 @@ std::vector<Evidence> mapEvidence(const Run& run) {
           ofMap("wall_sharpness", run.map.wallSharpness, run)};
 }
 
-std::vector<Evidence> selfEvidence(const Run& run, const std::vector<LocalScan>& scans,
-                                   const MendedSteps& mended, const SelfConsensus& consensus) {
+std::vector<Evidence> selfEvidence(const Run& run, const MendedSteps& mended,
+                                   const SelfConsensus& consensus, const BeamsThroughWalls& drawn,
+                                   const BeamsThroughWalls& agreed) {
   std::vector<Evidence> rows{stepsContradicted(mended), revisitsApart(run, consensus),
-                             beamsThrough(run, scans, consensus)};
+                             beamsThrough(drawn, agreed)};
   const std::vector<Evidence> map = mapEvidence(run);
   rows.insert(rows.end(), map.begin(), map.end());
   return rows;

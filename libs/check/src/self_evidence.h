@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "beams_through_walls.h"
 #include "roomgraph/check/RunCheck.h"
 #include "roomgraph/check/mend_steps.h"
 #include "roomgraph/relate/Run.h"
@@ -14,9 +15,10 @@ namespace roomgraph {
 // Next: RunCheck
 
 /** What a run tells against itself, a row each: by its scans and, last, by its map alone. Of a run
- *  without scans only the latter. Cost: that of Passes, twice. */
-std::vector<Evidence> selfEvidence(const Run& run, const std::vector<LocalScan>& scans,
-                                   const MendedSteps& mended, const SelfConsensus& consensus);
+ *  without scans only the latter. O(revisits). */
+std::vector<Evidence> selfEvidence(const Run& run, const MendedSteps& mended,
+                                   const SelfConsensus& consensus, const BeamsThroughWalls& drawn,
+                                   const BeamsThroughWalls& agreed);
 std::vector<Evidence> mapEvidence(const Run& run);
 
 }  // namespace roomgraph

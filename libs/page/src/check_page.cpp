@@ -14,7 +14,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kScanReach = 12;         // walls that are shown at a break, from it [m]
+constexpr double kScanReach = 12;  // walls that are shown at a break, from it [m]
+constexpr const char* kColoursHint =
+    "<p class=\"hint\">Blue is what the earlier scans have met, orange the later ones.</p>\n";
 constexpr std::size_t kFramesBeside = 4;  // of one that has drawn a place twice, on each side
 
 /** Scans of a run, from `first` to before `end`. */
@@ -147,26 +149,39 @@ std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
   return std::size_t(at - check.path.begin());
 }
 
-std::string doubledHtml(const DoubledPlace& place, std::size_t number, const RunCheck& check,
-                        const Run& run) {
-  const auto frames = [&](const DrawnStretch& stretch) {
-    const std::size_t at = scanOf(stretch.keyFrame, check);
-    return FrameRange{at - std::min(at, kFramesBeside),
-                      std::min(run.scans.size(), at + kFramesBeside + 1)};
-  };
-  return formatted("<h3>Place %zu: ", number) + doubledText(place) + "</h3>\n" +
-         pairHtml(place.one.place, run, frames(place.one), frames(place.other), place.mend);
+/** The scans beside the one at which a stretch is shown. */
+FrameRange framesOf(const DrawnStretch& stretch, const RunCheck& check) {
+  const std::size_t at = scanOf(stretch.keyFrame, check);
+  return {at - std::min(at, kFramesBeside), std::min(check.path.size(), at + kFramesBeside + 1)};
 }
 
 std::string doubledHtml(const RunCheck& check, const Run& run) {
   std::string html = "<section id=\"doubled\">\n<h2>Drawn twice</h2>\n";
   if (check.doubled.empty())
     return html +
-           "<p class=\"none\">Of what was seen twice nothing that no break explains is drawn "
-           "in two places.</p>\n</section>\n";
-  html += "<p class=\"hint\">Blue is what the earlier scans have met, orange the later ones.</p>\n";
-  for (std::size_t i = 0; i < check.doubled.size(); ++i)
-    html += doubledHtml(check.doubled[i], i + 1, check, run);
+           "<p class=\"none\">Of what was seen twice nothing that no break explains is drawn in "
+           "two "
+           "places.</p>\n</section>\n";
+  html += kColoursHint;
+  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
+    const DoubledPlace& place = check.doubled[i];
+    html += formatted("<h3>Place %zu: ", i + 1) + doubledText(place) + "</h3>\n" +
+            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
+                     place.mend);
+  }
+  return html + "</section>\n";
+}
+
+std::string weldedHtml(const RunCheck& check, const Run& run) {
+  if (check.welded.empty()) return "";
+  std::string html =
+      std::string("<section id=\"welded\">\n<h2>Laid over each other</h2>\n") + kColoursHint;
+  for (std::size_t i = 0; i < check.welded.size(); ++i) {
+    const WeldedPlace& place = check.welded[i];
+    html += formatted("<h3>Place %zu: ", i + 1) + weldedText(place) + "</h3>\n" +
+            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
+                     std::nullopt);
+  }
   return html + "</section>\n";
 }
 
@@ -219,9 +234,10 @@ std::string checkPage(const RunCheck& check, const Run& run) {
   page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
   page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
   page.style = kCheckStyle;
-  page.body = run.scans.empty() ? mapHtml(check, run)
-                                : figuresHtml(check) + mapHtml(check, run) +
-                                      breaksHtml(check, run) + doubledHtml(check, run);
+  page.body = run.scans.empty()
+                  ? mapHtml(check, run)
+                  : figuresHtml(check) + mapHtml(check, run) + breaksHtml(check, run) +
+                        doubledHtml(check, run) + weldedHtml(check, run);
   page.body += evidenceHtml(check);
   page.footer = "What the figures mean stands in roomgraph's docs/check.md.";
   return simplePage(page);

@@ -48,6 +48,10 @@ Json doubledJson(const DoubledPlace& place) {
           {"passes", {stretchJson(place.one), stretchJson(place.other)}}};
 }
 
+Json weldedJson(const WeldedPlace& place) {
+  return {{"passes", {stretchJson(place.one), stretchJson(place.other)}}};
+}
+
 Json evidenceJson(const Evidence& row) {
   return {{"name", row.name},
           {"unit", row.unit},
@@ -74,6 +78,7 @@ std::string runCheckJson(const RunCheck& check) {
   text += "\"confirmed\": " + lineOf(Json(check.isConfirmed)) + ",\n";
   text += lines("breaks", check.breaks, breakJson);
   text += lines("doubled", check.doubled, doubledJson);
+  text += lines("welded", check.welded, weldedJson);
   text += lines("evidence", check.evidence, evidenceJson);
   text += lines("path", check.path, poseJson);
   return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
@@ -88,6 +93,9 @@ std::string toldText(const RunCheck& check) {
   if (!check.doubled.empty())
     text += "; " + counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
             doubledText(check.doubled.front());
+  if (!check.welded.empty())
+    text += "; " + counted(check.welded.size(), "place", "places") +
+            " laid over another, the largest " + weldedText(check.welded.front());
   return text;
 }
 
@@ -98,6 +106,10 @@ std::string runCheckText(const RunCheck& check) {
 std::string doubledText(const DoubledPlace& place) {
   return stretchText(place.one) + formatted(" and, %.2f m beside, ", place.apart) +
          stretchText(place.other);
+}
+
+std::string weldedText(const WeldedPlace& place) {
+  return stretchText(place.one) + " and " + stretchText(place.other);
 }
 
 std::string selfBreakText(const MapBreak& tear) {

@@ -43,6 +43,11 @@ struct DoubledPlace {
   Transform2D mend;         ///< the motion that lays what `other` has drawn on what `one` has
 };
 
+/** Two places that lie over each other and are not one: each sees through walls of the other. */
+struct WeldedPlace {
+  DrawnStretch one, other;  ///< in their order in the run
+};
+
 /** What a run tells of itself. */
 struct RunCheck {
   std::string name, file, sha256;
@@ -58,6 +63,7 @@ struct RunCheck {
   /** Whether what was seen twice bears out all breaks, and fits where the path is as agreed. */
   bool isConfirmed = false;
   std::vector<DoubledPlace> doubled;  ///< that no break explains, the farthest apart first
+  std::vector<WeldedPlace> welded;    ///< the largest first
   std::vector<Evidence> evidence;
   std::string sentence;                 ///< for people: what can be told, and what cannot
   std::vector<std::string> complaints;  ///< of a gate; none where it passes

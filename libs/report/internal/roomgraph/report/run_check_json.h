@@ -15,7 +15,7 @@ namespace roomgraph {
  *  names without their folder. */
 std::string runCheckJson(const RunCheck& check);
 
-/** "what it tells of itself; its breaks; what it has drawn twice". */
+/** "what it tells of itself; its breaks; what it has drawn twice or laid over each other". */
 std::string toldText(const RunCheck& check);
 
 /** "name: " and the same, a line. */
@@ -26,5 +26,8 @@ std::string selfBreakText(const MapBreak& tear);
 
 /** By which key frames a place was drawn, where, and how far apart. */
 std::string doubledText(const DoubledPlace& place);
+
+/** Which key frames lie over each other, and where. */
+std::string weldedText(const WeldedPlace& place);
 
 }  // namespace roomgraph
