@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "mrpt_results.h"
 #include "note_lines.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -29,6 +30,7 @@ struct CheckArguments {
   CheckGateOptions gate;
   std::vector<std::string> failOn;
   std::string junit, summary;  ///< files; empty for none
+  bool writesBreaks = false;
   RunningArguments running;
 };
 
@@ -37,10 +39,11 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
             "Exit with 3 if a run has a self error above this [m], or none.")
       ->check(CLI::Range(0.0, 1e6));
   addOption(app, "--fail-on LIST", arguments.failOn,
-            "Exit with 3 on this: 'broken' (a run has a break).")
+            "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), 'doubled' "
+            "(it has drawn a place twice, or laid one over another).")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"broken"}));
+      ->check(CLI::IsMember({"broken", "doubled"}));
   addOption(app, "--junit FILE", arguments.junit,
             "Also write the verdict of the gate as JUnit XML, for CI systems.");
   addOption(app, "--summary FILE", arguments.summary,
@@ -64,6 +67,9 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
     StagedFiles files;
     files.add(outputFile(arguments.folder, file, "check.json"), runCheckJson(*check));
     files.add(outputFile(arguments.folder, file, "check.html"), checkPage(*check, run));
+    if (arguments.writesBreaks)
+      addCheckLogs(*check, options.extract.loadGrid, outputFile(arguments.folder, file, "check"),
+                   files);
     files.commit();
     if (!arguments.running.isQuiet) report.out = runCheckText(*check);
     for (const std::string& complaint : check->complaints)
@@ -78,7 +84,12 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
 int run(CheckArguments arguments) {
   if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
     throw UsageError("--fail-above: nan is not a length: give one in metres");
-  arguments.gate.failsOnBreaks = !arguments.failOn.empty();
+  const auto failsOn = [&](const char* fault) {
+    return std::find(arguments.failOn.begin(), arguments.failOn.end(), fault) !=
+           arguments.failOn.end();
+  };
+  arguments.gate.failsOnBreaks = failsOn("broken"),
+  arguments.gate.failsOnDoubled = failsOn("doubled");
   checkOutputNames(arguments.files, arguments.folder, {"check.json", "check.html"});
   makeWritableFolder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());
@@ -106,8 +117,12 @@ std::function<int()> checkCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();
   addArgument(app, "RUN", arguments->files,
               "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
-              "maps nothing can be told.");
+              "maps only what their walls show is told, and no error.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
+  app.add_flag("--break-files", arguments->writesBreaks,
+               "Also write the scans of each break N, and of each place N that is drawn twice, for "
+               "RawLogViewer: X.check.breakN.rawlog and X.check.doubledN.rawlog as the run has "
+               "them, and .untorn.rawlog as they fit.");
   declareCheckGate(*arguments, app);
   declareConfig(arguments->options, app);
   declareReading(arguments->options, app);

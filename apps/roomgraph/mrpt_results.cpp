@@ -47,6 +47,28 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
   return names;
 }
 
+void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
+                  StagedFiles& staged) {
+  if (check.breaks.empty() && check.doubled.empty()) return;
+  const std::vector<PlacedScan> scans = scansOf(check.file, reading);
+  const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
+    const std::string name = stem + "." + kind + std::to_string(number);
+    staged.add(name + ".rawlog", rawlogBytes(scansAt(false)));
+    if (hasFit) staged.add(name + ".untorn.rawlog", rawlogBytes(scansAt(true)));
+  };
+  for (std::size_t i = 0; i < check.breaks.size(); ++i) {
+    const MapBreak& tear = check.breaks[i];
+    const auto at = [&](bool isUntorn) { return scansAtBreak(tear, {}, scans, isUntorn); };
+    add("break", i + 1, at, tear.torn.has_value());
+  }
+  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
+    const auto at = [&](bool isUntorn) {
+      return scansAtDoubled(check.doubled[i], scans, isUntorn);
+    };
+    add("doubled", i + 1, at, true);
+  }
+}
+
 std::string scanLog(const std::string& file, const LoadGridOptions& reading,
                     const KeyFrameStretch& stretch) {
   std::vector<PlacedScan> scans = scansOf(file, reading);

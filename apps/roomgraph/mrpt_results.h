@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 #include "roomgraph/relate/Run.h"
@@ -19,6 +20,13 @@ namespace roomgraph {
 std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
                                        const LoadGridOptions& reading,
                                        const std::filesystem::path& folder, StagedFiles& staged);
+
+/** For each break of a run and each place that it has drawn twice logs of the scans on both sides,
+ *  as the run has them and as they fit, beside its other results: `stem`.breakN.rawlog and so on,
+ *  numbered as in its check.json, from 1. Of what has no size there is only the first.
+ *  @throws DataError where the run cannot be read any more. */
+void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
+                  StagedFiles& staged);
 
 /** Key frames by their numbers in the file, both included. */
 struct KeyFrameStretch {

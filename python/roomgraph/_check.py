@@ -33,6 +33,11 @@ class RunCheck:
         return self.data["breaks"]
 
     @property
+    def doubled(self) -> List[Dict[str, Any]]:
+        """What it has drawn twice, the worst first."""
+        return self.data["doubled"]
+
+    @property
     def sentence(self) -> str:
         """What can be told, and what cannot, for people."""
         return self.data["sentence"]
@@ -44,7 +49,7 @@ class RunCheck:
 def check(map: MapLike, *, preset: str = "default", options: Optional[Options] = None) -> RunCheck:
     """How far one run is from agreeing with itself, and where it breaks, as `roomgraph check`.
 
-    map: a simplemap; of a map without scans nothing can be told.
+    map: a simplemap; of a map without scans only what its walls show is told.
     preset, options: as for extract.
 
     Raises DataError for a map that cannot be used, UsageError for an option that is none.

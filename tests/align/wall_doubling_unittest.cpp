@@ -1,4 +1,4 @@
-#include "wall_doubling.h"
+#include "roomgraph/align/wall_doubling.h"
 
 #include <gtest/gtest.h>
 

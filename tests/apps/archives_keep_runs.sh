@@ -26,6 +26,17 @@ whole site.db
 [ -z "$(sqlite3 site.db "SELECT 1 FROM settings WHERE options NOT LIKE '%load_grid.resolution=0.05%'")" ] ||
   fail "no options"
 
+# What others do not judge yet is told by itself.
+maps=$source_dir/share/roomgraph/maps
+expect 0 "$roomgraph" archive alone.db add "$maps/office_run1.simplemap.gz"
+grep -q 'no other run to compare it with; by itself: ' out || fail "the first run is not told by itself"
+expect 0 "$roomgraph" archive alone.db export --format json
+grep -q '"self_error"' out && grep -q '"self_breaks"' out || fail "no figures of the first run"
+expect 0 "$roomgraph" archive alone.db add "$maps"/office_run[234].simplemap.gz
+[ "$(sqlite3 alone.db "SELECT count(*) FROM figure WHERE name = 'self_error' AND run IN
+  (SELECT run FROM figure WHERE name = 'map_error_m' AND meaningful)")" = 0 ] ||
+  fail "what others judge is still told by itself"
+
 # What is known is not added again, under whatever name.
 cp site.db before.db
 cp night1.pgm again.pgm

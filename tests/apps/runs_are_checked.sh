@@ -21,10 +21,27 @@ diff -r results again || fail "another result"
 
 # A map without scans tells nothing, which is no error but for a gate.
 expect 0 "$roomgraph" check "$maps"/office.gridmap.gz -o grid
-grep -q 'cannot tell' out || fail "more is told of a grid than is known"
+grep -q 'cannot tell: it has no scans, and its map alone says little' out || fail "more is told of a grid than is known"
+grep -q '"self_error_m": null' grid/office.check.json || fail "an error is told of a grid"
+grep -q '"name":"wall_doubling"' grid/office.check.json || fail "nothing is told of the walls"
 expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-above 1 --junit grid.xml --summary grid.md
 grep -q 'failures="1"' grid.xml || fail "no failure in JUnit's file"
 grep -q 'cannot tell' grid.md || fail "no summary"
+
+# The scans of each break and of each place that is drawn twice, where asked for.
+expect 0 "$roomgraph" check "$maps"/office_run?.simplemap.gz -o logs -q --break-files
+python3 - logs/*.check.json <<'P'
+import json, os, sys
+for file in sys.argv[1:]:
+    check = json.load(open(file))
+    for kind, found in (("break", check["breaks"]), ("doubled", check["doubled"])):
+        for i, one in enumerate(found, 1):
+            stem = f"{file[:-5]}.{kind}{i}"
+            assert os.path.getsize(stem + ".rawlog") > 100, stem
+            has_fit = kind == "doubled" or one["shift_m"] is not None
+            assert os.path.exists(stem + ".untorn.rawlog") == has_fit, stem
+P
+ls logs/*.rawlog > out || fail "no run has a break or is drawn twice: nothing was tested"
 
 # What cannot be read is one line, and the others are checked all the same.
 echo junk > junk.simplemap
@@ -32,4 +49,5 @@ expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o m
 one_line err junk.simplemap
 [ -s mixed/office_run1.check.json ] || fail "the other run was not checked"
 expect 2 "$roomgraph" check
+expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz -o mixed -q --fail-on broken,doubled
 expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms

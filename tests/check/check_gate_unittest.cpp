@@ -21,6 +21,16 @@ TEST(CheckGate, errorsAndBreaksAreComplaints) {
   EXPECT_TRUE(complaintsOf(check, {0.5, false}).empty());
 }
 
+TEST(CheckGate, placesDrawnTwiceAreAComplaintWhereAsked) {
+  RunCheck check;
+  check.doubled.resize(1);
+  EXPECT_EQ(complaintsOf(check, {{}, false, true}),
+            std::vector<std::string>{"it has drawn 1 place twice"});
+  check.welded.resize(2);
+  EXPECT_EQ(complaintsOf(check, {{}, false, true}).back(), "it has laid 2 places over another");
+  EXPECT_TRUE(complaintsOf(check, {{}, true, false}).empty());
+}
+
 TEST(CheckGate, whatCannotBeToldIsNotGoodEnough) {
   RunCheck check;
   check.sentence = "cannot tell: it has no scans";

@@ -71,10 +71,22 @@ TEST(CheckRun, aRobotThatStandsStillTellsNothing) {
   EXPECT_TRUE(check.breaks.empty());
 }
 
+TEST(CheckRun, ofAGridOnlyWhatItsWallsShowIsTold) {
+  roomgraph::Run grid;
+  grid.map.wallDoubling = 0.12, grid.map.axisDeviation = M_PI / 90;
+  const RunCheck check = checkRun(grid);
+  EXPECT_FALSE(check.selfError);
+  EXPECT_EQ(check.sentence.rfind("cannot tell", 0), 0u);
+  EXPECT_NE(check.sentence.find("12 % of its walls stand before another"), std::string::npos);
+  EXPECT_NE(check.sentence.find("by 2.0 degrees or more"), std::string::npos);
+  EXPECT_EQ(check.evidence.size(), 3u);
+  EXPECT_TRUE(check.breaks.empty() && check.doubled.empty());
+}
+
 TEST(CheckRun, aRunWithoutScansTellsNothing) {
   const RunCheck check = checkRun({});
   EXPECT_FALSE(check.selfError);
-  EXPECT_NE(check.sentence.find("no scans"), std::string::npos);
+  EXPECT_EQ(check.sentence, "cannot tell: it has no scans");
 }
 
 }  // namespace

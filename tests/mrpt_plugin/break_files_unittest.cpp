@@ -101,5 +101,20 @@ TEST(ScansAtBreak, lieInTheFrameOfTheSite) {
   EXPECT_TRUE(scansAtBreak(tearAt({}), {}, drive, true).empty());
 }
 
+TEST(ScansAtDoubled, areThoseOfBothTimesAndTheSecondOnesFitWhereAsked) {
+  const std::vector<PlacedScan> drive = test::sampleDrive(30);
+  DoubledPlace place;
+  place.one.first = 3, place.one.last = 5;
+  place.other.first = 20, place.other.last = 21;
+  place.mend = {0, 2, 0};
+  const auto drawn = scansAtDoubled(place, drive, false);
+  ASSERT_EQ(drawn.size(), 5u);
+  EXPECT_EQ(drawn[2].keyFrame, 5u);
+  EXPECT_EQ(drawn[3].keyFrame, 20u);
+  const auto fits = scansAtDoubled(place, drive, true);
+  EXPECT_NEAR(fits[2].from.y(), drawn[2].from.y(), 1e-9);
+  EXPECT_NEAR(fits[4].from.y(), drawn[4].from.y() + 2, 1e-9);
+}
+
 }  // namespace
 }  // namespace roomgraph

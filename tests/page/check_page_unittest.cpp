@@ -48,18 +48,47 @@ TEST(CheckPage, aBreakOfUnknownSizeIsShownAsDrawnAlone) {
   EXPECT_FALSE(has(page, "as they fit"));
 }
 
+TEST(CheckPage, showsWhatIsDrawnTwiceAsDrawnAndAsItFits) {
+  RunCheck check = torn();
+  check.breaks.clear(), check.path[1].agreed = {1, 2, 0};
+  check.doubled = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {0, -2}}, 2, {0, 2, 0}}};
+  const std::string page = checkPage(check, twoScans());
+  EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frames 0 to 0 and, 2.00 m beside"));
+  EXPECT_TRUE(has(page, "M3.00 -3.00h0")) << "the later scan's wall, 2 m farther, as it fits";
+  EXPECT_TRUE(has(page, "d=\"M0.00 -0.00L0.00 2.00\"")) << "from one place to the other on the map";
+}
+
+TEST(CheckPage, showsWhatLiesOverEachOther) {
+  RunCheck check = torn();
+  check.welded = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {1, 0}}}};
+  const std::string page = checkPage(check, twoScans());
+  EXPECT_TRUE(has(page, "Laid over each other"));
+  EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frames 0 to 0 and at (1.0, 0.0) by key"));
+  EXPECT_FALSE(has(checkPage(torn(), twoScans()), "Laid over each other"));
+}
+
+TEST(CheckPage, hasATableOfTheEvidence) {
+  RunCheck check = torn();
+  check.evidence = {{"a", "A<B", "1", 0.25, 0.125, 40}, {"b", "C", "m", {}, {}, 0}};
+  const std::string page = checkPage(check, twoScans());
+  EXPECT_TRUE(has(page, "A&lt;B</th><td>25.0 %</td><td>12.5 %</td><td>40</td>"));
+  EXPECT_TRUE(has(page, "C</th><td>-</td><td>-</td><td>0</td>"));
+}
+
 TEST(CheckPage, namesAreTextAndNothingElse) {
   const std::string page = checkPage(torn(), twoScans());
   EXPECT_TRUE(has(page, "<h1>a&lt;b</h1>"));
   EXPECT_FALSE(has(page, "a<b"));
 }
 
-TEST(CheckPage, aRunOfWhichNothingIsKnownHasAPage) {
+TEST(CheckPage, ofAGridOnlyTheMapAndItsFiguresAreShown) {
   RunCheck check;
   check.sentence = "cannot tell: it has no scans";
+  check.evidence = {{"wall_doubling", "Walls drawn twice", "1", 0.25, {}, 40}};
   const std::string page = checkPage(check, {});
   EXPECT_TRUE(has(page, "cannot tell"));
-  EXPECT_TRUE(has(page, "none is contradicted"));
+  EXPECT_TRUE(has(page, "Walls drawn twice</th><td>25.0 %"));
+  EXPECT_FALSE(has(page, "none is contradicted")) << "that would say too much";
 }
 
 }  // namespace

@@ -20,6 +20,9 @@ RunCheck sample() {
   tear.run = "a", tear.place = {1, 2}, tear.rotation = M_PI / 4, tear.shift = -0.5;
   tear.keyFrame = 17, tear.torn = TornPose{};
   check.breaks = {tear};
+  check.doubled = {{{12, 30, 20, 5.5, {3, 4}}, {210, 228, 219, {}, {3, 4.8}}, 0.8, {}}};
+  check.welded = {{{40, 45, 42, {}, {1, 1}}, {80, 86, 83, {}, {1, 1.5}}}};
+  check.evidence = {{"beams_through_walls", "Walls", "1", 0.25, {}, 400}};
   check.path = {{0, std::nullopt, {}, {0.1, 0, 0}, 0.1, true},
                 {17, 12.5, {1, 2, 0.5}, {}, 1, false}};
   check.sentence = "agrees with itself within 0.51 m";
@@ -35,6 +38,16 @@ TEST(RunCheckJson, holdsWhatWasTold) {
   EXPECT_EQ(json["breaks"][0]["key_frame"], 17);
   EXPECT_EQ(json["breaks"][0]["rotation_deg"], 45);
   EXPECT_TRUE(json["breaks"][0]["time"].is_null());
+  const auto& passes = json["doubled"][0]["passes"];
+  EXPECT_EQ(json["doubled"][0]["apart_m"], 0.8);
+  EXPECT_EQ(passes[0]["first_key_frame"], 12);
+  EXPECT_EQ(passes[0]["key_frame"], 20);
+  EXPECT_EQ(passes[1]["last_key_frame"], 228);
+  EXPECT_EQ(passes[1]["y"], 4.8);
+  EXPECT_EQ(json["welded"][0]["passes"][1]["key_frame"], 83);
+  EXPECT_EQ(json["evidence"][0]["name"], "beams_through_walls");
+  EXPECT_EQ(json["evidence"][0]["drawn"], 0.25);
+  EXPECT_TRUE(json["evidence"][0]["agreed"].is_null());
   EXPECT_EQ(json["path"][1]["time"], 12.5);
   EXPECT_EQ(json["path"].size(), 2u);
 }
@@ -67,14 +80,18 @@ TEST(RunCheckJson, followsItsSchema) {
 }
 
 TEST(RunCheckText, isOneLineWithTheLargestBreak) {
-  EXPECT_EQ(runCheckText(sample()),
-            "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17, "
-            "45.0 degrees and -0.50 m\n");
+  EXPECT_EQ(
+      runCheckText(sample()),
+      "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17, "
+      "45.0 degrees and -0.50 m; 1 place drawn twice, the worst at (3.0, 4.0) by key frames 12 "
+      "to 30 and, 0.80 m beside, at (3.0, 4.8) by key frames 210 to 228; 1 place laid over "
+      "another, the largest at (1.0, 1.0) by key frames 40 to 45 and at (1.0, 1.5) by key "
+      "frames 80 to 86\n");
 }
 
 TEST(RunCheckText, aBreakOfUnknownSizeIsCounted) {
   RunCheck check = sample();
-  check.breaks.front().torn.reset();
+  check.breaks.front().torn.reset(), check.doubled.clear(), check.welded.clear();
   EXPECT_EQ(runCheckText(check), "a: agrees with itself within 0.51 m; 1 break\n");
   EXPECT_EQ(selfBreakText(check.breaks.front()),
             "before key frame 17, by how much its scans do not tell");

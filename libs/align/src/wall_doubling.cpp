@@ -1,4 +1,4 @@
-#include "wall_doubling.h"
+#include "roomgraph/align/wall_doubling.h"
 
 #include <cmath>
 
@@ -18,6 +18,8 @@ bool isCopy(const WallPoint& wall, const WallPoint& other) {
          dot(wall.normal, other.normal) >= kCopyFacing;
 }
 
+}  // namespace
+
 bool hasCopy(const WallMap& map, const WallPoint& wall) {
   const auto isCopyAt = [&](double along) {
     const std::size_t cell = cellIndexAt(map.frame, wall.place + along * wall.normal);
@@ -31,8 +33,6 @@ bool hasCopy(const WallMap& map, const WallPoint& wall) {
   }
   return false;
 }
-
-}  // namespace
 
 std::optional<double> wallDoubling(const WallMap& map) {
   if (map.walls.empty()) return std::nullopt;

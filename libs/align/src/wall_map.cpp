@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "axis_deviation.h"
+#include "roomgraph/align/wall_doubling.h"
 #include "roomgraph/grid/clear_wall_rims.h"
 #include "search_data.h"
-#include "wall_doubling.h"
 #include "wall_sharpness.h"
 
 namespace roomgraph {

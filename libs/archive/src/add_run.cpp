@@ -1,10 +1,13 @@
 #include "roomgraph/archive/add_run.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/map_files/map_sha256.h"
+#include "roomgraph/report/run_check_json.h"
 
 namespace roomgraph {
 namespace {
@@ -28,6 +31,23 @@ ReadRuns readAll(std::vector<std::string> files, const std::string& added,
     if (failure.empty()) throw;
   }
   throw DataError(added + ": " + failure);
+}
+
+/** What the added run tells of itself, where the others do not judge it. */
+void checkAlone(const ReadRuns& read, const std::string& sha256, Comparison& comparison) {
+  const auto isAdded = [&](const auto& run) { return run.sha256 == sha256; };
+  const auto run = std::find_if(read.runs.begin(), read.runs.end(), isAdded);
+  const auto compared = std::find_if(comparison.runs.begin(), comparison.runs.end(), isAdded);
+  if (run == read.runs.end() || compared == comparison.runs.end()) return;
+  if (run->scans.empty() || (compared->score && compared->score->isMeaningful)) return;
+  const RunCheck check = checkRun(*run);
+  compared->reason += "; by itself: " + toldText(check);
+  const double scans = double(run->scans.size());
+  Measure error{kSelfError, check.selfError, "m", scans, {}, {}, check.selfError.has_value()};
+  if (check.selfError) error.low = check.low, error.high = check.high;
+  compared->measures.push_back(error);
+  compared->measures.push_back(
+      {kSelfBreaks, double(check.breaks.size()), "1", scans, {}, {}, true});
 }
 
 AddedRun resultOf(const Addition& addition, const std::string& file, const Added& added) {
@@ -59,6 +79,7 @@ AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& 
   const ReadRuns read = readAll(files, added, options);
   if (!options.time) addition.runs.front().time = runTime(added);
   addition.comparison = compareMaps(read, options.compare);
+  checkAlone(read, sha256, addition.comparison);
   if (!options.kept.empty()) addition.runs.front().file = keepMap(added, sha256, options.kept);
   const Added result = archive.record(addition);
   if (result.runs == 0 && !archive.knows(options.site, sha256))

@@ -65,7 +65,9 @@ void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& o
     watch.rollout = Rollout::yes;
     watch.advice = "yes, " + map + " may be rolled out";
   } else {
-    watch.advice = "not known yet: too few runs to judge " + map;
+    const std::string& reason = history.runs[watch.latest].reason;
+    watch.advice =
+        "not known yet: too few runs to judge " + map + (reason.empty() ? "" : ": " + reason);
   }
 }
 

@@ -13,6 +13,12 @@ std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOpti
         formatted("its self error of %.3f m is above %g m", *check.selfError, *options.maxError));
   if (options.failsOnBreaks && !check.breaks.empty())
     complaints.push_back("it is torn in " + counted(check.breaks.size(), "place", "places"));
+  if (options.failsOnDoubled && !check.doubled.empty())
+    complaints.push_back("it has drawn " + counted(check.doubled.size(), "place", "places") +
+                         " twice");
+  if (options.failsOnDoubled && !check.welded.empty())
+    complaints.push_back("it has laid " + counted(check.welded.size(), "place", "places") +
+                         " over another");
   return complaints;
 }
 

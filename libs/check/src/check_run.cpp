@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "find_doubled.h"
+#include "find_welded.h"
 #include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/mend_steps.h"
 #include "roomgraph/consensus/map_errors.h"
 #include "self_consensus.h"
+#include "self_evidence.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kTellsTurn = 0.08, kTellsShift = 0.38;  // from which on a step is a break
+constexpr double kTellsTurn = 0.08;  // from which on a step is a break
 
 constexpr std::size_t kSeenBeside = 2;  // scans
 
@@ -49,8 +52,8 @@ MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& 
   return tear;
 }
 
-/** The breaks of a run, and whether they are confirmed. */
-void addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
+/** The breaks of a run, what else it has drawn wrong, and whether that is confirmed. */
+void addFaults(const Run& run, const MendedSteps& mended, const SelfConsensus& agreed,
                RunCheck& check) {
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
@@ -65,6 +68,7 @@ void addBreaks(const Run& run, const MendedSteps& mended, const SelfConsensus& a
   for (const std::size_t k : lost) check.breaks.push_back(lostAt(k, run));
   broken.insert(broken.end(), lost.begin(), lost.end());
   check.isConfirmed = isConfirmed(agreed, broken);
+  check.doubled = findDoubled(run, agreed, broken);
 }
 
 /** Whether a scan was found again, or one of those beside it, which see the same walls. */
@@ -87,6 +91,10 @@ double shareOfPath(const std::vector<CheckedPose>& path) {
 
 std::string sentenceOf(const RunCheck& check) {
   const double percent = 100 * check.seenTwice;
+  if (!check.selfError && !check.welded.empty())
+    return formatted(
+        "cannot tell: key frames %zu and %zu lie in one place, and see through each other's walls",
+        check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
   if (!check.selfError && !check.breaks.empty())
     return formatted(
         "cannot tell: it is torn before key frame %zu, and by how much its scans do not tell",
@@ -99,13 +107,25 @@ std::string sentenceOf(const RunCheck& check) {
       *check.selfError, percent, 100 - percent);
 }
 
+/** Of a run without scans. */
+std::string sentenceOf(const WallMap& map) {
+  std::string text = "cannot tell: it has no scans";
+  if (map.wallDoubling && map.axisDeviation)
+    text += formatted(
+        ", and its map alone says little: %.0f %% of its walls stand before another one that faces "
+        "alike, and half of them are off right angles by %.1f degrees or more, as furniture and "
+        "slanted walls may be",
+        100 * *map.wallDoubling, *map.axisDeviation * 180 / M_PI);
+  return text;
+}
+
 }  // namespace
 
 RunCheck checkRun(const Run& run) {
   RunCheck check;
   check.name = run.name, check.file = run.file, check.sha256 = run.sha256;
   if (run.scans.empty()) {
-    check.sentence = "cannot tell: it has no scans";
+    check.sentence = sentenceOf(run.map), check.evidence = mapEvidence(run);
     return check;
   }
   const std::vector<LocalScan> scans = localScans(run.scans);
@@ -116,9 +136,15 @@ RunCheck checkRun(const Run& run) {
                           agreed.poses[k], agreed.error.errors[k],
                           isSeenBeside(agreed.error.isSeen, k)});
   check.seenTwice = shareOfPath(check.path);
-  addBreaks(run, mended, agreed, check);
+  addFaults(run, mended, agreed, check);
+  const BeamsThroughWalls beams = beamsThroughWalls(scans, drawnPoses(run.scans));
+  const BeamsThroughWalls agreedBeams = beamsThroughWalls(scans, agreed.poses);
+  check.welded = findWelded(run, beams, agreedBeams);
+  check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
   const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
-  const bool mayLieAnywhere = isLost && !check.isConfirmed && agreed.error.low <= 0;
+  // It has not parted what cannot be one place, so that nothing says how far it is off.
+  const bool isBlind = !check.welded.empty() && agreed.error.error < kTellsShift;
+  const bool mayLieAnywhere = (isLost && !check.isConfirmed && agreed.error.low <= 0) || isBlind;
   if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;

@@ -43,6 +43,11 @@ MapError errorOf(const Run& run, const std::vector<Revisit>& revisits,
 
 }  // namespace
 
+bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses) {
+  const Transform2D found = poses[revisit.from.index()].inverse() * poses[revisit.to.index()];
+  return areNear(revisit.measured, found, {}, kNextPatch);
+}
+
 SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
                             const MendedSteps& mended) {
   SelfConsensus result;

@@ -14,6 +14,9 @@ struct SelfConsensus {
   std::vector<PoseEdge> revisits;  ///< what was seen again, of all groups
 };
 
+/** Whether a revisit lies where the key frames are at `poses`. */
+bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses);
+
 /** Looks for revisits and solves the pose graph of mended steps and revisits, and once more with
  *  the revisits that are found from there. */
 SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,

@@ -1,6 +1,7 @@
 #include "roomgraph/mrpt_plugin/break_files.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "look_from_above.h"
 #include "object_bytes.h"
@@ -154,6 +155,21 @@ std::vector<PlacedScan> scansAtBreak(const MapBreak& tear, const Transform2D& po
   std::vector<PlacedScan> torn(scans.begin() + std::ptrdiff_t(behind), scans.end());
   torn = moved(std::move(torn), mendOf(tear));
   std::move(torn.begin(), torn.end(), scans.begin() + std::ptrdiff_t(behind));
+  return scans;
+}
+
+std::vector<PlacedScan> scansAtDoubled(const DoubledPlace& place,
+                                       const std::vector<PlacedScan>& all, bool isUntorn) {
+  const auto scansOf = [&](const DrawnStretch& stretch) {
+    std::vector<PlacedScan> scans;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(scans), [&](const PlacedScan& scan) {
+      return scan.keyFrame >= stretch.first && scan.keyFrame <= stretch.last;
+    });
+    return scans;
+  };
+  std::vector<PlacedScan> scans = scansOf(place.one), other = scansOf(place.other);
+  if (isUntorn) other = moved(std::move(other), place.mend);
+  std::move(other.begin(), other.end(), std::back_inserter(scans));
   return scans;
 }
 

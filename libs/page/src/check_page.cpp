@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "roomgraph/align/wall_doubling.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
@@ -13,6 +15,15 @@ namespace roomgraph {
 namespace {
 
 constexpr double kScanReach = 12;  // walls that are shown at a break, from it [m]
+constexpr const char* kColoursHint =
+    "<p class=\"hint\">Blue is what the earlier scans have met, orange the later ones.</p>\n";
+constexpr std::size_t kFramesBeside = 4;  // of one that has drawn a place twice, on each side
+
+/** Scans of a run, from `first` to before `end`. */
+struct FrameRange {
+  std::size_t first = 0, end = 0;
+};
+
 constexpr const char* kCheckStyle =
     "svg.map{width:100%;max-height:80vh;background:#fff;border:1px solid var(--line)} "
     ".pair{display:flex;gap:16px;flex-wrap:wrap} .pair figure{margin:0;flex:1 1 320px} "
@@ -41,17 +52,20 @@ const char* colourOf(const CheckedPose& at) {
 }
 
 std::string mapPicture(const RunCheck& check, const Run& run) {
-  std::vector<Point> walls;
-  for (const WallPoint& wall : run.map.walls) walls.push_back(wall.place);
+  std::vector<Point> walls, copies;
+  const bool hasCopies = run.map.wallDoubling.value_or(0) > 0;
+  for (const WallPoint& wall : run.map.walls)
+    (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
   Point low{1e9, 1e9}, high{-1e9, -1e9};
   const auto include = [&](Point p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   };
-  for (const Point wall : walls) include(wall);
+  for (const WallPoint& wall : run.map.walls) include(wall.place);
   for (const CheckedPose& at : check.path) include(at.pose.shift());
   if (low.x > high.x) return "";
-  std::string svg = pictureOf(low, high, "map") + dots(walls, "#17202e", 0.1);
+  std::string svg =
+      pictureOf(low, high, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
   for (std::size_t k = 1; k < check.path.size(); ++k) {
     const Point from = check.path[k - 1].pose.shift(), to = check.path[k].pose.shift();
     svg += formatted("<path fill=\"none\" stroke-width=\".25\" d=\"M%.2f %.2fL%.2f %.2f\" ", from.x,
@@ -65,32 +79,53 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
         "stroke-width=\".2\"><title>break %zu</title></circle>\n",
         at.x, -at.y, i + 1);
   }
+  for (const DoubledPlace& place : check.doubled)
+    svg += formatted(
+               "<path fill=\"none\" stroke=\"#7a1fa2\" stroke-width=\".3\" d=\"M%.2f %.2fL%.2f "
+               "%.2f\">",
+               place.one.place.x, -place.one.place.y, place.other.place.x, -place.other.place.y) +
+           "<title>" + doubledText(place) + "</title></path>\n";
   return svg + "</svg>\n";
 }
 
-/** The scans at a break, those behind it moved by `motion`. */
-std::string scansPicture(const MapBreak& tear, const Run& run, const Transform2D& motion) {
-  const FramesAtBreak frames = framesAtBreak(tear, run.scans);
-  std::vector<Point> before, behind;
+/** What some scans have met within kScanReach of a place, moved by `motion` first. */
+std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
+                             const Transform2D& motion) {
+  std::vector<Point> walls;
   for (std::size_t k = frames.first; k < frames.end; ++k)
-    for (const WallPoint& wall : run.scans[k].walls) {
-      const Point at = k < frames.behind ? wall.place : motion(wall.place);
-      if (distance(at, tear.place) < kScanReach)
-        (k < frames.behind ? before : behind).push_back(at);
-    }
+    for (const WallPoint& wall : run.scans[k].walls)
+      if (const Point at = motion(wall.place); distance(at, middle) < kScanReach)
+        walls.push_back(at);
+  return walls;
+}
+
+/** What two stretches of the run have met around a place, that of the second moved by `motion`. */
+std::string scansPicture(Point middle, const Run& run, const FrameRange& ahead,
+                         const FrameRange& behind, const Transform2D& motion) {
   const Point reach{kScanReach, kScanReach};
-  return pictureOf(tear.place - reach, tear.place + reach, "scans") +
-         dots(before, "#0a4f8f", 0.14) + dots(behind, "#c44d00", 0.14) + "</svg>";
+  return pictureOf(middle - reach, middle + reach, "scans") +
+         dots(wallsNear(middle, run, ahead, {}), "#0a4f8f", 0.14) +
+         dots(wallsNear(middle, run, behind, motion), "#c44d00", 0.14) + "</svg>";
+}
+
+/** The same as drawn and, if that is known, as they fit. */
+std::string pairHtml(Point middle, const Run& run, const FrameRange& ahead,
+                     const FrameRange& behind, const std::optional<Transform2D>& mend) {
+  const std::string fits = mend ? "</figure>\n<figure>" +
+                                      scansPicture(middle, run, ahead, behind, *mend) +
+                                      "<figcaption>as they fit</figcaption>"
+                                : "";
+  return "<div class=\"pair\"><figure>" + scansPicture(middle, run, ahead, behind, {}) +
+         "<figcaption>as drawn</figcaption>" + fits + "</figure></div>\n";
 }
 
 std::string breakHtml(const MapBreak& tear, std::size_t number, const Run& run) {
-  const std::string fits = tear.torn ? "</figure>\n<figure>" +
-                                           scansPicture(tear, run, tear.torn->mend()) +
-                                           "<figcaption>as they fit</figcaption>"
-                                     : "";
+  const FramesAtBreak frames = framesAtBreak(tear, run.scans);
+  std::optional<Transform2D> mend;
+  if (tear.torn) mend = tear.torn->mend();
   return formatted("<h3>Break %zu: ", number) + selfBreakText(tear) + "</h3>\n" +
-         "<div class=\"pair\"><figure>" + scansPicture(tear, run, {}) +
-         "<figcaption>as drawn</figcaption>" + fits + "</figure></div>\n";
+         pairHtml(tear.place, run, {frames.first, frames.behind}, {frames.behind, frames.end},
+                  mend);
 }
 
 std::string breaksHtml(const RunCheck& check, const Run& run) {
@@ -107,6 +142,79 @@ std::string breaksHtml(const RunCheck& check, const Run& run) {
   return html + "</section>\n";
 }
 
+/** The scan of a key frame. */
+std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
+  const auto at = std::find_if(check.path.begin(), check.path.end(),
+                               [&](const CheckedPose& pose) { return pose.keyFrame >= keyFrame; });
+  return std::size_t(at - check.path.begin());
+}
+
+/** The scans beside the one at which a stretch is shown. */
+FrameRange framesOf(const DrawnStretch& stretch, const RunCheck& check) {
+  const std::size_t at = scanOf(stretch.keyFrame, check);
+  return {at - std::min(at, kFramesBeside), std::min(check.path.size(), at + kFramesBeside + 1)};
+}
+
+std::string doubledHtml(const RunCheck& check, const Run& run) {
+  std::string html = "<section id=\"doubled\">\n<h2>Drawn twice</h2>\n";
+  if (check.doubled.empty())
+    return html +
+           "<p class=\"none\">Of what was seen twice nothing that no break explains is drawn in "
+           "two "
+           "places.</p>\n</section>\n";
+  html += kColoursHint;
+  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
+    const DoubledPlace& place = check.doubled[i];
+    html += formatted("<h3>Place %zu: ", i + 1) + doubledText(place) + "</h3>\n" +
+            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
+                     place.mend);
+  }
+  return html + "</section>\n";
+}
+
+std::string weldedHtml(const RunCheck& check, const Run& run) {
+  if (check.welded.empty()) return "";
+  std::string html =
+      std::string("<section id=\"welded\">\n<h2>Laid over each other</h2>\n") + kColoursHint;
+  for (std::size_t i = 0; i < check.welded.size(); ++i) {
+    const WeldedPlace& place = check.welded[i];
+    html += formatted("<h3>Place %zu: ", i + 1) + weldedText(place) + "</h3>\n" +
+            pairHtml(place.one.place, run, framesOf(place.one, check), framesOf(place.other, check),
+                     std::nullopt);
+  }
+  return html + "</section>\n";
+}
+
+std::string figureText(const std::optional<double>& value, const Evidence& row) {
+  if (!value) return "-";
+  if (row.unit == "1") return formatted("%.1f %%", 100 * *value);
+  return formatted("%.2f ", *value) + row.unit;
+}
+
+std::string evidenceHtml(const RunCheck& check) {
+  std::string html =
+      "<section id=\"evidence\">\n<h2>Evidence</h2>\n<table><thead><tr><th>What</th><th>As "
+      "drawn</th><th>If it agreed with itself</th><th>Of</th></tr></thead><tbody>\n";
+  for (const Evidence& row : check.evidence)
+    html += "<tr><th scope=\"row\">" + xmlText(row.label) + "</th><td>" +
+            figureText(row.drawn, row) + "</td><td>" + figureText(row.agreed, row) + "</td><td>" +
+            formatted("%.0f", row.support) + "</td></tr>\n";
+  return html + "</tbody></table>\n</section>\n";
+}
+
+std::string mapHtml(const RunCheck& check, const Run& run) {
+  const char* path =
+      "Its path: grey where it was driven once; else green where it agrees with itself within 0.1 "
+      "m, "
+      "then yellow to 0.3 m, orange to 1 m, red beyond. A red ring is a break, a line joins the "
+      "two "
+      "places of what is drawn twice. ";
+  return std::string("<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">") +
+         (run.scans.empty() ? "" : path) +
+         "Walls in orange stand before others that face alike.</p>\n" + mapPicture(check, run) +
+         "</section>\n";
+}
+
 std::string figuresHtml(const RunCheck& check) {
   const std::string error = check.selfError ? formatted("%.3f m, %.3f to %.3f m in 4 of 5 cases",
                                                         *check.selfError, check.low, check.high)
@@ -115,7 +223,8 @@ std::string figuresHtml(const RunCheck& check) {
          "</td></tr>\n<tr><th scope=\"row\">Seen twice</th><td>" +
          formatted("%.0f %% of its path", 100 * check.seenTwice) +
          "</td></tr>\n<tr><th scope=\"row\">Breaks</th><td>" + std::to_string(check.breaks.size()) +
-         "</td></tr></tbody></table>\n";
+         "</td></tr>\n<tr><th scope=\"row\">Places drawn twice</th><td>" +
+         std::to_string(check.doubled.size()) + "</td></tr></tbody></table>\n";
 }
 
 }  // namespace
@@ -125,12 +234,11 @@ std::string checkPage(const RunCheck& check, const Run& run) {
   page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
   page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
   page.style = kCheckStyle;
-  page.body =
-      figuresHtml(check) +
-      "<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">Its path: grey where it was driven "
-      "once; else green where it agrees with itself within 0.1 m, then yellow to 0.3 m, orange "
-      "to 1 m, red beyond. A ring is a break.</p>\n" +
-      mapPicture(check, run) + "</section>\n" + breaksHtml(check, run);
+  page.body = run.scans.empty()
+                  ? mapHtml(check, run)
+                  : figuresHtml(check) + mapHtml(check, run) + breaksHtml(check, run) +
+                        doubledHtml(check, run) + weldedHtml(check, run);
+  page.body += evidenceHtml(check);
   page.footer = "What the figures mean stands in roomgraph's docs/check.md.";
   return simplePage(page);
 }

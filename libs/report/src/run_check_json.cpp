@@ -28,6 +28,38 @@ Json poseJson(const CheckedPose& at) {
           {"error_m", rounded(at.error)},     {"seen_twice", at.isSeenTwice}};
 }
 
+std::string stretchText(const DrawnStretch& stretch) {
+  return formatted("at (%.1f, %.1f) by key frames %zu to %zu", stretch.place.x, stretch.place.y,
+                   stretch.first, stretch.last);
+}
+
+Json numberOrNull(const std::optional<double>& value) {
+  return value ? Json(rounded(*value)) : Json();
+}
+
+Json stretchJson(const DrawnStretch& stretch) {
+  return {{"first_key_frame", stretch.first}, {"last_key_frame", stretch.last},
+          {"key_frame", stretch.keyFrame},    {"time", stretch.time ? Json(*stretch.time) : Json()},
+          {"x", rounded(stretch.place.x)},    {"y", rounded(stretch.place.y)}};
+}
+
+Json doubledJson(const DoubledPlace& place) {
+  return {{"apart_m", rounded(place.apart)},
+          {"passes", {stretchJson(place.one), stretchJson(place.other)}}};
+}
+
+Json weldedJson(const WeldedPlace& place) {
+  return {{"passes", {stretchJson(place.one), stretchJson(place.other)}}};
+}
+
+Json evidenceJson(const Evidence& row) {
+  return {{"name", row.name},
+          {"unit", row.unit},
+          {"drawn", numberOrNull(row.drawn)},
+          {"agreed", numberOrNull(row.agreed)},
+          {"support", row.support}};
+}
+
 }  // namespace
 
 std::string runCheckJson(const RunCheck& check) {
@@ -45,17 +77,39 @@ std::string runCheckJson(const RunCheck& check) {
   text += "\"seen_twice\": " + lineOf(Json(rounded(check.seenTwice))) + ",\n";
   text += "\"confirmed\": " + lineOf(Json(check.isConfirmed)) + ",\n";
   text += lines("breaks", check.breaks, breakJson);
+  text += lines("doubled", check.doubled, doubledJson);
+  text += lines("welded", check.welded, weldedJson);
+  text += lines("evidence", check.evidence, evidenceJson);
   text += lines("path", check.path, poseJson);
   return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
 }
 
-std::string runCheckText(const RunCheck& check) {
-  std::string text = printable(check.name) + ": " + check.sentence;
+std::string toldText(const RunCheck& check) {
+  std::string text = check.sentence;
   if (!check.breaks.empty()) {
     text += "; " + counted(check.breaks.size(), "break", "breaks");
     if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
   }
-  return text + "\n";
+  if (!check.doubled.empty())
+    text += "; " + counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
+            doubledText(check.doubled.front());
+  if (!check.welded.empty())
+    text += "; " + counted(check.welded.size(), "place", "places") +
+            " laid over another, the largest " + weldedText(check.welded.front());
+  return text;
+}
+
+std::string runCheckText(const RunCheck& check) {
+  return printable(check.name) + ": " + toldText(check) + "\n";
+}
+
+std::string doubledText(const DoubledPlace& place) {
+  return stretchText(place.one) + formatted(" and, %.2f m beside, ", place.apart) +
+         stretchText(place.other);
+}
+
+std::string weldedText(const WeldedPlace& place) {
+  return stretchText(place.one) + " and " + stretchText(place.other);
 }
 
 std::string selfBreakText(const MapBreak& tear) {

@@ -11,8 +11,10 @@ struct LocalScan {
   std::vector<WallPoint> walls;  ///< [m, robot frame], in the order of the beams
   std::optional<double> time;    ///< [s]
 
+  static constexpr std::size_t kTelling = 20;  ///< walls that are enough to tell by
+
   /** Whether it shows enough to be looked for. */
-  bool isTelling() const { return walls.size() >= 20; }
+  bool isTelling() const { return walls.size() >= kTelling; }
 };
 
 /** Of each scan: where its run has drawn it (run <- robot). */

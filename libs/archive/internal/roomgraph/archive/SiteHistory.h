@@ -12,6 +12,8 @@ namespace roomgraph {
 constexpr const char* kMapError = "map_error_m";
 constexpr const char* kScore = "score";
 constexpr const char* kBreaks = "breaks";
+constexpr const char* kSelfError = "self_error";  ///< of a run that others do not judge [m]
+constexpr const char* kSelfBreaks = "self_breaks";
 
 /** What a run has of a room of the site. */
 struct RoomSeen {

@@ -16,6 +16,7 @@ namespace roomgraph {
 struct CheckGateOptions {
   std::optional<double> maxError;  ///< each run must have a self error, and at most this one [m]
   bool failsOnBreaks = false;      ///< a run has a break
+  bool failsOnDoubled = false;     ///< it has drawn a place twice, or laid one over another
 };
 
 /** What is wrong with a run, a sentence each; none where it passes. Where nothing can be told of a

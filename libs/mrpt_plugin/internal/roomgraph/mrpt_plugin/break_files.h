@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/breaks/frames_at_break.h"
+#include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "roomgraph/relate/Run.h"
@@ -30,5 +31,10 @@ std::string breakSceneBytes(const Comparison& comparison, const MapBreak& tear,
  *  of the run. */
 std::vector<PlacedScan> scansAtBreak(const MapBreak& tear, const Transform2D& pose,
                                      const std::vector<PlacedScan>& all, bool isUntorn);
+
+/** The scans of a run that has drawn a place twice, in its frame: those of the first stretch, and
+ *  behind them those of the second as the run has them, or laid on the first. */
+std::vector<PlacedScan> scansAtDoubled(const DoubledPlace& place,
+                                       const std::vector<PlacedScan>& all, bool isUntorn);
 
 }  // namespace roomgraph

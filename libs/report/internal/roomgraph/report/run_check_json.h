@@ -15,10 +15,19 @@ namespace roomgraph {
  *  names without their folder. */
 std::string runCheckJson(const RunCheck& check);
 
-/** "name: what it tells of itself; its breaks", a line. */
+/** "what it tells of itself; its breaks; what it has drawn twice or laid over each other". */
+std::string toldText(const RunCheck& check);
+
+/** "name: " and the same, a line. */
 std::string runCheckText(const RunCheck& check);
 
 /** Where a run breaks by itself, and by how much, if that is known. */
 std::string selfBreakText(const MapBreak& tear);
+
+/** By which key frames a place was drawn, where, and how far apart. */
+std::string doubledText(const DoubledPlace& place);
+
+/** Which key frames lie over each other, and where. */
+std::string weldedText(const WeldedPlace& place);
 
 }  // namespace roomgraph

@@ -17,4 +17,7 @@ namespace roomgraph {
  *  O(walls). */
 std::optional<double> wallDoubling(const WallMap& map);
 
+/** Whether a wall of the map is one of those. The map must not be bare. O(1). */
+bool hasCopy(const WallMap& map, const WallPoint& wall);
+
 }  // namespace roomgraph

@@ -1,0 +1,72 @@
+#include "Passes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMostScans = 12;
+constexpr double kApart = 12;     // least path between a scan and those that it is held against [m]
+constexpr double kRange = 15;     // [m]
+constexpr double kBeside = 4;     // from a scan to the robot's way through a map [m]
+constexpr std::size_t kMaps = 2;  // in which a scan is looked for
+constexpr double kDriftPlace = 0.02, kDriftTurn = 0.003;  // per metre of path
+constexpr PoseTolerance kLeastWindow{0.1, 0.6}, kMostWindow{0.5, 3};
+
+}  // namespace
+
+Passes::Passes(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses)
+    : scans_(scans), poses_(poses), path_(poses.size()), beside_(poses.size()) {
+  for (std::size_t k = 1; k < poses.size(); ++k)
+    path_[k] = path_[k - 1] + distance(poses[k - 1].shift(), poses[k].shift());
+  cut();
+  for (std::size_t k = 0; k < poses.size(); ++k) chooseFor(k);
+  for (Pass& pass : passes_) {
+    std::vector<std::size_t> chosen(pass.end - pass.first);
+    std::iota(chosen.begin(), chosen.end(), pass.first);
+    pass.map = scanMap(scans, poses, chosen, kRange);
+  }
+}
+
+void Passes::cut() {
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < poses_.size(); ++k) {
+    const std::size_t count = k + 1 - first;
+    const bool isFull = count >= kLeastScans && pathBetween(first, k) >= kLength;
+    if (!isFull && count < kMostScans && k + 1 < poses_.size()) continue;
+    passes_.push_back({first, k + 1, {}});
+    first = k + 1;
+  }
+}
+
+double Passes::pathTo(std::size_t k, const Pass& pass) const {
+  return k < pass.first ? pathBetween(k, pass.first) : pathBetween(pass.end - 1, k);
+}
+
+PoseTolerance Passes::windowOf(std::size_t k, const Pass& pass) const {
+  const double path = pathTo(k, pass);
+  return {std::min(kMostWindow.turn, kLeastWindow.turn + kDriftTurn * path),
+          std::min(kMostWindow.place, kLeastWindow.place + kDriftPlace * path)};
+}
+
+void Passes::chooseFor(std::size_t k) {
+  if (!scans_[k].isTelling()) return;
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t s = 0; s < passes_.size(); ++s) {
+    const Pass& pass = passes_[s];
+    double way = HUGE_VAL;  // from the scan to the robot's way there
+    for (std::size_t i = pass.first; i < pass.end; ++i)
+      way = std::min(way, distance(poses_[i].shift(), poses_[k].shift()));
+    const bool isOther = k + kLeastScans < pass.first || k >= pass.end + kLeastScans;
+    if (isOther && pathTo(k, pass) > kApart && way < kBeside + windowOf(k, pass).place)
+      near.emplace_back(way, s);
+  }
+  std::sort(near.begin(), near.end());
+  for (std::size_t i = 0; i < std::min(kMaps, near.size()); ++i)
+    beside_[k].push_back(near[i].second);
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,42 @@
+#include "ScanPair.h"
+
+#include "Passes.h"
+#include "roomgraph/base/UnionFind.h"
+
+namespace roomgraph {
+
+PathOfRun::PathOfRun(const std::vector<ScanWalls>& scans) : path_(scans.size()) {
+  for (std::size_t k = 1; k < scans.size(); ++k)
+    path_[k] = path_[k - 1] + distance(scans[k - 1].at(), scans[k].at());
+}
+
+bool PathOfRun::areBeside(std::size_t l, std::size_t r) const {
+  return path_[std::max(l, r)] - path_[std::min(l, r)] < Passes::kLength;
+}
+
+std::vector<std::vector<ScanPair>> PathOfRun::grouped(const std::vector<ScanPair>& pairs) const {
+  UnionFind joined(pairs.size());
+  for (std::uint32_t i = 0; i < pairs.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (areBeside(pairs[i], pairs[j])) joined.join(i, j);
+  std::vector<std::vector<ScanPair>> groups(pairs.size());
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) groups[joined.find(i)].push_back(pairs[i]);
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const std::vector<ScanPair>& group) { return group.empty(); }),
+               groups.end());
+  return groups;
+}
+
+DrawnStretch stretchOf(const Run& run, const std::vector<ScanPair>& pairs,
+                       std::size_t ScanPair::*side, std::size_t at) {
+  const ScanWalls& scan = run.scans[at];
+  DrawnStretch stretch{scan.keyFrame, scan.keyFrame, scan.keyFrame, scan.time, scan.at()};
+  for (const ScanPair& pair : pairs) {
+    const std::size_t keyFrame = run.scans[pair.*side].keyFrame;
+    stretch.first = std::min(stretch.first, keyFrame);
+    stretch.last = std::max(stretch.last, keyFrame);
+  }
+  return stretch;
+}
+
+}  // namespace roomgraph

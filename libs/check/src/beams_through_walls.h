@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "ScanPair.h"
+#include "roomgraph/align/LocalScan.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and where they lie
+// Out:  BeamsThroughWalls
+// Next: selfEvidence
+
+/** Walls that stand where the run has seen free space at another time. */
+struct BeamsThroughWalls {
+  std::size_t walls = 0;    ///< whose place was seen at another time, once for each such pass
+  std::size_t through = 0;  ///< of those: where beams have gone through
+  /** Scans of most of whose walls that is so, each with the nearest one of that pass. */
+  std::vector<ScanPair> overlaid;
+};
+
+/** Holds the walls of each scan against the nearest passes that were drawn far from it in path. A
+ *  wall that the pass has, too, though a little off, is not gone through. O(scans * (walls + cells
+ *  around a few scans)). */
+BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
+                                    const std::vector<Transform2D>& poses);
+
+}  // namespace roomgraph
