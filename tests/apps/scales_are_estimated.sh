@@ -74,9 +74,16 @@ plain blank.pgm 377
 expect 1 "$roomgraph" compare one.yaml two.yaml blank.pgm --estimate-scale -o blank
 one_line err blank.pgm 'no wall'
 
+# Where no map tells a scale, pictures share one that is usual, and no gate judges its metres.
+for option in "" --estimate-scale; do
+  expect 0 "$roomgraph" compare pictures/one.pgm pictures/two.pgm $option -o usual
+  grep -q 'cells, and the true scale may be' out || fail "cells are not told"
+  one_line err 'no map tells the scale'
+done
+expect 3 "$roomgraph" compare pictures/one.pgm pictures/two.pgm -o usual --fail-above 100
+one_line err one 'cannot be told in metres'
+
 # What the option cannot do.
-expect 1 "$roomgraph" compare plan.pgm pictures/one.pgm --estimate-scale -o bad
-one_line err scale
 expect 2 "$roomgraph" compare one.yaml two.yaml --estimate-scale -o bad
 one_line err picture
 expect 2 "$roomgraph" compare one.yaml plan.pgm --estimate-scale --aligned -o bad

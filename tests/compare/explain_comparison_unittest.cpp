@@ -179,6 +179,17 @@ TEST(Notes, saysWhereDrivesAreNotKnown) {
   EXPECT_EQ(unknownDrivesNote(3, 3).rfind(" All maps are without scans, so whether", 0), 0u);
 }
 
+TEST(Notes, sayHowManyCellsAnErrorIsWhereNoMapTellsAScale) {
+  Comparison comparison;
+  EXPECT_EQ(usualScaleNote(comparison), "");
+  comparison.runs.resize(2);
+  for (ComparedRun& run : comparison.runs) run.resolution = 0.02, run.isScaleEstimated = true;
+  EXPECT_NE(usualScaleNote(comparison).find("so an error of 0.10 m stands for 5 cells"),
+            std::string::npos);
+  comparison.runs[1].isScaleEstimated = false;
+  EXPECT_EQ(usualScaleNote(comparison), "");
+}
+
 TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
   EXPECT_EQ(otherSitesNote({{"a", "b"}, {"c", "d"}}),
             " There are 2 sites, of which only the first is compared (--each-site compares each): "

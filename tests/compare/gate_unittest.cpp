@@ -147,6 +147,19 @@ TEST(Gate, mapErrorsMustBeSmallAndTold) {
                    "e: its map error cannot be told: too little to compare"}));
 }
 
+TEST(Gate, metresOfAScaleThatNoMapTellsAreNotJudged) {
+  Comparison comparison = sample();
+  GateOptions options;
+  options.maxError = 100;
+  options.candidates = {"good"};
+  comparison.runs[0].score->isMeaningful = true;
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  for (ComparedRun& run : comparison.runs) run.isScaleEstimated = true;
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"good: its map error cannot be told in metres, as no map tells its scale: give "
+                  "--resolution"});
+}
+
 TEST(Gate, aPassNamesTheRunThatCameClosestToEachLimit) {
   GateOptions options;
   options.maxError = 1;

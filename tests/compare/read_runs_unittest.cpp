@@ -53,8 +53,7 @@ TEST(ReadRuns, whatCannotBeReadIsLeftOutAndTheRestIsUsed) {
   EXPECT_EQ(read.leftOut[2].reason.find("none.pgm"), std::string::npos) << "its file is told apart";
   EXPECT_EQ(maps.unread, (std::vector<std::string>{"cut", "none", "empty"}))
       << "as they were given";
-  EXPECT_EQ(maps.noted, (std::vector<std::string>{a, b, empty}))
-      << "a picture does not say its scale";
+  EXPECT_EQ(maps.noted, (std::vector<std::string>{a, b})) << "a picture does not say its scale";
   EXPECT_FALSE(read.reference);
 }
 
@@ -115,7 +114,7 @@ TEST(ReadRuns, scalesAreEstimatedOfPicturesOnly) {
                                     "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
   const std::string picture = maps.building("a.pgm", {});
   EXPECT_THROW(readRuns({yaml, yaml}, maps.options), UsageError) << "no map is a picture";
-  EXPECT_THROW(readRuns({picture, picture}, maps.options), DataError) << "no map tells a scale";
+  EXPECT_EQ(readRuns({picture, yaml}, maps.options).runs.size(), 2u);
 }
 
 TEST(ReadRuns, aPictureIsReadAtTheScaleOfTheOthers) {
@@ -130,6 +129,44 @@ TEST(ReadRuns, aPictureIsReadAtTheScaleOfTheOthers) {
   for (const roomgraph::Run& run : read.runs) {
     EXPECT_NEAR(run.resolution, 0.08, 0.001) << run.name;
     EXPECT_EQ(run.isScaleEstimated, run.name == "plan");
+  }
+}
+
+TEST(ReadRuns, whereNoMapTellsAScaleAllPicturesShareOneThatIsUsual) {
+  Maps maps;
+  const std::string a = maps.building("a.pgm", {}), b = maps.building("b.pgm", {1, 2, 0.3});
+  std::vector<std::string> codes;
+  maps.options.onNote = [&](const std::string&, const Note& note) { codes.push_back(note.code); };
+  std::vector<double> scales;
+  for (const bool isAsked : {false, true}) {
+    maps.options.estimatesScale = isAsked;
+    for (const roomgraph::Run& run : readRuns({a, b}, maps.options).runs) {
+      EXPECT_TRUE(run.isScaleEstimated);
+      scales.push_back(run.resolution);
+    }
+  }
+  EXPECT_EQ(codes, std::vector<std::string>(4, "usual_scale"));
+  for (const double scale : scales) EXPECT_EQ(scale, scales[0]);
+  EXPECT_GT(scales[0], 0.02);  // drawn at 0.05
+  EXPECT_LT(scales[0], 0.1);
+}
+
+TEST(ReadRuns, aScaleThatIsGivenOrToldByAMapStays) {
+  Maps maps;
+  const std::string a = maps.building("a.pgm", {}), b = maps.building("b.pgm", {1, 2, 0.3});
+  maps.options.extract.loadGrid.isResolutionGiven = true;
+  for (const roomgraph::Run& run : readRuns({a, b}, maps.options).runs) {
+    EXPECT_FALSE(run.isScaleEstimated);
+    EXPECT_EQ(run.resolution, 0.05);
+  }
+  maps.options.extract.loadGrid.isResolutionGiven = false;
+  const std::string yaml =
+      maps.add("c.yaml", "image: a.pgm\nresolution: 0.07\norigin: [0, 0, 0]\n");
+  const std::vector<roomgraph::Run> runs = readRuns({yaml, b}, maps.options).runs;
+  ASSERT_EQ(runs.size(), 2u);
+  for (const roomgraph::Run& run : runs) {
+    EXPECT_FALSE(run.isScaleEstimated);
+    EXPECT_EQ(run.resolution, run.name == "c" ? 0.07 : 0.05);
   }
 }
 

@@ -162,6 +162,15 @@ TEST(NavigationWord, goesByTheErrorAndItsInterval) {
   EXPECT_TRUE(starts(navigationWord(bestWith(0.5, 0.9)), "Navigation with best: perhaps"));
 }
 
+TEST(NavigationWord, doesNotTakeAScaleForKnownThatNoMapTells) {
+  Comparison comparison = bestWith(0.02, 0.08);
+  for (ComparedRun& run : comparison.runs) run.isScaleEstimated = true;
+  EXPECT_EQ(navigationWord(comparison),
+            "Navigation with best: cannot be told in metres, as no map tells its scale.");
+  comparison.runs[1].isScaleEstimated = false;  // of which that of the others was estimated
+  EXPECT_TRUE(starts(navigationWord(comparison), "Navigation with best: good enough"));
+}
+
 TEST(NavigationWord, aBreakIsNeverGoodEnough) {
   Comparison comparison = bestWith(0.01, 0.02);
   comparison.breaks = {{"other", {}, 0.1, 0.5, {}, {}}};

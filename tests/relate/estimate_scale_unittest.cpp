@@ -126,5 +126,14 @@ TEST(EstimateScale, whatHasNoWallsHasNoScale) {
   EXPECT_FALSE(estimated(rescaled({{0, 0, 0.05, {}}, {}}, 0.1), {run(picture)}));
 }
 
+TEST(UsualScale, doesNotDependOnWhatThePicturesClaim) {
+  const auto usual = usualScale({pictureOf(1, 0.02)});
+  ASSERT_TRUE(usual);
+  EXPECT_GT(*usual, kCell / 2);
+  EXPECT_LT(*usual, kCell * 2);
+  EXPECT_EQ(usualScale({pictureOf(1, 0.1)}), usual);
+  EXPECT_FALSE(usualScale({Grid{{3, 3, 1, {}}, std::vector<State>(9, State::occupied)}}));
+}
+
 }  // namespace
 }  // namespace roomgraph

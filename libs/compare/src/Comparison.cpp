@@ -52,6 +52,11 @@ std::optional<double> ComparedRun::partialCoverage() const {
   return isPartial ? coverage->value : std::nullopt;
 }
 
+bool Comparison::isScaleUsual() const {
+  return !runs.empty() && std::all_of(runs.begin(), runs.end(),
+                                      [](const ComparedRun& run) { return run.isScaleEstimated; });
+}
+
 std::size_t Comparison::countBreaks(const std::string& run) const {
   return std::size_t(std::count_if(breaks.begin(), breaks.end(), [&](const MapBreak& found) {
     return found.run == run && found.kind() != BreakClass::slight;

@@ -150,4 +150,13 @@ std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSi
                                      : formatted("%zu maps are", runsWithoutScans).c_str());
 }
 
+std::string usualScaleNote(const Comparison& comparison) {
+  if (!comparison.isScaleUsual()) return "";
+  const double resolution = comparison.runs[0].resolution;
+  return formatted(
+      " No map tells the scale: %.2g m per cell is taken, as usual in buildings, so an error of "
+      "0.10 m stands for %.2g cells, and the true scale may be half or twice as large.",
+      resolution, 0.1 / resolution);
+}
+
 }  // namespace roomgraph

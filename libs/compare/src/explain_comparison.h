@@ -30,4 +30,7 @@ std::string copiesNote(const Comparison& comparison);
 /** The same on runs whose drives are not known, as they have no scans. */
 std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSite);
 
+/** The same on pictures of which no map tells the scale. */
+std::string usualScaleNote(const Comparison& comparison);
+
 }  // namespace roomgraph

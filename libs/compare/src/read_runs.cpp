@@ -8,6 +8,7 @@
 #include "roomgraph/base/failure_text.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/return_memory.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -52,7 +53,7 @@ class Reader {
 
   ReadRuns read() {
     forEachFile([this](MapFile& file) { open(file); });
-    if (options_.estimatesScale) readPictures();
+    readPictures();
     ReadRuns result;
     result.runs = takeRuns();
     if (result.runs.empty()) refuseAll();
@@ -101,7 +102,8 @@ class Reader {
     LoadedMap read = loadMap(file.file, options_.extract.loadGrid);
     GreyMap& map = read.map;
     const bool isBare = map.source.kind == "image";
-    if (!isBare || !options_.estimatesScale) {
+    const bool isGiven = options_.extract.loadGrid.isResolutionGiven;
+    if (!isBare || (isGiven && !options_.estimatesScale)) {
       file.notes = map.notes;
       return prepare(file, map, read.keyframes);
     }
@@ -116,36 +118,68 @@ class Reader {
     if (isOneOfMany && !options_.estimatesScale) dropLookUp(file.run->map);
   }
 
-  /** Reads the bare pictures at the scale at which they fit the other maps. */
+  /** Reads the bare pictures, whose scale is not known: where no map tells one, all at one that is
+   *  usual; else at that at which they fit those maps, or as options say. */
   void readPictures() {
-    checkScales();
+    if (options_.estimatesScale && !hasAny(&MapFile::picture) && !hasFailed())
+      throw UsageError(
+          "compare: --estimate-scale is for bare pictures, and no map is one: leave it out");
+    if (!hasAny(&MapFile::picture)) return;
+    const bool isEstimated = options_.estimatesScale || !hasAny(&MapFile::run);
+    if (!hasAny(&MapFile::run))
+      takeUsualScale();
+    else if (options_.estimatesScale)
+      fitScales();
+    forEachFile([&](MapFile& file) {
+      prepare(file, *file.picture, {});
+      file.notes = std::move(file.picture->notes);
+      file.run->isScaleEstimated = isEstimated;
+      file.picture.reset();
+    });
+  }
+
+  template <class Part>
+  bool hasAny(std::optional<Part> MapFile::*part) const {
+    return std::any_of(files_.begin(), files_.end(),
+                       [&](const MapFile& file) { return (file.*part).has_value(); });
+  }
+  bool hasFailed() const {
+    return std::any_of(files_.begin(), files_.end(),
+                       [](const MapFile& file) { return !file.failure.empty(); });
+  }
+
+  static void setScale(GreyMap& picture, double resolution, const Notes& notes) {
+    picture.frame = rescaled({picture.frame, {}}, resolution).frame;
+    picture.notes = notes;
+  }
+
+  void takeUsualScale() {
+    std::vector<Grid> grids;
+    for (const MapFile& file : files_)
+      if (file.picture) grids.push_back(binarize(*file.picture, options_.extract.binarize));
+    const auto usual = usualScale(grids);
+    if (!usual) return;
+    const Note note{
+        "usual_scale",
+        formatted("no map tells the scale of the pictures: %.2g m per cell is taken, as "
+                  "usual in buildings, so 1 m of error stands for %.0f cells",
+                  *usual, 1 / *usual),
+        std::nullopt};
+    for (MapFile& file : files_)
+      if (file.picture) setScale(*file.picture, *usual, {note});
+  }
+
+  void fitScales() {
     std::vector<Run> tellers = takeRunsOfKnownScale();
     for (MapFile& file : files_) {
       if (!file.picture) continue;
       const Grid grid = binarize(*file.picture, options_.extract.binarize);
       if (const auto found = estimateScale(grid, tellers, options_.compare.forEach))
-        file.picture->frame = rescaled({file.picture->frame, {}}, found->resolution).frame;
+        setScale(*file.picture, found->resolution, {});
       else
         refuse(file);
     }
     for (Run& run : tellers) giveBack(std::move(run));
-    forEachFile([this](MapFile& file) {
-      prepare(file, *file.picture, {});
-      file.run->isScaleEstimated = true;
-    });
-  }
-
-  void checkScales() const {
-    const auto has = [&](const auto& what) {
-      return std::any_of(files_.begin(), files_.end(), what);
-    };
-    const bool hasPicture = has([](const MapFile& file) { return file.picture.has_value(); });
-    if (!hasPicture && !has([](const MapFile& file) { return !file.failure.empty(); }))
-      throw UsageError(
-          "compare: --estimate-scale is for bare pictures, and no map is one: leave it out");
-    if (hasPicture && !has([](const MapFile& file) { return file.run.has_value(); }))
-      throw DataError(
-          "compare: no map tells the scale of the pictures: add a gridmap, a simplemap or a yaml");
   }
 
   /** Leaves a picture out that fits no scale. */

@@ -183,7 +183,8 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);
   result.leftOut = leftOutOf(runs, related, found.site);
-  result.verdict = verdictOf(result) + copiesNote(result) + caveatsOf(runs, found);
+  result.verdict =
+      verdictOf(result) + usualScaleNote(result) + copiesNote(result) + caveatsOf(runs, found);
   return result;
 }
 

@@ -114,6 +114,8 @@ std::string navigationWord(const Comparison& comparison) {
     return start + "cannot be told, there is too little to judge by.";
   if (certainty == Certainty::doubtful)
     return start + "cannot be told, no pair that is sure joins it to most of the others.";
+  if (comparison.isScaleUsual())
+    return start + "cannot be told in metres, as no map tells its scale.";
   if (comparison.countBreaks(best.name) > 0)
     return start +
            "not good enough. It breaks, and a robot that drives across a break is lost for a "

@@ -22,6 +22,7 @@ constexpr double kBelow = 1.25, kAbove = 1.6, kGuessReach = 2;
 constexpr std::size_t kCloser = 3;    // scales that are looked at closely
 constexpr std::size_t kSearches = 2;  // runs that the picture is looked for in, until it fits one
 constexpr std::size_t kVoters = 5;    // runs that have their say at last
+constexpr double kUsualWidth = 0.4;   // median distance of free places to what is not free [m]
 constexpr double kMinOfRun = 0.2;  // share of the run's free area that the picture must show, too
 
 /** A scale, and how well the picture fits there. */
@@ -237,6 +238,14 @@ std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vecto
     return ScaleEstimate{there.resolution, agreed.size(), best, there.alignment};
   }
   return std::nullopt;
+}
+
+std::optional<double> usualScale(const std::vector<Grid>& pictures) {
+  std::vector<double> widths;
+  for (const Grid& picture : pictures)
+    if (const double width = sizesInCells(picture).width; width > 0) widths.push_back(width);
+  if (widths.empty()) return std::nullopt;
+  return kUsualWidth / median(std::move(widths));
 }
 
 }  // namespace roomgraph

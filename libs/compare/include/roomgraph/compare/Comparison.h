@@ -112,6 +112,10 @@ struct Comparison {
    *  run without pairs. O(pairs). */
   [[nodiscard]] bool isPlaceDoubtful(const std::string& run) const;
 
+  /** Whether no map told a scale, so that metres are those of a scale that is usual in buildings,
+   *  and only cells are right. */
+  [[nodiscard]] bool isScaleUsual() const;
+
   /** The breaks of a run that are not slight. O(breaks). */
   [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
 
