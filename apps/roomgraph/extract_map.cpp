@@ -5,6 +5,7 @@
 #include "Laps.h"
 #include "note_lines.h"
 #include "output_names.h"
+#include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw_stages.h"
@@ -60,8 +61,9 @@ class Extraction {
   void writeResults(const Stages& stages) {
     StagedFiles staged;
     std::vector<std::string> contents;
+    checkKeptOut(stages.result);
     for (const OutputFormat& format : task_.formats) {
-      contents.push_back(format.bytes(stages, {}));
+      contents.push_back(format.bytes(stages, {{}, task_.keptOut}));
       lap(format.name);
     }
     if (!task_.stagesFolder.empty()) {
@@ -70,13 +72,28 @@ class Extraction {
       files_.push_back(folder.string() + "/");
       lap("stages");
     }
+    const auto add = [&](const std::string& extension, const std::string& bytes) {
+      files_.push_back(outputFile(task_.folder, mapFile_, extension));
+      staged.add(files_.back(), bytes);
+      return std::filesystem::path(files_.back()).filename().string();
+    };
     for (std::size_t i = 0; i < contents.size(); ++i) {
-      const std::string file = outputFile(task_.folder, mapFile_, task_.formats[i].extension);
-      staged.add(file, contents[i]);
-      files_.push_back(file);
+      const OutputFormat& format = task_.formats[i];
+      const std::string name = add(format.extension, contents[i]);
+      if (format.map)
+        add(format.yamlExtension(), rosMapYaml(stages.grid.frame, name, {}, *format.map));
     }
     staged.commit();
     lap("write_files");
+  }
+
+  void checkKeptOut(const RoomGraph& graph) const {
+    for (const RoomId room : task_.keptOut)
+      if (room.index() >= graph.rooms.size())
+        throw DataError(
+            formatted("%s: has no room R%zu to keep robots out of: it has %zu, from R0 "
+                      "on",
+                      mapFile_.c_str(), room.index(), graph.rooms.size()));
   }
 
   void describe(const Stages& stages) {

@@ -14,8 +14,9 @@ namespace roomgraph {
 struct ExtractTask {
   ExtractOptions options;
   std::vector<OutputFormat> formats;
-  std::string folder;        ///< for the results
-  std::string stagesFolder;  ///< for the pictures of the steps; empty for none
+  std::vector<RoomId> keptOut;  ///< of the format keepout
+  std::string folder;           ///< for the results
+  std::string stagesFolder;     ///< for the pictures of the steps; empty for none
   RunningArguments running;
 };
 

@@ -147,7 +147,7 @@ void addGraph(const Stages& stages, const MergeArguments& arguments,
     if (!arguments.names.empty()) results.addBeside(arguments.names, siteJson(named.file));
   }
   for (const OutputFormat& format : parseFormats(kGraphFormats))
-    add(std::string("site.graph.") + format.extension, format.bytes(stages, names));
+    add(std::string("site.graph.") + format.extension, format.bytes(stages, {names, {}}));
 }
 
 }  // namespace

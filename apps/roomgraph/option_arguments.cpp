@@ -1,5 +1,6 @@
 #include "option_arguments.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "commands.h"
@@ -167,6 +168,14 @@ CompareMapsOptions toCompareOptions(const OptionArguments& arguments) {
   options.extract = preset(arguments.preset);
   apply(arguments, options.extract, describe(options), describe(options));
   return options;
+}
+
+std::optional<std::size_t> numberAfter(char letter, const std::string& word) {
+  std::size_t number = 0;
+  const char *begin = word.data(), *end = begin + word.size();
+  if (word.size() < 2 || *begin != letter || std::from_chars(begin + 1, end, number).ptr != end)
+    return std::nullopt;
+  return number;
 }
 
 }  // namespace roomgraph

@@ -30,6 +30,9 @@ void declareReading(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2, --all-components and --robot-width. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 
+/** The number of a room or corridor in a word like "R3"; none where it is another one. */
+std::optional<std::size_t> numberAfter(char letter, const std::string& word);
+
 /** Declares --output, the folder for `results`. A command writes several files for each map, which
  *  would be hard to tell from others: where no folder is named, they go into roomgraph-COMMAND. */
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app);

@@ -10,6 +10,7 @@
 #include "roomgraph/graph_files/geojson.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/graph_files/graphml.h"
+#include "roomgraph/graph_files/nav2_masks.h"
 #include "roomgraph/graph_files/osm_xml.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"
@@ -17,51 +18,60 @@
 namespace roomgraph {
 namespace {
 
-using Names = std::vector<std::string>;
-
 /** Outlines may be off by half a cell: that much the map does not tell. */
-OsmXmlOptions osmOptions(const Stages& stages, const Names& names) {
+OsmXmlOptions osmOptions(const Stages& stages, const AreaWishes& wishes) {
   OsmXmlOptions options;
-  options.names = names;
+  options.names = wishes.names;
   options.tolerance = stages.grid.frame.resolution / 2;
   return options;
 }
 
 constexpr OutputFormat kFormats[] = {
     {"json", "json",
-     [](const Stages& stages, const Names& names) {
+     [](const Stages& stages, const AreaWishes& wishes) {
        GraphFile file = graphFile(stages);
-       file.areaNames = names;
+       file.areaNames = wishes.names;
        return graphJson(file);
      }},
-    {"svg", "svg", [](const Stages& stages, const Names&) { return drawSvg(stages); }},
-    {"png", "png", [](const Stages& stages, const Names&) { return drawPng(stages); }},
+    {"svg", "svg", [](const Stages& stages, const AreaWishes&) { return drawSvg(stages); }},
+    {"png", "png", [](const Stages& stages, const AreaWishes&) { return drawPng(stages); }},
     {"graphml", "graphml",
-     [](const Stages& stages, const Names&) { return graphml(stages.result); }},
+     [](const Stages& stages, const AreaWishes&) { return graphml(stages.result); }},
     {"geojson", "geojson",
-     [](const Stages& s, const Names& names) {
-       return geojson(s.result, ObstacleRows(s.obstacles), s.clearance, names);
+     [](const Stages& s, const AreaWishes& wishes) {
+       return geojson(s.result, ObstacleRows(s.obstacles), s.clearance, wishes.names);
      }},
-    {"3Dscene", "3Dscene", [](const Stages& s, const Names&) { return sceneBytes(CRoomGraph(s)); }},
+    {"3Dscene", "3Dscene",
+     [](const Stages& s, const AreaWishes&) { return sceneBytes(CRoomGraph(s)); }},
     {"roomgraph", "roomgraph",
-     [](const Stages& s, const Names&) { return roomGraphBytes(CRoomGraph(s)); }},
+     [](const Stages& s, const AreaWishes&) { return roomGraphBytes(CRoomGraph(s)); }},
     {"labels", "areas.png",
-     [](const Stages& stages, const Names&) {
+     [](const Stages& stages, const AreaWishes&) {
        return areaLabelsPng(stages.areas, stages.grid.frame);
      },
      false},
     {"osm", "osm",
-     [](const Stages& stages, const Names& names) {
-       return osmXml(stages.areas, osmOptions(stages, names));
+     [](const Stages& stages, const AreaWishes& wishes) {
+       return osmXml(stages.areas, osmOptions(stages, wishes));
      },
      false},
     {"osm_ids", "ids.osm",
-     [](const Stages& stages, const Names& names) {
-       OsmXmlOptions options = osmOptions(stages, names);
+     [](const Stages& stages, const AreaWishes& wishes) {
+       OsmXmlOptions options = osmOptions(stages, wishes);
        options.hasNumbers = true;
        return osmXml(stages.areas, options);
      },
      false},
+    {"keepout", "keepout.png",
+     [](const Stages& stages, const AreaWishes& wishes) {
+       return keepoutMaskPng(stages.areas, stages.grid.frame, wishes.keptOut);
+     },
+     false, RosMapMode::trinary},
+    {"speed", "speed.png",
+     [](const Stages& stages, const AreaWishes&) {
+       return speedMaskPng(stages.areas, stages.grid.frame);
+     },
+     false, RosMapMode::scale},
 };
 
 std::vector<std::string> allFormats() {

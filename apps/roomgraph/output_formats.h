@@ -1,17 +1,28 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/pipeline/Stages.h"
 
 namespace roomgraph {
 
+/** What people want of the areas of a map. */
+struct AreaWishes {
+  std::vector<std::string> names;  ///< by AreaId; empty for none
+  std::vector<RoomId> keptOut;     ///< rooms that robots must not enter
+};
+
 /** A kind of file that a result can be written as. */
 struct OutputFormat {
   const char *name, *extension;  ///< for --format; of the file
-  /** `names` of the areas, by AreaId; empty for none. */
-  std::string (*bytes)(const Stages& stages, const std::vector<std::string>& names);
-  bool isDefault = true;  ///< written where nothing else is asked for
+  std::string (*bytes)(const Stages& stages, const AreaWishes& wishes);
+  bool isDefault = true;            ///< written where nothing else is asked for
+  std::optional<RosMapMode> map{};  ///< of a picture that is a ROS map, with a yaml beside it
+
+  /** Of the yaml: "keepout.yaml" of "keepout.png". */
+  std::string yamlExtension() const { return std::string(name) + ".yaml"; }
 };
 
 /** "a, b, all or c", for people, where "all" does not stand for c, one of `more`. */

@@ -67,12 +67,11 @@ bool isNumber(const std::string& text, Number& number) {
 Point placeOf(const GraphFile& file, const std::vector<std::string>& words, const char* option) {
   Point place;
   if (words.size() == 2 && isNumber(words[0], place.x) && isNumber(words[1], place.y)) return place;
-  std::size_t number = 0;
-  const std::string& word = words.front();
-  if (words.size() == 1 && isNumber(word.substr(std::min<std::size_t>(1, word.size())), number)) {
-    if (word[0] == 'R' && number < file.graph.rooms.size()) return file.graph.rooms[number].center;
-    if (word[0] == 'C' && number < file.areas.areas.size())
-      return file.areas.areas[number].widestPlace;
+  if (words.size() == 1) {
+    const auto room = numberAfter('R', words[0]), corridor = numberAfter('C', words[0]);
+    if (room && *room < file.graph.rooms.size()) return file.graph.rooms[*room].center;
+    if (corridor && *corridor < file.areas.areas.size())
+      return file.areas.areas[*corridor].widestPlace;
   }
   throw UsageError(
       formatted("%s takes a room of this map (R0 to R%zu), a corridor (C and the number "

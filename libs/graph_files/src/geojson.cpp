@@ -8,6 +8,7 @@
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/topology/kind_names.h"
+#include "speed_limit.h"
 #include "straight_pieces.h"
 
 namespace roomgraph {
@@ -39,11 +40,6 @@ class Members {
  private:
   std::string text_;
 };
-
-/** Full speed from a clearance of 1 m on, below in proportion, but never less than 20 %. */
-double speedPercent(double clearance) {
-  return std::clamp(std::round(100 * clearance), 20.0, 100.0);
-}
 
 std::string pointText(Point p) {
   std::string json;

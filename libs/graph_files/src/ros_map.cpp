@@ -52,13 +52,16 @@ std::string mapPng(const Grid& grid) {
   return pngBytes(image);
 }
 
-std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
-                       const Transform2D& pose) {
+std::string rosMapYaml(const GridFrame& frame, const std::string& picture, const Transform2D& pose,
+                       RosMapMode mode) {
   const Point origin = pose(frame.origin);
+  const bool isScale = mode == RosMapMode::scale;
   return kRosMapMark + ("\nimage: " + quotedText(picture)) +
-         "\nmode: trinary\nresolution: " + numberText(frame.resolution) + "\norigin: [" +
-         metresText(origin.x) + ", " + metresText(origin.y) + ", " + numberText(pose.phi) +
-         "]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+         "\nmode: " + (isScale ? "scale" : "trinary") +
+         "\nresolution: " + numberText(frame.resolution) + "\norigin: [" + metresText(origin.x) +
+         ", " + metresText(origin.y) + ", " + numberText(pose.phi) + "]\nnegate: 0\n" +
+         (isScale ? "occupied_thresh: 1.0\nfree_thresh: 0.0\n"
+                  : "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
 }
 
 }  // namespace roomgraph

@@ -21,9 +21,13 @@ std::string mapPng(const Grid& grid);
  *  else's. */
 constexpr char kRosMapMark[] = "# Written by roomgraph.";
 
+/** How nav2 reads a picture's greys: as one of three states by map_saver's thresholds, or each as a
+ *  value from white for 0 to black for 100. */
+enum class RosMapMode { trinary, scale };
+
 /** The yaml that places such a picture, by the name of its file, with thresholds for its greys;
  *  in another frame where `pose` (that frame <- frame of the map) says so, by its origin's yaw. */
 std::string rosMapYaml(const GridFrame& frame, const std::string& picture,
-                       const Transform2D& pose = {});
+                       const Transform2D& pose = {}, RosMapMode mode = RosMapMode::trinary);
 
 }  // namespace roomgraph
