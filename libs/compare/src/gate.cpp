@@ -180,12 +180,12 @@ class Judge {
 
   void judgeError(const ComparedRun& run) {
     if (!needsError()) return;
-    const auto error = trustedError(run);
-    if (!error) return complain(run.name, "its map error cannot be told: too little to compare");
     if (comparison_.isScaleUsual())
       return complain(run.name,
                       "its map error cannot be told in metres, as no map tells its scale: give "
                       "--resolution");
+    const auto error = trustedError(run);
+    if (!error) return complain(run.name, "its map error cannot be told: too little to compare");
     if (options_.maxError) {
       const double left = *options_.maxError - *error;
       hold("error", run.name, left,

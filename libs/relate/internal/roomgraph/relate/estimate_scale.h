@@ -44,10 +44,10 @@ Grid rescaled(Grid grid, double resolution);
 std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vector<Run>& runs,
                                            const ForEach& forEach);
 
-/** The side of a cell for pictures of one scale that none of them tells: that at which half of their
- *  free floor lies within 0.4 m of what is not free, as in most buildings (0.2 to 1 m in 50 maps).
- *  So it may be wrong by a factor of two, at which pictures still lie in each other as they do at
- *  the right one. Nothing where no floor is free. O(cells). */
+/** The side of a cell for pictures of one scale that none of them tells: that at which half of
+ *  their free floor lies within 0.4 m of what is not free, as in most buildings (0.2 to 1 m in 50
+ *  maps). So it may be wrong by a factor of two, at which pictures still lie in each other as they
+ *  do at the right one. Nothing where no floor is free. O(cells). */
 std::optional<double> usualScale(const std::vector<Grid>& pictures);
 
 }  // namespace roomgraph
