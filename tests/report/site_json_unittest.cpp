@@ -73,7 +73,8 @@ TEST(SiteFile, whatIsBrokenIsNamed) {
   EXPECT_TRUE(says(with("\"id\":\"R1\"", "\"id\":7"), "rooms[0].id is not text"));
   EXPECT_TRUE(says(with("\"name\":\"Kitchen", "\"name\":7,\"\":\""), "rooms[0].name "));
   EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0]"), "rooms[0].polygon["));
-  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"), "rooms[0].polygon[2][1] is too large"));
+  EXPECT_TRUE(says(with("[2.0,2.0]", "[2.0,1e300]"),
+                   "rooms[0].polygon[2][1] is too far away to be a place"));
   EXPECT_TRUE(says(with("\"doors\":[", "\"doors\":[7,"), "rooms[0].doors[0] is not an object"));
   SiteFile twice = sampleFile();
   twice.rooms.push_back(twice.rooms[0]);

@@ -6,7 +6,7 @@ namespace roomgraph {
 
 double readCoordinate(const JsonNode& node) {
   const double metres = node.number();
-  if (std::abs(metres) > 1e8) throw Broken{node.place, "is too far away to be a place"};
+  if (std::abs(metres) > kFarthestPlace) throw Broken{node.place, "is too far away to be a place"};
   return metres;
 }
 

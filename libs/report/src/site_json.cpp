@@ -1,31 +1,23 @@
 #include "roomgraph/report/site_json.h"
 
-#include <cmath>
 #include <set>
 
 #include "json_places.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/geometry/point_json.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthestPlace = 1e11;  // beyond any place of a map that can be read [m]
-
-double metres(const JsonNode& node) {
-  const double value = node.number();
-  if (!(std::abs(value) <= kFarthestPlace)) throw Broken{node.place, "is too large"};
-  return value;
-}
-
-Point place(const JsonNode& node) { return {metres(node["x"]), metres(node["y"])}; }
+Point place(const JsonNode& node) { return {readCoordinate(node["x"]), readCoordinate(node["y"])}; }
 
 Ring ring(const JsonNode& node) {
   Ring result;
   for (const JsonNode& pair : node.list()) {
     const std::vector<JsonNode> numbers = pair.list();
     if (numbers.size() != 2) throw Broken{pair.place, "is not a pair [x, y]"};
-    result.push_back({metres(numbers[0]), metres(numbers[1])});
+    result.push_back({readCoordinate(numbers[0]), readCoordinate(numbers[1])});
   }
   if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
   return result;
@@ -40,7 +32,7 @@ int nextNumber(const JsonNode& node) {
 
 SiteDoor door(const JsonNode& node) {
   const JsonNode to = node["to"];
-  return {place(node), metres(node["width"]), to.json.is_null() ? "" : to.text()};
+  return {place(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
 }
 
 KnownRoom room(const JsonNode& node) {
@@ -54,7 +46,7 @@ KnownRoom room(const JsonNode& node) {
     throw Broken{node["kind"].place, "is neither 'room' nor 'corridor'"};
   result.isCorridor = kind == "corridor";
   result.center = place(node);
-  result.area = metres(node["area_m2"]);
+  result.area = readCoordinate(node["area_m2"]);
   result.polygon.outer = ring(node["polygon"]);
   for (const JsonNode& hole : node["holes"].list()) result.polygon.holes.push_back(ring(hole));
   for (const JsonNode& one : node["doors"].list()) result.doors.push_back(door(one));

@@ -11,8 +11,10 @@ namespace roomgraph {
 /** As files hold it, see rounded(double). */
 inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
-/** A coordinate in metres. Throws Broken where it is none, or ten times as far out as a map may
- *  lie: who draws it would count with infinities. */
+constexpr double kFarthestPlace = 1e11;  ///< beyond all places of maps that can be read [m]
+
+/** A coordinate in metres. Throws Broken where it is none, or beyond kFarthestPlace: who draws it
+ *  would count with infinities. */
 double readCoordinate(const JsonNode& node);
 /** [x, y]. Throws Broken where it is not a pair of coordinates. */
 Point readPoint(const JsonNode& node);
