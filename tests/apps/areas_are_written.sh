@@ -10,7 +10,7 @@ printf 'o/a.areas.png\no/a.osm\n' | cmp - <(grep '^  ' out | sed 's/^  //')
 expect 0 "$roomgraph" extract a.pgm -o all --format all
 cmp all/a.areas.png o/a.areas.png
 cmp all/a.osm o/a.osm
-[ "$(ls all | wc -l)" -eq 10 ] || fail "not all formats: $(ls all)"
+[ "$(ls all | wc -l)" -eq 14 ] || fail "not all formats: $(ls all)"
 
 expect 0 "$roomgraph" score-rooms o/a.areas.png o/a.areas.png
 [ "$(grep -cE '^(P|R|IoU) .* 100\.00 %' out)" -eq 6 ] || { cat out; fail "not all is right"; }

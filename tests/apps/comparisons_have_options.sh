@@ -46,7 +46,7 @@ one_line err "'htm'" report geojson
 # What is odd about several maps is told once.
 cp a.pgm b.pgm
 expect 0 "$roomgraph" compare a.pgm b.pgm -o odd
-[ "$(grep -c 'note: a picture does not say' err)" -eq 1 ] || fail "a note is told twice"
+[ "$(grep -c 'note: no map tells the scale' err)" -eq 1 ] || fail "a note is told twice"
 grep -q '(and 1 more note: see --verbose)$' err
 expect 0 "$roomgraph" compare a.pgm b.pgm -o odd --verbose
-[ "$(grep -c 'note: a picture does not say' err)" -eq 2 ] || fail "a note is missing"
+[ "$(grep -c 'note: no map tells the scale' err)" -eq 2 ] || fail "a note is missing"
