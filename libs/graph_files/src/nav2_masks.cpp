@@ -37,7 +37,7 @@ std::string keepoutMaskPng(const AreaGraph& graph, const GridFrame& frame,
                            const std::vector<RoomId>& keptOut) {
   Grid mask{frame, std::vector<State>(frame.cellCount(), State::free)};
   for (std::size_t i = 0; i < graph.labels.size(); ++i) {
-    if (graph.labels[i] == 0) continue;
+    if (graph.labels[i] == 0 || graph.labels[i] > graph.areas.size()) continue;
     const RoomId room = graph.areas[graph.labels[i] - 1].room;
     if (room && std::count(keptOut.begin(), keptOut.end(), room) > 0)
       mask.cells[i] = State::occupied;
