@@ -46,6 +46,13 @@ double Passes::pathTo(std::size_t k, const Pass& pass) const {
   return k < pass.first ? pathBetween(k, pass.first) : pathBetween(pass.end - 1, k);
 }
 
+std::size_t Passes::nearestScan(const Pass& pass, Point place) const {
+  std::size_t nearest = pass.first;
+  for (std::size_t i = pass.first; i < pass.end; ++i)
+    if (distance(poses_[i].shift(), place) < distance(poses_[nearest].shift(), place)) nearest = i;
+  return nearest;
+}
+
 PoseTolerance Passes::windowOf(std::size_t k, const Pass& pass) const {
   const double path = pathTo(k, pass);
   return {std::min(kMostWindow.turn, kLeastWindow.turn + kDriftTurn * path),
@@ -57,9 +64,8 @@ void Passes::chooseFor(std::size_t k) {
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t s = 0; s < passes_.size(); ++s) {
     const Pass& pass = passes_[s];
-    double way = HUGE_VAL;  // from the scan to the robot's way there
-    for (std::size_t i = pass.first; i < pass.end; ++i)
-      way = std::min(way, distance(poses_[i].shift(), poses_[k].shift()));
+    const Point place = poses_[k].shift();  // from it to the robot's way there
+    const double way = distance(poses_[nearestScan(pass, place)].shift(), place);
     const bool isOther = k + kLeastScans < pass.first || k >= pass.end + kLeastScans;
     if (isOther && pathTo(k, pass) > kApart && way < kBeside + windowOf(k, pass).place)
       near.emplace_back(way, s);

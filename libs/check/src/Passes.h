@@ -32,6 +32,8 @@ class Passes {
   [[nodiscard]] double pathBetween(std::size_t from, std::size_t to) const {
     return path_[to] - path_[from];
   }
+  /** The scan of a pass that lies nearest to a place, the first of equals. */
+  [[nodiscard]] std::size_t nearestScan(const Pass& pass, Point place) const;
   /** How far from where it lies a scan may be by the path between it and a pass. */
   [[nodiscard]] PoseTolerance windowOf(std::size_t k, const Pass& pass) const;
 

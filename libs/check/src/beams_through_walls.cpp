@@ -33,13 +33,6 @@ bool isOverlaid(const BeamsThroughWalls& beams) {
          double(beams.through) > kMajority * double(beams.walls);
 }
 
-std::size_t nearestIn(const Pass& pass, const std::vector<Transform2D>& poses, Point place) {
-  std::size_t nearest = pass.first;
-  for (std::size_t i = pass.first; i < pass.end; ++i)
-    if (distance(poses[i].shift(), place) < distance(poses[nearest].shift(), place)) nearest = i;
-  return nearest;
-}
-
 }  // namespace
 
 BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
@@ -52,7 +45,7 @@ BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
       const BeamsThroughWalls one = beamsOf(scans[k], pass.map, poses[k]);
       beams.walls += one.walls, beams.through += one.through;
       if (isOverlaid(one))
-        beams.overlaid.push_back(scanPair(k, nearestIn(pass, poses, poses[k].shift())));
+        beams.overlaid.push_back(scanPair(k, passes.nearestScan(pass, poses[k].shift())));
     }
   return beams;
 }

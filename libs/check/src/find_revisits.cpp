@@ -62,10 +62,7 @@ class Finder {
   }
 
   PoseEdge edgeTo(std::size_t k, const Transform2D& found, const Pass& pass) const {
-    std::size_t in = pass.first;
-    for (std::size_t i = pass.first; i < pass.end; ++i)
-      if (distance(poses_[i].shift(), found.shift()) < distance(poses_[in].shift(), found.shift()))
-        in = i;
+    const std::size_t in = passes_.nearestScan(pass, found.shift());
     return matchEdge(NodeId(in), NodeId(k), poses_[in].inverse() * found, 1);
   }
 
