@@ -36,7 +36,7 @@ struct Drive {
   }
 
   std::vector<PlanarCovariance> covariances() const {
-    return poseCovariances(graph, trust, poses, RunId(0));
+    return poseCovariances(graph, trust, poses, {RunId(0)}).front();
   }
 };
 

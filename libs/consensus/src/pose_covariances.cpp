@@ -11,7 +11,7 @@ namespace roomgraph {
 namespace {
 
 constexpr Eigen::Index kAsked = 60;  // nodes that are worked out, about
-// Information [1/m^2, 1/rad^2] that fixes one node of the run, or all of the reference, and that
+// Information [1/m^2, 1/rad^2] that fixes the first node, or all of the reference, and that
 // leaves all others as good as free, but puts each part of the graph somewhere.
 constexpr double kFixed = 1e6, kAnywhere = 1e-6;
 
@@ -41,23 +41,31 @@ void addEdge(const PoseGraph& graph, const PoseEdge& edge, const GraphTrust& tru
   addBlock(edge.to, edge.from, to.transpose() * weights * from, blocks);
 }
 
-/** The covariances of the nodes of one run, by the normal equations of all. */
+using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+
+/** Of the normal equations of all runs. */
+void decompose(const PoseGraph& graph, const GraphTrust& trust, const NodePoses& poses,
+               Factor& factor) {
+  Blocks blocks;
+  for (const PoseEdge& edge : graph.edges)
+    if (edge.from != edge.to) addEdge(graph, edge, trust, poses, blocks);
+  for (const NodeId node : poses.ids())
+    addBlock(node, node, kAnywhere * Matrix3d::Identity(), blocks);
+  for (const NodeId node : graph.reference ? graph.runs[graph.reference].nodes : poses.ids()) {
+    addBlock(node, node, kFixed * Matrix3d::Identity(), blocks);
+    if (!graph.reference) break;
+  }
+  const auto size = 3 * Eigen::Index(poses.size());
+  Eigen::SparseMatrix<double> normal(size, size);
+  normal.setFromTriplets(blocks.begin(), blocks.end());
+  factor.compute(normal);
+}
+
+/** The covariances of the nodes of one run. */
 class RunCovariances {
  public:
-  RunCovariances(const PoseGraph& graph, const GraphTrust& trust, const NodePoses& poses, RunId run)
-      : poses_(poses), nodes_(graph.runs[run].nodes), size_(3 * Eigen::Index(poses.size())) {
-    Blocks blocks;
-    for (const PoseEdge& edge : graph.edges)
-      if (edge.from != edge.to) addEdge(graph, edge, trust, poses, blocks);
-    for (const NodeId node : poses.ids())
-      addBlock(node, node, kAnywhere * Matrix3d::Identity(), blocks);
-    for (const NodeId node : graph.reference ? graph.runs[graph.reference].nodes : nodes_) {
-      addBlock(node, node, kFixed * Matrix3d::Identity(), blocks);
-      if (!graph.reference) break;
-    }
-    Eigen::SparseMatrix<double> normal(size_, size_);
-    normal.setFromTriplets(blocks.begin(), blocks.end());
-    factor_.compute(normal);
+  RunCovariances(const Factor& factor, const NodePoses& poses, IdRange<NodeId> nodes)
+      : factor_(factor), poses_(poses), nodes_(nodes), size_(3 * Eigen::Index(poses.size())) {
     fitAll();
   }
 
@@ -102,10 +110,10 @@ class RunCovariances {
     ofAll_ = fit.transpose() * withAll_;
   }
 
+  const Factor& factor_;
   const NodePoses& poses_;
   IdRange<NodeId> nodes_;
   Eigen::Index size_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor_;
   Point middle_{0, 0};
   Eigen::MatrixXd withAll_;  ///< of each node and of the run as a whole
   Matrix3d ofAll_;           ///< of the run as a whole
@@ -115,17 +123,11 @@ PlanarCovariance planar(const Matrix3d& c) {
   return {c(0, 0), c(1, 1), c(2, 2), c(0, 1), c(0, 2), c(1, 2)};
 }
 
-}  // namespace
-
-std::vector<PlanarCovariance> poseCovariances(const PoseGraph& graph, const GraphTrust& trust,
-                                              const NodePoses& poses, RunId run) {
-  const IdRange<NodeId> nodes = graph.runs[run].nodes;
-  std::vector<PlanarCovariance> all;
-  if (nodes.size() == 0) return all;
-  const RunCovariances covariances(graph, trust, poses, run);
+std::vector<PlanarCovariance> covariancesOf(IdRange<NodeId> nodes,
+                                            const RunCovariances& covariances) {
   const std::size_t step = nodes.size() / kAsked + 1, last = nodes.size() - 1;
   Matrix3d before = covariances.of(nodes.front());
-  all.push_back(planar(before));
+  std::vector<PlanarCovariance> all{planar(before)};
   for (std::size_t from = 0; from < last; from += step) {
     const std::size_t to = std::min(from + step, last);
     const Matrix3d behind = covariances.of(nodes[to]);
@@ -134,6 +136,23 @@ std::vector<PlanarCovariance> poseCovariances(const PoseGraph& graph, const Grap
       all.push_back(planar((1 - share) * before + share * behind));
     }
     before = behind;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::vector<PlanarCovariance>> poseCovariances(const PoseGraph& graph,
+                                                           const GraphTrust& trust,
+                                                           const NodePoses& poses,
+                                                           const std::vector<RunId>& runs) {
+  std::vector<std::vector<PlanarCovariance>> all(runs.size());
+  if (runs.empty() || poses.size() == 0) return all;
+  Factor factor;
+  decompose(graph, trust, poses, factor);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const IdRange<NodeId> nodes = graph.runs[runs[i]].nodes;
+    if (!nodes.isEmpty()) all[i] = covariancesOf(nodes, RunCovariances(factor, poses, nodes));
   }
   return all;
 }

@@ -69,11 +69,22 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
     return repaired;
   }
   moveTo(real, run, repaired);
-  const Consensus& consensus = solved.consensus;
-  for (const PlanarCovariance& sure :
-       poseCovariances(consensus.graph, consensus.trust, consensus.poses, consensus.graphRuns[i]))
-    repaired.covariances.push_back(turned(sure, repaired.frame.phi));
   return repaired;
+}
+
+/** Says how sure the poses of mended runs are. */
+void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) {
+  std::vector<RepairedRun*> mended;
+  std::vector<RunId> runs;
+  for (RepairedRun& repaired : all) {
+    if (repaired.state != RepairState::mended) continue;
+    mended.push_back(&repaired);
+    runs.push_back(consensus.graphRuns[repaired.siteRun]);
+  }
+  const auto covariances = poseCovariances(consensus.graph, consensus.trust, consensus.poses, runs);
+  for (std::size_t i = 0; i < mended.size(); ++i)
+    for (const PlanarCovariance& sure : covariances[i])
+      mended[i]->covariances.push_back(turned(sure, mended[i]->frame.phi));
 }
 
 }  // namespace
@@ -98,6 +109,7 @@ std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& r
   std::vector<RepairedRun> all;
   for (std::size_t i = 0; i < solved.site.runs.size(); ++i)
     if (!solved.site.runs[i]->scans.empty()) all.push_back(repairedRun(solved, real[i], i));
+  tellCovariances(solved.consensus, all);
   return all;
 }
 

@@ -8,16 +8,19 @@ namespace roomgraph {
 
 // Ours
 // In:   PoseGraph and the solution of it
-// Out:  how sure the poses of one run are
+// Out:  how sure the poses of its runs are
 // Next: repairRuns
 
-/** How sure `poses` are of each node of a run, in its order, along the axes of their frame
+/** How sure `poses` are of each node of some runs, in its order, along the axes of their frame
  *  [m, rad]: as if it were known where the run lies as a whole, by the turn and shift that fit its
  *  places best. So the middle of a run is surer than its ends. By the normal equations of the last
  *  step of the solution; what contradicts the rest, and the axes of nodes, say nothing. Those of
- *  some 60 nodes are computed, those between interpolated. O(60 * factor of the normal equations),
- *  0.5 s for a graph of 2500 nodes. (Free-network adjustment: Meissl 1962.) */
-std::vector<PlanarCovariance> poseCovariances(const PoseGraph& graph, const GraphTrust& trust,
-                                              const NodePoses& poses, RunId run);
+ *  some 60 nodes of a run are computed, those between interpolated. O(the factor of the normal
+ *  equations * runs): of a graph of 2500 nodes half a second for each run. (Free-network
+ *  adjustment: Meissl 1962.) */
+std::vector<std::vector<PlanarCovariance>> poseCovariances(const PoseGraph& graph,
+                                                           const GraphTrust& trust,
+                                                           const NodePoses& poses,
+                                                           const std::vector<RunId>& runs);
 
 }  // namespace roomgraph
