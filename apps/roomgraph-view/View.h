@@ -21,7 +21,10 @@ struct View {
   std::optional<Stages> stages;     ///< of that map
   std::optional<CRoomGraph> graph;  ///< their result
   double seconds = 0;               ///< that the extraction took
+  double turn = 0;                  ///< of the site, about its origin, to stand upright [rad]
 
+  /** Screen, with x to the right, <- frame of the site [m]. */
+  Transform2D onScreen() const { return {0, 0, turn}; }
   const Run* runNamed(const std::string& name) const;
   /** Of the run at this place of the comparison; empty without scans. */
   const std::vector<PathPose>& path(std::size_t run) const { return comparison.runs[run].path; }

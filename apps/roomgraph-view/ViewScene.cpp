@@ -41,14 +41,15 @@ viz::CSetOfObjects::Ptr setNamed(const char* name) {
   return set;
 }
 
+/** Of all that is drawn, as the screen has it. */
 Box boxOf(const View& view) {
   if (view.graph) return drawnBox(*view.graph);
   std::vector<Point> places;
   for (const ComparedRun& run : view.comparison.runs) {
-    const Motion2D move(run.pose);
+    const Motion2D move(view.onScreen() * run.pose);
     if (const Run* map = view.runNamed(run.name))
       for (const WallPoint& wall : map->map.walls) places.push_back(move(wall.place));
-    for (const PathPose& at : run.path) places.push_back(at.pose.shift());
+    for (const PathPose& at : run.path) places.push_back(view.onScreen()(at.pose.shift()));
   }
   return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
 }
@@ -72,18 +73,19 @@ void clipFor(double away, MrptScene& scene) {
   scene.getViewport()->setViewportClipDistances(float(0.1 * away), float(5 * away + 10));
 }
 
-double lookDown(MrptScene& scene, const Box& box, double aspect) {
+double lookDown(MrptScene& scene, const Box& box, double turn, double aspect) {
   const auto view = scene.getViewport();
   view->setCustomBackgroundColor({kBackgroundColour.red / 255.F, kBackgroundColour.green / 255.F,
                                   kBackgroundColour.blue / 255.F});
   makeEven(view->lightParameters());
-  const Point middle = midpoint(box.low, box.high), size = box.high - box.low;
+  const Point middle = Transform2D{0, 0, -turn}(midpoint(box.low, box.high));
+  const Point size = box.high - box.low;
   const double half = std::max(size.y, size.x / aspect) / 2;
   // Without perspective, so that layers lie on each other. MRPT then shows half of this in height.
   const double away = 2 * 2.16 * half;
   auto& camera = view->getCamera();
   camera.setPointingAt(float(middle.x), float(middle.y), 0);
-  camera.setAzimuthDegrees(-90);  // y up, as on the map
+  camera.setAzimuthDegrees(float(-90 - turn * 180 / M_PI));
   camera.setElevationDegrees(90);
   camera.setProjectiveModel(false);
   camera.setZoomDistance(float(away));
@@ -105,7 +107,7 @@ ViewScene::ViewScene(const View& view)
     addComparison();
   addPaths();
   for (const auto& set : {stage_, tear_, frame_, marks_}) scene_->insert(set);
-  lookDown(*scene_, box_, 1.5);
+  lookDown(*scene_, box_, view.turn, 1.5);
 }
 
 void ViewScene::addLayer(const std::string& name, const viz::CSetOfObjects::Ptr& objects) {
@@ -277,6 +279,7 @@ void ViewScene::update(const ViewState& state) {
 Box ViewScene::boxAt(const MapBreak& tear) const {
   std::vector<Point> places{tear.place};
   if (tear.torn) places = {tear.torn->drawn.shift(), tear.torn->untorn.shift(), tear.place};
+  for (Point& place : places) place = view_.onScreen()(place);
   Box box = boundingBox(places);
   constexpr double margin = 8;  // what a scan shows round the robot [m]
   return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};

@@ -25,9 +25,9 @@ class ViewScene {
   MrptScene::Ptr scene() const { return scene_; }
   /** What can be switched on and off, from below to above. */
   const std::vector<std::string>& layers() const { return layers_; }
-  /** Round all that there is [m]. */
+  /** Round all that there is, as the screen has it [m]. */
   Box box() const { return box_; }
-  /** Round what is to be seen of a break [m]. */
+  /** The same round what is to be seen of a break [m]. */
   Box boxAt(const MapBreak& tear) const;
 
  private:
@@ -55,8 +55,9 @@ class ViewScene {
  *  each other are not told apart where the range is too wide. */
 void clipFor(double away, MrptScene& scene);
 
-/** Makes the camera of the scene look straight down at all of the box [m], in a picture that is
- *  `aspect` times as wide as high. Returns how far away it is then [m]. */
-double lookDown(MrptScene& scene, const Box& box, double aspect);
+/** Makes the camera of the scene look straight down at all of the box [m] of the scene turned by
+ *  `turn` [rad] about its origin, in a picture that is `aspect` times as wide as high. Returns how
+ *  far away it is then [m]. */
+double lookDown(MrptScene& scene, const Box& box, double turn, double aspect);
 
 }  // namespace roomgraph

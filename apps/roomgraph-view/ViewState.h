@@ -33,7 +33,7 @@ struct ViewState {
   bool isFlicked = false;       ///< it is the other one's turn
   bool growsMap = false;        ///< all that was seen up to the key frame, and no map
   bool showsKeys = false;       ///< all keys are listed
-  std::optional<double> swipe;  ///< where the line of Mode::swipe is [m, x of the site]
+  std::optional<double> swipe;  ///< where the line of Mode::swipe is [m, x of the screen]
   Transform2D nudge;            ///< how far the run was moved by hand, site <- site
   std::vector<Point> corners;   ///< of the line that is measured [m]
   std::optional<Point> read;    ///< the place that was clicked last [m]

@@ -89,7 +89,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   bool mouseMotionEvent(const nanogui::Vector2i& at, const nanogui::Vector2i& by, int button,
                         int modifiers) override {
     if (!isSwiping_) return CDisplayWindowGUI::mouseMotionEvent(at, by, button, modifiers);
-    if (const auto place = placeAt(at)) state_.swipe = place->x;
+    if (const auto place = placeAt(at)) state_.swipe = view_.onScreen()(*place).x;
     refresh();
     return true;
   }
@@ -169,7 +169,7 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
 
   bool isKeyOfNudging(int key, bool isShifted) {
     if (const auto step = nudgeStepOf(key, isShifted))
-      nudgeBy(step->shift, step->turn, view_, state_);
+      nudgeBy(view_.onScreen().inverse()(step->shift), step->turn, view_, state_);
     else if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
       fitNudge(view_, state_);
     else if (key == GLFW_KEY_R)
@@ -196,17 +196,19 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
   void fulfilAndShow(Wish wish) {
     fulfil(wish, view_, state_);
     if (state_.mode == Mode::swipe && !state_.swipe)
-      state_.swipe = double(camera().getCameraPointingX());
+      state_.swipe =
+          view_.onScreen()(Point{camera().getCameraPointingX(), camera().getCameraPointingY()}).x;
     if (state_.tear && (wish == Wish::nextBreak || wish == Wish::previousBreak)) lookAtTear();
     refresh();
   }
 
   void lookAt(const Box& box) {
-    const double away = lookDown(*drawn_.scene(), box, double(width()) / std::max(1, height()));
-    const Point middle = midpoint(box.low, box.high);
+    const double away =
+        lookDown(*drawn_.scene(), box, view_.turn, double(width()) / std::max(1, height()));
+    const auto& looks = drawn_.scene()->getViewport()->getCamera();
     camera().setCameraProjective(false);
-    camera().setAzimuthDegrees(-90), camera().setElevationDegrees(90);
-    camera().setCameraPointing(float(middle.x), float(middle.y), 0);
+    camera().setAzimuthDegrees(looks.getAzimuthDegrees()), camera().setElevationDegrees(90);
+    camera().setCameraPointing(looks.getPointingAtX(), looks.getPointingAtY(), 0);
     camera().setZoomDistance(float(away));
   }
 
@@ -226,8 +228,9 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
     if (state_.mode != Mode::swipe || !state_.swipe) return false;
     const auto low = placeAt({at.x() - kLineReach, at.y()});
     const auto high = placeAt({at.x() + kLineReach, at.y()});
-    return low && high && std::min(low->x, high->x) <= *state_.swipe &&
-           *state_.swipe <= std::max(low->x, high->x);
+    if (!low || !high) return false;
+    const auto [left, right] = std::minmax({view_.onScreen()(*low).x, view_.onScreen()(*high).x});
+    return left <= *state_.swipe && *state_.swipe <= right;
   }
 
   void click(const nanogui::Vector2i& at) {

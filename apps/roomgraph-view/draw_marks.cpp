@@ -45,20 +45,21 @@ void addOutline(const Polygon& polygon, viz::CSetOfObjects& set) {
 }
 
 /** The walls of a run, as the scene has them, that lie on one side of the line. */
-viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const std::string& run,
-                                  const Transform2D& pose, MrptScene& scene) {
+viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const View& view,
+                                  const ComparedRun& run, MrptScene& scene) {
   auto cloud = viz::CPointCloud::Create();
-  const auto layer = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(runLayer(run)));
+  const auto layer =
+      std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(runLayer(run.name)));
   const auto walls = layer ? layer->getByClass<viz::CPointCloud>() : nullptr;
   if (!walls) return cloud;
   cloud->setColor_u8(walls->getColor_u8());
   cloud->setPointSize(walls->getPointSize());
   const auto offset = walls->getPose();
-  const Motion2D move(pose);
+  const Motion2D move(run.pose);
   for (std::size_t i = 0; i < walls->size(); ++i) {
     const auto& p = walls->getPoint3Df(i);
     const Point at = move({double(p.x) + offset.x, double(p.y) + offset.y});
-    if ((at.x < line) == isLeft) cloud->insertPoint(float(at.x), float(at.y), 0);
+    if ((view.onScreen()(at).x < line) == isLeft) cloud->insertPoint(float(at.x), float(at.y), 0);
   }
   return cloud;
 }
@@ -118,10 +119,12 @@ viz::CSetOfObjects::Ptr drawSwipe(const View& view, const ViewState& state, cons
   const auto other = otherRun(view, state);
   if (state.mode != Mode::swipe || !state.swipe || !other) return set;
   const auto& runs = view.comparison.runs;
-  set->insert(wallsBeside(*state.swipe, true, runs[state.run].name, runs[state.run].pose, scene));
-  set->insert(wallsBeside(*state.swipe, false, runs[*other].name, runs[*other].pose, scene));
+  set->insert(wallsBeside(*state.swipe, true, view, runs[state.run], scene));
+  set->insert(wallsBeside(*state.swipe, false, view, runs[*other], scene));
   const double height = box.high.y - box.low.y;
-  set->insert(lineThrough({{*state.swipe, box.low.y - height}, {*state.swipe, box.high.y + height}},
+  const Transform2D site = view.onScreen().inverse();
+  set->insert(lineThrough({site(Point{*state.swipe, box.low.y - height}),
+                           site(Point{*state.swipe, box.high.y + height})},
                           false, kSwipeLine));
   return set;
 }

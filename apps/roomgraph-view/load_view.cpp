@@ -11,6 +11,7 @@
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -111,6 +112,7 @@ View loadView(const std::vector<std::string>& files, const ExtractOptions& optio
   View view = !name.empty()     ? viewOfComparison(name, maps, say)
               : maps.size() > 1 ? viewOfRuns(maps, options, say)
                                 : viewOfMap(maps.front(), options);
+  if (!view.graph) view.turn = uprightTurn(view.comparison, view.runs);
   if (view.comparison.runs.empty())
     throw DataError(files.front() + ": has no run to look at: name maps, or another comparison");
   return view;

@@ -77,7 +77,7 @@ void writeScreenshot(const Arguments& arguments, const View& view) {
   drawn.write(state);
   const Box box = state.tear ? drawn.boxAt(view.comparison.breaks[*state.tear]) : drawn.box();
   const auto width = unsigned(arguments.size[0]), height = unsigned(arguments.size[1]);
-  lookDown(*drawn.scene(), box, double(width) / height);
+  lookDown(*drawn.scene(), box, view.turn, double(width) / height);
   mrpt::opengl::CFBORender render(width, height);
   render.setCamera(*drawn.scene(), drawn.scene()->getViewport()->getCamera());
   mrpt::img::CImage picture(width, height, mrpt::img::CH_RGB);

@@ -51,6 +51,18 @@ TEST(ViewScene, aBreakIsShownInBothPoses) {
   EXPECT_TRUE(box.contains({5, 1}) && box.contains({6, 1}));
 }
 
+TEST(ViewScene, aSlantedSiteIsShownUpright) {
+  View view = sampleView();
+  view.turn = M_PI / 2;
+  const ViewScene drawn(view);
+  const auto& camera = drawn.scene()->getViewport()->getCamera();
+  EXPECT_NEAR(std::remainder(double(camera.getAzimuthDegrees()) + 180, 360), 0, 1e-3);
+  const Box box = drawn.boxAt(view.comparison.breaks[0]);
+  EXPECT_TRUE(box.contains({-1, 5}) && box.contains({-1, 6})) << "as the screen has it";
+  const Point middle = view.onScreen()(Point{camera.getPointingAtX(), camera.getPointingAtY()});
+  EXPECT_NEAR(distance(middle, midpoint(drawn.box().low, drawn.box().high)), 0, 1e-3);
+}
+
 TEST(ViewScene, aRunMayHaveTheNameOfALayer) {
   View view = sampleView();
   const std::string names[] = {"rooms", "key frame"};

@@ -107,6 +107,22 @@ TEST(ComparisonScene, aNameLiesInItsRoomAlsoWhereTheMiddleDoesNot) {
   EXPECT_NE(sideOf(ring.polygon, texts.at("C1")), Side::outside);
 }
 
+TEST(ComparisonScene, aSlantedSiteStandsUprightAndItsNamesAreLevel) {
+  Comparison comparison = twoRuns();
+  comparison.runs[0].pose.phi = 0.3;
+  SiteRoom room;
+  room.id = "R1", room.center = {2, 2}, room.polygon = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}};
+  comparison.rooms = {room};
+  MrptScene scene = comparisonScene(comparison, runs());
+  const double azimuth = double(scene.getViewport()->getCamera().getAzimuthDegrees());
+  EXPECT_NEAR(azimuth, -90 + 0.3 * 180 / M_PI, 0.5) << "the camera turns, not the site";
+  const auto names = std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName("room names"));
+  ASSERT_TRUE(names);
+  EXPECT_NEAR((*names->begin())->getPose().yaw, 0.3, 0.01);
+  const auto& walls = *scene.getByName("run a");
+  EXPECT_NEAR(walls.getPose().yaw, 0.3, 1e-6) << "in the frame of the site";
+}
+
 TEST(ComparisonScene, isReadByMrpt) {
   const std::string bytes = comparisonSceneBytes(twoRuns(), runs());
   std::vector<std::uint8_t> plain;

@@ -8,6 +8,7 @@
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/rawlog_file.h"
+#include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -54,7 +55,8 @@ class Piece {
     way_.push_back(move(scan.at()));
   }
 
-  void addTo(MrptScene& scene, std::vector<Point>& shown) const {
+  /** The name is level where all is turned by `turn` [rad]. */
+  void addTo(MrptScene& scene, std::vector<Point>& shown, double turn) const {
     if (way_.empty()) return;
     auto set = viz::CSetOfObjects::Create();
     set->setName(name_);
@@ -71,18 +73,19 @@ class Piece {
       disk->setLocation(at.x, at.y, height_);
       set->insert(disk);
     }
-    set->insert(label());
+    set->insert(label(turn));
     scene.insert(set);
     shown.insert(shown.end(), walls_.begin(), walls_.end());
     shown.insert(shown.end(), way_.begin(), way_.end());
   }
 
  private:
-  viz::CText3D::Ptr label() const {
+  viz::CText3D::Ptr label(double turn) const {
     auto text = viz::CText3D::Create(name_, "sans", kLetterHeight, viz::FILL);
     text->setColor_u8(colour_);
-    text->setLocation(way_.back().x + kRobotMark, way_.back().y + labelAbove_,
-                      height_ + kLayerStep / 2);
+    const Transform2D level{0, 0, -turn};
+    const Point at = way_.back() + level(Point{kRobotMark, labelAbove_});
+    text->setPose(mrpt::poses::CPose3D(at.x, at.y, height_ + kLayerStep / 2, level.phi, 0, 0));
     return text;
   }
 
@@ -113,6 +116,7 @@ void addOthers(const Comparison& comparison, const MapBreak& tear, const std::ve
 MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
                      const std::vector<Run>& runs) {
   MrptScene scene;
+  const double turn = uprightTurn(comparison, runs);
   addOthers(comparison, tear, runs, scene);
   std::vector<Point> shown{tear.place};
   if (const Run* run = findRun(runs, tear.run)) {
@@ -131,11 +135,12 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
       drawn.add(scan, pose);
       untorn.add(scan, mendOf(tear) * pose);
     }
-    for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
+    for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown, turn);
   }
+  for (Point& place : shown) place = Transform2D{0, 0, turn}(place);
   Box box = boundingBox(shown);
   box.low = box.low - Point{1, 1}, box.high = box.high + Point{1, 1};
-  lookFromAbove(scene, box);
+  lookFromAbove(scene, box, turn);
   return scene;
 }
 

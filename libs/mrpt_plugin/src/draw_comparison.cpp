@@ -106,8 +106,8 @@ Point namePlace(const SiteRoom& room) {
 /** Words that lean back: to be read from above, and from the side that RawLogViewer looks from. */
 class Writer {
  public:
-  /** `letter` is the height of the letters [m]. */
-  explicit Writer(double letter) : letter_(letter) {}
+  /** `letter` is the height of the letters [m]; lines run level where all is turned by `turn`. */
+  Writer(double letter, double turn) : letter_(letter), level_(Transform2D{0, 0, -turn}) {}
 
   /** They start at `place`, or have it in their middle. */
   viz::CText3D::Ptr written(const std::string& words, const mrpt::img::TColor& colour, Point place,
@@ -116,16 +116,20 @@ class Writer {
     text->setColor_u8(colour);
     if (isCentred) {
       const auto box = text->getBoundingBox();
-      place = place - 0.5 * Point{double(box.min.x + box.max.x), double(box.min.y + box.max.y)};
+      const Point size{double(box.min.x + box.max.x), double(box.min.y + box.max.y)};
+      place = place - 0.5 * level_(size);
     }
-    text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, 0, 0, M_PI / 5));
+    text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, level_.phi, 0, M_PI / 5));
     return text;
   }
 
   double letter() const { return letter_; }
+  /** Frame of the site <- what is to be read. */
+  const Transform2D& level() const { return level_; }
 
  private:
   double letter_;
+  Transform2D level_;
 };
 
 viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, const Writer& writer,
@@ -140,14 +144,15 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, const Writer
 }
 
 /** The names of the first runs in their colours, below the maps, whose lower left corner is
- *  `corner`. */
+ *  `corner`, as it is to be read. */
 viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, const Writer& writer,
                                  Point corner, double height) {
   auto legend = viz::CSetOfObjects::Create();
   legend->setName("legend");
   for (std::size_t i = 0; i < std::min(runs.size(), kMostNamed); ++i) {
     corner.y -= kLegendLine * writer.letter();
-    legend->insert(writer.written(runs[i].name, mrptColour(runColour(i)), corner, height));
+    legend->insert(
+        writer.written(runs[i].name, mrptColour(runColour(i)), writer.level()(corner), height));
   }
   return legend;
 }
@@ -167,8 +172,9 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& wri
     rings->insert(ring);
     std::string words = tear.run;
     if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
-    rings->insert(writer.written(words, ring->getColor_u8(),
-                                 tear.place + Point{-kBreakRadius, 1.2 * kBreakRadius}, height));
+    rings->insert(writer.written(
+        words, ring->getColor_u8(),
+        tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}), height));
   }
   return rings;
 }
@@ -202,12 +208,12 @@ std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
   return walls;
 }
 
-Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls) {
+Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls, double turn) {
   std::vector<Point> places;
   for (const ComparedRun& run : comparison.runs) {
     const auto* known = wallsOf(walls, run.name);
     if (!known) continue;
-    const Motion2D move(run.pose);
+    const Motion2D move(Transform2D{0, 0, turn} * run.pose);
     for (const Point wall : *known) places.push_back(move(wall));
   }
   return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
@@ -219,11 +225,11 @@ double letterHeight(const Box& box) {
 }
 
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
-                                       const std::vector<RunWalls>& walls) {
+                                       const std::vector<RunWalls>& walls, double turn) {
   auto all = viz::CSetOfObjects::Create();
   all->setName("comparison");
-  const Box box = drawnBox(comparison, walls);
-  const Writer writer(letterHeight(box));
+  const Box box = drawnBox(comparison, walls, turn);
+  const Writer writer(letterHeight(box), turn);
   const std::size_t count = comparison.runs.size();
   for (std::size_t i = count; i-- > 0;) {
     const ComparedRun& run = comparison.runs[i];

@@ -4,7 +4,8 @@
 
 namespace roomgraph {
 
-/** Makes the camera look at all of the box [m] from above, slightly tilted, in even light. */
-void lookFromAbove(MrptScene& scene, const Box& box);
+/** Makes the camera look at all of the box [m] from above, slightly tilted, in even light. The box
+ *  is one of the scene turned by `turn` [rad] about its origin, as the camera shows it. */
+void lookFromAbove(MrptScene& scene, const Box& box, double turn = 0);
 
 }  // namespace roomgraph

@@ -11,6 +11,7 @@
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -47,15 +48,6 @@ std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vecto
     placed.push_back({found == maps.end() ? nullptr : found->second, run.pose});
   }
   return placed;
-}
-
-/** Turns the maps about the origin, so that the first of them stands upright; by how much. */
-double putUpright(std::vector<PlacedMap>& maps) {
-  const auto first = std::find_if(maps.begin(), maps.end(),
-                                  [](const PlacedMap& map) { return map.map != nullptr; });
-  const double turn = first == maps.end() ? 0 : uprightTurn(*first);
-  for (PlacedMap& map : maps) map.pose = Transform2D{0, 0, turn} * map.pose;
-  return turn;
 }
 
 /** Two cells of the coarsest map, so that turned maps leave no gaps. */
@@ -118,7 +110,8 @@ std::string pageDocument(const Comparison& comparison) {
 
 std::string pageData(const Comparison& comparison, const std::vector<Run>& runs) {
   std::vector<PlacedMap> placed = placedMaps(comparison, runs);
-  const double turn = putUpright(placed);
+  const double turn = uprightTurn(comparison, runs);
+  for (PlacedMap& map : placed) map.pose = Transform2D{0, 0, turn} * map.pose;
   std::vector<PlacedMap> known = placed;
   known.erase(std::remove_if(known.begin(), known.end(),
                              [](const PlacedMap& map) { return map.map == nullptr; }),

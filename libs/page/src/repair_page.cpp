@@ -11,6 +11,7 @@
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/page/simple_page.h"
 #include "roomgraph/page/site_pictures.h"
+#include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -128,7 +129,7 @@ std::string figures(const Run& run, const RepairedRun& repaired) {
 std::string section(const ShownRepair& shown) {
   const Run& run = *shown.run;
   const RepairedRun& repaired = *shown.repaired;
-  const Transform2D upright{0, 0, uprightTurn({&run.map, {}})};
+  const Transform2D upright{0, 0, uprightTurn(run.map.walls, 0)};
   const Drawing before = drawingOf(run, drawnPoses(run.scans), upright);
   const Drawing after = drawingOf(run, repaired.poses, upright);
   const std::string box = viewBox(before, after);

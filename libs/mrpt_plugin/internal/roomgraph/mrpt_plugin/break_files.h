@@ -19,7 +19,7 @@ namespace roomgraph {
 /** The walls of the best other run in grey, in the frame of the site [m]; on them what the key
  *  frames before the break saw ("before"), and what those behind it saw as the run has it
  *  ("drawn") and as it would be without the break ("untorn"), with the way of the robot. The
- *  camera looks from above. `runs` are looked up by name. */
+ *  camera looks from above, as at the whole site. `runs` are looked up by name. */
 MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
                      const std::vector<Run>& runs);
 /** The bytes of a `.3Dscene` file; the same comparison gives the same bytes. */

@@ -18,9 +18,10 @@ std::vector<RunWalls> runWalls(const std::vector<Run>& runs);
  *  cells, in the colour that it has in the report, the best on top, a few centimetres apart. Then
  *  "rooms" (outlines), "room names" and "breaks" (rings in the colour of the run, with its name and
  *  key frame), where there are any, and "legend" (the names of the first kMostNamed runs in their
- *  colours, below the maps). A run without walls is not drawn. O(walls). */
+ *  colours, below the maps). Words are to be read by a camera that is turned back by `turn` [rad].
+ *  A run without walls is not drawn. O(walls). */
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
-                                       const std::vector<RunWalls>& walls);
+                                       const std::vector<RunWalls>& walls, double turn = 0);
 
 constexpr std::size_t kMostNamed = 14;  ///< runs have colours of their own
 constexpr double kLegendLine = 1.6;     ///< a line of the legend, in heights of its letters
@@ -28,8 +29,8 @@ constexpr double kLegendLine = 1.6;     ///< a line of the legend, in heights of
 /** Of all words on a site [m]. */
 double letterHeight(const Box& box);
 
-/** The smallest upright box round all walls, in the frame of the site; a square metre round the
- *  origin for nothing. */
-Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls);
+/** The smallest upright box round all walls, in the frame of the site turned by `turn` [rad] about
+ *  its origin; a square metre round the origin for nothing. */
+Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls, double turn = 0);
 
 }  // namespace roomgraph
