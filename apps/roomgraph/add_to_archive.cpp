@@ -1,6 +1,7 @@
 #include "add_to_archive.h"
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <set>
 
@@ -75,6 +76,8 @@ AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
     options.time = parseTime(arguments.time);
     if (!options.time)
       throw UsageError("--time: " + arguments.time + " is not a time: give 2026-11-22T03:00");
+    if (*options.time > double(std::time(nullptr)) + kDay)  // robots in other time zones
+      throw UsageError("--time: " + arguments.time + " is still to come: give the time of the run");
   }
   options.compare = toCompareOptions(arguments.options);
   options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);

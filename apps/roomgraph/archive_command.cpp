@@ -136,8 +136,8 @@ int listRooms(const ArchiveArguments& arguments) {
   for (const WatchedSite& site : sitesToTell(arguments)) {
     print(printable(site.history.site) + ":\n");
     for (const KnownRoom& room : site.history.ledger.rooms)
-      print("  " + room.id + "  " + printable(room.name) + (room.isCorridor ? "  (corridor)" : "") +
-            "\n");
+      print("  " + room.id + (room.name == room.id ? "" : "  " + printable(room.name)) +
+            (room.isCorridor ? "  (corridor)" : "") + "\n");
   }
   return kDone;
 }

@@ -91,11 +91,16 @@ expect 0 "$roomgraph" archive site.db add hall.pgm --resolution 0.05
 grep -q 'another site' out || fail "the hall is not told apart"
 whole site.db
 
+# A time that is still to come would be the latest for years.
+expect 2 "$roomgraph" archive site.db add --time 9999-12-31 "$maps/office_run1.simplemap.gz"
+one_line err "is still to come"
+whole site.db
+
 # Lists, reports and exports.
 expect 0 "$roomgraph" archive site.db list
 [ "$(wc -l < out)" = 7 ] || fail "not a line per run"
 expect 0 "$roomgraph" archive site.db rooms
-grep -qx '  R1  R1' out || { cat out; fail "no room"; }
+grep -qx '  R1' out || { cat out; fail "no room"; }
 expect 0 "$roomgraph" archive site.db name R1 "Kitchen, small"
 expect 0 "$roomgraph" archive site.db rooms
 grep -qx '  R1  Kitchen, small' out || { cat out; fail "no name"; }

@@ -67,6 +67,14 @@ TEST(ChooseRecord, upToAThirdAreTheLatestThatLieElsewhere) {
   EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 2, 3, 12, 13, 14, 19}));
 }
 
+TEST(ChooseRecord, aWrongFirstMapMayHaveTheLatestTime) {
+  std::vector<HistoryRun> some = runs(4);
+  for (std::size_t i = 0; i < 3; ++i) some[i].isPlaced = false;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 2, 3}));
+  some[0].isPlaced = some[1].isPlaced = true;
+  EXPECT_EQ(chooseRecord(some, 8, any), (Indices{0, 1, 3})) << "one is fewer than the site has";
+}
+
 TEST(ChooseRecord, noMoreThanAHundredFilesAreAskedFor) {
   std::size_t asked = 0;
   const auto isThere = [&](const HistoryRun&) { return ++asked == 0; };

@@ -45,10 +45,12 @@ class Choice {
 std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::size_t most,
                                       const std::function<bool(const HistoryRun&)>& isUsable) {
   std::vector<std::size_t> latest, best, elsewhere;
+  std::size_t since = 0;
   for (std::size_t i = runs.size(); i-- > 0 && latest.size() < kLast;) {
-    if (runs[i].isPlaced) latest.push_back(i);
-    if (latest.empty()) elsewhere.push_back(i);
+    (runs[i].isPlaced ? latest : elsewhere).push_back(i);
+    if (latest.empty()) ++since;
   }
+  if (elsewhere.size() < latest.size()) elsewhere.resize(since);
   for (const std::size_t i : latest)
     if (trustedFigure(runs[i], kMapError) && figureOf(runs[i], kBreaks).value_or(0) == 0)
       best.push_back(i);
