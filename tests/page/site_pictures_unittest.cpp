@@ -94,6 +94,13 @@ TEST(SitePictures, patternsLeaveOutHalfOfTheWallsEachInItsWay) {
   EXPECT_EQ(pictures.size(), 4u);
 }
 
+TEST(SitePictures, aMapIsLessThanAPixelWhereRunsLieFarApart) {
+  const WallMap map = drawn(kHall);
+  const SitePicture picture = runPicture({&map, {9e7, 0, 0}}, {{1, 2, 3}}, 4e4);
+  EXPECT_LE(picture.box.high.x - picture.box.low.x, 2 * 4e4 + 1);
+  EXPECT_FALSE(picture.png.empty());
+}
+
 TEST(SitePictures, theSameMapGivesTheSameBytes) {
   const WallMap map = drawn(kHall);
   const PlacedMap placed{&map, {1, 2, 0.3}};

@@ -58,8 +58,12 @@ Box boxOf(const GridFrame& frame) {
  */
 class Sampler {
  public:
+  /** Where the runs of a site lie so far apart that a map is less than a pixel, there are no more
+   *  samples than it has cells. */
   Sampler(const PlacedMap& placed, double pixel)
-      : map_(*placed.map), side_(std::max(2, int(std::ceil(pixel / map_.frame.resolution)))) {
+      : map_(*placed.map),
+        side_(std::max(2, int(std::min(std::ceil(pixel / map_.frame.resolution),
+                                       double(std::max(map_.frame.width, map_.frame.height)))))) {
     const Motion2D toMap(placed.pose.inverse());
     const double perCell = 1 / map_.frame.resolution, step = pixel / side_;
     origin_ = perCell * (toMap(Point{}) - map_.frame.origin);
