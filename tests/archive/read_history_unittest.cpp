@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "Database.h"
 #include "roomgraph/archive/Archive.h"
+#include "roomgraph/base/Error.h"
 #include "roomgraph/report/measure_json.h"
 #include "sample_nights.h"
 
@@ -37,6 +39,24 @@ TEST(ReadHistory, runsOfOneTimeComeByTheirContent) {
   ASSERT_EQ(history.runs.size(), 3u);
   EXPECT_EQ(history.runs[0].sha256, "2");
   EXPECT_EQ(history.runs[2].sha256, "7");
+}
+
+TEST(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
+  const test::Folder folder;
+  Archive archive(folder.file("a.db"), kOrNew);
+  archive.record(night("office", "anna", 1, 0.1));
+  archive.record(night("lab", "berta", 2, 0.4));
+  Database database(folder.file("a.db"), false);
+  database.run(
+      "PRAGMA foreign_keys = OFF;"
+      "UPDATE run SET comparison = 77 WHERE sha256 = '1'");
+  try {
+    (void)archive.history("office");
+    ADD_FAILURE() << "figures of a run that is not there";
+  } catch (const DataError& error) {
+    EXPECT_NE(std::string(error.what()).find("is damaged"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(archive.history("lab").runs.size(), 1u);
 }
 
 TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {

@@ -1,24 +1,10 @@
 // Any bytes as a map: as they are, packed, or as a png with the right checksums.
 #include "ByteSource.h"
 #include "as_file.h"
-#include "roomgraph/base/Error.h"
+#include "or_refused.h"
 #include "roomgraph/images/read_labels.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/read_recording.h"
-
-namespace {
-
-/** What a reader may do with a bad file: refuse it in one line. */
-template <class Read>
-void orRefused(const Read& read) {
-  try {
-    read();
-  } catch (const roomgraph::DataError& error) {
-    if (std::string(error.what()).find('\n') != std::string::npos) std::abort();
-  }
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgraph;
@@ -28,8 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (wrapping == 1) content = test::inGzip(content);
   if (wrapping == 2) content = test::withPngChecksums(std::move(content));
   const std::string& file = test::asFile(content);
-  orRefused([&] { loadMap(file, {}); });
-  orRefused([&] { readLabels(file); });
-  orRefused([&] { readRecording(file); });
+  test::orRefused([&] { loadMap(file, {}); });
+  test::orRefused([&] { readLabels(file); });
+  test::orRefused([&] { readRecording(file); });
   return 0;
 }

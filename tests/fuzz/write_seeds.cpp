@@ -13,6 +13,7 @@
 
 #include "MapText.h"
 #include "as_file.h"
+#include "roomgraph/archive/Archive.h"
 #include "roomgraph/graph_files/area_labels_png.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
@@ -97,6 +98,37 @@ void writeTexts(const fs::path& folder, const Stages& stages) {
         std::string(1, '\3') + comparisonJson(test::sampleComparison().comparison));
 }
 
+/** As people mark places: a table, GeoJSON, OpenStreetMap's XML, and rooms with their names. */
+void writeMarked(const fs::path& folder) {
+  write(folder / "csv", "name,x,y,yaw\ndock,1.5,-2,0.3\n\"a, b\",3,4,0\n");
+  write(folder / "geojson",
+        R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"id":1},)"
+        R"("geometry":{"type":"LineString","coordinates":[[1,2],[3,4.5]]}},)"
+        R"({"type":"Feature","properties":{},"geometry":{"type":"Polygon",)"
+        R"("coordinates":[[[0,0],[2,0],[2,2],[0,0]]]}}]})");
+  write(folder / "osm",
+        "<osm version='0.6'><node id='1' lat='0' lon='0'><tag k='name' v='root'/></node>"
+        "<node id='2' lat='0.00001' lon='0.00002'/><node id='3' lat='0.00003' lon='0'/>"
+        "<way id='4'><nd ref='2'/><nd ref='3'/><tag k='name' v='A &amp; B'/></way></osm>");
+  write(folder / "site", R"({"format":"roomgraph/site","rooms":[{"id":"R1","name":"Kitchen",)"
+                         R"("center":[1,1],"area":4,"polygon":[[[0,0],[2,0],[2,2]]]}]})");
+  write(folder / "yaml", "image: none.pgm\nresolution: 0.05\norigin: [0, 0, 0.1]\nnegate: 0\n");
+}
+
+void writeArchive(const fs::path& folder) {
+  fs::create_directories(folder);
+  const fs::path file = folder / "nights";
+  fs::remove(file);
+  Addition addition;
+  addition.site = "office";
+  addition.comparison = test::sampleComparison().comparison;
+  for (ComparedRun& run : addition.comparison.runs) {
+    run.sha256 = run.name;
+    addition.runs.push_back({run.sha256, "anna", run.file, 1e9});
+  }
+  Archive(file.string(), Archive::Access::orNew).record(addition);
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
@@ -104,6 +136,8 @@ int main(int, char** arguments) {
   const Stages stages = extract(test::greyMap(test::readMapText("door_in_thick_wall")), {});
   writeMaps(folder / "load_grid", stages);
   writeTexts(folder / "text", stages);
+  writeMarked(folder / "marked");
+  writeArchive(folder / "archive");
   const std::string packed = roomGraphBytes(CRoomGraph(stages));
   write(folder / "extract" / "zeros", std::string(40, '\0'));
   write(folder / "compare" / "zeros", std::string(40, '\0'));

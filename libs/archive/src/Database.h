@@ -82,10 +82,12 @@ class Statement {
   int next_ = 1;
 };
 
-/** From its begin on no other program writes; what is not committed is undone at the end. */
+/** From its begin on no other program writes; what is not committed is undone at the end. One that
+ *  only reads sees one state of the file, and keeps nobody from writing. */
 class Transaction {
  public:
-  explicit Transaction(Database& database);
+  enum class Access { reads, writes };
+  explicit Transaction(Database& database, Access access = Access::writes);
   Transaction(const Transaction&) = delete;
   Transaction& operator=(const Transaction&) = delete;
   ~Transaction();

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "roomgraph/base/Error.h"
 #include "roomgraph/report/site_json.h"
 
 namespace roomgraph {
@@ -14,6 +15,16 @@ RoomSighting sightingOf(const std::string& text) {
 
 /** Of the runs of a site, each behind its key in the tables. */
 using RunPlaces = std::map<std::int64_t, std::size_t>;
+
+/** @throws DataError where the tables name a run that they do not have. */
+HistoryRun& runOf(std::int64_t key, const Database& database, const RunPlaces& places,
+                  std::vector<HistoryRun>& runs) {
+  const auto place = places.find(key);
+  if (place == places.end())
+    throw DataError(database.file() +
+                    ": is damaged, its tables contradict each other: " + "bring back a copy of it");
+  return runs[place->second];
+}
 
 RunPlaces readRuns(Database& database, const std::string& site, std::vector<HistoryRun>& runs) {
   Statement rows(database,
@@ -49,7 +60,7 @@ void readFigures(Database& database, const std::string& site, const std::string&
     figure.low = rows.numberIfAny(3), figure.high = rows.numberIfAny(4);
     figure.unit = rows.text(5), figure.support = rows.number(6);
     figure.isMeaningful = rows.integer(7) != 0;
-    runs[places.at(rows.integer(0))].figures.push_back(std::move(figure));
+    runOf(rows.integer(0), database, places, runs).figures.push_back(std::move(figure));
   }
 }
 
@@ -66,7 +77,7 @@ void readSightings(Database& database, const std::string& site, const RunPlaces&
     seen.pieces = int(rows.integer(3)), seen.isMerged = rows.integer(4) != 0;
     seen.doors = int(rows.integer(5)), seen.area = rows.numberIfAny(6);
     seen.shift = rows.numberIfAny(7), seen.boundaryAgreement = rows.numberIfAny(8);
-    runs[places.at(rows.integer(0))].rooms.push_back(std::move(seen));
+    runOf(rows.integer(0), database, places, runs).rooms.push_back(std::move(seen));
   }
 }
 
@@ -75,23 +86,21 @@ void readSightings(Database& database, const std::string& site, const RunPlaces&
 std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
                                  const std::vector<std::string>& figures) {
   std::vector<HistoryRun> runs;
-  database.run("BEGIN");  // one state of the archive for all
+  const Transaction all(database, Transaction::Access::reads);
   const RunPlaces places = readRuns(database, site, runs);
   for (const std::string& name : figures) readFigures(database, site, name, places, runs);
-  database.run("COMMIT");
   return runs;
 }
 
 SiteHistory readHistory(Database& database, const std::string& site) {
   SiteHistory history;
   history.site = site;
-  database.run("BEGIN");  // one state of the archive for all three
+  const Transaction all(database, Transaction::Access::reads);
   const RunPlaces places = readRuns(database, site, history.runs);
   readFigures(database, site, "%", places, history.runs);
   readSightings(database, site, places, history.runs);
   Statement ledger(database, "SELECT ledger FROM site WHERE name = ? AND ledger <> ''");
   if (ledger.with(site).step()) history.ledger = parseSiteJson(ledger.text(0), database.file());
-  database.run("COMMIT");
   return history;
 }
 
