@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "ArchiveArguments.h"
 #include "ResultFolder.h"
@@ -44,11 +45,31 @@ CarryArguments withFiles(CarryArguments arguments) {
   return arguments;
 }
 
-/** The place of a map in the site. */
-std::size_t placeOf(const std::string& file, const SolvedRuns& runs) {
+/** The place of a map in the site; none where it does not lie in it. */
+std::optional<std::size_t> findPlace(const std::string& file, const SolvedRuns& runs) {
   const Site& site = runs.solved.site;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
     if (site.runs[i]->file == file) return i;
+  return std::nullopt;
+}
+
+/** Of two maps alone the user says that they are of one site. Runs that join them are to show it;
+ *  where they do not, the two maps are taken alone as well. */
+std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
+  SiteArguments site = arguments.site;
+  site.files = {arguments.from, arguments.to};
+  if (!arguments.via.empty()) {
+    site.files.insert(site.files.end(), arguments.via.begin(), arguments.via.end());
+    auto runs = solveRuns(site);
+    if (findPlace(arguments.from, *runs) && findPlace(arguments.to, *runs)) return runs;
+    site.files.resize(2);
+  }
+  site.areOneSite = true;
+  return solveRuns(site);
+}
+
+std::size_t placeOf(const std::string& file, const SolvedRuns& runs) {
+  if (const auto place = findPlace(file, runs)) return *place;
   throw DataError(file +
                   ": does not lie in the other map: nothing can be carried; give runs that " +
                   "lie in both with --via");
@@ -75,15 +96,13 @@ bool isAllCarried(const std::vector<CarriedThing>& carried) {
 
 int run(const CarryArguments& given) {
   const CarryArguments arguments = withFiles(given);
-  SiteArguments site = arguments.site;
-  site.files = {arguments.from, arguments.to};
-  for (const std::string& file : arguments.via) site.files.push_back(file);
-  std::vector<std::string> inputs = site.files;
+  std::vector<std::string> inputs = {arguments.from, arguments.to};
+  inputs.insert(inputs.end(), arguments.via.begin(), arguments.via.end());
   inputs.insert(inputs.end(), arguments.things.begin(), arguments.things.end());
-  ResultFolder results(site.folder, inputs);
+  ResultFolder results(arguments.site.folder, inputs);
   std::vector<MarkedFile> files;
   for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
-  const auto runs = solveRuns(site);
+  const auto runs = solveBoth(arguments);
   const std::size_t from = placeOf(arguments.from, *runs), to = placeOf(arguments.to, *runs);
   const RealPoses real = rejoinPieces(runs->solved);
   std::string lines;
@@ -97,7 +116,7 @@ int run(const CarryArguments& given) {
     areCarried = areCarried && isAllCarried(carried);
   }
   results.commit();
-  if (!site.running.isQuiet) print(lines);
+  if (!arguments.site.running.isQuiet) print(lines);
   return areCarried ? kDone : kBadData;
 }
 

@@ -50,7 +50,7 @@ std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   options.compare.kept = cache.kept();
   const ForEach& forEach = options.compare.forEach;
   const RelateRunsOptions relating{options.compare.areAligned, read.reference,
-                                   std::size_t(options.compare.core)};
+                                   std::size_t(options.compare.core), arguments.areOneSite};
   const MapPairs related = relateRuns(read.runs, relating, forEach, options.compare.kept);
   if (!cache.failure().empty()) printError(cache.failure());
   SolvedSite solved = solveSite(read.runs, related, read.reference, forEach);

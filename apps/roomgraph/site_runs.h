@@ -12,6 +12,7 @@ namespace roomgraph {
 struct SiteArguments {
   std::vector<std::string> files;
   std::string reference, folder, cache;
+  bool areOneSite = false;  ///< they are said to show one
   OptionArguments options;
   RunningArguments running;
 };

@@ -29,13 +29,16 @@ struct Solved {
   SolvedSite site;
 };
 
+/** With `areOneSite`, as the caller says. */
 std::unique_ptr<Solved> solve(const std::vector<PythonMap>& maps,
-                              const std::optional<PythonMap>& reference, const PythonCall& call) {
+                              const std::optional<PythonMap>& reference, const PythonCall& call,
+                              bool areOneSite = false) {
   CompareMapsOptions options = optionsOf(call);
   ReadRuns read = readMaps(maps, reference, call, options);
   const CompareRunsOptions& compare = options.compare;
   const MapPairs related = relateRuns(
-      read.runs, {compare.areAligned, read.reference, std::size_t(compare.core)}, compare.forEach);
+      read.runs, {compare.areAligned, read.reference, std::size_t(compare.core), areOneSite},
+      compare.forEach);
   SolvedSite site = solveSite(read.runs, related, read.reference, compare.forEach);
   std::unique_ptr<Solved> solved(new Solved{std::move(read), std::move(site)});
   for (std::size_t i = 0; i < solved->read.runs.size(); ++i)
@@ -97,11 +100,16 @@ py::dict dictOf(const MendedRun& run) {
   return dict;
 }
 
-/** The place of a map in the site. */
-std::size_t placeOf(const PythonMap& map, const Solved& solved) {
+/** The place of a map in the site; none where it does not lie in it. */
+std::optional<std::size_t> findPlace(const PythonMap& map, const Solved& solved) {
   const Site& site = solved.site.site;
   for (std::size_t i = 0; i < site.runs.size(); ++i)
     if (site.runs[i]->file == fileOf(map)) return i;
+  return std::nullopt;
+}
+
+std::size_t placeOf(const PythonMap& map, const Solved& solved) {
+  if (const auto place = findPlace(map, solved)) return *place;
   throw DataError(fileOf(map) +
                   ": does not lie in the other map: nothing can be carried; give runs that lie in "
                   "both as 'via'");
@@ -116,7 +124,9 @@ std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const Pytho
   for (const auto& [name, x, y, yaw] : poses) places.push_back({name, {x, y, yaw}});
   std::vector<PythonMap> maps{from, to};
   maps.insert(maps.end(), via.begin(), via.end());
-  const auto solved = solve(maps, std::nullopt, call);
+  auto solved = solve(maps, std::nullopt, call, via.empty());
+  if (!via.empty() && !(findPlace(from, *solved) && findPlace(to, *solved)))
+    solved = solve({from, to}, std::nullopt, call, true);
   const SolvedSite& site = solved->site;
   return carryPlaces(places, site, rejoinPieces(site), placeOf(from, *solved),
                      placeOf(to, *solved));

@@ -57,6 +57,29 @@ TEST(RelateMaps, ofOtherBuildingsNothingIsFollowed) {
   EXPECT_TRUE(pair.aInB.patches.empty());
 }
 
+TEST(RelateMaps, ofMapsThatAreSaidToShowOneSiteTheLikeliestPoseIsTaken) {
+  Alignment alignment;
+  alignment.confidence = 0.17, alignment.runnerUpConfidence = 0.03, alignment.siteConfidence = 0.2;
+  Alignment unclear = alignment;
+  takeLikeliest(alignment);
+  EXPECT_TRUE(alignment.isSameSite && alignment.isOnlySaid);
+  EXPECT_NEAR(alignment.confidence, 0.85, 1e-9);
+  EXPECT_NEAR(alignment.runnerUpConfidence, 0.15, 1e-9);
+  EXPECT_EQ(alignment.siteConfidence, 0.2) << "it stays as doubtful as it is";
+  unclear.runnerUpConfidence = 0.1;
+  takeLikeliest(unclear);
+  EXPECT_FALSE(unclear.isSameSite) << "another pose is about as likely";
+}
+
+TEST(RelateMaps, whatIsSaidOfMapsChangesNothingWhereTheyShowIt) {
+  const Alignment said = relateMaps(three().a, three().b, true).alignment;
+  EXPECT_FALSE(said.isOnlySaid);
+  EXPECT_EQ(said.confidence, relateMaps(three().a, three().b).alignment.confidence);
+  const WallMap other = mapOf(drawnBuilding(11, {}));
+  EXPECT_FALSE(relateMaps(three().a, other, true).alignment.isSameSite)
+      << "another pose is about as likely";
+}
+
 TEST(RelateMaps, overAHubTheAnswerIsThatOfASearch) {
   const MapPair over = relateMapsOver(three().hubAndA, three().hubAndB, three().a, three().b);
   const MapPair searched = relateMaps(three().a, three().b);

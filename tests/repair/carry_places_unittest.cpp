@@ -58,6 +58,16 @@ TEST(CarryPlaces, whatNeitherMapKnowsGoesAlongWithWhatLiesBeside) {
   EXPECT_GE(carried, 1u);
 }
 
+TEST(CarryPlaces, ofTwoMapsThatAreOnlySaidToBeOfOneSiteNothingIsSure) {
+  test::SolvedDrives site({test::drive(1), test::drive(2)});
+  const Place place{"goal", site.runs[0].scans[10].pose};
+  EXPECT_EQ(carryPlaces({place}, site.solved, site.real, 0, 1)[0].state, CarryState::carried);
+  site.solved.pairs(0, 1).alignment.isOnlySaid = true;
+  const CarriedPlace carried = carryPlaces({place}, site.solved, site.real, 0, 1)[0];
+  EXPECT_EQ(carried.state, CarryState::unsure);
+  EXPECT_TRUE(carried.pose);
+}
+
 TEST(CarryPlaces, aPlaceInANewWallIsGone) {
   test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
   const Place place{"goal", site.runs[0].scans[10].pose};

@@ -9,11 +9,18 @@ namespace roomgraph {
 
 RelatedPairs::RelatedPairs(const std::vector<Run>& runs, const RelateRunsOptions& options,
                            const ForEach& forEach, const KeptPairs& kept)
-    : runs_(runs), areAligned_(options.areAligned), forEach_(forEach) {
+    : runs_(runs),
+      areAligned_(options.areAligned),
+      areOneSite_(options.areOneSite),
+      forEach_(forEach) {
   const RelatePair relate = [this](const PairOver& pair, FullMaps& maps) {
     return related(pair, maps);
   };
-  relate_ = keepPairs(relate, runs, areAligned_ ? "aligned" : "searched", kept);
+  relate_ = keepPairs(relate, runs,
+                      areAligned_   ? "aligned"
+                      : areOneSite_ ? "one site"
+                                    : "searched",
+                      kept);
 }
 
 void RelatedPairs::complete(const std::vector<std::size_t>& runs) {
@@ -62,7 +69,7 @@ MapPair RelatedPairs::related(const PairOver& pair, FullMaps& maps) const {
   const WallMap& a = maps(mapOf(pair.a));
   const WallMap& b = maps(mapOf(pair.b));
   if (areAligned_) return relateAlignedMaps(a, b);
-  if (pair.hub == pair.a || pair.hub == pair.b) return relateMaps(a, b);
+  if (pair.hub == pair.a || pair.hub == pair.b) return relateMaps(a, b, areOneSite_);
   return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a, b);
 }
 

@@ -34,7 +34,7 @@ class RelatedPairs {
   MapPair related(const PairOver& pair, FullMaps& maps) const;
 
   const std::vector<Run>& runs_;
-  bool areAligned_;
+  bool areAligned_, areOneSite_;
   const ForEach& forEach_;
   RelatePair relate_;
   FullMaps full_;

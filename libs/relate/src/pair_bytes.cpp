@@ -121,7 +121,7 @@ void visitAlignment(Archive& archive, AnAlignment& alignment) {
   archive.number(alignment.confidence), archive.number(alignment.siteConfidence);
   archive.number(alignment.overlap);
   archive.number(alignment.isSameSite), archive.number(alignment.isAmbiguous);
-  archive.number(alignment.isMirrored);
+  archive.number(alignment.isMirrored), archive.number(alignment.isOnlySaid);
   archive.number(alignment.runnerUpConfidence);
   if (archive.isThere(alignment.best)) visitCandidate(archive, *alignment.best);
   if (archive.isThere(alignment.runnerUp)) visitCandidate(archive, *alignment.runnerUp);

@@ -45,7 +45,7 @@ bool isMirrored(const WallMap& a, const WallMap& b, const Alignment& alignment) 
 }
 
 /** What is to be known of two maps beside their alignment. */
-void compare(MapPair& pair, const WallMap& a, const WallMap& b) {
+void compare(MapPair& pair, const WallMap& a, const WallMap& b, bool areOneSite = false) {
   const Alignment& alignment = pair.alignment;
   pair.areIdentical = areIdentical(a, b);
   if (!alignment.isSameSite) return;
@@ -53,7 +53,9 @@ void compare(MapPair& pair, const WallMap& a, const WallMap& b) {
   if (alignment.runnerUp) likeliest.push_back(alignment.runnerUp->pose);
   pair.areEdits = pair.areIdentical || areEdits(a.edges, b.edges, likeliest);
   follow(pair, a, b, alignment.poses);
-  pair.areStoreys = areStoreys(pair, a, b);
+  const bool looksLikeStoreys = areStoreys(pair, a, b);
+  pair.alignment.isOnlySaid |= looksLikeStoreys && areOneSite;
+  pair.areStoreys = looksLikeStoreys && !areOneSite;
   if (!pair.areStoreys) return;
   pair.alignment.isSameSite = false;
   pair.bInA = pair.aInB = {};
@@ -108,6 +110,14 @@ double anyConfidence(const MapPair& pair) {
 
 }  // namespace
 
+void takeLikeliest(Alignment& alignment) {
+  const double sum = alignment.confidence + alignment.runnerUpConfidence;
+  if (sum <= 0 || (alignment.isSameSite && sum >= kMajority)) return;
+  if (alignment.runnerUpConfidence >= kUnlikely * sum) return;
+  alignment.isSameSite = alignment.isOnlySaid = true;
+  alignment.confidence /= sum, alignment.runnerUpConfidence /= sum;
+}
+
 void follow(MapPair& pair, const WallMap& a, const WallMap& b,
             const std::vector<Transform2D>& poses) {
   if (pair.areIdentical) {
@@ -126,14 +136,16 @@ MapPair swapped(MapPair pair) {
   return pair;
 }
 
-MapPair relateMaps(const WallMap& a, const WallMap& b) {
+MapPair relateMaps(const WallMap& a, const WallMap& b, bool areOneSite) {
   MapPair pair;
   pair.alignment = alignMaps(a, b);
   if (pair.alignment.best && isMirrored(a, b, pair.alignment)) {
     pair.alignment.isMirrored = true, pair.alignment.isSameSite = false;
     pair.alignment.confidence = pair.alignment.siteConfidence = 0;
+  } else if (areOneSite) {
+    takeLikeliest(pair.alignment);
   }
-  compare(pair, a, b);
+  compare(pair, a, b, areOneSite);
   return pair;
 }
 

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
+#include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -14,6 +17,8 @@ constexpr double kBlend = 1;      // over so much the word passes from node to n
 constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
 // Who marks a place may mean what a node this near has drawn, or one farther off that sees it [m].
 constexpr double kMeant = 3, kMeantInSight = 6;
+constexpr double kElsewhere =
+    3;  // a piece lies elsewhere that bends as far as this, on average [m]
 
 /** The mean of poses that say about the same. */
 template <class Words>
@@ -25,6 +30,39 @@ Transform2D meanOf(const Words& words, const Transform2D& about) {
     turn += word.weight * wrappedAngle(word.pose.phi - about.phi);
   }
   return {sum.x / weight, sum.y / weight, wrappedAngle(about.phi + turn / weight)};
+}
+
+/** What one search has found of a map. */
+struct Piece {
+  double walls = 0, bend = 0;  ///< how far they lie from where the first piece leads [m]
+};
+
+/** Which patches of a map tell how it lies in another. Walls that are left over fit in many places,
+ *  so a piece that lies elsewhere has to be more than half of all that does not. */
+std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
+                                           const WallPatches& patches) {
+  MotionFit first;
+  for (const FollowedPatch& patch : followed.patches) {
+    const Point middle = patches[patch.patch].middle;
+    if (patch.layer == 0) first.add(middle, patch.pose(middle), patch.walls);
+  }
+  std::map<int, Piece> pieces;
+  for (const FollowedPatch& patch : followed.patches) {
+    const Point middle = patches[patch.patch].middle;
+    Piece& piece = pieces[patch.layer];
+    piece.walls += patch.walls;
+    piece.bend += patch.walls * distance(patch.pose(middle), first.motion()(middle));
+  }
+  const auto isElsewhere = [](const Piece& piece) { return piece.bend > kElsewhere * piece.walls; };
+  double together = 0;
+  for (const auto& [layer, piece] : pieces)
+    if (!isElsewhere(piece)) together += piece.walls;
+  std::vector<FollowedPatch> believed;
+  for (const FollowedPatch& patch : followed.patches) {
+    const Piece& piece = pieces[patch.layer];
+    if (!isElsewhere(piece) || piece.walls > kMajority * together) believed.push_back(patch);
+  }
+  return believed;
 }
 
 }  // namespace
@@ -50,7 +88,7 @@ BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size
 
 BendField::BendField(const SolvedSite& solved, std::size_t from, std::size_t to) {
   const WallPatches& patches = solved.site.mapOf(from).patches;
-  for (const FollowedPatch& patch : followedIn(solved.pairs, from, to).patches) {
+  for (const FollowedPatch& patch : believedPatches(followedIn(solved.pairs, from, to), patches)) {
     const Point middle = patches[patch.patch].middle;
     const Transform2D node{middle.x, middle.y, 0};
     nodes_.push_back({node, patch.pose * node, true, {}});

@@ -68,6 +68,7 @@ class Carrier {
       : old_(solved.site.mapOf(from)), new_(solved.site.mapOf(to)) {
     const auto hasScans = [&](std::size_t run) { return !solved.site.runs[run]->scans.empty(); };
     isThroughSite_ = hasScans(from) && hasScans(to);
+    isOnlySaid_ = solved.pairs(std::min(from, to), std::max(from, to)).alignment.isOnlySaid;
     isPlaceSure_ = areMostSureOf(from, solved.pairs) && areMostSureOf(to, solved.pairs);
     otherPoses_ = otherPoses(from, to, solved.pairs);
     if (isThroughSite_) {
@@ -124,6 +125,7 @@ class Carrier {
     if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy)
       return "one of the maps has the place twice";
     if (carried.error > kLargeError) return "the maps bend here";
+    if (isOnlySaid_) return "the maps hardly show that they are of one site";
     const LocalScan view = viewFrom(old_, place.pose, kViewRange);
     if (!view.isTelling()) return doubtUnseen(place, route, carried);
     const Transform2D& at = *carried.pose;
@@ -164,7 +166,7 @@ class Carrier {
   }
 
   const WallMap &old_, &new_;
-  bool isPlaceSure_ = false;
+  bool isOnlySaid_ = false, isPlaceSure_ = false;
   std::vector<Transform2D> otherPoses_;  // new <- old
   bool isThroughSite_ = false;
   std::vector<BendField> fields_;

@@ -26,6 +26,7 @@ struct Alignment {
   double siteConfidence = 0;  ///< the probability that both maps show the same building, 0 to 1
   double overlap = 0;         ///< share of the smaller map's free space that is free in both
   bool isSameSite = false;
+  bool isOnlySaid = false;  ///< the same site is what the caller says, not what the maps show
   /** `b` fits far better as its own mirror image: then it does not show the same site. */
   bool isMirrored = false;
   bool isAmbiguous = false;  ///< the runner-up is about as good, as in a symmetric building

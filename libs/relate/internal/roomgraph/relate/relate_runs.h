@@ -19,6 +19,7 @@ struct RelateRunsOptions {
   bool areAligned = false;               ///< all maps are in one frame already
   std::optional<std::size_t> reference;  ///< a run that all others of its site are related to
   std::size_t core = 12;                 ///< up to so many runs each is related to each; at least 3
+  bool areOneSite = false;               ///< all maps are said to show one site, see relateMaps
 };
 
 /** The run through which all others are related: of those that have seen at least half as much as
