@@ -17,7 +17,7 @@ constexpr double kBlend = 1;      // over so much the word passes from node to n
 constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
 // Who marks a place may mean what a node this near has drawn, or one farther off that sees it [m].
 constexpr double kMeant = 3, kMeantInSight = 6;
-constexpr double kElsewhere =
+constexpr double kOtherPiece =
     3;  // a piece lies elsewhere that bends as far as this, on average [m]
 
 /** The mean of poses that say about the same. */
@@ -53,7 +53,9 @@ std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
     piece.walls += patch.walls;
     piece.bend += patch.walls * distance(patch.pose(middle), first.motion()(middle));
   }
-  const auto isElsewhere = [](const Piece& piece) { return piece.bend > kElsewhere * piece.walls; };
+  const auto isElsewhere = [](const Piece& piece) {
+    return piece.bend > kOtherPiece * piece.walls;
+  };
   double together = 0;
   for (const auto& [layer, piece] : pieces)
     if (!isElsewhere(piece)) together += piece.walls;

@@ -26,15 +26,16 @@ struct MapPair {
  *  O(alignMaps + followWalls). */
 MapPair relateMaps(const WallMap& a, const WallMap& b, bool areOneSite = false);
 
-/** Takes two maps for those of one site, as somebody says that they are, though they hardly show it,
+/** Takes two maps for those of one site, as somebody says that they are though they hardly show it,
  *  unless another pose is about as likely. The confidence is then that beside the runner-up, and
  *  siteConfidence stays as it is. */
 void takeLikeliest(Alignment& alignment);
 
-/** What relateMaps gives where the pose of both in a third map, the hub, is known already, so that no search is
- *  needed: their poses follow from what was found of the two, as a whole and piece by piece, and of
- *  one that is not sure, as in a symmetric building, from its other answers, too. Where the third
- *  map is not of the same site, or sure poses do not agree, it is relateMaps after all. */
+/** What relateMaps gives where the pose of both in a third map, the hub, is known already, so that
+ *  no search is needed: their poses follow from what was found of the two, as a whole and piece by
+ *  piece, and of one that is not sure, as in a symmetric building, from its other answers, too.
+ *  Where the third map is not of the same site, or sure poses do not agree, it is relateMaps after
+ *  all. */
 MapPair relateMapsOver(const MapPair& hubAndA, const MapPair& hubAndB, const WallMap& a,
                        const WallMap& b);
 
