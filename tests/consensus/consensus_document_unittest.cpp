@@ -74,8 +74,8 @@ TEST(ConsensusDocument, saysWhatNobodyBearsOut) {
 }
 
 TEST(ConsensusDocument, saysWhatJitterCosts) {
-  expectSaid("If it exceeds %g m, which", kUsualJitter);
-  expectSaid("√(*e*² + *j*² − %g² m²)", kUsualJitter);
+  expectSaid("If *j* exceeds %g m, which", kUsualJitter);
+  expectSaid("√(*e*² + *j*² − *t*² − %g² m²)", kUsualJitter);
   expectSaid("divided and multiplied by %g", kJitterFactor);
 }
 
