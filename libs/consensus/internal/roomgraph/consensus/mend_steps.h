@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/check/find_scan.h"
+#include "roomgraph/consensus/find_scan.h"
 
 namespace roomgraph {
 
