@@ -9,11 +9,12 @@
 namespace roomgraph {
 namespace {
 
-std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames) {
+std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames,
+                                  AskedSteps steps = AskedSteps::all) {
   const Run run = test::runOf(frames);
   PoseGraph graph;
   const RunId id = addRunNodes(run, graph);
-  return ownMatches(graph, id, run);
+  return ownMatches(graph, id, run, steps);
 }
 
 TEST(OwnMatches, aSoundRunHasNone) {
@@ -36,9 +37,14 @@ TEST(OwnMatches, behindATearTheScansAreFoundInTheOneBeforeIt) {
   }
 }
 
+TEST(OwnMatches, askedNearTheEndsOfTheRunItTellsOfNothingElse) {
+  const auto torn = test::broken(test::driveOnce(), 18, 0.8, {2, -1});
+  EXPECT_TRUE(matchesOf(torn, AskedSteps::nearEnds).empty());
+}
+
 TEST(OwnMatches, theVeryEndTellsToo) {
   const std::vector<Keyframe>& once = test::driveOnce();
-  const auto groups = matchesOf(test::broken(once, once.size() - 2, 0.8, {}));
+  const auto groups = matchesOf(test::broken(once, once.size() - 2, 0.8, {}), AskedSteps::nearEnds);
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0].matches.size(), 2u);
 }
