@@ -2,6 +2,7 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/consensus/belief.h"
 #include "scoring_document.h"
 
 namespace roomgraph {
@@ -20,6 +21,13 @@ TEST(ConsensusDocument, saysHowScansAreTracked) {
   expectSaid("Up to %zu scans may be lost along the way", kMemory);
   expectSaid("if at least %g %% of its walls lie within %g m of walls", 100 * kLeastFound,
              kSameWall);
+}
+
+TEST(ConsensusDocument, saysWhatARunTellsOfItself) {
+  EXPECT_EQ(kLeastLostOnEnd, 3);
+  expectSaid("no other step within three scans is wrong, the scans behind the step, up to %zu",
+             kLongScans);
+  expectSaid("hardly holds (its weight is %g)", beliefOf(0));
 }
 
 TEST(ConsensusDocument, saysWhatThePosesCost) {
@@ -74,8 +82,8 @@ TEST(ConsensusDocument, saysWhatNobodyBearsOut) {
 }
 
 TEST(ConsensusDocument, saysWhatJitterCosts) {
-  expectSaid("If it exceeds %g m, which", kUsualJitter);
-  expectSaid("√(*e*² + *j*² − %g² m²)", kUsualJitter);
+  expectSaid("If *j* exceeds %g m, which", kUsualJitter);
+  expectSaid("√(*e*² + *j*² − *t*² − %g² m²)", kUsualJitter);
   expectSaid("divided and multiplied by %g", kJitterFactor);
 }
 

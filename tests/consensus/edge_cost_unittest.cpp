@@ -86,6 +86,15 @@ TEST(LinkTerm, aSlackRunGivesWayMoreCheaply) {
   EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, {1, 0, 0}), 0, kExact);
 }
 
+TEST(LinkTerm, countsAsFarAsItHolds) {
+  const PoseGraph graph = test::drawnPoseGraph({{{}, {1, 0, 0}}});
+  PoseEdge link = graph.edges[PoseEdgeId(0)];
+  const Transform2D off{1.2, 0, 0.05};
+  const double full = linkTerm(link, 1).cost(link.measured, off);
+  link.share = 0.5;
+  EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, off), 0.5 * full, kExact);
+}
+
 TEST(MatchTerm, countsAsFarAsItIsBelievedAndItsWallsWereFound) {
   const Transform2D off{0.2, 0.1, 0.02};
   PoseEdge match = matchEdge(NodeId(0), NodeId(1), {}, 0.8);

@@ -181,6 +181,28 @@ TEST(SiteConsensus, scansThatAreOffOnTheirOwnCostWhatTheyAreOff) {
   EXPECT_LT(result.errorOf(0).error, 0.03);
 }
 
+TEST(SiteConsensus, aTornEndIsToldByItsOwnScansThoughTheyAreFew) {
+  const auto torn = otherLog(broken(drive(), drive().size() - 2, 0.8, {}), 2000);
+  const DrivenSite site({drive(), torn, otherLog(drifting(drive(), 0.0002), 3000)}, {{}, {}, {}});
+  const Consensus result = site.consensus();
+  const Way truth = wayOf(drive());
+  EXPECT_LT(misplaced(result, {truth, truth, truth}), 0.1);
+  EXPECT_GT(result.errorOf(1).error, 0.3);
+  EXPECT_LT(result.errorOf(0).high, 0.1);
+}
+
+TEST(SiteConsensus, ofTwoRunsTheirOwnScansTellWhichIsTorn) {
+  for (const bool isFirstTorn : {true, false}) {
+    const auto torn = otherLog(broken(drive(), 20, M_PI / 2, {3, 4}), 2000);
+    const auto whole = otherLog(drifting(drive(), 0.0002), 3000);
+    const DrivenSite site(isFirstTorn ? std::vector{torn, whole} : std::vector{whole, torn},
+                          {{}, {}});
+    const Consensus result = site.consensus();
+    EXPECT_GT(result.errorOf(isFirstTorn ? 0 : 1).low, 0.5);
+    EXPECT_LT(result.errorOf(isFirstTorn ? 1 : 0).high, 0.2);
+  }
+}
+
 TEST(SiteConsensus, copiesOfAMapShareOneResult) {
   const DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
   const Consensus result = site.consensus();

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/check/mend_steps.h"
 #include "roomgraph/consensus/map_errors.h"
+#include "roomgraph/consensus/mend_steps.h"
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {

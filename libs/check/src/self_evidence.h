@@ -3,7 +3,7 @@
 
 #include "beams_through_walls.h"
 #include "roomgraph/check/RunCheck.h"
-#include "roomgraph/check/mend_steps.h"
+#include "roomgraph/consensus/mend_steps.h"
 #include "roomgraph/relate/Run.h"
 #include "self_consensus.h"
 

@@ -39,9 +39,9 @@ NodeId PoseGraph::addNode(const Transform2D& pose, const PointSums& points,
   return node;
 }
 
-void PoseGraph::addLink(NodeId from, NodeId to) {
+void PoseGraph::addLink(NodeId from, NodeId to, double share) {
   const Transform2D step = nodes[from].pose.inverse() * nodes[to].pose;
-  edges.add({from, to, step, linkNoise(step), {}});
+  edges.add({from, to, step, linkNoise(step), {}, share});
   GraphRun& run = runs[runOf(to)];
   run.links = {edges.size() - 1 - run.links.size(), edges.size()};
 }

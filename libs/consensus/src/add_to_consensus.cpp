@@ -23,8 +23,10 @@ class GraphBeside {
       const PoseNode& node = graph.nodes[id];
       placeOf_[id] = graph_.addNode(node.pose, node.points, node.axes);
     }
-    for (const PoseEdgeId link : graph.runs[added].links)
-      graph_.addLink(placeOf_[graph.edges[link].from], placeOf_[graph.edges[link].to]);
+    for (const PoseEdgeId id : graph.runs[added].links) {
+      const PoseEdge& link = graph.edges[id];
+      graph_.addLink(placeOf_[link.from], placeOf_[link.to], link.share);
+    }
     for (const MatchGroupId group : groups) addGroup(graph.groups[group]);
   }
 

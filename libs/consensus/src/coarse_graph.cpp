@@ -69,7 +69,7 @@ CoarseGraph coarseGraph(const PoseGraph& graph) {
     addNodes(run, graph, starts, coarse);
     for (const PoseEdgeId link : run.links) {
       const NodeId from = coarseOf(graph.edges[link].from), to = coarseOf(graph.edges[link].to);
-      if (from != to) coarse.graph.addLink(from, to);
+      if (from != to) coarse.graph.addLink(from, to, graph.edges[link].share);
     }
   }
   // coarse node <- node, by the run's own poses

@@ -29,7 +29,7 @@ struct EdgeTerm {
 
 /** A link holds its nodes together as far as its run's `slack` allows. */
 inline EdgeTerm linkTerm(const PoseEdge& link, double slack) {
-  return {link.noise.times(slack), fitted::kLinkWidth, 1};
+  return {link.noise.times(slack), fitted::kLinkWidth, link.share};
 }
 
 /** A match lays its nodes on each other as far as its group is believed. */

@@ -1,96 +1,124 @@
 #include "scan_jitter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "fitted_consensus.h"
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/majority.h"
-#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kAlike = 0.8;              // cosine, of walls that are the same
-constexpr double kMostApart = 0.5;          // of two scans; beyond, it is a break [m]
-constexpr std::size_t kLeastMeeting = 15;   // of a scan that meet some of another
-constexpr double kLeastAlike = 10;          // scans that see what those before them do
-constexpr double kMedianOfNormal = 0.6745;  // of its absolute values, by its standard deviation
+constexpr double kAlike = 0.8;                 // cosine, of walls that are the same
+constexpr double kGapOfWalls = 2 * kSameWall;  // between walls of one scan, along them [m]
+constexpr NarrowingBand kStepBand{0.6, kSameWall, 7};
+constexpr std::size_t kLeastMeeting = 15;  // walls of a scan that lie on some of another
+constexpr double kMostSquared = 0.25;      // of one scan; beyond, it is a break [m^2]
+constexpr double kLeastAlike = 10;         // scans that lie on those before and behind them
 
 using Walls = std::vector<WallPoint>;
+using Correction = std::optional<Transform2D>;
 
-/** Squared distance to the nearest wall that faces the same way, across it. */
-std::optional<double> squaredGap(const WallPoint& wall, const Walls& others) {
-  std::optional<double> least;
-  for (const WallPoint& other : others) {
-    const Point off = other.place - wall.place;
-    if (squaredNorm(off) > WallMap::kReach * WallMap::kReach) continue;
+/** Where a wall belongs that the scan `onto` has, too: the nearest that faces alike, moved along
+ *  itself as far as there is none between it and the next. */
+std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
+  std::optional<WallPoint> nearest;
+  double least = WallMap::kReach * WallMap::kReach;
+  for (const WallPoint& other : onto) {
+    const Point off = wall.place - other.place;
+    if (squaredNorm(off) >= WallMap::kReach * WallMap::kReach) continue;
     if (dot(other.normal, wall.normal) < kAlike) continue;
-    const double across = dot(off, other.normal);
-    const double along = std::max(0.0, std::abs(cross(off, other.normal)) - 2 * kSameWall);
-    const double far = across * across + along * along;
-    if (!least || far < *least) least = far;
+    const Point side{-other.normal.y, other.normal.x};
+    const WallPoint there{
+        other.place + std::clamp(dot(off, side), -kGapOfWalls, kGapOfWalls) * side, other.normal};
+    const double far = squaredNorm(wall.place - there.place);
+    if (far < least) least = far, nearest = there;
   }
-  return least;
+  return nearest;
 }
 
-/** How far one scan lies off another, as the walls tell that both have. */
-std::optional<double> apart(const Walls& scan, const Walls& other) {
-  std::vector<double> gaps;
-  for (const WallPoint& wall : scan)
-    if (const auto gap = squaredGap(wall, other)) gaps.push_back(std::sqrt(*gap));
-  if (gaps.size() < kLeastMeeting || double(gaps.size()) < kMajority * double(scan.size()))
-    return std::nullopt;
-  return std::min(kMostApart, median(std::move(gaps)) / kMedianOfNormal);
+/** The motion that lays a scan onto another; none where they hardly show the same. */
+Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
+  const auto moved = [&](const WallPoint& wall, const Motion2D& by) {
+    return WallPoint{by(wall.place), by.turned(wall.normal)};
+  };
+  const Transform2D found = fittedPose({}, robot, kStepBand, [&](WallFit& fit, int) {
+    for (const WallPoint& wall : scan) {
+      const WallPoint at = moved(wall, fit.forth());
+      if (const auto same = sameWall(at, onto)) fit.add(at.place, *same);
+    }
+  });
+  const auto met = std::size_t(
+      std::count_if(scan.begin(), scan.end(), [&, by = Motion2D(found)](const WallPoint& wall) {
+        const WallPoint at = moved(wall, by);
+        const auto same = sameWall(at, onto);
+        return same && distance(same->place, at.place) < kSameWall;
+      }));
+  if (met < kLeastMeeting || double(met) < kMajority * double(scan.size())) return std::nullopt;
+  return found;
 }
 
-/** Squared distance of a scan from those one, two and three steps before it, where all of these see
- *  the same. */
-std::optional<std::array<double, 3>> squaresOf(const std::vector<Walls>& scans, std::size_t k) {
-  std::array<double, 3> squares{};
-  for (std::size_t steps = 1; steps <= 3; ++steps) {
-    const auto far = apart(scans[k], scans[k - steps]);
-    if (!far) return std::nullopt;
-    squares[steps - 1] = *far * *far;
-  }
-  return squares;
+/** How the step to a scan is off by what the two show: the mean of laying either onto the other,
+ *  where both come to the same. One alone is drawn to what only one of them shows. */
+Correction correctionOf(const ScanWalls& before, const ScanWalls& scan) {
+  const Correction forth = laidOnto(before.walls, scan.walls, scan.at());
+  if (!forth) return std::nullopt;
+  const Correction back = laidOnto(scan.walls, before.walls, before.at());
+  if (!back) return std::nullopt;
+  const Transform2D other = back->inverse();
+  if (!areNear(*forth, other, scan.at(), kSameScanAnswer)) return std::nullopt;
+  const Point middle = midpoint((*forth)(scan.at()), other(scan.at()));
+  return carrying(scan.at(), middle, (forth->phi + other.phi) / 2);
+}
+
+/** Squared displacement of a scan on its own, by the corrections of the steps to it and behind it:
+ *  what is common to both, the other way round. */
+double squaredAlone(const Walls& walls, const Transform2D& to, const Transform2D& behind) {
+  double sum = 0;
+  for (const WallPoint& wall : walls)
+    sum -= dot(to(wall.place) - wall.place, wall.normal) *
+           dot(behind(wall.place) - wall.place, wall.normal);
+  // Walls tell what is across them, which is half of it.
+  return std::clamp(2 * sum / double(walls.size()), -kMostSquared, kMostSquared);
 }
 
 }  // namespace
 
-double scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transform2D>& carries) {
-  std::vector<Walls> there(scans.size());
-  for (std::size_t k = 0; k < scans.size(); ++k) {
-    const Motion2D carry(carries[k]);
-    for (const WallPoint& wall : scans[k].walls)
-      there[k].push_back({carry(wall.place), carry.turned(wall.normal)});
+ScanJitter scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transform2D>& poses) {
+  std::vector<Correction> corrections(scans.size());
+  for (std::size_t k = 1; k < scans.size(); ++k)
+    corrections[k] = correctionOf(scans[k - 1], scans[k]);
+  const auto taken = [&](std::size_t k) {
+    return scans[k - 1].pose * poses[k - 1].inverse() * poses[k] * scans[k].pose.inverse();
+  };
+  double drawn = 0, left = 0, count = 0;
+  for (std::size_t k = 1; k + 1 < scans.size(); ++k) {
+    if (!corrections[k] || !corrections[k + 1]) continue;
+    const double alone = squaredAlone(scans[k].walls, *corrections[k], *corrections[k + 1]);
+    drawn += alone, ++count;
+    left += alone - squaredAlone(scans[k].walls, taken(k), taken(k + 1));
   }
-  double sum = 0, count = 0;
-  for (std::size_t k = 3; k < there.size(); ++k)
-    if (const auto squares = squaresOf(there, k)) {
-      const auto& [one, two, three] = *squares;
-      sum += (4 * one + two - 2 * three) / 3, ++count;  // the line by least squares, at 0
-    }
-  return count >= kLeastAlike ? std::sqrt(std::max(0.0, sum / count)) : 0;
+  if (count < kLeastAlike) return {};
+  return {std::sqrt(std::max(0.0, drawn / count)), std::sqrt(std::max(0.0, left / count))};
 }
 
 void addJitter(Consensus& consensus, const Site& site) {
   for (const RunId run : consensus.graph.runs.ids()) {
-    std::vector<ScanWalls> scans = site.runs[consensus.siteRuns[run]]->scans;
+    const std::vector<ScanWalls>& scans = site.runs[consensus.siteRuns[run]]->scans;
     if (run == consensus.graph.reference || scans.empty()) continue;
-    MapError& error = consensus.errors[run];
-    for (std::size_t k = 0; k < scans.size(); ++k)
-      if (!error.isSeen[k]) scans[k].walls.clear();  // where nobody found it, it may lie anywhere
-    std::vector<Transform2D> carries;
+    std::vector<Transform2D> poses;
     for (const NodeId node : consensus.graph.runs[run].nodes)
-      carries.push_back(consensus.poses[node] * consensus.graph.nodes[node].pose.inverse());
-    const std::vector<Transform2D> asDrawn(scans.size());
-    const double jitter = std::min(scanJitter(scans, asDrawn), scanJitter(scans, carries));
-    if (jitter <= fitted::kUsualJitter) continue;
-    const double more = std::sqrt(jitter * jitter - fitted::kUsualJitter * fitted::kUsualJitter);
-    error.jitter = jitter;
+      poses.push_back(consensus.poses[node]);
+    const ScanJitter jitter = scanJitter(scans, poses);
+    if (jitter.drawn <= fitted::kUsualJitter) continue;
+    MapError& error = consensus.errors[run];
+    error.jitter = jitter.drawn;
+    if (jitter.left <= fitted::kUsualJitter) continue;
+    const double more =
+        std::sqrt(jitter.left * jitter.left - fitted::kUsualJitter * fitted::kUsualJitter);
     error.error = std::hypot(error.error, more);
     error.low = std::hypot(error.low, more / fitted::kJitterFactor);
     error.high = std::hypot(error.high, more * fitted::kJitterFactor);

@@ -14,20 +14,25 @@ namespace roomgraph {
 // Next: scoreRuns
 
 /** How far the scans of a run lie off each on its own, as a bad scan matcher leaves them: the root
- *  mean square displacement of what they have drawn, against what those before and behind them have
- *  drawn [m]. `carries` is there <- run, of each scan. Where scans drift or break, each stays where
- *  the one before it was, so what lies between them grows with the steps from one to the other;
- *  errors of their own make the same difference however many these are. So it is the root of where
- *  the mean square distances of walls one, two and three steps apart, on a line, begin. 0 where too
- *  few scans see the same. O(scans * walls^2). */
-double scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transform2D>& carries);
+ *  mean square displacement of what they have drawn [m]. */
+struct ScanJitter {
+  double drawn = 0;  ///< of the run as it is
+  double left = 0;   ///< of that, what other poses have not taken out
+};
+
+/** Scans that follow each other tell by which motion one lies on the other, and so does the next
+ *  step. A scan that is off on its own is off against both, the other way round; where scans drift
+ *  or break, a step tells nothing of the next. So it is what the corrections of two steps have in
+ *  common, with the opposite sign. `poses` are those that the consensus has of the scans (site <-
+ *  robot). 0 where fewer than ten scans lie on those before and behind them.
+ *  O(scans * walls^2). */
+ScanJitter scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Transform2D>& poses);
 
 /** Adds to each map error what the consensus has not taken out of its run: errors of single scans
  *  are small against what a link allows, and no match is sure to a few centimetres, so they are
- *  left where they are. Of the run as it is drawn and as the consensus has it the smaller jitter
- *  counts, as far as it is more than what the scans of sound runs show; scans that were found in no
- *  other run say nothing. Nothing changes for a reference, nor for runs without scans. Cost: that
- *  of scanJitter for each run. */
+ *  mostly left where they are. It counts as far as it is more than what the scans of sound runs
+ *  show. Nothing changes for a reference, nor for runs without scans. Cost: that of scanJitter for
+ *  each run. */
 void addJitter(Consensus& consensus, const Site& site);
 
 }  // namespace roomgraph

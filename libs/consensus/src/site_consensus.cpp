@@ -8,6 +8,7 @@
 #include "confirm_runs.h"
 #include "lost_scans.h"
 #include "match_runs.h"
+#include "own_matches.h"
 #include "roomgraph/consensus/add_run_nodes.h"
 #include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/belief.h"
@@ -66,6 +67,28 @@ void addRuns(Consensus& consensus, const Site& site, const std::vector<std::size
   if (site.reference) consensus.graph.reference = consensus.graphRuns[*site.reference];
 }
 
+/** What the runs that count were found of in each other, and each by itself. */
+void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
+                const ForEach& forEach) {
+  PoseGraph& graph = consensus.graph;
+  ById<RunId, std::vector<FoundGroup>> own(graph.runs.size());
+  const AskedSteps steps = own.size() > 2 ? AskedSteps::nearEnds : AskedSteps::all;
+  forEach(own.size(), [&](std::size_t index) {
+    const RunId run(index);
+    if (graph.runs[run].hasScans && run != graph.reference)
+      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]], steps);
+  });
+  std::vector<FoundGroup> all = matchRuns(site, pairs, graph, consensus.siteRuns, forEach);
+  for (const RunId run : own.ids())
+    for (const FoundGroup& found : own[run]) {
+      const GraphRun& nodes = graph.runs[run];
+      const std::size_t behind = nodes.nodes.placeOf(found.matches.front().to);
+      graph.edges[nodes.links[behind - 1]].share = beliefOf(0);
+      all.push_back(found);
+    }
+  for (const FoundGroup& found : all) graph.addGroup(found.group, found.matches);
+}
+
 /** The first runs of a graph, and what they found of each other. Nodes and links keep their ids. */
 PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
   PoseGraph core;
@@ -78,7 +101,7 @@ PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
       core.addNode(node.pose, node.points, node.axes);
     }
     for (const PoseEdgeId link : run.links)
-      core.addLink(graph.edges[link].from, graph.edges[link].to);
+      core.addLink(graph.edges[link].from, graph.edges[link].to, graph.edges[link].share);
   }
   for (const MatchGroup& group : graph.groups) {
     if (group.from.index() >= runs || group.to.index() >= runs) continue;
@@ -116,7 +139,8 @@ void addOthers(Agreement& agreement, const PoseGraph& graph, const ForEach& forE
   ById<RunId, std::vector<MatchGroupId>> own(graph.runs.size());
   for (const MatchGroupId id : graph.groups.ids()) {
     const MatchGroup& group = graph.groups[id];
-    if (isCore(group.from) != isCore(group.to)) own[std::max(group.from, group.to)].push_back(id);
+    const auto [other, added] = std::minmax(group.from, group.to);
+    if (!isCore(added) && (isCore(other) || other == added)) own[added].push_back(id);
   }
   std::vector<AddedToConsensus> added(others);
   forEach(others, [&](std::size_t i) {
@@ -151,8 +175,7 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   const CountedRuns runs(site, pairs, counted);
   PoseGraph& graph = consensus.graph;
   addRuns(consensus, site, counted, runs.order);
-  for (const FoundGroup& found : matchRuns(site, pairs, graph, consensus.siteRuns, forEach))
-    graph.addGroup(found.group, found.matches);
+  addMatches(consensus, site, pairs, forEach);
   std::vector<Agreement> agreements = agreementsOf(coreOf(graph, runs.core), forEach);
   for (Agreement& one : agreements) addOthers(one, graph, forEach);
   Agreement& best = agreements.front();

@@ -5,7 +5,7 @@
 
 #include "OtherWalls.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/check/find_scan.h"
+#include "roomgraph/consensus/find_scan.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/check/mend_steps.h"
 #include "roomgraph/consensus/PoseGraph.h"
+#include "roomgraph/consensus/mend_steps.h"
 
 namespace roomgraph {
 

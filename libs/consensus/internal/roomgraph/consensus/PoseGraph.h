@@ -37,7 +37,7 @@ struct PoseEdge {
   Transform2D measured;     ///< from <- to
   PoseNoise noise;          ///< of it
   MatchGroupId group;       ///< none of a link
-  double share = 1;         ///< of the walls of `to` that were found; 1 of a link
+  double share = 1;         ///< of the walls of `to` that were found; how far a link holds
   bool isSameScan = false;  ///< both are one scan of one drive, so `measured` changes nothing
 };
 
@@ -86,8 +86,9 @@ struct PoseGraph {
   /** To the run that was added last. */
   NodeId addNode(const Transform2D& pose, const PointSums& points,
                  const std::optional<ScanAxes>& axes);
-  /** Between two nodes of the run that was added last, which keep the pose that they have. */
-  void addLink(NodeId from, NodeId to);
+  /** Between two nodes of the run that was added last, which keep the pose that they have as far as
+   *  the link holds, 0 to 1. */
+  void addLink(NodeId from, NodeId to, double share = 1);
   /** The edges need no `group`; once this was called, no run may be added. */
   void addGroup(MatchGroup group, const std::vector<PoseEdge>& matches);
 

@@ -1,4 +1,4 @@
-#include "roomgraph/check/mend_steps.h"
+#include "roomgraph/consensus/mend_steps.h"
 
 #include <gtest/gtest.h>
 

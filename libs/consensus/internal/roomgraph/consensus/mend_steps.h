@@ -2,14 +2,14 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/check/find_scan.h"
+#include "roomgraph/consensus/find_scan.h"
 
 namespace roomgraph {
 
 // Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  MendedSteps
-// Next: findRevisits
+// Next: findRevisits, ownMatches
 
 /** What a scan and those before it, which see the same walls, say of the step between them. */
 enum class StepEvidence {
@@ -30,5 +30,10 @@ struct MendedSteps {
  *  where it was drawn is left there, so a corridor on which it may slide contradicts nothing.
  *  Deterministic. O(scans * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn);
+
+/** The same of some steps only, those to the scans that are `asked` for; of all others there is no
+ *  evidence. O(scans + asked * (cells around a few scans)). */
+MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+                      const std::vector<bool>& asked);
 
 }  // namespace roomgraph

@@ -1,4 +1,4 @@
-#include "roomgraph/check/find_scan.h"
+#include "roomgraph/consensus/find_scan.h"
 
 #include <gtest/gtest.h>
 

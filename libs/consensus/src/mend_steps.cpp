@@ -1,4 +1,4 @@
-#include "roomgraph/check/mend_steps.h"
+#include "roomgraph/consensus/mend_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +75,9 @@ struct Gait {
 
 class Mender {
  public:
-  Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn)
-      : scans_(scans), drawn_(drawn), gait_(scans, drawn) {}
+  Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+         const std::vector<bool>& asked)
+      : scans_(scans), drawn_(drawn), asked_(asked), gait_(scans, drawn) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
@@ -100,7 +101,7 @@ class Mender {
   void mend(std::size_t k) {
     // As drawn to the last bit, up to the first contradiction.
     result_.poses[k] = isMended_ ? result_.poses[k - 1] * step(k - 1, k) : drawn_[k];
-    if (!scans_[k].isTelling()) return;
+    if (!asked_[k] || !scans_[k].isTelling()) return;
     if (ahead_.walls.empty() || k >= aheadOf_ + kOneMap) drawAhead(k);
     if (ahead_.walls.empty()) return;
     const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
@@ -203,6 +204,7 @@ class Mender {
 
   const std::vector<LocalScan>& scans_;
   const std::vector<Transform2D>& drawn_;
+  const std::vector<bool>& asked_;
   Gait gait_;
   MendedSteps result_;
   bool isMended_ = false;
@@ -213,7 +215,12 @@ class Mender {
 }  // namespace
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn) {
-  return Mender(scans, drawn).mended();
+  return mendSteps(scans, drawn, std::vector<bool>(scans.size(), true));
+}
+
+MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+                      const std::vector<bool>& asked) {
+  return Mender(scans, drawn, asked).mended();
 }
 
 }  // namespace roomgraph

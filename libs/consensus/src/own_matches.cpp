@@ -1,0 +1,58 @@
+#include "own_matches.h"
+
+#include <algorithm>
+
+#include "fitted_consensus.h"
+#include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/step_hold.h"
+#include "roomgraph/consensus/mend_steps.h"
+
+namespace roomgraph {
+namespace {
+
+bool isWrong(StepEvidence step) {
+  return step == StepEvidence::contradicts || step == StepEvidence::lost;
+}
+
+/** Whether the step to a scan is broken. Where one step after the other is wrong, the robot was in
+ *  a lift, or its scanner covered. */
+bool isBroken(const std::vector<StepEvidence>& steps, std::size_t k) {
+  if (steps[k] != StepEvidence::contradicts) return false;
+  constexpr auto kNear = std::size_t(fitted::kLeastLostOnEnd);
+  const auto first = steps.begin() + std::ptrdiff_t(k - std::min(k, kNear - 1));
+  const auto end = steps.begin() + std::ptrdiff_t(std::min(steps.size(), k + kNear));
+  return std::count_if(first, end, isWrong) == 1;
+}
+
+/** The scans from `k` on, as they lie in the one before it. */
+FoundGroup foundBehind(const IdRange<NodeId>& nodes, RunId id, const MendedSteps& mended,
+                       std::size_t k) {
+  FoundGroup found{{id, id, {}, 0}, {}};
+  const std::size_t end = std::min(nodes.size(), k + fitted::kLongScans);
+  for (std::size_t i = k; i < end; ++i) {
+    if (i > k && isWrong(mended.evidence[i])) break;
+    const Transform2D measured = mended.poses[k - 1].inverse() * mended.poses[i];
+    found.matches.push_back(matchEdge(nodes[k - 1], nodes[i], measured, 1));
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
+                                   AskedSteps steps) {
+  std::vector<bool> asked(run.scans.size());
+  for (std::size_t k = 1; k < asked.size(); ++k) {
+    const bool isNearEnd = std::min(k, asked.size() - k) < fitted::kLongScans;
+    asked[k] = (isNearEnd || steps == AskedSteps::all) && stepHold(run.scans, k) < 1;
+  }
+  if (std::find(asked.begin(), asked.end(), true) == asked.end()) return {};
+  const MendedSteps mended = mendSteps(localScans(run.scans), drawnPoses(run.scans), asked);
+  std::vector<FoundGroup> groups;
+  for (std::size_t k = 1; k < asked.size(); ++k)
+    if (isBroken(mended.evidence, k))
+      groups.push_back(foundBehind(graph.runs[id].nodes, id, mended, k));
+  return groups;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,67 @@
+#include "own_matches.h"
+
+#include <gtest/gtest.h>
+
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/consensus/add_run_nodes.h"
+#include "sample_drives.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames,
+                                  AskedSteps steps = AskedSteps::all) {
+  const Run run = test::runOf(frames);
+  PoseGraph graph;
+  const RunId id = addRunNodes(run, graph);
+  return ownMatches(graph, id, run, steps);
+}
+
+TEST(OwnMatches, aSoundRunHasNone) {
+  EXPECT_TRUE(matchesOf(test::driveOnce()).empty());
+  EXPECT_TRUE(matchesOf({}).empty());
+}
+
+TEST(OwnMatches, behindATearTheScansAreFoundInTheOneBeforeIt) {
+  const std::vector<Keyframe>& once = test::driveOnce();
+  const auto groups = matchesOf(test::broken(once, 18, 0.8, {2, -1}));
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].group.from, groups[0].group.to);
+  ASSERT_EQ(groups[0].matches.size(), 12u);
+  for (std::size_t i = 0; i < groups[0].matches.size(); ++i) {
+    const PoseEdge& match = groups[0].matches[i];
+    EXPECT_EQ(match.from, NodeId(17));
+    EXPECT_EQ(match.to, NodeId(18 + i));
+    EXPECT_TRUE(
+        areNear(match.measured, once[17].pose.inverse() * once[18 + i].pose, {}, kSameScanAnswer));
+  }
+}
+
+TEST(OwnMatches, askedNearTheEndsOfTheRunItTellsOfNothingElse) {
+  const auto torn = test::broken(test::driveOnce(), 18, 0.8, {2, -1});
+  EXPECT_TRUE(matchesOf(torn, AskedSteps::nearEnds).empty());
+}
+
+TEST(OwnMatches, theVeryEndTellsToo) {
+  const std::vector<Keyframe>& once = test::driveOnce();
+  const auto groups = matchesOf(test::broken(once, once.size() - 2, 0.8, {}), AskedSteps::nearEnds);
+  ASSERT_EQ(groups.size(), 1u);
+  EXPECT_EQ(groups[0].matches.size(), 2u);
+}
+
+TEST(OwnMatches, aStretchEndsAtTheNextBreak) {
+  const auto torn = test::broken(test::driveOnce(), 12, 0.8, {1, 1});
+  const auto groups = matchesOf(test::broken(torn, 17, -0.9, {0, 2}));
+  ASSERT_EQ(groups.size(), 2u);
+  EXPECT_EQ(groups[0].matches.size(), 5u);
+}
+
+TEST(OwnMatches, aScannerThatIsCoveredTearsNothing) {
+  std::vector<Keyframe> frames = test::driveOnce();
+  for (std::size_t k = 4; k < 13; ++k)
+    for (Point& end : frames[k].ends) end = (0.4 / norm(end)) * end;
+  EXPECT_TRUE(matchesOf(frames).empty());
+}
+
+}  // namespace
+}  // namespace roomgraph
