@@ -8,6 +8,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/CellVotes.h"
 
 namespace roomgraph {
@@ -53,24 +54,21 @@ class Merger {
   enum class Word { none, with, against };
 
   void setFrame() {
-    double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
-    const auto add = [&](Point p) {
-      x0 = std::min(x0, p.x), y0 = std::min(y0, p.y), x1 = std::max(x1, p.x),
-      y1 = std::max(y1, p.y);
-    };
+    Box box;
     for (const MergedRun& run : runs_)
       for (const Keyframe& scan : run.scans) {
-        add(scan.pose.shift());
-        for (const Point end : scan.ends) add(scan.pose(end));
+        box.include(scan.pose.shift());
+        for (const Point end : scan.ends) box.include(scan.pose(end));
       }
     const double side = options_.resolution;
-    const double width = (x1 - x0) / side + 4, height = (y1 - y0) / side + 4;
+    const double width = box.size().x / side + 4, height = box.size().y / side + 4;
     if (!(width * height < double(kMostCells)))
       throw DataError(
           "merge: the runs reach over more than 400 million cells: use a coarser resolution, or "
           "leave out what is far off");
     frame_.resolution = side;
-    frame_.origin = {side * (std::floor(x0 / side) - 1), side * (std::floor(y0 / side) - 1)};
+    frame_.origin = {side * (std::floor(box.low.x / side) - 1),
+                     side * (std::floor(box.low.y / side) - 1)};
     frame_.width = int(width), frame_.height = int(height);
   }
 
