@@ -38,4 +38,7 @@ constexpr int kWallsPerScan = 90;
 [[nodiscard]] std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames,
                                                int maxWalls = kWallsPerScan);
 
+/** The way driven up to each scan [m]. */
+[[nodiscard]] std::vector<double> drivenWays(const std::vector<ScanWalls>& scans);
+
 }  // namespace roomgraph
