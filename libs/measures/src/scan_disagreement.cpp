@@ -19,14 +19,6 @@ constexpr double kSameView = 2;           // between the places of two scans tha
 constexpr std::size_t kMaxVisits = 8;     // scans that one is compared with, nearest first
 constexpr std::size_t kMinMetWalls = 10;  // of these
 
-/** The path from the first scan to each [m]. */
-std::vector<double> pathsTo(const std::vector<ScanWalls>& scans) {
-  std::vector<double> paths;
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    paths.push_back(i == 0 ? 0 : paths.back() + distance(scans[i - 1].at(), scans[i].at()));
-  return paths;
-}
-
 /** The scans that see what this one sees, but at another time. */
 std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>& scans,
                                   const std::vector<double>& paths) {
@@ -59,7 +51,7 @@ void searchIn(const ScanWalls& scan, const WallPoint& wall, std::optional<double
 }  // namespace
 
 Figure scanDisagreement(const std::vector<ScanWalls>& scans) {
-  const std::vector<double> paths = pathsTo(scans);
+  const std::vector<double> paths = drivenWays(scans);
   std::vector<double> medians;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::vector<std::size_t> others = othersOf(i, scans, paths);

@@ -14,18 +14,10 @@ constexpr double kSameSpot = 1;       // farther apart, key frames are at two pl
 constexpr double kPathBetween = 10;   // less path between two is no way round [m]
 constexpr double kLeastSigma = 0.05;  // of where a consensus has key frames [m]
 
-/** The way driven up to each scan [m]. */
-std::vector<double> pathOf(const std::vector<ScanWalls>& scans) {
-  std::vector<double> path(scans.size());
-  for (std::size_t k = 1; k < scans.size(); ++k)
-    path[k] = path[k - 1] + distance(scans[k - 1].at(), scans[k].at());
-  return path;
-}
-
 }  // namespace
 
 std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Transform2D>& real) {
-  const std::vector<double> path = pathOf(run.scans);
+  const std::vector<double> path = drivenWays(run.scans);
   std::vector<Point> places;
   for (const Transform2D& pose : real) places.push_back(pose.shift());
   const NearPlaces near(places, kSameSpot);
