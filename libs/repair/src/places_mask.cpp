@@ -9,6 +9,8 @@
 #include "MaskCells.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/images/pgm_bytes.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/repair/CellVotes.h"
@@ -151,18 +153,14 @@ class Mask {
 
   GridFrame frameAround(const GridFrame& to, const std::vector<Bent>& bent) const {
     const double side = yaml_.resolution;
-    Point low = to.origin,
-          high = to.origin + to.resolution * Point{double(to.width), double(to.height)};
+    Box box{to.origin, to.origin + to.resolution * Point{double(to.width), double(to.height)}};
     for (const Bent& region : bent)
-      for (const auto& [corner, at] : region) {
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-      }
+      for (const auto& [corner, at] : region) box.include(at);
     GridFrame frame;
     frame.resolution = side;
-    frame.origin = {side * std::floor(low.x / side), side * std::floor(low.y / side)};
-    const double width = (high.x - frame.origin.x) / side + 1,
-                 height = (high.y - frame.origin.y) / side + 1;
+    frame.origin = {side * std::floor(box.low.x / side), side * std::floor(box.low.y / side)};
+    const double width = (box.high.x - frame.origin.x) / side + 1,
+                 height = (box.high.y - frame.origin.y) / side + 1;
     checkPictureSize(std::uint64_t(width), std::uint64_t(height), file_);
     frame.width = int(width), frame.height = int(height);
     return frame;
@@ -221,9 +219,8 @@ class Mask {
       const auto row = grey.begin() + std::ptrdiff_t(frame.index({0, y}));
       rows.insert(rows.end(), row, row + frame.width);
     }
-    if (!isPgm_) return pngBytes(rows, frame.width, frame.height);
-    return "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n" +
-           std::string(rows.begin(), rows.end());
+    return isPgm_ ? pgmBytes(rows, frame.width, frame.height)
+                  : pngBytes(rows, frame.width, frame.height);
   }
 
   std::string text_, file_;
