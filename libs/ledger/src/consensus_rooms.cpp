@@ -130,7 +130,7 @@ class Choosing {
   void cover(const RunAreas& run, std::size_t area) {
     for (const Cell c : cellsIn(run.shapes[area].polygon, site_.frame)) {
       const std::size_t i = site_.frame.index(c);
-      if (run.labels[i] == RunAreas::kFirst + area) isCovered_[i] = 1;
+      if (run.labels[i] == RunAreas::firstArea + area) isCovered_[i] = 1;
     }
   }
 

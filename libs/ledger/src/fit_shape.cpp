@@ -96,19 +96,19 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   const Motion2D motion(move.about(room.middle));
   const bool isStill = move.shift == Point{} && move.turn == 0;
   auto& [counts, met] = buffer;
-  counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::kFirst));
+  counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::firstArea));
   for (const Point p : room.samples) {
     const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
-    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::kUnknown;
+    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::unknown;
     if (counts[label] == 0) met.push_back(label);
     ++counts[label];
   }
   Footprint print;
   print.samples = double(room.samples.size());
-  print.known = print.samples - counts[RunAreas::kUnknown];
-  print.bare = counts[RunAreas::kFree];
+  print.known = print.samples - counts[RunAreas::unknown];
+  print.bare = counts[RunAreas::free];
   for (const std::uint16_t label : met)
-    if (label >= RunAreas::kFirst) print.in[label - RunAreas::kFirst] = counts[label];
+    if (label >= RunAreas::firstArea) print.in[label - RunAreas::firstArea] = counts[label];
   // A room meets few of the areas of a large site.
   for (const std::uint16_t label : met) counts[label] = 0;
   met.clear();

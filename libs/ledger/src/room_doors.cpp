@@ -21,7 +21,7 @@ bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
   for (const Point by :
        {Point{0, 0}, {kNearPlace, 0}, {-kNearPlace, 0}, {0, kNearPlace}, {0, -kNearPlace}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
-    if (cell >= run.labels.size() || run.labels[cell] == RunAreas::kUnknown) return false;
+    if (cell >= run.labels.size() || run.labels[cell] == RunAreas::unknown) return false;
   }
   return true;
 }
