@@ -7,10 +7,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kArea = 10;  // of the site [m2]
-constexpr double kRooms = 3;
-constexpr double kCount = 10;   // vertices, paths, pairs of vertices, or scans
-constexpr double kLength = 20;  // of paths [m]
+constexpr double kArea = 10;   // of the site [m2]
+constexpr double kCount = 10;  // vertices, paths, pairs of vertices, or scans
 
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
@@ -82,7 +80,7 @@ std::vector<MeasureRow> wallPlaceRows() {
 }
 
 std::vector<MeasureRow> roomRows() {
-  return {{{"rooms_matched", "Rooms found again", "1", kRooms,
+  return {{{"rooms_matched", "Rooms found again", "1", 3,
             "Of the rooms of the others that it has seen, the share it has, too."},
            [](const SiteEvidence& all, std::size_t run) {
              return roomsMatchedOf(all.rooms, all.trust, run);
@@ -123,7 +121,7 @@ GraphFigure consistencyOver(std::size_t hops) {
 
 std::vector<MeasureRow> graphRows() {
   using Graphs = GraphComparison;
-  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", kLength,
+  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", 20,
                     "Of the path length of the others, the share it has, too."},
                    {[](const Graphs& g, bool isA) { return isA ? g.coverageOfA : g.coverageOfB; }}),
           rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kCount,
