@@ -23,9 +23,6 @@ struct Look {
 constexpr Look kGlance{{0.6, 0.4, 4}, 100, 0.2, 150};      // at each hypothesis
 constexpr Look kCloserLook{{0.4, 0.3, 3}, 250, 0.2, 400};  // at the best of them
 
-constexpr double kNoRunnerUp = -4;  // its log odds
-constexpr double kMuchBetter = 6;   // the best pose's score where it is alone
-
 void sortByScore(std::vector<AlignmentCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& l, const auto& r) { return l.score > r.score; });
@@ -77,8 +74,8 @@ bool cannotBeToldApart(const WallMap& l, const WallMap& r) {
 
 void judge(Alignment& result) {
   const double odds = sameSiteLogOdds(result.best->evidence);
-  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : kNoRunnerUp;
-  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : kMuchBetter;
+  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : -HUGE_VAL;
+  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : HUGE_VAL;
   result.siteConfidence = probability(odds);
   result.isSameSite = result.siteConfidence >= fitted::kMinSameSite;
   result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);

@@ -13,7 +13,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kMapReach = 0.7;  // walls farther away are not looked for [m]
-constexpr double kNextWall = 0.6;  // between neighbouring walls of a scan [m]
 
 GridFrame frameAround(const std::vector<WallPoint>& walls, const std::vector<Point>& robots) {
   Box box;
@@ -88,7 +87,7 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
       if (w + 1 == ends[i]) continue;
       const Point next = map.walls[w + 1].place;
       const double gap = distance(here, next);
-      if (gap > kNextWall) continue;
+      if (gap > 2 * kSameSurface) continue;
       for (int step = 1; step * kWallCell < gap; ++step)
         clearBeam(map, robots[i], here + (step * kWallCell / gap) * (next - here));
     }

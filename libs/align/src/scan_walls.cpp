@@ -7,7 +7,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameSurface = 0.3;  // between the ends of neighbouring beams, at 4 m [m]
 constexpr double kSurfaceRange = 4;
 
 std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {

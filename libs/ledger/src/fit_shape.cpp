@@ -10,7 +10,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kRaster = 0.5;      // of the search round a start [m]
 constexpr double kFirstTurn = 0.07;  // of the refinement [rad]
 constexpr int kHalvings = 4;
 constexpr double kMoveCost = 0.03;     // per metre from the start
@@ -80,10 +79,11 @@ class Search {
 };
 
 void searchRound(const RoomMove& start, double reach, Search& search) {
-  const int count = int(reach / kRaster);
+  const double raster = kNearSearch.reach;
+  const int count = int(reach / raster);
   for (int y = -count; y <= count; ++y)
     for (int x = -count; x <= count; ++x) {
-      const Point by{x * kRaster, y * kRaster};
+      const Point by{x * raster, y * raster};
       if ((x != 0 || y != 0) && norm(by) <= reach + 1e-9)
         search.look({start.shift + by, start.turn}, start);
     }

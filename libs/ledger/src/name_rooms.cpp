@@ -17,8 +17,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kInPlace = 0.5;  // [m]
-
 template <class Room>
 Room moved(Room room, const Transform2D& pose) {
   const Motion2D motion(pose);
@@ -128,7 +126,7 @@ Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const 
   for (std::size_t s = 0; s < set.shapes.size(); ++s) {
     const AreaMatch& match = found.matches[s];
     all += set.shapes[s].area;
-    if (match.isMatched() && match.overlap > 0.5 && norm(match.move.shift) < kInPlace)
+    if (match.isMatched() && match.overlap > 0.5 && norm(match.move.shift) < kNearSearch.reach)
       inPlace += set.shapes[s].area;
   }
   found.area = inPlace / std::max(1e-9, std::min(all, before));

@@ -9,7 +9,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
-constexpr double kNearPlace = 0.3;                    // a place is known where all round it is [m]
 
 /** A door and who has it. */
 struct Group {
@@ -17,9 +16,10 @@ struct Group {
   std::vector<bool> isIn;
 };
 
+/** Whether a run knows all round a place, as far as maps bend. */
 bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
-  for (const Point by :
-       {Point{0, 0}, {kNearPlace, 0}, {-kNearPlace, 0}, {0, kNearPlace}, {0, -kNearPlace}}) {
+  const double near = 2 * kSameWall;
+  for (const Point by : {Point{0, 0}, {near, 0}, {-near, 0}, {0, near}, {0, -near}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
     if (cell >= run.labels.size() || run.labels[cell] == RunAreas::unknown) return false;
   }

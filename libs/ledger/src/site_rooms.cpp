@@ -10,6 +10,7 @@
 #include "consensus_rooms.h"
 #include "room_doors.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
@@ -19,7 +20,6 @@ namespace {
 constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same
 constexpr double kComplete = 0.8;       // known share from which on its size can be compared
 constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
-constexpr double kOutlineTolerance = 0.05;  // of the outlines in the result [m]
 
 /** Whether a run has all of a room, as one area that is no other room's, too. */
 bool isClean(const AreaMatch& match) {
@@ -82,7 +82,7 @@ class Ledger {
 
   SiteRoom room() const {
     SiteRoom result;
-    result.polygon = simplified(shape_.polygon, kOutlineTolerance);
+    result.polygon = simplified(shape_.polygon, kWallCell / 2);
     result.center = shape_.middle;
     result.isCorridor = isCorridor();
     result.area = areaMedian();

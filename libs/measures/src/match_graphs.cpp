@@ -15,13 +15,12 @@ namespace roomgraph {
 namespace {
 
 // What speaks against a pair, in metres of distance.
-constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerMetre = 0.5;
+constexpr double kOtherKind = 0.3, kPerMetre = 0.5;
 constexpr double kUnlike = 1.0, kGrown = -0.3;
 constexpr int kMostExits = 3;
-constexpr double kFollowReach = 5;  // of a patch whose pose places a vertex [m]
-constexpr double kMaxSeed = 1;      // of vertices that are matched by their place [m]
-constexpr double kMaxGrown = 1.5;   // of neighbours of matched vertices [m]
-constexpr double kMaxUnlike = 0.5;  // of vertices that neither look alike nor have matched ways [m]
+constexpr double kFollowReach = 5;   // of a patch whose pose places a vertex [m]
+constexpr double kMaxSeed = 1;       // of vertices that are matched by their place [m]
+constexpr double kMaxGrown = 1.5;    // of neighbours of matched vertices [m]
 constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
 
 /** Where each vertex lies in the other map: once for each copy of the walls beside it. */
@@ -102,7 +101,7 @@ class Matcher {
     }
     std::vector<VertexMatch> matches;
     for (const auto& found : ofA_)
-      if (found && (found->mayStand || found->distance <= kMaxUnlike))
+      if (found && (found->mayStand || found->distance <= kMaxSeed / 2))
         matches.push_back({VertexId(found->a), VertexId(found->b), found->distance});
     return matches;
   }
@@ -113,7 +112,7 @@ class Matcher {
     const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
     if ((v.kind == VertexKind::room) != (w.kind == VertexKind::room)) return std::nullopt;
     const int exits = std::abs(int(a_.degree(VertexId(i))) - int(b_.degree(VertexId(j))));
-    return (v.kind == w.kind ? 0 : kOtherKind) + kOneExit * std::min(exits, kMostExits) +
+    return (v.kind == w.kind ? 0 : kOtherKind) + kOtherKind / 2 * std::min(exits, kMostExits) +
            kPerMetre * std::min(1.0, std::abs(v.clearance - w.clearance));
   }
 

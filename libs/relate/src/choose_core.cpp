@@ -4,13 +4,13 @@
 #include <unordered_set>
 
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/shares_drive.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kMuch = 0.02;     // of the places worth seeing, that one more run must add
-constexpr std::size_t kTwice = 2;  // runs that should have seen a place
+constexpr double kMuch = 0.02;  // of the places worth seeing, that one more run must add
 
 class Choosing {
  public:
@@ -20,7 +20,7 @@ class Choosing {
     for (const SeenPlaces& places : seen)
       for (const std::int64_t place : places) ++all[place];
     for (const auto& [place, count] : all)
-      if (count >= kTwice) worth_.insert(place);
+      if (count >= kFewestOthers) worth_.insert(place);
   }
 
   std::vector<std::size_t> chosen(std::size_t count, std::size_t fixed) {
@@ -73,7 +73,7 @@ class Choosing {
     const SeenPlaces& places = seen_[run];
     return std::size_t(std::count_if(places.begin(), places.end(), [&](std::int64_t place) {
       const auto count = counts_.find(place);
-      return worth_.count(place) > 0 && (count == counts_.end() || count->second < kTwice);
+      return worth_.count(place) > 0 && (count == counts_.end() || count->second < kFewestOthers);
     }));
   }
 

@@ -25,8 +25,8 @@ FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kUnlikely = 0.2;  // confidence below which an answer counts for nothing
-constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
+constexpr double kUnlikely = 0.2;       // confidence below which an answer counts for nothing
+constexpr std::size_t kMostOthers = 4;  // poses of a map in the hub: pieces; answers but the first
 
 constexpr double kClearlyMirrored = 0.7;  // how much better the mirror image must score: in pairs
                                           // of sound maps it scores less by 0.9 or more
@@ -79,7 +79,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const WallMap& ma
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
   std::vector<Transform2D> poses;
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i)
+  for (std::size_t i = 0; i < std::min(pieces.size(), kMostOthers); ++i)
     poses.push_back(pieces[i].pose);
   return poses;
 }
@@ -90,7 +90,7 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const WallMap& map
   std::vector<Transform2D> poses{hubAndMap.alignment.pose};
   if (!isSure(hubAndMap))
     for (const Transform2D& pose : hubAndMap.alignment.poses) {
-      if (poses.size() == kMostAnswers) break;
+      if (poses.size() > kMostOthers) break;
       if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
             return areNear(known, pose, map.middle(), kSameAnswer);
           }))

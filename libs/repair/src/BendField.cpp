@@ -12,8 +12,8 @@ namespace {
 constexpr double kEarshot = 12;   // a node says nothing of places farther away [m]
 constexpr double kBlend = 1;      // over so much the word passes from node to node [m]
 constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
-// Who marks a place may mean what a node this near has drawn, or one farther off that sees it [m].
-constexpr double kMeant = 3, kMeantInSight = 6;
+// Who marks a place may mean what a node this near has drawn, or one twice as far off that sees it [m].
+constexpr double kMeant = 3;
 
 /** The mean of poses that say about the same. */
 template <class Words>
@@ -117,7 +117,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
   const double most = support(first), heaviest = first.weight;
   Carried carried;
   for (const Word& word : words)
-    if (word.distance < (word.isSeen ? kMeantInSight : kMeant))
+    if (word.distance < (word.isSeen ? 2 : 1) * kMeant)
       carried.rival = std::max(carried.rival, distance(word.pose.shift(), about.shift()));
   words.erase(std::remove_if(words.begin(), words.end(),
                              [&](const Word& word) {

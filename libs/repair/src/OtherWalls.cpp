@@ -1,13 +1,13 @@
 #include "OtherWalls.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace roomgraph {
 namespace {
 
 constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
-constexpr double kRange = 15;         // of the walls of those [m]
 
 }  // namespace
 
@@ -30,7 +30,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
   }
   std::vector<std::size_t> all(scans.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  if (!all.empty()) map_ = scanMap(scans, poses, all, kRange);
+  if (!all.empty()) map_ = scanMap(scans, poses, all, HUGE_VAL);
 }
 
 }  // namespace roomgraph

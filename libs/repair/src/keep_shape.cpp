@@ -9,7 +9,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kNeighbours = 8;
-constexpr int kPasses = 10;  // shreds are narrow: few are enough
 
 /** The nearest others of each place, from the nearest on. */
 std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
@@ -35,7 +34,8 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
 std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses) {
   const auto neighbours = neighboursOf(were);
   std::vector<bool> hasMoved(were.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
+  // Shreds are narrow: few passes are enough.
+  for (std::size_t pass = 0; pass < kNeighbours; ++pass) {
     const std::vector<Transform2D> before = poses;
     bool isDone = true;
     for (std::size_t i = 0; i < were.size(); ++i) {

@@ -9,10 +9,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDrawsAt = 5;               // [m]
-constexpr std::size_t kMostCandidates = 60;  // frames that are tried
-constexpr double kPerMedian = 1.4826;        // standard deviation of normal errors
-constexpr double kWithin = 2.5;              // standard deviations
+constexpr double kDrawsAt = 5;         // [m]
+constexpr double kPerMedian = 1.4826;  // standard deviation of normal errors
+constexpr double kWithin = 2.5;        // standard deviations
 
 std::vector<double> distances(const std::vector<Transform2D>& were,
                               const std::vector<Transform2D>& real, const Transform2D& frame) {
@@ -44,7 +43,7 @@ double poseDistance(const Transform2D& l, const Transform2D& r) {
 Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real) {
   Transform2D best;
   double least = HUGE_VAL;
-  const std::size_t step = were.size() / kMostCandidates + 1;
+  const std::size_t step = were.size() / kProbes + 1;
   for (std::size_t k = 0; k < were.size(); k += step) {
     const Transform2D frame = were[k] * real[k].inverse();
     const double middle = median(distances(were, real, frame));

@@ -30,6 +30,10 @@ struct ScanWalls {
   }  ///< where the robot was [m, frame of the run]
 };
 
+/** Ends of neighbouring beams this near to each other are of one wall, up to 4 m away; farther off
+ *  so much more [m]. */
+constexpr double kSameSurface = 0.3;
+
 /** Of a scan that is compared with maps; more would tell no more. */
 constexpr int kWallsPerScan = 90;
 

@@ -1,9 +1,13 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
+
+/** So many scans of a run, about, stand for all of them where each takes long. */
+constexpr std::size_t kProbes = 60;
 
 // Ours
 // In:   poses as a run has them, and where they really lie
