@@ -4,16 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMargin = 0.5;    // [m]
-constexpr double kMaxCells = 1e6;  // of a site; a larger one has larger cells
-constexpr double kLeastWeight = 0.1;
 
 Ring moved(Ring ring, const Motion2D& motion) {
   for (Point& p : ring) p = motion(p);
@@ -81,9 +78,9 @@ GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
   for (const Polygon* polygon : polygons)
     for (const Point p : polygon->outer) box.include(p);
   if (box.isEmpty()) return {0, 0, kWallCell, {}};
-  box = box.widened(kMargin);
+  box = box.widened(fitted::kMargin);
   const Point size = box.size();
-  const double cell = std::max(kWallCell, std::sqrt(size.x * size.y / kMaxCells));
+  const double cell = std::max(kWallCell, std::sqrt(size.x * size.y / fitted::kMaxCells));
   return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
 }
 
@@ -107,7 +104,7 @@ SiteAreas siteAreas(const Site& site, const Trust& trust) {
   const bool isTrusted = std::any_of(trust.begin(), trust.end(), [](double of) { return of > 0; });
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     RunAreas run;
-    run.weight = isTrusted ? std::max(kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
+    run.weight = isTrusted ? std::max(fitted::kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
     run.labels.assign(result.frame.cellCount(), RunAreas::unknown);
     markKnown(site.runs[i]->map, site.poses[i], result.frame, run);
     addShapes(areas[i], result.frame, run);

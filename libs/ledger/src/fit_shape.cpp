@@ -4,17 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kFirstTurn = 0.07;  // of the refinement [rad]
-constexpr int kHalvings = 4;
-constexpr double kMoveCost = 0.03;     // per metre from the start
-constexpr double kLeastOverlap = 0.1;  // below which a fit is none
-constexpr std::size_t kMostAreas = 3;  // that a room may be
 
 /** The best of each area so far. */
 class Search {
@@ -35,7 +30,7 @@ class Search {
     if (print.known < kMajority * print.samples) return;
     for (const auto& [area, common] : print.in) {
       const double overlap = overlapOf(print, area, common);
-      const double value = overlap - kMoveCost * norm(move.shift - start.shift);
+      const double value = overlap - fitted::kMoveCost * norm(move.shift - start.shift);
       Found& best = found_[area];
       if (value > best.value) best = {{move, overlap}, start, value};
     }
@@ -49,8 +44,8 @@ class Search {
 
   /** Walks from the best move of `area` to better ones. */
   void refine(std::size_t area) {
-    double step = kFirstStep, turn = kFirstTurn;
-    for (int halving = 0; halving < kHalvings;) {
+    double step = kFirstStep, turn = fitted::kFirstTurn;
+    for (int halving = 0; halving < fitted::kHalvings;) {
       const Found before = found_[area];
       const RoomMove& at = before.fit.move;
       for (const RoomMove& by :
@@ -130,9 +125,9 @@ std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame&
     for (const RoomMove& start : starts) searchRound(start, how.reach, search);
   std::vector<std::pair<double, std::size_t>> areas;  // -overlap, area
   for (const auto& [area, found] : search.found())
-    if (found.fit.overlap >= kLeastOverlap) areas.emplace_back(-found.fit.overlap, area);
+    if (found.fit.overlap >= fitted::kLeastOverlap) areas.emplace_back(-found.fit.overlap, area);
   std::sort(areas.begin(), areas.end());
-  if (areas.size() > kMostAreas) areas.resize(kMostAreas);
+  if (areas.size() > fitted::kMostAreas) areas.resize(fitted::kMostAreas);
   std::map<std::size_t, ShapeFit> fits;
   for (const auto& [overlap, area] : areas) {
     if (how.isRefined) search.refine(area);

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
 
 /** A door and who has it. */
 struct Group {
@@ -65,7 +64,8 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const double far = distance(doors[d].place, groups[g].door.place);
       const bool isSameTo = doors[d].to && doors[d].to == groups[g].door.to;
-      if (far <= (isSameTo ? kSameDoorTo : kSameDoor)) offers.emplace_back(far, d, g);
+      if (far <= (isSameTo ? fitted::kSameDoorTo : fitted::kSameDoor))
+        offers.emplace_back(far, d, g);
     }
   std::sort(offers.begin(), offers.end());
   std::vector<bool> isJoined(doors.size());

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "fitted_measures.h"
 #include "map_measures.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kArea = 10;  // of the site [m2]
 
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
@@ -32,7 +31,7 @@ MeasureRow ofSightings(const MeasureKind& kind,
 
 std::vector<MeasureRow> wallRows() {
   return {
-      {{"coverage", "Coverage", "1", kArea,
+      {{"coverage", "Coverage", "1", fitted::kArea,
         "Of what two runs have seen free, the share it has seen."},
        [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
        {}},
@@ -85,7 +84,7 @@ std::vector<MeasureRow> roomRows() {
              return roomsMatchedOf(all.rooms, all.trust, run);
            },
            {}},
-          {{"room_coverage", "Room area of the others that it has", "1", kArea,
+          {{"room_coverage", "Room area of the others that it has", "1", fitted::kArea,
             "Of the area of all rooms of the others, the share in rooms that it has, too."},
            [](const SiteEvidence& all, std::size_t run) {
              return roomCoverageOf(all.rooms, all.trust, run);

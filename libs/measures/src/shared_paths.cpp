@@ -7,14 +7,11 @@
 #include <queue>
 #include <tuple>
 
+#include "fitted_measures.h"
 #include "roomgraph/base/OneToOne.h"
 
 namespace roomgraph {
 namespace {
-
-// By how much the lengths of one way may differ: always this, and this share of the longer one.
-constexpr double kLengthSlack = 0.5, kLengthShare = 0.25;  // [m]
-constexpr double kMaxPathLength = 20;  // of a way through vertices that are not matched [m]
 
 /** Of each vertex the match that it is part of. */
 using MatchOf = std::vector<std::optional<std::size_t>>;
@@ -60,7 +57,7 @@ class WaysOut {
       for (const HalfEdgeId h : graph_.outgoing(v)) {
         const VertexId to = graph_.target(h);
         const double next = length + graph_.edge(h).path.length;
-        if (next > kMaxPathLength || next >= length_[to.index()]) continue;
+        if (next > fitted::kMaxPathLength || next >= length_[to.index()]) continue;
         if (length_[to.index()] == HUGE_VAL) reached_.push_back(to);
         length_[to.index()] = next, before_[to.index()] = h;
         queue.push({next, to});
@@ -125,7 +122,7 @@ void matchEdges(const TopologyGraph& a, const TopologyGraph& b, Ends ends,
 }  // namespace
 
 bool isSameLength(double a, double b) {
-  return std::abs(a - b) <= std::max(kLengthSlack, kLengthShare * std::max(a, b));
+  return std::abs(a - b) <= std::max(fitted::kLengthSlack, fitted::kLengthShare * std::max(a, b));
 }
 
 std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& b,

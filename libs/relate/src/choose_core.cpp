@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/shares_drive.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMuch = 0.02;  // of the places worth seeing, that one more run must add
 
 class Choosing {
  public:
@@ -28,7 +27,8 @@ class Choosing {
     chooseInOrder(count * 2 / 3, Drives::distinct);
     while (chosen_.size() < 2 * count) {
       const std::size_t next = addingMost();
-      if (next == runs_.size() || double(addedBy(next)) < kMuch * double(worth_.size())) break;
+      if (next == runs_.size() || double(addedBy(next)) < fitted::kMuch * double(worth_.size()))
+        break;
       choose(next);
     }
     chooseInOrder(count, Drives::distinct);

@@ -4,13 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "fitted_repair.h"
+
 namespace roomgraph {
-namespace {
-
-constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
-
-}  // namespace
-
 OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
                        const std::vector<Point>& places) {
   std::vector<LocalScan> scans;
@@ -21,7 +17,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
     const std::vector<Transform2D> real = solved.posesOf(i);
     for (std::size_t k = 0; k < local.size(); ++k) {
       if (std::none_of(places.begin(), places.end(), [&](Point place) {
-            return distance(place, real[k].shift()) < kTellsOfPlace;
+            return distance(place, real[k].shift()) < fitted::kTellsOfPlace;
           }))
         continue;
       scans.push_back(local[k]);

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "fitted_repair.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kNeighbours = 8;
 
 /** The nearest others of each place, from the nearest on. */
 std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
@@ -17,7 +16,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
   for (const Transform2D& place : places) {
     std::iota(others.begin(), others.end(), std::size_t(0));
     const auto far = [&](std::size_t k) { return squaredNorm(places[k].shift() - place.shift()); };
-    const std::size_t count = std::min(kNeighbours + 1, others.size());
+    const std::size_t count = std::min(fitted::kNeighbours + 1, others.size());
     std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(count), others.end(),
                       [&](std::size_t l, std::size_t r) {
                         return std::make_pair(far(l), l) < std::make_pair(far(r), r);
@@ -35,7 +34,7 @@ std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Tr
   const auto neighbours = neighboursOf(were);
   std::vector<bool> hasMoved(were.size());
   // Shreds are narrow: few passes are enough.
-  for (std::size_t pass = 0; pass < kNeighbours; ++pass) {
+  for (std::size_t pass = 0; pass < fitted::kNeighbours; ++pass) {
     const std::vector<Transform2D> before = poses;
     bool isDone = true;
     for (std::size_t i = 0; i < were.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "MaskCells.h"
+#include "fitted_repair.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/geometry/Polygon.h"
@@ -17,8 +18,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr double kBlock = 0.5;  // side of the squares whose corners are carried [m]
 
 /** A mask as it was read. */
 class Mask {
@@ -42,7 +41,7 @@ class Mask {
                          [](const auto& l, const auto& r) { return l.second < r.second; });
     background_ = most == empty.end() ? greys_.free() : most->first;
     regions_ = maskRegions(picture_.frame, isMarked);
-    block_ = std::max(1, int(std::lround(kBlock / yaml_.resolution)));
+    block_ = std::max(1, int(std::lround(fitted::kBlock / yaml_.resolution)));
   }
 
   MarkedFile marked() const {
