@@ -44,14 +44,14 @@ viz::CSetOfObjects::Ptr setNamed(const char* name) {
 /** Of all that is drawn, as the screen has it. */
 Box boxOf(const View& view) {
   if (view.graph) return drawnBox(*view.graph);
-  std::vector<Point> places;
+  Box box;
   for (const ComparedRun& run : view.comparison.runs) {
     const Motion2D move(view.onScreen() * run.pose);
     if (const Run* map = view.runNamed(run.name))
-      for (const WallPoint& wall : map->map.walls) places.push_back(move(wall.place));
-    for (const PathPose& at : run.path) places.push_back(view.onScreen()(at.pose.shift()));
+      for (const WallPoint& wall : map->map.walls) box.include(move(wall.place));
+    for (const PathPose& at : run.path) box.include(view.onScreen()(at.pose.shift()));
   }
-  return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
+  return box.isEmpty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : box;
 }
 
 void addScan(const ScanWalls& scan, const Transform2D& pose, viz::CPointCloud& cloud) {
@@ -280,9 +280,7 @@ Box ViewScene::boxAt(const MapBreak& tear) const {
   std::vector<Point> places{tear.place};
   if (tear.torn) places = {tear.torn->drawn.shift(), tear.torn->untorn.shift(), tear.place};
   for (Point& place : places) place = view_.onScreen()(place);
-  Box box = boundingBox(places);
-  constexpr double margin = 8;  // what a scan shows round the robot [m]
-  return {box.low - Point{margin, margin}, box.high + Point{margin, margin}};
+  return boundingBox(places).widened(8);  // what a scan shows round the robot [m]
 }
 
 }  // namespace roomgraph

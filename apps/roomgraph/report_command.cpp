@@ -12,12 +12,11 @@
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/report/comparison_json.h"
+#include "roomgraph/report/comparison_sentences.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kMostNames = 4;
 
 struct ReportArguments {
   std::string comparison;

@@ -5,7 +5,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::uint32_t kNone = SparseIndices::kNone;
+constexpr std::uint32_t kNone = kNoIndex;
 
 void expectHolds(const std::vector<std::uint32_t>& cells) {
   const SparseIndices sparse(cells);

@@ -27,7 +27,7 @@ TEST(WallPatches, whatIsAroundIsInReachAndNotTooMuch) {
     EXPECT_LE(patch.around.size(), std::size_t(kMaxAround));
     EXPECT_FALSE(patch.around.empty());
     for (const std::uint32_t i : patch.around)
-      EXPECT_LE(distance(buildingWalls()[i].place, patch.middle), kPatchReach);
+      EXPECT_LE(distance(buildingWalls()[i].place, patch.middle), 2 * kPatchSide);
   }
 }
 

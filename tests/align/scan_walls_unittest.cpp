@@ -68,5 +68,12 @@ TEST(ScanWalls, emptyScansStay) {
   EXPECT_TRUE(scans[0].walls.empty());
 }
 
+TEST(ScanWalls, theWayDrivenGrowsFromScanToScan) {
+  std::vector<ScanWalls> scans(3);
+  scans[1].pose = {3, 4, 1}, scans[2].pose = {3, 2, 0};
+  EXPECT_EQ(drivenWays(scans), (std::vector<double>{0, 5, 7}));
+  EXPECT_TRUE(drivenWays({}).empty());
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -56,7 +56,7 @@ TEST(WallMap, theNearestWallIsThatOfPlainSearch) {
         if (dot(wall.normal, axis) > M_SQRT1_2)
           nearest = std::min(nearest, distance(wall.place, at));
       const std::uint32_t wall = map.nearest[std::size_t(octant)][i];
-      if (wall == WallMap::kNoWall) {
+      if (wall == kNoIndex) {
         EXPECT_GT(nearest, WallMap::kReach - 0.05) << i << ' ' << octant;
         continue;
       }

@@ -80,6 +80,19 @@ TEST(Polygon, boxHoldsAllPoints) {
   EXPECT_FALSE(box.contains({1.1, 9}));
 }
 
+TEST(Polygon, aBoxGrowsFromNothing) {
+  EXPECT_TRUE(boundingBox({}).isEmpty());
+  Box box;
+  EXPECT_FALSE(box.contains({0, 0}));
+  box.include({2, 3});
+  EXPECT_FALSE(box.isEmpty());
+  EXPECT_EQ(box.size(), (Point{0, 0}));
+  box.include({-1, 5});
+  EXPECT_EQ(box.size(), (Point{3, 2}));
+  EXPECT_EQ(box.widened(1).low, (Point{-2, 2}));
+  EXPECT_EQ(box.widened(1).high, (Point{3, 6}));
+}
+
 /** A ragged ring about a place; star-shaped, so that it does not cross itself. */
 Ring ragged(std::mt19937& random, Point middle, double largest) {
   const auto number = [&](double low, double high) {

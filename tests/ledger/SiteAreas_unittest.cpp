@@ -48,9 +48,9 @@ TEST(SiteAreas, cellsAreLabelledByTheAreaTheyLieIn) {
   const RunAreas run = drawnAreas(threeRooms());
   const GridFrame frame = frameOf(threeRooms());
   const auto labelAt = [&](Point p) { return run.labels[frame.index(frame.cellAt(p))]; };
-  EXPECT_EQ(labelAt({2, 6}), RunAreas::kFirst + 0);
-  EXPECT_EQ(labelAt({8, 4}), RunAreas::kFirst + 3);
-  EXPECT_EQ(labelAt({0.2, 0.2}), RunAreas::kOccupied);
+  EXPECT_EQ(labelAt({2, 6}), RunAreas::firstArea + 0);
+  EXPECT_EQ(labelAt({8, 4}), RunAreas::firstArea + 3);
+  EXPECT_EQ(labelAt({0.2, 0.2}), RunAreas::occupied);
 }
 
 /** Runs of the drawn house in frames of their own. */
@@ -82,9 +82,9 @@ TEST(SiteAreas, runsInFramesOfTheirOwnAreLaidOnEachOther) {
     }
     std::size_t same = 0, known = 0;
     for (std::size_t i = 0; i < run.labels.size(); ++i) {
-      known += areas.runs[0].labels[i] != RunAreas::kUnknown;
+      known += areas.runs[0].labels[i] != RunAreas::unknown;
       same +=
-          areas.runs[0].labels[i] != RunAreas::kUnknown && run.labels[i] == areas.runs[0].labels[i];
+          areas.runs[0].labels[i] != RunAreas::unknown && run.labels[i] == areas.runs[0].labels[i];
     }
     EXPECT_GT(double(same), 0.93 * double(known)) << "but for cells at the walls";
   }
@@ -116,7 +116,7 @@ TEST(SiteAreas, aRunWithoutAreasStillTellsWhatIsFree) {
   const SiteAreas areas = siteAreas(houses.site, {1, 1, 1});
   EXPECT_TRUE(areas.runs[1].shapes.empty());
   const auto free =
-      std::count(areas.runs[1].labels.begin(), areas.runs[1].labels.end(), RunAreas::kFree);
+      std::count(areas.runs[1].labels.begin(), areas.runs[1].labels.end(), RunAreas::free);
   EXPECT_GT(free, 1000);
 }
 

@@ -56,9 +56,9 @@ inline RunAreas drawnAreas(const std::vector<std::string>& rows,
   run.weight = weight;
   for (std::size_t i = 0; i < frame.cellCount(); ++i) {
     const char letter = letterAt({int(i) % frame.width, int(i) / frame.width});
-    if (letter == '#') run.labels[i] = RunAreas::kOccupied;
-    if (letter == '.') run.labels[i] = RunAreas::kFree;
-    if (letter == ' ') run.labels[i] = RunAreas::kUnknown;
+    if (letter == '#') run.labels[i] = RunAreas::occupied;
+    if (letter == '.') run.labels[i] = RunAreas::free;
+    if (letter == ' ') run.labels[i] = RunAreas::unknown;
   }
   return run;
 }
@@ -74,8 +74,8 @@ inline RunAreas reordered(const RunAreas& run, const std::vector<std::size_t>& o
     for (AreaDoor& door : other.doors[i]) door.to = placeOf[door.to];
   }
   for (std::uint16_t& label : other.labels)
-    if (label >= RunAreas::kFirst)
-      label = std::uint16_t(RunAreas::kFirst + placeOf[label - RunAreas::kFirst]);
+    if (label >= RunAreas::firstArea)
+      label = std::uint16_t(RunAreas::firstArea + placeOf[label - RunAreas::firstArea]);
   return other;
 }
 

@@ -69,7 +69,7 @@ TEST(WallDistances, areThoseToTheNearestWallThatFacesTheSameWay) {
     if (!building().frame.contains(cell) ||
         building().states[building().frame.index(cell)] == State::unknown)
       continue;
-    double nearest = WallDistances::kMost;
+    double nearest = WallMap::kReach;
     for (const WallPoint& other : building().walls)
       if (dot(other.normal, normal) > 0.7) nearest = std::min(nearest, distance(other.place, at));
     sum += nearest, ++count;
@@ -96,7 +96,7 @@ TEST(WallDistances, quantilesRiseAndTheHistogramHoldsAll) {
   for (const double share : {0.0, 0.25, 0.5, 0.75, 0.9, 1.0}) {
     const double value = found.quantile(share);
     EXPECT_GE(value, last) << share;
-    EXPECT_LE(value, WallDistances::kMost + WallDistances::kStep);
+    EXPECT_LE(value, WallMap::kReach + WallDistances::kStep);
     last = value;
   }
   for (const double count : found.histogram) all += count;
@@ -106,9 +106,9 @@ TEST(WallDistances, quantilesRiseAndTheHistogramHoldsAll) {
 TEST(WallDistances, aWallWithNoneInReachIsAsFarAsCanBe) {
   WallMap blank = building();
   for (auto& nearest : blank.nearest)
-    nearest = SparseIndices(std::vector<std::uint32_t>(blank.frame.cellCount(), WallMap::kNoWall));
+    nearest = SparseIndices(std::vector<std::uint32_t>(blank.frame.cellCount(), kNoIndex));
   const WallDistances found = wallDistances(building(), blank, {0.01, 0, 0});
-  EXPECT_DOUBLE_EQ(found.mean(), WallDistances::kMost);
+  EXPECT_DOUBLE_EQ(found.mean(), WallMap::kReach);
 }
 
 }  // namespace

@@ -48,14 +48,14 @@ WallPatches wallPatches(const std::vector<WallPoint>& walls) {
   WallPatches patches(squares.size());
   for (std::uint32_t i = 0; i < walls.size(); ++i)
     patches[squares.at(squareOf[i])].own.push_back(i);
-  const int by = int(std::ceil(kPatchReach / kPatchSide)) + 1;
+  const double reach = 2 * kPatchSide;
   for (const auto& [square, index] : squares) {
     WallPatch& patch = patches[index];
     patch.middle = meanOf(walls, patch.own);
     std::vector<std::uint32_t> around;
-    forSquaresAround(squares, square, by, [&](std::uint32_t other) {
+    forSquaresAround(squares, square, 3, [&](std::uint32_t other) {
       for (const std::uint32_t i : patches[other].own)
-        if (distance(walls[i].place, patch.middle) <= kPatchReach) around.push_back(i);
+        if (distance(walls[i].place, patch.middle) <= reach) around.push_back(i);
     });
     std::sort(around.begin(), around.end());
     patch.around = evenly(around, kMaxAround);

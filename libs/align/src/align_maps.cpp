@@ -14,18 +14,14 @@ namespace {
 
 /** How closely a pose is looked at. */
 struct Look {
-  NarrowingBand band;
-  int refinePoints;
-  double noise;
-  int verifyPoints;
+  NarrowingBand band = kFineBand;
+  int refinePoints = kFinePoints;
+  double noise = kWallNoise;
+  int verifyPoints = kVerifyPoints;
 };
 
 constexpr Look kGlance{{0.6, 0.4, 4}, 100, 0.2, 150};      // at each hypothesis
 constexpr Look kCloserLook{{0.4, 0.3, 3}, 250, 0.2, 400};  // at the best of them
-constexpr Look kLastLook{kFineBand, kFinePoints, kWallNoise, kVerifyPoints};
-
-constexpr double kNoRunnerUp = -4;  // its log odds
-constexpr double kMuchBetter = 6;   // the best pose's score where it is alone
 
 void sortByScore(std::vector<AlignmentCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -78,8 +74,8 @@ bool cannotBeToldApart(const WallMap& l, const WallMap& r) {
 
 void judge(Alignment& result) {
   const double odds = sameSiteLogOdds(result.best->evidence);
-  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : kNoRunnerUp;
-  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : kMuchBetter;
+  const double other = result.runnerUp ? sameSiteLogOdds(result.runnerUp->evidence) : -HUGE_VAL;
+  const double margin = result.runnerUp ? result.best->score - result.runnerUp->score : HUGE_VAL;
   result.siteConfidence = probability(odds);
   result.isSameSite = result.siteConfidence >= fitted::kMinSameSite;
   result.isAmbiguous = result.isSameSite && isAmbiguousPose(other, margin);
@@ -128,7 +124,7 @@ std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const Wall
     found.push_back(candidateNear(a, b, h.pose, kGlance));
   sortByScore(found);
   found = lookedAt(a, b, found, effort.closer, kCloserLook);
-  return lookedAt(a, b, found, effort.close, kLastLook);
+  return lookedAt(a, b, found, effort.close, Look{});
 }
 
 Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort) {
@@ -139,7 +135,7 @@ Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effo
 Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses) {
   std::vector<AlignmentCandidate> found;
   if (!a.walls.empty() && !b.walls.empty())
-    for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, kLastLook));
+    for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, Look{}));
   sortByScore(found);
   return alignmentOf(a, b, found);
 }

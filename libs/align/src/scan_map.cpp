@@ -6,29 +6,21 @@
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "search_data.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kMapCell = 0.1;   // [m]
 constexpr double kMapReach = 0.7;  // walls farther away are not looked for [m]
-constexpr double kNextWall = 0.6;  // between neighbouring walls of a scan [m]
 
 GridFrame frameAround(const std::vector<WallPoint>& walls, const std::vector<Point>& robots) {
-  Point low = robots.front(), high = low;
-  const auto include = [&](Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  };
-  for (const Point robot : robots) include(robot);
-  for (const WallPoint& wall : walls) include(wall.place);
-  GridFrame frame;
-  frame.resolution = kMapCell;
-  frame.origin = low - Point{kMapReach, kMapReach};
-  frame.width = int(std::ceil((high.x - low.x + 2 * kMapReach) / kMapCell));
-  frame.height = int(std::ceil((high.y - low.y + 2 * kMapReach) / kMapCell));
-  return frame;
+  Box box;
+  for (const Point robot : robots) box.include(robot);
+  for (const WallPoint& wall : walls) box.include(wall.place);
+  const Point size = box.size() + Point{2 * kMapReach, 2 * kMapReach};
+  return {int(std::ceil(size.x / kWallCell)), int(std::ceil(size.y / kWallCell)), kWallCell,
+          box.low - Point{kMapReach, kMapReach}};
 }
 
 /** Marks what a beam has crossed as free. */
@@ -49,7 +41,7 @@ void addNearest(WallMap& map) {
   std::vector<std::uint32_t> nearest(map.frame.cellCount());
   std::vector<float> best(map.frame.cellCount());
   for (int octant = 0; octant < kOctants; ++octant) {
-    std::fill(nearest.begin(), nearest.end(), WallMap::kNoWall);
+    std::fill(nearest.begin(), nearest.end(), kNoIndex);
     std::fill(best.begin(), best.end(), float(kMapReach * kMapReach));
     const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
     for (std::uint32_t w = 0; w < map.walls.size(); ++w) {
@@ -95,9 +87,9 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
       if (w + 1 == ends[i]) continue;
       const Point next = map.walls[w + 1].place;
       const double gap = distance(here, next);
-      if (gap > kNextWall) continue;
-      for (int step = 1; step * kMapCell < gap; ++step)
-        clearBeam(map, robots[i], here + (step * kMapCell / gap) * (next - here));
+      if (gap > 2 * kSameSurface) continue;
+      for (int step = 1; step * kWallCell < gap; ++step)
+        clearBeam(map, robots[i], here + (step * kWallCell / gap) * (next - here));
     }
   addNearest(map);
   return map;

@@ -7,7 +7,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameSurface = 0.3;  // between the ends of neighbouring beams, at 4 m [m]
 constexpr double kSurfaceRange = 4;
 
 std::optional<WallPoint> wallOf(const Keyframe& frame, std::size_t i) {
@@ -38,6 +37,13 @@ std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWal
     scans.push_back(std::move(scan));
   }
   return scans;
+}
+
+std::vector<double> drivenWays(const std::vector<ScanWalls>& scans) {
+  std::vector<double> ways(scans.size());
+  for (std::size_t k = 1; k < scans.size(); ++k)
+    ways[k] = ways[k - 1] + distance(scans[k - 1].at(), scans[k].at());
+  return ways;
 }
 
 }  // namespace roomgraph

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/align/wall_map.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr double kFreeSpacing = 0.2;  // of freeCells [m]
 constexpr int kTurnBins = 180;
 
 std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
@@ -19,7 +20,7 @@ std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
 }
 
 std::vector<std::uint32_t> freeCellsOf(const GridFrame& frame, const std::vector<State>& states) {
-  const int step = std::max(1, int(std::lround(kFreeSpacing / frame.resolution)));
+  const int step = std::max(1, int(std::lround(2 * kWallCell / frame.resolution)));
   std::vector<std::uint32_t> cells;
   for (int y = step / 2; y < frame.height; y += step)
     for (int x = step / 2; x < frame.width; x += step)

@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kHit = 20, kSidelong = 12;  // a wall that faces the same way; up to 45 degrees off
 constexpr int kNear[3] = {10, 7, 5};      // tenths: in the cell, beside it, across its corner
-constexpr int kContradiction = -20;       // a wall in the middle of free space
-constexpr int kMiss = -10;                // a wall elsewhere in free space
 constexpr double kMiddleDepth = 0.7;      // what the middle is: so far from all walls [m]
 
 Cell cellOf(Point p, double cell) {
@@ -86,7 +84,7 @@ SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign
     const int x = sign * c.x - images.low.x, y = sign * c.y - images.low.y;
     if (x < 0 || y < 0 || x >= images.width || y >= images.height) continue;
     images.values[0][std::size_t(y) * std::size_t(images.width) + std::size_t(x)] =
-        std::int16_t(isDeep ? kContradiction : kMiss);
+        std::int16_t(isDeep ? -kHit : -kHit / 2);  // a wall in free space
   }
   for (auto& values : images.values) values = images.values[0];
   for (const SearchPoint& wall : walls) addWall(images, wall);

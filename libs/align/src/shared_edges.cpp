@@ -5,13 +5,14 @@
 #include <cstdlib>
 #include <optional>
 
+#include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/nearest_wall.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr double kSameCells = 1e-4;    // of the side of a cell: the far end of a map stays in place
-constexpr double kQuarterTurn = 0.03;  // that an alignment may be off [rad]
-constexpr double kPlaceNoise = 0.06;   // the same of its place [m]
-constexpr double kFewestEdges = 100;   // cells below which nothing is told
+constexpr double kSameCells = 1e-4;   // of the side of a cell: the far end of a map stays in place
+constexpr double kFewestEdges = 100;  // cells below which nothing is told
 
 // Of the edge cells of one and of the other map. Of edits of one picture, one has nearly all that
 // the other has kept, which may be a third; two drives share a fifth.
@@ -36,7 +37,7 @@ struct CellMotion {
 std::optional<CellMotion> cellMotion(const DrawnEdges& a, const DrawnEdges& b,
                                      const Transform2D& pose) {
   const long quarters = std::lround(pose.phi / M_PI_2);
-  if (std::abs(pose.phi - double(quarters) * M_PI_2) > kQuarterTurn) return {};
+  if (std::abs(pose.phi - double(quarters) * M_PI_2) > kSameStart.turn) return {};
   CellMotion motion;
   motion.cosine = int(std::lround(std::cos(double(quarters) * M_PI_2)));
   motion.sine = int(std::lround(std::sin(double(quarters) * M_PI_2)));
@@ -78,7 +79,7 @@ SharedEdges sharedEdges(const DrawnEdges& a, const DrawnEdges& b,
   if (a.isEdge.empty() || b.isEdge.empty()) return {};
   if (std::abs(b.frame.resolution - cell) > kSameCells * cell) return {};
   const std::vector<Cell> ofA = edgeCells(a), ofB = edgeCells(b);
-  const int reach = std::max(1, int(std::ceil(kPlaceNoise / cell)));
+  const int reach = std::max(1, int(std::ceil(kWallNoise / 2 / cell)));
   std::optional<CellMotion> best;
   Count inA;
   for (const Transform2D& pose : poses) {

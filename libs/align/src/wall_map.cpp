@@ -12,7 +12,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFineCell = 0.05;      // walls are looked for on cells no smaller than this [m]
 constexpr double kNormalRadius = 0.25;  // of the window that gives a wall its direction [m]
 
 /** The cells that are not unknown, as a box of cells; empty where x1 <= x0. */
@@ -204,9 +203,8 @@ struct NearestWalls {
 
 /** Fills `nearest.label`. */
 void findNearest(const WallMap& map, int octant, NearestWalls& nearest) {
-  constexpr std::uint32_t none = WallMap::kNoWall;
   const GridFrame& frame = map.frame;
-  nearest.label.assign(frame.cellCount(), none);
+  nearest.label.assign(frame.cellCount(), kNoIndex);
   nearest.best.assign(frame.cellCount(), float(WallMap::kReach * WallMap::kReach));
   std::uint32_t* label = nearest.label.data();
   float* best = nearest.best.data();
@@ -221,7 +219,7 @@ void findNearest(const WallMap& map, int octant, NearestWalls& nearest) {
   }
   sweep(frame, [&](Cell to, std::ptrdiff_t i, std::ptrdiff_t from, bool) {
     const std::uint32_t wall = label[from];
-    if (wall != none && wall != label[i]) offer(to, std::size_t(i), wall);
+    if (wall != kNoIndex && wall != label[i]) offer(to, std::size_t(i), wall);
   });
 }
 
@@ -241,7 +239,7 @@ std::vector<float> depthsOf(const GridFrame& frame, const std::vector<State>& st
 WallMap bareWallMap(const Grid& grid) {
   const std::optional<Grid> cleared = clearWallRims(grid);
   const Grid& known = cleared ? *cleared : grid;
-  const Grid fine = coarser(known, std::max(kFineCell, grid.frame.resolution), WallMap::kReach);
+  const Grid fine = coarser(known, std::max(kWallCell / 2, grid.frame.resolution), WallMap::kReach);
   const Grid coarse = coarser(known, std::max(kWallCell, grid.frame.resolution), WallMap::kReach);
   WallMap map;
   map.frame = coarse.frame;

@@ -103,11 +103,8 @@ Side sideOf(const Polygon& polygon, Point p) {
 }
 
 Box boundingBox(const std::vector<Point>& points) {
-  Box box{points.front(), points.front()};
-  for (const Point p : points) {
-    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-  }
+  Box box;
+  for (const Point p : points) box.include(p);
   return box;
 }
 

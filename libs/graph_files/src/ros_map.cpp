@@ -3,16 +3,15 @@
 #include <charconv>
 #include <cmath>
 
+#include "roomgraph/images/pgm_bytes.h"
 #include "roomgraph/images/png_bytes.h"
 #include "text.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::uint8_t kUnknown = 205, kFree = 254, kOccupied = 0;
-
-/** By State. */
-constexpr std::uint8_t kGreys[] = {kUnknown, kFree, kOccupied};
+/** Of what is unknown, free and occupied, by State. */
+constexpr std::uint8_t kGreys[] = {205, 254, 0};
 
 /** The shortest text within half a micrometre of a length; the same in every locale. */
 std::string metresText(double metres) {
@@ -28,18 +27,15 @@ std::string metresText(double metres) {
   }
 }
 
-std::uint8_t greyOf(State state) { return kGreys[std::size_t(state)]; }
-
 }  // namespace
 
 std::string mapPgm(const Grid& grid) {
-  const GridFrame& frame = grid.frame;
-  std::string bytes =
-      "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n";
-  bytes.reserve(bytes.size() + frame.cellCount());
-  for (int y = frame.height; y-- > 0;)
-    for (int x = 0; x < frame.width; ++x) bytes += char(greyOf(grid.at({x, y})));
-  return bytes;
+  std::vector<std::uint8_t> greys;
+  greys.reserve(grid.cells.size());
+  for (int y = grid.frame.height; y-- > 0;)
+    for (int x = 0; x < grid.frame.width; ++x)
+      greys.push_back(kGreys[std::size_t(grid.at({x, y}))]);
+  return pgmBytes(greys, grid.frame.width, grid.frame.height);
 }
 
 std::string mapPng(const Grid& grid) {

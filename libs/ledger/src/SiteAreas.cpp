@@ -4,16 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kCell = 0.1, kMargin = 0.5;  // [m]
-constexpr double kMaxCells = 1e6;             // of a site; a larger one has larger cells
-constexpr std::size_t kMaxAreas = UINT16_MAX - RunAreas::kFirst;
-constexpr double kLeastWeight = 0.1;
 
 Ring moved(Ring ring, const Motion2D& motion) {
   for (Point& p : ring) p = motion(p);
@@ -36,14 +33,15 @@ bool isSample(Cell c) { return c.x % 2 == 0 && c.y % 2 == 0; }
 
 /** Labels the cells of each area. */
 void addShapes(const AreaGraph& areas, const GridFrame& frame, RunAreas& run) {
-  for (std::size_t a = 0; a < std::min(areas.areas.size(), kMaxAreas); ++a) {
+  for (std::size_t a = 0;
+       a < std::min<std::size_t>(areas.areas.size(), UINT16_MAX - RunAreas::firstArea); ++a) {
     SiteShape shape;
     shape.polygon = areas.areas[a].polygon;
     shape.middle = centroid(shape.polygon);
     shape.area = area(shape.polygon);
     shape.isCorridor = !areas.areas[a].isRoom();
     for (const Cell c : cellsIn(shape.polygon, frame)) {
-      run.labels[frame.index(c)] = std::uint16_t(RunAreas::kFirst + a);
+      run.labels[frame.index(c)] = std::uint16_t(RunAreas::firstArea + a);
       shape.size += isSample(c);
     }
     run.shapes.push_back(std::move(shape));
@@ -64,7 +62,7 @@ void markKnown(const WallMap& map, const Transform2D& pose, const GridFrame& fra
       const std::size_t cell = cellIndexAt(map.frame, back(frame.center({x, y})));
       if (!hasSeen(map, cell)) continue;
       run.labels[frame.index({x, y})] =
-          map.states[cell] == State::free ? RunAreas::kFree : RunAreas::kOccupied;
+          map.states[cell] == State::free ? RunAreas::free : RunAreas::occupied;
     }
 }
 
@@ -76,17 +74,13 @@ bool RunAreas::isOpenTo(std::size_t a, std::size_t b) const {
 }
 
 GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
-  std::vector<Point> corners;
-  for (const Polygon* polygon : polygons) {
-    if (polygon->outer.empty()) continue;
-    const Box box = boundingBox(polygon->outer);
-    corners.push_back(box.low), corners.push_back(box.high);
-  }
-  if (corners.empty()) return {0, 0, kCell, {}};
-  Box box = boundingBox(corners);
-  box.low = box.low - Point{kMargin, kMargin}, box.high = box.high + Point{kMargin, kMargin};
-  const Point size = box.high - box.low;
-  const double cell = std::max(kCell, std::sqrt(size.x * size.y / kMaxCells));
+  Box box;
+  for (const Polygon* polygon : polygons)
+    for (const Point p : polygon->outer) box.include(p);
+  if (box.isEmpty()) return {0, 0, kWallCell, {}};
+  box = box.widened(fitted::kMargin);
+  const Point size = box.size();
+  const double cell = std::max(kWallCell, std::sqrt(size.x * size.y / fitted::kMaxCells));
   return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
 }
 
@@ -110,8 +104,8 @@ SiteAreas siteAreas(const Site& site, const Trust& trust) {
   const bool isTrusted = std::any_of(trust.begin(), trust.end(), [](double of) { return of > 0; });
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     RunAreas run;
-    run.weight = isTrusted ? std::max(kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
-    run.labels.assign(result.frame.cellCount(), RunAreas::kUnknown);
+    run.weight = isTrusted ? std::max(fitted::kLeastWeight, std::sqrt(std::sqrt(trust[i]))) : 1;
+    run.labels.assign(result.frame.cellCount(), RunAreas::unknown);
     markKnown(site.runs[i]->map, site.poses[i], result.frame, run);
     addShapes(areas[i], result.frame, run);
     result.runs.push_back(std::move(run));
@@ -122,7 +116,7 @@ SiteAreas siteAreas(const Site& site, const Trust& trust) {
 RunAreas areasIn(const AreaGraph& areas, const GridFrame& frame) {
   RunAreas run;
   run.weight = 1;
-  run.labels.assign(frame.cellCount(), RunAreas::kFree);
+  run.labels.assign(frame.cellCount(), RunAreas::free);
   addShapes(areas, frame, run);
   for (SiteShape& shape : run.shapes) shape = sampled(std::move(shape), frame);
   return run;

@@ -28,13 +28,13 @@ struct AreaDoor {
 
 /** The areas of one run, laid down in the site's frame. */
 struct RunAreas {
-  static constexpr std::uint16_t kUnknown = 0, kOccupied = 1, kFree = 2, kFirst = 3;
+  /** Of a cell; those of an area are firstArea + its index. */
+  enum Label : std::uint16_t { unknown, occupied, free, firstArea };
 
   double weight = 0;                         ///< of what it says
   std::vector<SiteShape> shapes;             ///< by area
   std::vector<std::vector<AreaDoor>> doors;  ///< of each area
-  std::vector<std::uint16_t> labels;         ///< per cell of the frame: one of the above, or
-                                             ///< kFirst + area
+  std::vector<std::uint16_t> labels;         ///< per cell of the frame
   bool isOpenTo(std::size_t a, std::size_t b) const;
 };
 

@@ -5,17 +5,13 @@
 #include <tuple>
 #include <utility>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/grid/polygon_cells.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMaxCovered = 0.3;    // share of a candidate that rooms may cover already
-constexpr double kMinCandidate = 1.0;  // of a candidate [m2]
-constexpr double kNarrow = 0.7;        // mean width of a gap [m]
-constexpr double kLeastPower = 0.06;   // of the runs of a left area, in that of the second best
 
 /** Where a few beams have looked through a window or a slit: a narrow end of corridor that leads
  *  nowhere. Each run has others, so they are no places of the site. */
@@ -25,7 +21,8 @@ bool isGap(const RunAreas& run, std::size_t area) {
   const bool leadsNowhere = std::all_of(doors.begin(), doors.end(), [&](const AreaDoor& door) {
     return door.to == doors.front().to;
   });
-  return shape.isCorridor && leadsNowhere && 2 * shape.area < kNarrow * perimeter(shape.polygon);
+  return shape.isCorridor && leadsNowhere &&
+         2 * shape.area < fitted::kNarrow * perimeter(shape.polygon);
 }
 
 struct Candidate {
@@ -57,7 +54,7 @@ class Choosing {
     match();
     const double second = powerOf(order_[std::min<std::size_t>(1, order_.size() - 1)]);
     choose(candidates(leftAreas()),
-           [&](const Candidate& c) { return c.power >= kLeastPower * second; });
+           [&](const Candidate& c) { return c.power >= fitted::kLeastPower * second; });
     match();
     return std::move(result_);
   }
@@ -68,8 +65,8 @@ class Choosing {
   double powerOf(std::size_t run) const { return site_.runs[run].weight * site_.runs[run].weight; }
 
   bool isCandidate(const Left& left, std::size_t run, std::size_t area) const {
-    return site_.runs[run].shapes[area].area >= kMinCandidate && !isGap(site_.runs[run], area) &&
-           (left.empty() || left[run][area]);
+    return site_.runs[run].shapes[area].area >= fitted::kMinCandidate &&
+           !isGap(site_.runs[run], area) && (left.empty() || left[run][area]);
   }
 
   /** The areas of the most trusted runs with the votes of those runs, best first. */
@@ -120,7 +117,7 @@ class Choosing {
     for (const Candidate& c : candidates) {
       if (!accepts(c)) continue;
       SiteShape shape = sampled(site_.runs[c.source.run].shapes[c.source.area], site_.frame);
-      if (coveredShare(shape) > kMaxCovered) continue;
+      if (coveredShare(shape) > fitted::kMaxCovered) continue;
       result_.rooms.shapes.push_back(std::move(shape));
       result_.sources.push_back(c.source);
       cover(site_.runs[c.source.run], c.source.area);
@@ -130,7 +127,7 @@ class Choosing {
   void cover(const RunAreas& run, std::size_t area) {
     for (const Cell c : cellsIn(run.shapes[area].polygon, site_.frame)) {
       const std::size_t i = site_.frame.index(c);
-      if (run.labels[i] == RunAreas::kFirst + area) isCovered_[i] = 1;
+      if (run.labels[i] == RunAreas::firstArea + area) isCovered_[i] = 1;
     }
   }
 

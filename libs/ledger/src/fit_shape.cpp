@@ -4,18 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kRaster = 0.5;      // of the search round a start [m]
-constexpr double kFirstTurn = 0.07;  // of the refinement [rad]
-constexpr int kHalvings = 4;
-constexpr double kMoveCost = 0.03;     // per metre from the start
-constexpr double kLeastOverlap = 0.1;  // below which a fit is none
-constexpr std::size_t kMostAreas = 3;  // that a room may be
 
 /** The best of each area so far. */
 class Search {
@@ -36,7 +30,7 @@ class Search {
     if (print.known < kMajority * print.samples) return;
     for (const auto& [area, common] : print.in) {
       const double overlap = overlapOf(print, area, common);
-      const double value = overlap - kMoveCost * norm(move.shift - start.shift);
+      const double value = overlap - fitted::kMoveCost * norm(move.shift - start.shift);
       Found& best = found_[area];
       if (value > best.value) best = {{move, overlap}, start, value};
     }
@@ -50,8 +44,8 @@ class Search {
 
   /** Walks from the best move of `area` to better ones. */
   void refine(std::size_t area) {
-    double step = kFirstStep, turn = kFirstTurn;
-    for (int halving = 0; halving < kHalvings;) {
+    double step = kFirstStep, turn = fitted::kFirstTurn;
+    for (int halving = 0; halving < fitted::kHalvings;) {
       const Found before = found_[area];
       const RoomMove& at = before.fit.move;
       for (const RoomMove& by :
@@ -80,10 +74,11 @@ class Search {
 };
 
 void searchRound(const RoomMove& start, double reach, Search& search) {
-  const int count = int(reach / kRaster);
+  const double raster = kNearSearch.reach;
+  const int count = int(reach / raster);
   for (int y = -count; y <= count; ++y)
     for (int x = -count; x <= count; ++x) {
-      const Point by{x * kRaster, y * kRaster};
+      const Point by{x * raster, y * raster};
       if ((x != 0 || y != 0) && norm(by) <= reach + 1e-9)
         search.look({start.shift + by, start.turn}, start);
     }
@@ -96,19 +91,19 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   const Motion2D motion(move.about(room.middle));
   const bool isStill = move.shift == Point{} && move.turn == 0;
   auto& [counts, met] = buffer;
-  counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::kFirst));
+  counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::firstArea));
   for (const Point p : room.samples) {
     const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
-    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::kUnknown;
+    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::unknown;
     if (counts[label] == 0) met.push_back(label);
     ++counts[label];
   }
   Footprint print;
   print.samples = double(room.samples.size());
-  print.known = print.samples - counts[RunAreas::kUnknown];
-  print.bare = counts[RunAreas::kFree];
+  print.known = print.samples - counts[RunAreas::unknown];
+  print.bare = counts[RunAreas::free];
   for (const std::uint16_t label : met)
-    if (label >= RunAreas::kFirst) print.in[label - RunAreas::kFirst] = counts[label];
+    if (label >= RunAreas::firstArea) print.in[label - RunAreas::firstArea] = counts[label];
   // A room meets few of the areas of a large site.
   for (const std::uint16_t label : met) counts[label] = 0;
   met.clear();
@@ -130,9 +125,9 @@ std::map<std::size_t, ShapeFit> fitShape(const SiteShape& room, const GridFrame&
     for (const RoomMove& start : starts) searchRound(start, how.reach, search);
   std::vector<std::pair<double, std::size_t>> areas;  // -overlap, area
   for (const auto& [area, found] : search.found())
-    if (found.fit.overlap >= kLeastOverlap) areas.emplace_back(-found.fit.overlap, area);
+    if (found.fit.overlap >= fitted::kLeastOverlap) areas.emplace_back(-found.fit.overlap, area);
   std::sort(areas.begin(), areas.end());
-  if (areas.size() > kMostAreas) areas.resize(kMostAreas);
+  if (areas.size() > fitted::kMostAreas) areas.resize(fitted::kMostAreas);
   std::map<std::size_t, ShapeFit> fits;
   for (const auto& [overlap, area] : areas) {
     if (how.isRefined) search.refine(area);

@@ -4,17 +4,10 @@
 #include <optional>
 #include <tuple>
 
+#include "fitted_ledger.h"
+
 namespace roomgraph {
 namespace {
-
-constexpr double kMostSurprise = 3.0;    // that a room lies from where it should be [m]
-constexpr double kFewDoors = 3;          // that tell a room apart, whatever its overlap
-constexpr double kNeighbourBonus = 0.2;  // added to the overlap where all neighbours match, too
-constexpr double kOtherKindCost = 0.05;  // taken off where one is a room and the other a corridor
-constexpr double kSurpriseCost = 0.1;    // and per metre from where the neighbours say
-constexpr int kMatchRounds = 3;          // the first looks at overlap alone
-constexpr double kMinInside = 0.6;       // share of one in the other from which on it is a part
-constexpr double kMinContainer = 0.75;   // size of an area, in that of the rooms it is to hold
 
 class Matching {
  public:
@@ -25,7 +18,7 @@ class Matching {
 
   std::vector<AreaMatch> run() {
     assign();
-    for (int round = 1; round < kMatchRounds; ++round) {
+    for (int round = 1; round < fitted::kMatchRounds; ++round) {
       for (std::size_t s = 0; s < fits_.size(); ++s) lookBesideNeighbours(s);
       assign();
     }
@@ -64,11 +57,13 @@ class Matching {
       for (const auto& [area, fit] : fits_[s]) {
         const Neighbourhood near = neighbourhood(s, area);
         // A bent corridor overlaps little, but the same rooms open to it.
-        const bool isKnownByDoors = near.open >= kFewDoors && near.share() >= 0.5;
+        const bool isKnownByDoors = near.open >= fitted::kFewDoors && near.share() >= 0.5;
         if (fit.overlap < kMinOverlap && !isKnownByDoors) continue;
-        double value = fit.overlap + kNeighbourBonus * near.share();
-        if (run_.shapes[area].isCorridor != rooms_.shapes[s].isCorridor) value -= kOtherKindCost;
-        value -= kSurpriseCost * std::min(kMostSurprise, distance(fit.move.shift, expected));
+        double value = fit.overlap + fitted::kNeighbourBonus * near.share();
+        if (run_.shapes[area].isCorridor != rooms_.shapes[s].isCorridor)
+          value -= fitted::kOtherKindCost;
+        value -= fitted::kSurpriseCost *
+                 std::min(fitted::kMostSurprise, distance(fit.move.shift, expected));
         offers.emplace_back(-value, s, area);
       }
     }
@@ -110,7 +105,7 @@ class Matching {
       if (!areaOf_[n]) continue;
       for (const AreaDoor& door : run_.doors[*areaOf_[n]]) {
         const Point middle = run_.shapes[door.to].middle;
-        if (isTaken_[door.to] || distance(middle, expected) > kMostSurprise) continue;
+        if (isTaken_[door.to] || distance(middle, expected) > fitted::kMostSurprise) continue;
         starts.push_back({middle - rooms_.shapes[s].middle, guess.turn});
       }
     }
@@ -162,7 +157,7 @@ class Matching {
     std::vector<std::pair<double, std::size_t>> pieces;  // -size, area
     double together = 0;
     for (const auto& [area, count] : print.in)
-      if (!isTaken_[area] && count >= kMinInside * sizeOf(area)) {
+      if (!isTaken_[area] && count >= fitted::kMinInside * sizeOf(area)) {
         pieces.emplace_back(-count, area);
         together += count;
       }
@@ -181,7 +176,7 @@ class Matching {
       if (matches_[s].isMatched()) continue;
       const Footprint print = footprint(rooms_.shapes[s], matches_[s].move, frame_, run_);
       for (const auto& [area, count] : print.in)
-        if (print.known >= 0.5 * print.samples && count >= kMinInside * print.known)
+        if (print.known >= 0.5 * print.samples && count >= fitted::kMinInside * print.known)
           held[area].push_back(s);
     }
     for (auto& [area, rooms] : held) {
@@ -190,7 +185,7 @@ class Matching {
         if (areaOf_[s] == area) rooms.push_back(s);
       double size = 0;
       for (const std::size_t s : rooms) size += double(rooms_.shapes[s].size);
-      if (sizeOf(area) < kMinContainer * size) continue;
+      if (sizeOf(area) < fitted::kMinContainer * size) continue;
       for (std::size_t i = 0; i < rooms.size(); ++i) {
         AreaMatch& match = matches_[rooms[i]];
         match.isMerged = true;

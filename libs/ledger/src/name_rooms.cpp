@@ -17,10 +17,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kDrawnCell = 0.05;      // of the maps drawn for alignment [m]
-constexpr double kMostDrawnCells = 4e6;  // of those
-constexpr double kInPlace = 0.5;         // [m]
-
 template <class Room>
 Room moved(Room room, const Transform2D& pose) {
   const Motion2D motion(pose);
@@ -85,10 +81,8 @@ void drawDoor(const SiteDoor& door, Grid& grid) {
 template <class Room>
 WallMap mapOf(const std::vector<Room>& rooms) {
   GridFrame frame = frameRound(polygonsOf(rooms));
-  const double width = frame.width * frame.resolution, height = frame.height * frame.resolution;
-  frame.resolution = std::max(kDrawnCell, std::sqrt(width * height / kMostDrawnCells));
-  frame.width = int(width / frame.resolution) + 1;
-  frame.height = int(height / frame.resolution) + 1;
+  frame.resolution /= 2;
+  frame.width = 2 * frame.width + 1, frame.height = 2 * frame.height + 1;
   Grid grid{frame, std::vector<State>(frame.cellCount(), State::unknown)};
   for (const Room& room : rooms)
     for (const Cell c : cellsIn(room.polygon, frame)) grid.cells[frame.index(c)] = State::free;
@@ -132,7 +126,7 @@ Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const 
   for (std::size_t s = 0; s < set.shapes.size(); ++s) {
     const AreaMatch& match = found.matches[s];
     all += set.shapes[s].area;
-    if (match.isMatched() && match.overlap > 0.5 && norm(match.move.shift) < kInPlace)
+    if (match.isMatched() && match.overlap > 0.5 && norm(match.move.shift) < kNearSearch.reach)
       inPlace += set.shapes[s].area;
   }
   found.area = inPlace / std::max(1e-9, std::min(all, before));

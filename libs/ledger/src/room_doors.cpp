@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <tuple>
 
+#include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
-constexpr double kNearPlace = 0.3;                    // a place is known where all round it is [m]
 
 /** A door and who has it. */
 struct Group {
@@ -17,11 +15,12 @@ struct Group {
   std::vector<bool> isIn;
 };
 
+/** Whether a run knows all round a place, as far as maps bend. */
 bool knows(const RunAreas& run, const GridFrame& frame, Point p) {
-  for (const Point by :
-       {Point{0, 0}, {kNearPlace, 0}, {-kNearPlace, 0}, {0, kNearPlace}, {0, -kNearPlace}}) {
+  const double near = 2 * kSameWall;
+  for (const Point by : {Point{0, 0}, {near, 0}, {-near, 0}, {0, near}, {0, -near}}) {
     const std::size_t cell = cellIndexAt(frame, p + by);
-    if (cell >= run.labels.size() || run.labels[cell] == RunAreas::kUnknown) return false;
+    if (cell >= run.labels.size() || run.labels[cell] == RunAreas::unknown) return false;
   }
   return true;
 }
@@ -65,7 +64,8 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const double far = distance(doors[d].place, groups[g].door.place);
       const bool isSameTo = doors[d].to && doors[d].to == groups[g].door.to;
-      if (far <= (isSameTo ? kSameDoorTo : kSameDoor)) offers.emplace_back(far, d, g);
+      if (far <= (isSameTo ? fitted::kSameDoorTo : fitted::kSameDoor))
+        offers.emplace_back(far, d, g);
     }
   std::sort(offers.begin(), offers.end());
   std::vector<bool> isJoined(doors.size());

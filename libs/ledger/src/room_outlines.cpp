@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/Polyline.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSpacing =
-    0.1;  // of the places along an outline; one that is farther away counts little [m]
 constexpr int kIterations = 15;
 constexpr double kStill = 1e-4;  // a step below which nothing moves any more [m]
 
@@ -49,7 +48,7 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
     if (!nearest) continue;
     const Point normal = inRun.normal(nearest);
     const double off = dot(*nearest - p, normal);
-    const double far = squaredNorm(*nearest - p) / (kSpacing * kSpacing);
+    const double far = squaredNorm(*nearest - p) / (kWallCell * kWallCell);
     const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
     const double weight = 1 / ((1 + far) * (1 + far));
     a += weight * row * row.transpose();
@@ -76,13 +75,13 @@ RoomOutline::RoomOutline(const Polygon& polygon) {
 }
 
 void RoomOutline::addRing(const Ring& ring) {
-  const Ring corners = simplified(ring, kSpacing / 2);
+  const Ring corners = simplified(ring, kWallCell / 2);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Point a = corners[i], b = corners[(i + 1) % corners.size()];
     const double length = distance(a, b);
     if (length <= 0) continue;
     const Point along = (1 / length) * (b - a);
-    const int count = std::max(1, int(std::lround(length / kSpacing)));
+    const int count = std::max(1, int(std::lround(length / kWallCell)));
     for (int k = 0; k < count; ++k) {
       places_.push_back(a + ((k + 0.5) / count * length) * along);
       normals_.push_back({-along.y, along.x});

@@ -8,23 +8,20 @@
 #include <utility>
 
 #include "consensus_rooms.h"
+#include "fitted_ledger.h"
 #include "room_doors.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same
-constexpr double kComplete = 0.8;       // known share from which on its size can be compared
-constexpr double kMinAgreement = 0.45;  // of outlines, below which no shift can be told
-constexpr double kOutlineTolerance = 0.05;  // of the outlines in the result [m]
-
 /** Whether a run has all of a room, as one area that is no other room's, too. */
 bool isClean(const AreaMatch& match) {
   return match.areas.size() == 1 && !match.isMerged && match.overlap >= kMinOverlap &&
-         match.known >= kComplete;
+         match.known >= fitted::kComplete;
 }
 
 /** Of each room the runs whose outlines the others are held against: the most trusted ones that
@@ -82,7 +79,7 @@ class Ledger {
 
   SiteRoom room() const {
     SiteRoom result;
-    result.polygon = simplified(shape_.polygon, kOutlineTolerance);
+    result.polygon = simplified(shape_.polygon, kWallCell / 2);
     result.center = shape_.middle;
     result.isCorridor = isCorridor();
     result.area = areaMedian();
@@ -110,7 +107,8 @@ class Ledger {
   /** Of all pieces; none where it is another room's, too, or seen in part. */
   std::optional<double> areaIn(std::size_t run) const {
     const AreaMatch& match = matchIn(run);
-    if (!match.isMatched() || match.isMerged || match.known < kComplete) return std::nullopt;
+    if (!match.isMatched() || match.isMerged || match.known < fitted::kComplete)
+      return std::nullopt;
     double sum = 0;
     for (const std::size_t area : match.areas) sum += site_.runs[run].shapes[area].area;
     return sum;
@@ -126,7 +124,7 @@ class Ledger {
   RoomInRun inRun(std::size_t run) const {
     const AreaMatch& match = matchIn(run);
     RoomInRun result;
-    if (match.isMatched() || match.bare >= kBare)
+    if (match.isMatched() || match.bare >= fitted::kBare)
       result.sighting = RoomSighting::seen;
     else if (match.known >= kMajority)
       result.sighting = RoomSighting::gone;
@@ -164,7 +162,7 @@ class Ledger {
     if (xs.size() < 2) return;
     const Point consensus{*weightedMedian(xs), *weightedMedian(ys)};
     for (std::size_t i = 0; i < site_.runs.size(); ++i)
-      if (isCleanIn(i) && result.runs[i].boundaryAgreement.value_or(0) >= kMinAgreement)
+      if (isCleanIn(i) && result.runs[i].boundaryAgreement.value_or(0) >= fitted::kMinAgreement)
         result.runs[i].shift = distance(moveIn(i).shift, consensus);
   }
 

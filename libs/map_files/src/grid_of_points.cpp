@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 namespace {
@@ -15,19 +16,17 @@ constexpr std::uint8_t kWallGrey = 0, kFreeGrey = 255;
 
 GridFrame frameOf(const std::vector<TPoint3Df>& points, double resolution,
                   const std::string& file) {
-  Point low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
-  for (const TPoint3Df& p : points) {
-    low = {std::min(low.x, double(p.x)), std::min(low.y, double(p.y))};
-    high = {std::max(high.x, double(p.x)), std::max(high.y, double(p.y))};
-  }
+  Box box;
+  for (const TPoint3Df& p : points) box.include({double(p.x), double(p.y)});
   const auto first = [&](double value) { return std::floor((value - kMargin) / resolution); };
   const auto last = [&](double value) { return std::ceil((value + kMargin) / resolution); };
-  const double width = last(high.x) - first(low.x), height = last(high.y) - first(low.y);
+  const double width = last(box.high.x) - first(box.low.x),
+               height = last(box.high.y) - first(box.low.y);
   if (!(width * height <= double(kMostCells)))
     refuse(file, "its points reach over more than 400 million cells", "use a coarser resolution");
   GridFrame frame;
   frame.width = int(width), frame.height = int(height), frame.resolution = resolution;
-  frame.origin = {first(low.x) * resolution, first(low.y) * resolution};
+  frame.origin = {first(box.low.x) * resolution, first(box.low.y) * resolution};
   return frame;
 }
 

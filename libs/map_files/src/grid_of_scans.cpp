@@ -9,6 +9,7 @@
 #include "readers.h"
 #include "roomgraph/base/Options.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/scans/mrpt_scan.h"
 
 namespace roomgraph {
@@ -24,17 +25,12 @@ constexpr double kLongestSide = 1e6;
 
 /** Where the scans reach, and how many there are to insert. */
 struct Extent {
-  double xMin = HUGE_VAL, xMax = -HUGE_VAL, yMin = HUGE_VAL, yMax = -HUGE_VAL, longest = 0;
+  Box box;
+  double longest = 0;
 
-  void add(double x, double y) {
-    xMin = std::min(xMin, x);
-    xMax = std::max(xMax, x);
-    yMin = std::min(yMin, y);
-    yMax = std::max(yMax, y);
-  }
-  /** Whether nothing that is as near to (x, y) adds to it. */
-  bool holds(double x, double y, double reach) const {
-    return x - reach >= xMin && x + reach <= xMax && y - reach >= yMin && y + reach <= yMax;
+  /** Whether nothing that is as near to a place adds to it. */
+  bool holds(Point p, double reach) const {
+    return box.contains(p - Point{reach, reach}) && box.contains(p + Point{reach, reach});
   }
 };
 
@@ -42,7 +38,8 @@ struct Extent {
  *  as far as the last one with a return. */
 void addScan(Extent& extent, const CPose3D& sensor, const RangeScan& scan,
              const LoadGridOptions& options) {
-  extent.add(sensor.x(), sensor.y());
+  const Point from{sensor.x(), sensor.y()};
+  extent.box.include(from);
   const bool isUpsideDown = sensor.getRotationMatrix()(2, 2) < 0;
   const double turn = scan.rightToLeft != isUpsideDown ? 1 : -1;
   const double start = sensor.yaw() - turn * double(scan.aperture) / 2;
@@ -52,10 +49,10 @@ void addScan(Extent& extent, const CPose3D& sensor, const RangeScan& scan,
     if (!scan.isValid[i] && !options.considerInvalidRangesAsFreeSpace) continue;
     const double reach = std::min(scan.isValid[i] ? last : last / 2, options.maxDistanceInsertion);
     extent.longest = std::max(extent.longest, reach);
-    if (extent.holds(sensor.x(), sensor.y(), reach)) continue;
+    if (extent.holds(from, reach)) continue;
     const double angle =
         start + turn * double(scan.aperture) * double(i) / double(scan.ranges.size());
-    extent.add(sensor.x() + std::cos(angle) * reach, sensor.y() + std::sin(angle) * reach);
+    extent.box.include(from + reach * Point{std::cos(angle), std::sin(angle)});
   }
 }
 
@@ -78,13 +75,13 @@ void setSize(COccupancyGridMap2D& grid, const Extent& extent, const std::string&
   // Rounding bends MRPT's rays by up to a cell in 1024; closer than 15 cells to the border it
   // grows.
   const double margin = (20 + extent.longest / resolution / 512) * resolution;
-  const double width = (extent.xMax - extent.xMin + 2 * margin) / resolution;
-  const double height = (extent.yMax - extent.yMin + 2 * margin) / resolution;
-  if (width > kLongestSide || height > kLongestSide || width * height > double(kMostCells))
+  const Box box = extent.box.widened(margin);
+  const Point cells = (1 / resolution) * box.size();
+  if (std::max(cells.x, cells.y) > kLongestSide || cells.x * cells.y > double(kMostCells))
     refuse(file, "its scans reach over more than 400 million cells",
            "use a coarser resolution, or check its poses");
-  grid.setSize(float(extent.xMin - margin), float(extent.xMax + margin),
-               float(extent.yMin - margin), float(extent.yMax + margin), float(resolution));
+  grid.setSize(float(box.low.x), float(box.high.x), float(box.low.y), float(box.high.y),
+               float(resolution));
 }
 
 void setInsertion(COccupancyGridMap2D& grid, const LoadGridOptions& options) {

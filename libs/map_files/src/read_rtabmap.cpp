@@ -12,8 +12,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthestOrigin = 1e7;  // [m]
-
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 

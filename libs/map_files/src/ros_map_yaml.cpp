@@ -6,11 +6,10 @@
 #include <filesystem>
 
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/grid/GridFrame.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kFarthestOrigin = 1e7;
 
 /** The number under `key`; throws DataError unless it lies in the range. */
 double readNumber(const YAML::Node& node, const std::string& key, double low, double high,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 namespace {
@@ -29,20 +30,17 @@ Turn turnOf(double yaw, const GridFrame& frame) {
 /** Around the turned map; where its corners meet cells, no cell is added for rounding. */
 GridFrame frameOf(const GridFrame& from, const Turn& turn, const std::string& file) {
   const double w = from.width * from.resolution, h = from.height * from.resolution;
-  Point low, high;
-  for (const Point corner : {Point{w, 0}, Point{0, h}, Point{w, h}}) {
-    const Point p = turn(corner);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+  Box box;
+  for (const Point corner : {Point{}, Point{w, 0}, Point{0, h}, Point{w, h}})
+    box.include(turn(corner));
   constexpr double rounding = 1e-6;
-  const double columns = std::ceil((high.x - low.x) / from.resolution - rounding);
-  const double rows = std::ceil((high.y - low.y) / from.resolution - rounding);
+  const double columns = std::ceil(box.size().x / from.resolution - rounding);
+  const double rows = std::ceil(box.size().y / from.resolution - rounding);
   if (columns * rows > double(kMostCells))
     refuse(file, "turned by its yaw it has more than 400 million cells", "crop it");
   GridFrame frame = from;
   frame.width = int(columns), frame.height = int(rows);
-  frame.origin = from.origin + low;
+  frame.origin = from.origin + box.low;
   return frame;
 }
 

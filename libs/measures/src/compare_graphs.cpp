@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "path_frechet.h"
 #include "roomgraph/base/statistics.h"
@@ -79,7 +80,7 @@ Steps stepsOf(const GraphMatch& match) {
 class HopSearch {
  public:
   HopSearch(const Steps& steps, const std::vector<PlacePair>& places)
-      : steps_(steps), places_(places), hops_(steps.size(), kUnseen), length_(steps.size()) {}
+      : steps_(steps), places_(places), hops_(steps.size()), length_(steps.size()) {}
 
   void from(std::size_t start) {
     std::vector<std::size_t> reached{start}, layer{start};
@@ -96,19 +97,17 @@ class HopSearch {
                        distance(places_[start].b, places_[v].b)) /
               length_[v]);
     }
-    for (const std::size_t v : reached) hops_[v] = kUnseen;
+    for (const std::size_t v : reached) hops_[v] = std::nullopt;
   }
 
   Figure consistency(std::size_t kind) const { return medianOf(found_[kind]); }
 
  private:
-  static constexpr std::size_t kUnseen = std::size_t(-1);
-
   std::vector<std::size_t> nextLayer(const std::vector<std::size_t>& layer, std::size_t hop) {
     std::vector<std::size_t> next;
     for (const std::size_t v : layer)
       for (const auto& [to, length] : steps_[v]) {
-        if (hops_[to] == kUnseen) {
+        if (!hops_[to]) {
           hops_[to] = hop, length_[to] = length_[v] + length;
           next.push_back(to);
         } else if (hops_[to] == hop) {
@@ -121,7 +120,7 @@ class HopSearch {
   const Steps& steps_;
   const std::vector<PlacePair>& places_;
   std::array<std::vector<double>, kConsistencyHops.size()> found_;
-  std::vector<std::size_t> hops_;
+  std::vector<std::optional<std::size_t>> hops_;  // none for those that were not met
   std::vector<double> length_;
 };
 

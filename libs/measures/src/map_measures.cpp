@@ -12,8 +12,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kWallsForAScan = 30;  // that one is worth where breaks are counted
-
 /** What one other run says of the pieces of a run; without trust where it says nothing. */
 struct Witness {
   double pieces = 0, trust = 0, walls = 0;
@@ -54,7 +52,7 @@ MeasuredValue countBreaks(const Site& site, const MapPairs& pairs, const Trust& 
   for (std::size_t j = 0; j < site.runs.size(); ++j) others += canTell(pairs, trust, run, j);
   if (others == 0) return {};
   const double scans = double(site.runs[run]->scans.size());
-  return {double(breaks), scans, {}, {}, others >= kFewestOthers, kWallsForAScan};
+  return {double(breaks), scans, {}, {}, others >= kFewestOthers, kFewestWalls / kFewestThings};
 }
 
 MeasuredValue overWalls(std::optional<double> value, const Run& run) {

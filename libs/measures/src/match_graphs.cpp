@@ -8,21 +8,12 @@
 #include <queue>
 #include <tuple>
 
+#include "fitted_measures.h"
 #include "roomgraph/geometry/NearPlaces.h"
 #include "shared_paths.h"
 
 namespace roomgraph {
 namespace {
-
-// What speaks against a pair, in metres of distance.
-constexpr double kOtherKind = 0.3, kOneExit = 0.15, kPerMetre = 0.5;
-constexpr double kUnlike = 1.0, kGrown = -0.3;
-constexpr int kMostExits = 3;
-constexpr double kFollowReach = 5;  // of a patch whose pose places a vertex [m]
-constexpr double kMaxSeed = 1;      // of vertices that are matched by their place [m]
-constexpr double kMaxGrown = 1.5;   // of neighbours of matched vertices [m]
-constexpr double kMaxUnlike = 0.5;  // of vertices that neither look alike nor have matched ways [m]
-constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
 
 /** Where each vertex lies in the other map: once for each copy of the walls beside it. */
 std::vector<std::vector<Point>> placesOf(const FollowedGraph& side, double reach) {
@@ -57,14 +48,14 @@ double nearestOf(const std::vector<Point>& places, Point to) {
 using Near = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
 
 Near nearVertices(const FollowedGraph& a, const FollowedGraph& b) {
-  const auto ofA = placesOf(a, kFollowReach), ofB = placesOf(b, kFollowReach);
+  const auto ofA = placesOf(a, fitted::kFollowReach), ofB = placesOf(b, fitted::kFollowReach);
   Near near(ofA.size());
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j) {
       const double there = nearestOf(ofA[i], b.graph.vertices()[j].at);
-      if (there > 2 * kMaxGrown) continue;
+      if (there > 2 * fitted::kMaxGrown) continue;
       const double apart = (there + nearestOf(ofB[j], a.graph.vertices()[i].at)) / 2;
-      if (apart <= kMaxGrown) near[i].push_back({j, apart});
+      if (apart <= fitted::kMaxGrown) near[i].push_back({j, apart});
     }
   return near;
 }
@@ -102,7 +93,7 @@ class Matcher {
     }
     std::vector<VertexMatch> matches;
     for (const auto& found : ofA_)
-      if (found && (found->mayStand || found->distance <= kMaxUnlike))
+      if (found && (found->mayStand || found->distance <= fitted::kMaxSeed / 2))
         matches.push_back({VertexId(found->a), VertexId(found->b), found->distance});
     return matches;
   }
@@ -113,23 +104,24 @@ class Matcher {
     const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
     if ((v.kind == VertexKind::room) != (w.kind == VertexKind::room)) return std::nullopt;
     const int exits = std::abs(int(a_.degree(VertexId(i))) - int(b_.degree(VertexId(j))));
-    return (v.kind == w.kind ? 0 : kOtherKind) + kOneExit * std::min(exits, kMostExits) +
-           kPerMetre * std::min(1.0, std::abs(v.clearance - w.clearance));
+    return (v.kind == w.kind ? 0 : fitted::kOtherKind) +
+           fitted::kOtherKind / 2 * std::min(exits, fitted::kMostExits) +
+           fitted::kPerMetre * std::min(1.0, std::abs(v.clearance - w.clearance));
   }
 
   bool lookAlike(std::uint32_t i, std::uint32_t j) const {
     const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
     return v.kind == w.kind && a_.degree(VertexId(i)) == b_.degree(VertexId(j)) &&
-           std::abs(v.clearance - w.clearance) <= kAlikeWidth;
+           std::abs(v.clearance - w.clearance) <= fitted::kAlikeWidth;
   }
 
   void offerAll() {
     for (std::uint32_t i = 0; i < near_.size(); ++i)
       for (const auto& [j, apart] : near_[i]) {
         const auto unlike = unlikeness(i, j);
-        if (!unlike || apart > kMaxSeed) continue;
+        if (!unlike || apart > fitted::kMaxSeed) continue;
         const bool isSeed = lookAlike(i, j);
-        queue_.push({apart + *unlike + (isSeed ? 0 : kUnlike), i, j, apart, isSeed});
+        queue_.push({apart + *unlike + (isSeed ? 0 : fitted::kUnlike), i, j, apart, isSeed});
       }
   }
 
@@ -147,7 +139,8 @@ class Matcher {
                                         [&](const auto& one) { return one.first == j; });
         const auto unlike = unlikeness(i, j);
         if (found == near_[i].end() || !unlike) continue;
-        const double cost = found->second + *unlike + kPerMetre * std::abs(ofA - ofB) + kGrown;
+        const double cost =
+            found->second + *unlike + fitted::kPerMetre * std::abs(ofA - ofB) + fitted::kGrown;
         queue_.push({cost, i, j, found->second, true});
       }
     }

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "fitted_measures.h"
 #include "map_measures.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kArea = 10;  // of the site [m2]
-constexpr double kRooms = 3;
-constexpr double kCount = 10;   // vertices, paths, pairs of vertices, or scans
-constexpr double kLength = 20;  // of paths [m]
 
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
@@ -35,7 +31,7 @@ MeasureRow ofSightings(const MeasureKind& kind,
 
 std::vector<MeasureRow> wallRows() {
   return {
-      {{"coverage", "Coverage", "1", kArea,
+      {{"coverage", "Coverage", "1", fitted::kArea,
         "Of what two runs have seen free, the share it has seen."},
        [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
        {}},
@@ -82,13 +78,13 @@ std::vector<MeasureRow> wallPlaceRows() {
 }
 
 std::vector<MeasureRow> roomRows() {
-  return {{{"rooms_matched", "Rooms found again", "1", kRooms,
+  return {{{"rooms_matched", "Rooms found again", "1", 3,
             "Of the rooms of the others that it has seen, the share it has, too."},
            [](const SiteEvidence& all, std::size_t run) {
              return roomsMatchedOf(all.rooms, all.trust, run);
            },
            {}},
-          {{"room_coverage", "Room area of the others that it has", "1", kArea,
+          {{"room_coverage", "Room area of the others that it has", "1", fitted::kArea,
             "Of the area of all rooms of the others, the share in rooms that it has, too."},
            [](const SiteEvidence& all, std::size_t run) {
              return roomCoverageOf(all.rooms, all.trust, run);
@@ -123,34 +119,34 @@ GraphFigure consistencyOver(std::size_t hops) {
 
 std::vector<MeasureRow> graphRows() {
   using Graphs = GraphComparison;
-  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", kLength,
+  return {ofGraphs({"path_coverage", "Paths of the others that it has", "1", 20,
                     "Of the path length of the others, the share it has, too."},
                    {[](const Graphs& g, bool isA) { return isA ? g.coverageOfA : g.coverageOfB; }}),
-          rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kCount,
+          rmsOfGraphs({"global_accuracy", "Vertices off, RMS", "m", kFewestThings,
                        "RMS distance of matched vertices in the frame of the site."},
                       &Graphs::globalAccuracy),
-          rmsOfGraphs({"relative_accuracy", "Vertices off after the best fit, RMS", "m", kCount,
-                       "The same after the turn and shift that fit each pair best."},
+          rmsOfGraphs({"relative_accuracy", "Vertices off after the best fit, RMS", "m",
+                       kFewestThings, "The same after the turn and shift that fit each pair best."},
                       &Graphs::relativeAccuracy),
-          ofGraphs({"consistency_1", "Distances off, 1 hop", "1", kCount,
+          ofGraphs({"consistency_1", "Distances off, 1 hop", "1", kFewestThings,
                     "Median error of distances between vertices one path apart."},
                    consistencyOver(1)),
-          ofGraphs(
-              {"consistency_2", "Distances off, 2 hops", "1", kCount, "The same, two paths apart."},
-              consistencyOver(2)),
-          ofGraphs({"consistency_4", "Distances off, 4 hops", "1", kCount,
+          ofGraphs({"consistency_2", "Distances off, 2 hops", "1", kFewestThings,
+                    "The same, two paths apart."},
+                   consistencyOver(2)),
+          ofGraphs({"consistency_4", "Distances off, 4 hops", "1", kFewestThings,
                     "The same, four paths apart."},
                    consistencyOver(4)),
-          ofGraphs({"consistency_8", "Distances off, 8 hops", "1", kCount,
+          ofGraphs({"consistency_8", "Distances off, 8 hops", "1", kFewestThings,
                     "The same, eight paths apart."},
                    consistencyOver(8)),
-          ofGraphs({"path_length_error", "Path lengths off, median", "1", kCount,
+          ofGraphs({"path_length_error", "Path lengths off, median", "1", kFewestThings,
                     "Median error of the lengths of matched paths."},
                    &Graphs::lengthError),
-          ofGraphs({"path_frechet", "Paths apart (Fréchet), median", "m", kCount,
+          ofGraphs({"path_frechet", "Paths apart (Fréchet), median", "m", kFewestThings,
                     "Median Fréchet distance of matched paths, their ends laid on each other."},
                    &Graphs::frechet),
-          ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kCount,
+          ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kFewestThings,
                     "Mean distance of its vertices to the nearest vertex of the other."},
                    {[](const Graphs& g, bool isA) { return isA ? g.nearestA : g.nearestB; }})};
 }
@@ -175,7 +171,7 @@ std::vector<MeasureRow> mapRows() {
       ofMap({"wall_sharpness", "Wall at the edge of free space", "1", kFewestWalls,
              "Cells drawn as wall for each cell at the edge of free space."},
             wallSharpnessOf),
-      ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kCount,
+      ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kFewestThings,
              "How far scans lie from what was seen at the same place at another time."},
             scanDisagreementOf)};
 }

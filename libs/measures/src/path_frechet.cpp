@@ -4,14 +4,11 @@
 #include <cmath>
 #include <vector>
 
+#include "fitted_measures.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kPathStep = 0.25;  // [m]
-constexpr int kFewestPathSteps = 8, kMostPathSteps = 64;
-constexpr double kLoop = 0.3;  // share of the length below which the ends give no direction
 
 /** `steps` + 1 places, evenly along the line. */
 std::vector<Point> evenly(const Polyline& line, double length, int steps) {
@@ -56,12 +53,12 @@ double frechet(const std::vector<Point>& a, const std::vector<Point>& b) {
 std::optional<double> pathFrechet(const Polyline& a, const Polyline& b) {
   const double ofA = length(a), ofB = length(b);
   if (ofA <= 0 || ofB <= 0) return std::nullopt;
-  const int steps =
-      std::clamp(int(std::max(ofA, ofB) / kPathStep), kFewestPathSteps, kMostPathSteps);
+  const int steps = std::clamp(int(std::max(ofA, ofB) / fitted::kPathStep),
+                               fitted::kFewestPathSteps, fitted::kMostPathSteps);
   const std::vector<Point> onA = evenly(a, ofA, steps);
   std::vector<Point> onB = evenly(b, ofB, steps);
-  const bool isLoop =
-      distance(a.front(), a.back()) < kLoop * ofA || distance(b.front(), b.back()) < kLoop * ofB;
+  const bool isLoop = distance(a.front(), a.back()) < fitted::kLoop * ofA ||
+                      distance(b.front(), b.back()) < fitted::kLoop * ofB;
   MotionFit fit;
   for (std::size_t i = 0; i < onA.size(); ++i)
     if (isLoop || i == 0 || i + 1 == onA.size()) fit.add(onB[i], onA[i]);

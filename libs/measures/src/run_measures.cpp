@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_measures.h"
 #include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/relate/pair_jobs.h"
@@ -10,10 +11,6 @@
 
 namespace roomgraph {
 namespace {
-
-/** A run that is trusted less than this share of the second best is so torn or bent that it tells
- *  of places that are not there. */
-constexpr double kLeastTrust = 1e-3;
 
 /** Cells by who has seen them free. */
 struct SeenCells {
@@ -31,7 +28,7 @@ std::vector<bool> witnessesOf(const DistinctMaps& maps, const Trust& trust) {
   for (std::size_t i = 0; i < trust.size(); ++i)
     if (maps.isVoice(i)) sorted.push_back(trust[i]);
   std::sort(sorted.rbegin(), sorted.rend());
-  const double least = sorted.size() > 1 ? kLeastTrust * sorted[1] : 0;
+  const double least = sorted.size() > 1 ? fitted::kLeastTrust * sorted[1] : 0;
   std::vector<bool> isWitness;
   for (std::size_t i = 0; i < trust.size(); ++i)
     isWitness.push_back(maps.isVoice(i) && trust[i] >= least);

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "MeasuredValue.h"
+#include "fitted_measures.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
@@ -12,32 +14,17 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameFacing = 0.5;       // cosine
-constexpr std::size_t kWallStride = 2;    // every second wall of a scan is looked for
-constexpr double kMinApart = 5;           // path between two scans that are compared [m]
-constexpr double kSameView = 2;           // between the places of two scans that see the same [m]
-constexpr std::size_t kMaxVisits = 8;     // scans that one is compared with, nearest first
-constexpr std::size_t kMinMetWalls = 10;  // of these
-
-/** The path from the first scan to each [m]. */
-std::vector<double> pathsTo(const std::vector<ScanWalls>& scans) {
-  std::vector<double> paths;
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    paths.push_back(i == 0 ? 0 : paths.back() + distance(scans[i - 1].at(), scans[i].at()));
-  return paths;
-}
-
 /** The scans that see what this one sees, but at another time. */
 std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>& scans,
                                   const std::vector<double>& paths) {
   std::vector<std::pair<double, std::size_t>> others;
   for (std::size_t j = 0; j < scans.size(); ++j) {
     const double far = distance(scans[scan].at(), scans[j].at());
-    if (far <= kSameView && std::abs(paths[scan] - paths[j]) >= kMinApart)
+    if (far <= fitted::kSameView && std::abs(paths[scan] - paths[j]) >= fitted::kMinApart)
       others.push_back({far, j});
   }
   std::sort(others.begin(), others.end());
-  if (others.size() > kMaxVisits) others.resize(kMaxVisits);
+  if (others.size() > fitted::kMaxVisits) others.resize(fitted::kMaxVisits);
   std::vector<std::size_t> numbers;
   for (const auto& [far, j] : others) numbers.push_back(j);
   return numbers;
@@ -48,7 +35,7 @@ void searchIn(const ScanWalls& scan, const WallPoint& wall, std::optional<double
   for (const WallPoint& other : scan.walls) {
     const Point off = other.place - wall.place;
     if (squaredNorm(off) > WallMap::kReach * WallMap::kReach) continue;
-    if (dot(other.normal, wall.normal) < kSameFacing) continue;
+    if (dot(other.normal, wall.normal) < fitted::kSameFacing) continue;
     const double across = dot(off, other.normal);
     const double along = std::max(0.0, std::abs(cross(off, other.normal)) - kSameWall);
     const double far = across * across + along * along;
@@ -59,20 +46,21 @@ void searchIn(const ScanWalls& scan, const WallPoint& wall, std::optional<double
 }  // namespace
 
 Figure scanDisagreement(const std::vector<ScanWalls>& scans) {
-  const std::vector<double> paths = pathsTo(scans);
+  const std::vector<double> paths = drivenWays(scans);
   std::vector<double> medians;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::vector<std::size_t> others = othersOf(i, scans, paths);
     if (others.empty()) continue;
     std::vector<double> distances;
     double asked = 0;
-    for (std::size_t k = 0; k < scans[i].walls.size(); k += kWallStride) {
+    for (std::size_t k = 0; k < scans[i].walls.size(); k += fitted::kWallStride) {
       ++asked;
       std::optional<double> best;
       for (const std::size_t j : others) searchIn(scans[j], scans[i].walls[k], best);
       if (best) distances.push_back(std::sqrt(*best));
     }
-    if (distances.size() < kMinMetWalls || double(distances.size()) < kMajority * asked) continue;
+    if (double(distances.size()) < kFewestThings || double(distances.size()) < kMajority * asked)
+      continue;
     medians.push_back(lowerQuantile(std::move(distances), 0.5));
   }
   if (medians.empty()) return {};

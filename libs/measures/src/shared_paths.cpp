@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <queue>
 #include <tuple>
 
+#include "fitted_measures.h"
 #include "roomgraph/base/OneToOne.h"
 
 namespace roomgraph {
 namespace {
 
-// By how much the lengths of one way may differ: always this, and this share of the longer one.
-constexpr double kLengthSlack = 0.5, kLengthShare = 0.25;  // [m]
-constexpr double kMaxPathLength = 20;  // of a way through vertices that are not matched [m]
-constexpr std::size_t kNoMatch = std::size_t(-1);
+/** Of each vertex the match that it is part of. */
+using MatchOf = std::vector<std::optional<std::size_t>>;
 
 struct Way {
   std::vector<HalfEdgeId> steps;
@@ -24,11 +24,9 @@ struct Way {
 /** From one matched vertex to the others, each by the shortest way past no matched vertex. */
 class WaysOut {
  public:
-  /** `matchOf`: of each vertex the match that it is part of. */
-  WaysOut(const TopologyGraph& graph, std::vector<std::size_t> matchOf, double maxLength)
+  WaysOut(const TopologyGraph& graph, MatchOf matchOf)
       : graph_(graph),
         matchOf_(std::move(matchOf)),
-        maxLength_(maxLength),
         length_(graph.vertices().size(), HUGE_VAL),
         before_(graph.vertices().size()) {}
 
@@ -37,8 +35,8 @@ class WaysOut {
     search(start);
     std::map<std::size_t, Way> ways;
     for (const VertexId v : reached_) {
-      const std::size_t match = matchOf_[v.index()];
-      if (match != kNoMatch && match > matchOf_[start.index()]) ways[match] = wayTo(v, start);
+      const auto match = matchOf_[v.index()];
+      if (match && match > matchOf_[start.index()]) ways[*match] = wayTo(v, start);
     }
     for (const VertexId v : reached_) length_[v.index()] = HUGE_VAL;
     return ways;
@@ -55,11 +53,11 @@ class WaysOut {
       const auto [length, v] = queue.top();
       queue.pop();
       if (length > length_[v.index()]) continue;
-      if (v != start && matchOf_[v.index()] != kNoMatch) continue;
+      if (v != start && matchOf_[v.index()]) continue;
       for (const HalfEdgeId h : graph_.outgoing(v)) {
         const VertexId to = graph_.target(h);
         const double next = length + graph_.edge(h).path.length;
-        if (next > maxLength_ || next >= length_[to.index()]) continue;
+        if (next > fitted::kMaxPathLength || next >= length_[to.index()]) continue;
         if (length_[to.index()] == HUGE_VAL) reached_.push_back(to);
         length_[to.index()] = next, before_[to.index()] = h;
         queue.push({next, to});
@@ -76,8 +74,7 @@ class WaysOut {
   }
 
   const TopologyGraph& graph_;
-  std::vector<std::size_t> matchOf_;
-  double maxLength_;
+  MatchOf matchOf_;
   std::vector<double> length_;
   std::vector<HalfEdgeId> before_;
   std::vector<VertexId> reached_;
@@ -87,15 +84,15 @@ using Ends = std::pair<std::size_t, std::size_t>;
 
 /** The edges between matched vertices, by their matches, as half edges from the lower one. */
 std::map<Ends, std::vector<HalfEdgeId>> edgesBetween(const TopologyGraph& graph,
-                                                     const std::vector<std::size_t>& matchOf) {
+                                                     const MatchOf& matchOf) {
   std::map<Ends, std::vector<HalfEdgeId>> edges;
   for (std::size_t e = 0; e < graph.edges().size(); ++e) {
     const Edge& edge = graph.edges()[e];
-    std::size_t from = matchOf[edge.source.index()], to = matchOf[edge.target.index()];
-    if (from == kNoMatch || to == kNoMatch) continue;
+    auto from = matchOf[edge.source.index()], to = matchOf[edge.target.index()];
+    if (!from || !to) continue;
     HalfEdgeId h(2 * e);
     if (to < from) std::swap(from, to), h = TopologyGraph::twin(h);
-    edges[{from, to}].push_back(h);
+    edges[{*from, *to}].push_back(h);
   }
   return edges;
 }
@@ -125,12 +122,12 @@ void matchEdges(const TopologyGraph& a, const TopologyGraph& b, Ends ends,
 }  // namespace
 
 bool isSameLength(double a, double b) {
-  return std::abs(a - b) <= std::max(kLengthSlack, kLengthShare * std::max(a, b));
+  return std::abs(a - b) <= std::max(fitted::kLengthSlack, fitted::kLengthShare * std::max(a, b));
 }
 
 std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& b,
                                    const std::vector<VertexMatch>& vertices) {
-  std::vector<std::size_t> ofA(a.vertices().size(), kNoMatch), ofB(b.vertices().size(), kNoMatch);
+  MatchOf ofA(a.vertices().size()), ofB(b.vertices().size());
   for (std::size_t m = 0; m < vertices.size(); ++m)
     ofA[vertices[m].a.index()] = ofB[vertices[m].b.index()] = m;
   const auto edgesA = edgesBetween(a, ofA), edgesB = edgesBetween(b, ofB);
@@ -140,7 +137,7 @@ std::vector<PathMatch> sharedPaths(const TopologyGraph& a, const TopologyGraph& 
       matchEdges(a, b, ends, edges, other->second, paths);
   std::map<Ends, bool> isDone;
   for (const PathMatch& path : paths) isDone[{path.from, path.to}] = true;
-  WaysOut outA(a, ofA, kMaxPathLength), outB(b, ofB, kMaxPathLength);
+  WaysOut outA(a, ofA), outB(b, ofB);
   for (std::size_t m = 0; m < vertices.size(); ++m) {
     auto waysA = outA.from(vertices[m].a), waysB = outB.from(vertices[m].b);
     for (auto& [to, way] : waysA) {

@@ -3,22 +3,20 @@
 #include <algorithm>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 
 GridFrame siteFrame(const Site& site) {
-  Point low{1e30, 1e30}, high{-1e30, -1e30};
-  double cell = 0.1;
+  Box box;
+  double cell = kWallCell;
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     cell = std::max(cell, site.runs[i]->map.frame.resolution);
-    for (const WallPoint& wall : site.runs[i]->map.walls) {
-      const Point p = site.poses[i](wall.place);
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
+    for (const WallPoint& wall : site.runs[i]->map.walls) box.include(site.poses[i](wall.place));
   }
-  if (low.x > high.x) return {1, 1, cell, {}};
-  return {int((high.x - low.x) / cell) + 1, int((high.y - low.y) / cell) + 1, cell, low};
+  if (box.isEmpty()) return {1, 1, cell, {}};
+  return {int(box.size().x / cell) + 1, int(box.size().y / cell) + 1, cell, box.low};
 }
 
 bool isFreeIn(const WallMap& map, Point p) {

@@ -41,8 +41,8 @@ WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transfor
     const std::size_t cell = cellIndexAt(in.frame, at);
     if (!hasSeen(in, cell)) continue;
     const WallPoint* found = isItself ? &wall : nearestWall(in, cell, normal);
-    const double far = found ? distance(found->place, at) : WallDistances::kMost;
-    const double d = isItself ? 0 : std::min(far, WallDistances::kMost);
+    const double far = found ? distance(found->place, at) : WallMap::kReach;
+    const double d = isItself ? 0 : std::min(far, WallMap::kReach);
     result.sum += d;
     result.count += 1;
     result.histogram[std::size_t(std::lround(d / WallDistances::kStep))] += 1;

@@ -13,11 +13,11 @@ namespace roomgraph {
 
 /** How far the walls of one map lie from those of another. */
 struct WallDistances {
-  static constexpr double kMost = 1.0;  ///< a wall that is farther away, or missing, counts as this
   static constexpr double kStep = 0.005;  ///< of the histogram [m]
-  double sum = 0;                         ///< of the distances, each at most kMost [m]
-  double count = 0;                       ///< wall points
-  std::array<double, 201> histogram{};    ///< points by distance, rounded to kStep
+  double sum = 0;  ///< of the distances, each at most WallMap::kReach: also where there is none [m]
+  double count = 0;  ///< wall points
+  /** Points by distance, rounded to kStep. */
+  std::array<double, std::size_t(WallMap::kReach / kStep) + 1> histogram{};
 
   /** none for no points: 0. */
   double mean() const { return count > 0 ? sum / count : 0; }

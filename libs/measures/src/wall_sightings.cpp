@@ -11,8 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kConfirm = 2;  // voices that make sure of a wall, or of free space
-
 /** Of the walls of each run. */
 std::vector<std::vector<bool>> straightOf(const Site& site, const ForEach& forEach) {
   std::vector<std::vector<bool>> straight(site.runs.size());
@@ -66,7 +64,7 @@ Count addedBy(const SightingTable& sightings, const std::vector<std::size_t>& ot
       const WallSighting seen = sightings.in(run, other)[i];
       found += seen == WallSighting::found, free += seen == WallSighting::free;
     }
-    if (found + free < kConfirm) continue;
+    if (found + free < kFewestOthers) continue;
     ++count.all, count.some += found == 0 ? 1 : 0;
   }
   return count;
@@ -116,7 +114,7 @@ MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& m
   others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
   MeasuredValue added;
   const Count count = addedBy(sightings, others, run);
-  added.support = count.all, added.hasEnoughOthers = others.size() >= kConfirm;
+  added.support = count.all, added.hasEnoughOthers = others.size() >= kFewestOthers;
   if (count.all > 0) added.value = count.some / count.all;
   return added;
 }

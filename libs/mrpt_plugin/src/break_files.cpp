@@ -138,9 +138,7 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
     for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown, turn);
   }
   for (Point& place : shown) place = Transform2D{0, 0, turn}(place);
-  Box box = boundingBox(shown);
-  box.low = box.low - Point{1, 1}, box.high = box.high + Point{1, 1};
-  lookFromAbove(scene, box, turn);
+  lookFromAbove(scene, boundingBox(shown).widened(1), turn);
   return scene;
 }
 

@@ -209,19 +209,18 @@ std::vector<RunWalls> runWalls(const std::vector<Run>& runs) {
 }
 
 Box drawnBox(const Comparison& comparison, const std::vector<RunWalls>& walls, double turn) {
-  std::vector<Point> places;
+  Box box;
   for (const ComparedRun& run : comparison.runs) {
     const auto* known = wallsOf(walls, run.name);
     if (!known) continue;
     const Motion2D move(Transform2D{0, 0, turn} * run.pose);
-    for (const Point wall : *known) places.push_back(move(wall));
+    for (const Point wall : *known) box.include(move(wall));
   }
-  return places.empty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : boundingBox(places);
+  return box.isEmpty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : box;
 }
 
 double letterHeight(const Box& box) {
-  const Point size = box.high - box.low;
-  return std::clamp(0.018 * std::max(size.x, size.y), 0.4, 1.5);
+  return std::clamp(0.018 * std::max(box.size().x, box.size().y), 0.4, 1.5);
 }
 
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,

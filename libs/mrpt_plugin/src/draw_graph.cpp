@@ -204,20 +204,18 @@ std::uint8_t greyOf(State state) {
 }  // namespace
 
 Box drawnBox(const MappedGraph& graph) {
-  std::vector<Point> points;
-  for (const Vertex& vertex : graph.file.graph.graph.vertices()) points.push_back(vertex.at);
+  Box box;
+  for (const Vertex& vertex : graph.file.graph.graph.vertices()) box.include(vertex.at);
   for (const GraphRoom& room : graph.file.graph.rooms)
-    points.insert(points.end(), room.shape.polygon.outer.begin(), room.shape.polygon.outer.end());
+    for (const Point p : room.shape.polygon.outer) box.include(p);
   for (const Edge& edge : graph.file.graph.graph.edges())
-    points.insert(points.end(), edge.path.points.begin(), edge.path.points.end());
+    for (const Point p : edge.path.points) box.include(p);
   if (graph.map && !graph.map->cells.empty()) {
     const GridFrame& frame = graph.map->frame;
-    points.push_back(frame.origin);
-    points.push_back(frame.origin +
-                     frame.resolution * Point{double(frame.width), double(frame.height)});
+    box.include(frame.origin);
+    box.include(frame.origin + frame.resolution * Point{double(frame.width), double(frame.height)});
   }
-  if (points.empty()) return {{-0.5, -0.5}, {0.5, 0.5}};
-  return boundingBox(points);
+  return box.isEmpty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : box;
 }
 
 viz::CSetOfObjects::Ptr drawGraph(const MappedGraph& graph, const viz::CSetOfObjects::Ptr& before) {

@@ -8,6 +8,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/page/simple_page.h"
 #include "roomgraph/report/run_check_json.h"
 
@@ -38,10 +39,10 @@ std::string dots(const std::vector<Point>& places, const char* colour, double si
          formatted("\" stroke-width=\"%.2f\" d=\"", size) + path + "\"/>\n";
 }
 
-std::string pictureOf(Point low, Point high, const char* kind) {
+std::string pictureOf(const Box& box, const char* kind) {
   return std::string("<svg class=\"") + kind +
-         formatted("\" role=\"img\" viewBox=\"%.2f %.2f %.2f %.2f\">\n", low.x - 1, -high.y - 1,
-                   high.x - low.x + 2, high.y - low.y + 2);
+         formatted("\" role=\"img\" viewBox=\"%.2f %.2f %.2f %.2f\">\n", box.low.x - 1,
+                   -box.high.y - 1, box.size().x + 2, box.size().y + 2);
 }
 
 /** Grey where it was driven once; else from green to red, by how far it is off. */
@@ -56,16 +57,12 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
   const bool hasCopies = run.map.wallDoubling.value_or(0) > 0;
   for (const WallPoint& wall : run.map.walls)
     (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
-  Point low{1e9, 1e9}, high{-1e9, -1e9};
-  const auto include = [&](Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  };
-  for (const WallPoint& wall : run.map.walls) include(wall.place);
-  for (const CheckedPose& at : check.path) include(at.pose.shift());
-  if (low.x > high.x) return "";
+  Box box;
+  for (const WallPoint& wall : run.map.walls) box.include(wall.place);
+  for (const CheckedPose& at : check.path) box.include(at.pose.shift());
+  if (box.isEmpty()) return "";
   std::string svg =
-      pictureOf(low, high, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
+      pictureOf(box, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
   for (std::size_t k = 1; k < check.path.size(); ++k) {
     const Point from = check.path[k - 1].pose.shift(), to = check.path[k].pose.shift();
     svg += formatted("<path fill=\"none\" stroke-width=\".25\" d=\"M%.2f %.2fL%.2f %.2f\" ", from.x,
@@ -102,8 +99,7 @@ std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
 /** What two stretches of the run have met around a place, that of the second moved by `motion`. */
 std::string scansPicture(Point middle, const Run& run, const FrameRange& ahead,
                          const FrameRange& behind, const Transform2D& motion) {
-  const Point reach{kScanReach, kScanReach};
-  return pictureOf(middle - reach, middle + reach, "scans") +
+  return pictureOf(Box{middle, middle}.widened(kScanReach), "scans") +
          dots(wallsNear(middle, run, ahead, {}), "#0a4f8f", 0.14) +
          dots(wallsNear(middle, run, behind, motion), "#c44d00", 0.14) + "</svg>";
 }

@@ -71,12 +71,12 @@ std::string safeInScript(const std::string& json) {
 
 /** What can be drawn without any map. */
 Box boxOfRooms(const Comparison& comparison) {
-  std::vector<Point> points;
+  Box box;
   for (const SiteRoom& room : comparison.rooms)
-    points.insert(points.end(), room.polygon.outer.begin(), room.polygon.outer.end());
+    for (const Point p : room.polygon.outer) box.include(p);
   for (const ComparedRun& run : comparison.runs)
-    for (const PathPose& pose : run.path) points.push_back(pose.pose.shift());
-  return points.empty() ? Box{{0, 0}, {1, 1}} : boundingBox(points);
+    for (const PathPose& pose : run.path) box.include(pose.pose.shift());
+  return box.isEmpty() ? Box{{0, 0}, {1, 1}} : box;
 }
 
 std::vector<Point> thinned(const std::vector<Point>& places) {

@@ -10,8 +10,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMostNames = 4;
-
 std::string goneSentence(const Comparison& comparison) {
   std::vector<std::string> names;
   for (const SiteRoom& room : comparison.rooms) {

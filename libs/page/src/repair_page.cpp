@@ -9,6 +9,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/MapBreak.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/page/simple_page.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/upright_turn.h"
@@ -54,17 +55,13 @@ Drawing drawingOf(const Run& run, const std::vector<Transform2D>& poses,
 
 /** A box round both drawings, as an SVG has it. */
 std::string viewBox(const Drawing& one, const Drawing& other) {
-  Point low{1e9, 1e9}, high{-1e9, -1e9};
-  const auto include = [&](Point p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  };
+  Box box;
   for (const Drawing* drawing : {&one, &other}) {
-    for (const auto& [row, column] : drawing->walls) include({double(column), double(row)});
-    for (const Point p : drawing->path) include(p);
+    for (const auto& [row, column] : drawing->walls) box.include({double(column), double(row)});
+    for (const Point p : drawing->path) box.include(p);
   }
-  return formatted("%.0f %.0f %.0f %.0f", low.x - 5, low.y - 5, high.x - low.x + 10,
-                   high.y - low.y + 10);
+  box = box.widened(5);
+  return formatted("%.0f %.0f %.0f %.0f", box.low.x, box.low.y, box.size().x, box.size().y);
 }
 
 /** Walls, and the path: blue, or grey where the scans stay on their links. */

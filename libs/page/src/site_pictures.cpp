@@ -21,21 +21,10 @@ void forKnownCells(const PlacedMap& placed, const Use& use) {
     }
 }
 
-struct Bounds {
-  Box box{{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
-
-  void add(Point p, double margin) {
-    box.low = {std::min(box.low.x, p.x - margin), std::min(box.low.y, p.y - margin)};
-    box.high = {std::max(box.high.x, p.x + margin), std::max(box.high.y, p.y + margin)};
-  }
-  bool isEmpty() const { return box.low.x > box.high.x; }
-};
-
-Bounds boundsOf(const PlacedMap& placed) {
-  Bounds bounds;
-  const double margin = 0.71 * placed.map->frame.resolution;  // a turned cell
-  forKnownCells(placed, [&](Point p, State) { bounds.add(p, margin); });
-  return bounds;
+Box boundsOf(const PlacedMap& placed) {
+  Box box;
+  forKnownCells(placed, [&](Point p, State) { box.include(p); });
+  return box.widened(0.71 * placed.map->frame.resolution);  // a turned cell
 }
 
 /** The box widened to whole cells of a raster through the origin. */
@@ -133,13 +122,13 @@ bool isWallNear(const Looks& looks, const GridFrame& frame, Cell cell) {
 }  // namespace
 
 Box knownBox(const std::vector<PlacedMap>& maps) {
-  Bounds all;
+  Box all;
   for (const PlacedMap& placed : maps) {
-    const Bounds bounds = boundsOf(placed);
-    if (bounds.isEmpty()) continue;
-    all.add(bounds.box.low, 0), all.add(bounds.box.high, 0);
+    const Box box = boundsOf(placed);
+    if (box.isEmpty()) continue;
+    all.include(box.low), all.include(box.high);
   }
-  return all.isEmpty() ? Box{{0, 0}, {1, 1}} : all.box;
+  return all.isEmpty() ? Box{{0, 0}, {1, 1}} : all;
 }
 
 double pixelFor(const Box& site, const std::vector<PlacedMap>& maps, int most) {
@@ -150,9 +139,9 @@ double pixelFor(const Box& site, const std::vector<PlacedMap>& maps, int most) {
 }
 
 SitePicture runPicture(const PlacedMap& placed, const RunInk& ink, double pixel) {
-  const Bounds bounds = boundsOf(placed);
-  if (bounds.isEmpty()) return {{{0, 0}, {1, 1}}, ""};
-  const GridFrame frame = rasterOver(bounds.box, pixel);
+  const Box box = boundsOf(placed);
+  if (box.isEmpty()) return {{{0, 0}, {1, 1}}, ""};
+  const GridFrame frame = rasterOver(box, pixel);
   PaletteImage image{frame.width, frame.height, std::vector<Colour>(6, ink.colour), {}, {}};
   image.alphas = {0, ink.faint, kWallAlphas[0], kWallAlphas[1], kWallAlphas[2], kWallAlphas[3]};
   image.indices.reserve(frame.cellCount());

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "fitted_relate.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kHardlyBent = 1;     // bend; storeys of one building lie within decimetres [m]
-constexpr double kOtherWalls = 0.15;  // share of straight walls; of 88 pairs of one storey 0.07
 
 /** Of the straight walls of `of` that `in` knows, the share where it shows free space; 0 where
  *  there are too few. */
@@ -28,9 +26,9 @@ double contradictedShare(const WallMap& of, const WallMap& in, const FollowedWal
 
 bool areStoreys(const MapPair& pair, const WallMap& a, const WallMap& b) {
   if (pair.areEdits || pair.alignment.confidence < kSurePose) return false;
-  if (std::max(pair.bInA.bend, pair.aInB.bend) > kHardlyBent) return false;
-  return contradictedShare(b, a, pair.bInA) >= kOtherWalls &&
-         contradictedShare(a, b, pair.aInB) >= kOtherWalls;
+  if (std::max(pair.bInA.bend, pair.aInB.bend) > fitted::kHardlyBent) return false;
+  return contradictedShare(b, a, pair.bInA) >= fitted::kOtherWalls &&
+         contradictedShare(a, b, pair.aInB) >= fitted::kOtherWalls;
 }
 
 }  // namespace roomgraph

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/are_identical.h"
+#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/shares_drive.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kMuch = 0.02;     // of the places worth seeing, that one more run must add
-constexpr std::size_t kTwice = 2;  // runs that should have seen a place
 
 class Choosing {
  public:
@@ -20,7 +19,7 @@ class Choosing {
     for (const SeenPlaces& places : seen)
       for (const std::int64_t place : places) ++all[place];
     for (const auto& [place, count] : all)
-      if (count >= kTwice) worth_.insert(place);
+      if (count >= kFewestOthers) worth_.insert(place);
   }
 
   std::vector<std::size_t> chosen(std::size_t count, std::size_t fixed) {
@@ -28,7 +27,8 @@ class Choosing {
     chooseInOrder(count * 2 / 3, Drives::distinct);
     while (chosen_.size() < 2 * count) {
       const std::size_t next = addingMost();
-      if (next == runs_.size() || double(addedBy(next)) < kMuch * double(worth_.size())) break;
+      if (next == runs_.size() || double(addedBy(next)) < fitted::kMuch * double(worth_.size()))
+        break;
       choose(next);
     }
     chooseInOrder(count, Drives::distinct);
@@ -73,7 +73,7 @@ class Choosing {
     const SeenPlaces& places = seen_[run];
     return std::size_t(std::count_if(places.begin(), places.end(), [&](std::int64_t place) {
       const auto count = counts_.find(place);
-      return worth_.count(place) > 0 && (count == counts_.end() || count->second < kTwice);
+      return worth_.count(place) > 0 && (count == counts_.end() || count->second < kFewestOthers);
     }));
   }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "by_straightness.h"
+#include "fitted_relate.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"
 #include "roomgraph/align/wall_map.h"
@@ -13,17 +14,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr int kFits = 3;           // of the scale to the walls, each from the one before
-constexpr int kMostAcross = 1500;  // cells that sizes are measured on
-// Factors by which scales go below and above what sizes of rooms and map tell: what a run has not
-// seen makes them look small; and farther still to reach the first guess.
-constexpr double kBelow = 1.25, kAbove = 1.6, kGuessReach = 2;
-constexpr std::size_t kCloser = 3;    // scales that are looked at closely
-constexpr std::size_t kSearches = 2;  // runs that the picture is looked for in, until it fits one
-constexpr std::size_t kVoters = 5;    // runs that have their say at last
-constexpr double kUsualWidth = 0.4;   // median distance of free places to what is not free [m]
-constexpr double kMinOfRun = 0.2;  // share of the run's free area that the picture must show, too
 
 /** A scale, and how well the picture fits there. */
 struct ScaleTrial {
@@ -61,7 +51,7 @@ struct Sizes {
  *  cells is, free where more are free than unknown. */
 Sizes sizesInCells(const Grid& picture) {
   const GridFrame& from = picture.frame;
-  const int factor = std::max(from.width, from.height) / kMostAcross + 1;
+  const int factor = std::max(from.width, from.height) / fitted::kMostAcross + 1;
   Grid small;
   small.frame = {(from.width + factor - 1) / factor, (from.height + factor - 1) / factor, 1, {}};
   std::vector<int> balance(small.frame.cellCount(), 0);
@@ -87,8 +77,8 @@ std::vector<double> scalesToTry(const Grid& picture, const WallMap& run) {
   if (cells.walls <= 0 || metres.walls <= 0) return {picture.frame.resolution};
   const auto [least, most] = std::minmax(
       {metres.free / cells.free, metres.width / cells.width, metres.walls / cells.walls});
-  const double low = least / kBelow, high = most * kAbove;
-  const double reach = std::log(kGuessReach);
+  const double low = least / fitted::kBelow, high = most * fitted::kAbove;
+  const double reach = std::log(fitted::kGuessReach);
   const double lower = std::clamp(std::log(low / picture.frame.resolution), 0.0, reach);
   const double higher = std::clamp(std::log(picture.frame.resolution / high), 0.0, reach);
   const int first = -int(std::ceil(lower / kScaleStep));
@@ -104,10 +94,10 @@ ScaleTrial trialAt(double resolution, const Grid& picture, const WallMap& run,
 }
 
 /** From a scale that is nearly right, the one that fits the walls near the pose found there. */
-ScaleTrial fitted(const ScaleTrial& near, const Grid& picture, const WallMap& run) {
+ScaleTrial fitToWalls(const ScaleTrial& near, const Grid& picture, const WallMap& run) {
   double resolution = near.resolution;
   Transform2D pose = near.alignment.pose;
-  for (int i = 0; i < kFits; ++i) {
+  for (int i = 0; i < fitted::kFits; ++i) {
     const WallMap map = wallMap(rescaled(picture, resolution));
     const ScaledPose fit = fitScale(run, map, pose, i == 0 ? 1.0 : 0.5);
     resolution *= fit.scale, pose = fit.pose;
@@ -122,7 +112,7 @@ void sortByScore(std::vector<ScaleTrial>& trials) {
 }
 
 /** All scales of the range, the best first. */
-std::vector<ScaleTrial> tried(const Grid& picture, const WallMap& run, const ForEach& forEach) {
+std::vector<ScaleTrial> tryScales(const Grid& picture, const WallMap& run, const ForEach& forEach) {
   const std::vector<double> scales = scalesToTry(picture, run);
   std::vector<ScaleTrial> trials(scales.size());
   forEach(trials.size(),
@@ -133,16 +123,16 @@ std::vector<ScaleTrial> tried(const Grid& picture, const WallMap& run, const For
 
 /** The best scale near `trial`: the best of some between it and its neighbours, fitted to the
  *  walls, then once more from the pose that is the best there. */
-ScaleTrial lookedAt(const ScaleTrial& trial, const Grid& picture, const WallMap& run) {
+ScaleTrial lookCloser(const ScaleTrial& trial, const Grid& picture, const WallMap& run) {
   ScaleTrial best = trial;
   for (const int quarters : {-2, -1, 1, 2}) {
     const double resolution = trial.resolution * std::exp(quarters * kScaleStep / 4);
     ScaleTrial other = trialAt(resolution, picture, run, kQuickSearch);
     if (other.score() > best.score()) best = std::move(other);
   }
-  const double resolution = fitted(best, picture, run).resolution;
+  const double resolution = fitToWalls(best, picture, run).resolution;
   best = trialAt(resolution, picture, run);
-  ScaleTrial again = fitted(best, picture, run);
+  ScaleTrial again = fitToWalls(best, picture, run);
   return again.score() > best.score() ? again : best;
 }
 
@@ -154,9 +144,9 @@ std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid
     const bool isNear = std::any_of(chosen.begin(), chosen.end(), [&](const ScaleTrial& better) {
       return areSame(better, trial);
     });
-    if (!isNear && chosen.size() < kCloser) chosen.push_back(trial);
+    if (!isNear && chosen.size() < fitted::kCloser) chosen.push_back(trial);
   }
-  forEach(chosen.size(), [&](std::size_t i) { chosen[i] = lookedAt(chosen[i], picture, run); });
+  forEach(chosen.size(), [&](std::size_t i) { chosen[i] = lookCloser(chosen[i], picture, run); });
   sortByScore(chosen);
   return chosen;
 }
@@ -164,12 +154,12 @@ std::vector<ScaleTrial> bestOf(const std::vector<ScaleTrial>& trials, const Grid
 /** Whether the picture shows enough of the run: a single room fits in many places, at any scale. */
 bool isLargeEnough(const ScaleTrial& trial, const WallMap& run) {
   const double common = trial.alignment.best->evidence.common / 2;  // counted both ways
-  return common >= kMinOfRun * run.freeArea;
+  return common >= fitted::kMinOfRun * run.freeArea;
 }
 
 /** The scale that stands out, if any. */
 std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run, const ForEach& forEach) {
-  const std::vector<ScaleTrial> trials = tried(picture, run, forEach);
+  const std::vector<ScaleTrial> trials = tryScales(picture, run, forEach);
   const std::vector<ScaleTrial> close = bestOf(trials, picture, run, forEach);
   const ScaleTrial& best = close.front();
   if (best.alignment.siteConfidence < kMinScaleConfidence || best.alignment.overlap < kMajority ||
@@ -183,16 +173,17 @@ std::optional<ScaleTrial> foundIn(const Grid& picture, const WallMap& run, const
 }
 
 /** What the runs `voters` say that the picture fits at about `found`; never empty. */
-std::vector<ScaleTrial> votes(const Grid& picture, const std::vector<Run>& runs,
-                              const std::vector<std::size_t>& voters, const ScaleTrial& found,
-                              std::size_t best, const ForEach& forEach) {
+std::vector<ScaleTrial> collectVotes(const Grid& picture, const std::vector<Run>& runs,
+                                     const std::vector<std::size_t>& voters,
+                                     const ScaleTrial& found, std::size_t best,
+                                     const ForEach& forEach) {
   const WallMap map = wallMap(rescaled(picture, found.resolution));
   std::vector<ScaleTrial> all(voters.size());
   forEach(voters.size(), [&](std::size_t i) {
     const WallMap& run = runs[voters[i]].map;
     if (voters[i] == best || run.walls.empty()) return;
     const ScaleTrial there{found.resolution, alignMaps(run, map, kQuickSearch)};
-    all[i] = fitted(there, picture, run);
+    all[i] = fitToWalls(there, picture, run);
   });
   const auto isOff = [&](const ScaleTrial& vote) {
     return !vote.alignment.isSameSite || vote.alignment.overlap < kMajority ||
@@ -226,14 +217,14 @@ std::optional<ScaleEstimate> estimateScale(const Grid& picture, const std::vecto
   std::size_t searches = 0;
   const std::vector<std::size_t> order = byStraightness(runs);
   const std::vector<std::size_t> voters(
-      order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), kVoters)));
+      order.begin(), order.begin() + std::ptrdiff_t(std::min(order.size(), fitted::kVoters)));
   for (const std::size_t best : order) {
     const WallMap& run = runs[best].map;
     if (run.walls.empty()) continue;
-    if (searches++ == kSearches) break;
+    if (searches++ == fitted::kSearches) break;
     const auto found = foundIn(picture, run, forEach);
     if (!found) continue;
-    const auto agreed = votes(picture, runs, voters, *found, best, forEach);
+    const auto agreed = collectVotes(picture, runs, voters, *found, best, forEach);
     const ScaleTrial there = trialAt(consensusOf(agreed), picture, run);
     return ScaleEstimate{there.resolution, agreed.size(), best, there.alignment};
   }
@@ -245,7 +236,7 @@ std::optional<double> usualScale(const std::vector<Grid>& pictures) {
   for (const Grid& picture : pictures)
     if (const double width = sizesInCells(picture).width; width > 0) widths.push_back(width);
   if (widths.empty()) return std::nullopt;
-  return kUsualWidth / median(std::move(widths));
+  return fitted::kUsualWidth / median(std::move(widths));
 }
 
 }  // namespace roomgraph

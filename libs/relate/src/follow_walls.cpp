@@ -6,6 +6,7 @@
 #include <queue>
 #include <utility>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_share.h"
@@ -14,18 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kMinPoints = 15;  // of a patch that are left, for a pose of its own
-constexpr double kMinKnown = 0.4;       // share of them that lies where the other map has looked
-constexpr double kDoubt = 5;            // points that speak against each patch beforehand
-constexpr double kSureShare = 0.7;      // a patch found this well is not looked for again
-constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
-constexpr int kTwinRounds = 2;
-constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
-constexpr double kMaxBend = 60;          // of a piece away from the first pose, at a patch [m]
-constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
-constexpr int kMaxPieces = 6;
-constexpr std::size_t kMaxCandidates = 40;  // poses that are tried for a piece
 
 /** A patch as it may be found. */
 struct Offer {
@@ -64,10 +53,10 @@ class Follower {
     if (poses.empty() || of_.walls.empty()) return {};
     followFirst(poses.front());
     std::vector<Transform2D> others(poses.begin() + 1, poses.end());
-    if (others.size() > kMaxCandidates) others.resize(kMaxCandidates);
-    for (int piece = 1; piece < kMaxPieces; ++piece)
+    if (others.size() > fitted::kMaxCandidates) others.resize(fitted::kMaxCandidates);
+    for (int piece = 1; piece < fitted::kMaxPieces; ++piece)
       if (!followPiece(poses.front(), others)) break;
-    for (int round = 0; round < kTwinRounds; ++round) followTwins();
+    for (int round = 0; round < fitted::kTwinRounds; ++round) followTwins();
     fit();
     return std::move(result_);
   }
@@ -89,14 +78,14 @@ class Follower {
     const std::vector<std::uint32_t>& left = left_[patch];
     const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[left[i]]; };
     const WallShare share = wallShare(left.size(), pointAt, in_, pose, kWallNoise, stride);
-    const bool isEnough =
-        share.known * double(stride) >= double(kMinPoints) && share.known > kMinKnown * share.all;
-    return isEnough ? share.ofKnown(kDoubt / double(stride)) : 0;
+    const bool isEnough = share.known * double(stride) >= double(fitted::kMinPoints) &&
+                          share.known > fitted::kMinKnown * share.all;
+    return isEnough ? share.ofKnown(fitted::kDoubt / double(stride)) : 0;
   }
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
-    if (left_[patch].size() < kMinPoints || queued_[patch] >= kSureShare) return;
+    if (left_[patch].size() < fitted::kMinPoints || queued_[patch] >= fitted::kSureShare) return;
     const Transform2D at = refined(patch, pose);
     if (isStep && !areNear(at, pose, patches_[patch].middle, kNextPatch)) return;
     const double quality = qualityAt(patch, at);
@@ -168,10 +157,10 @@ class Follower {
     std::uint32_t seed = 0;
     for (std::uint32_t i = 0; i < patches_.size(); ++i) {
       const WallPatch& patch = patches_[i];
-      if (left_[i].size() < kMinPoints) continue;
-      if (distance(pose(patch.middle), first(patch.middle)) > kMaxBend) continue;
-      const double quality = qualityAt(i, pose, kQuickStride);
-      if (quality >= kFairQuality)
+      if (left_[i].size() < fitted::kMinPoints) continue;
+      if (distance(pose(patch.middle), first(patch.middle)) > fitted::kMaxBend) continue;
+      const double quality = qualityAt(i, pose, fitted::kQuickStride);
+      if (quality >= fitted::kFairQuality)
         sum += quality * double(patch.own.size() * left_[i].size()) / double(patch.around.size());
       if (quality > best) best = quality, seed = i;
     }
@@ -183,7 +172,7 @@ class Follower {
   bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
     ++layer_;
     nextLayer();
-    double best = kMinPieceShare * double(of_.walls.size());
+    double best = fitted::kMinPieceShare * double(of_.walls.size());
     std::optional<std::size_t> chosen;
     std::uint32_t seed = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
@@ -194,7 +183,8 @@ class Follower {
     offer(seed, others[*chosen], kMajority, false);
     others.erase(others.begin() + std::ptrdiff_t(*chosen));
     const std::size_t before = result_.patches.size();
-    if (grow(kMajority) < kMinPieceShare * double(of_.walls.size())) result_.patches.resize(before);
+    if (grow(kMajority) < fitted::kMinPieceShare * double(of_.walls.size()))
+      result_.patches.resize(before);
     return true;
   }
 
@@ -204,10 +194,10 @@ class Follower {
     nextLayer();
     const std::vector<FollowedPatch> found = result_.patches;
     for (const FollowedPatch& f : found) {
-      offer(f.patch, f.pose, kFairQuality, true);
-      offerAround(f.patch, f.pose, kFairQuality);
+      offer(f.patch, f.pose, fitted::kFairQuality, true);
+      offerAround(f.patch, f.pose, fitted::kFairQuality);
     }
-    grow(kFairQuality);
+    grow(fitted::kFairQuality);
   }
 
   /** The pose that carries all patches as near to their places as one pose can, and what is left.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
@@ -10,10 +11,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr int kFitRounds = 10;      // of the fit
-constexpr double kBendWidth = 1;    // how far off a scan counts half [m]
-constexpr std::size_t kStarts = 8;  // scans along the drive whose walls are looked for
 
 /** Where two runs have drawn a scan that both have. */
 struct CommonScan {
@@ -36,10 +33,10 @@ std::vector<CommonScan> commonScans(const Run& a, const Run& b) {
 /** a <- b that most of the scans agree with: of a torn run, the larger part. */
 Transform2D poseOf(const std::vector<CommonScan>& common) {
   Transform2D pose = common[common.size() / 2].bInA();
-  for (int round = 0; round < kFitRounds; ++round) {
+  for (int round = 0; round < fitted::kFitRounds; ++round) {
     MotionFit fit;
     for (const CommonScan& scan : common) {
-      const double off = distance(pose(scan.inB.shift()), scan.inA.shift()) / kBendWidth;
+      const double off = distance(pose(scan.inB.shift()), scan.inA.shift()) / fitted::kBendWidth;
       fit.add(scan.inB.shift(), scan.inA.shift(), 1 / (1 + off * off));
     }
     pose = fit.motion();
@@ -51,8 +48,8 @@ Transform2D poseOf(const std::vector<CommonScan>& common) {
 MapPair joined(MapPair pair, const std::vector<CommonScan>& common, const WallMap& a,
                const WallMap& b) {
   std::vector<Transform2D> poses{poseOf(common)};
-  for (std::size_t k = 0; k < kStarts; ++k)
-    poses.push_back(common[k * common.size() / kStarts].bInA());
+  for (std::size_t k = 0; k < fitted::kStarts; ++k)
+    poses.push_back(common[k * common.size() / fitted::kStarts].bInA());
   pair.alignment = alignmentAt(a, b, poses);
   follow(pair, a, b, poses);
   return pair;

@@ -12,7 +12,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::string_view kHead = "roomgraph/pair\n";
-constexpr std::size_t kChecksum = 64;  // hex digits
 
 // Both archives take every number as a double, which holds all of them exactly.
 
@@ -42,14 +41,11 @@ class Writer {
   std::string bytes_;
 };
 
-/** Beyond all that can be said of maps, and far from where squares overflow. */
-constexpr double kLargestKept = 1e15;
-
 /** Whether a T can have the value. */
 template <typename T>
 bool holds(double wide) {
   if constexpr (std::is_floating_point_v<T>)
-    return std::abs(wide) <= kLargestKept || std::isinf(wide);
+    return std::abs(wide) <= kFarthestPlace || std::isinf(wide);
   // As doubles, the limits of the larger types are powers of two, which are too large.
   return wide >= double(std::numeric_limits<T>::min()) &&
          wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
@@ -212,9 +208,10 @@ std::string pairBytes(const MapPair& pair) {
 std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b) {
   if (bytes.substr(0, kHead.size()) != kHead) return {};
   bytes.remove_prefix(kHead.size());
-  if (bytes.size() < kChecksum) return {};
-  const std::string_view body = bytes.substr(kChecksum);
-  if (bytes.substr(0, kChecksum) != sha256Of(viewOf(body))) return {};
+  const std::size_t checksum = sha256Of({}).size();
+  if (bytes.size() < checksum) return {};
+  const std::string_view body = bytes.substr(checksum);
+  if (bytes.substr(0, checksum) != sha256Of(viewOf(body))) return {};
   MapPair pair;
   Reader reader(body);
   visitPair(reader, pair);

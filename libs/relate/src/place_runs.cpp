@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/wall_map.h"
@@ -84,8 +85,6 @@ std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
   for (const PairPose& pair : pairs) sum[pair.a] += pair.confidence, sum[pair.b] += pair.confidence;
   return std::size_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
 }
-
-constexpr double kAsGood = 0.8;  // of the walls found, to believe the site and not the pair
 
 /** Whether the pose that a pair has found is not the one that the site gives it: in a symmetric
  *  building it may be another turn than that of the rest, and bent maps may have found none. */
@@ -171,7 +170,7 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
       if (!contradicts(pair, inSite, middleOfWalls(site.mapOf(j)))) continue;
       MapPair again = pair;
       follow(again, maps(site.mapOf(i)), maps(site.mapOf(j)), {inSite});
-      if (sharedOf(again) >= kAsGood * sharedOf(pair)) pair = std::move(again);
+      if (sharedOf(again) >= fitted::kAsGood * sharedOf(pair)) pair = std::move(again);
     }
   });
   return pairs;

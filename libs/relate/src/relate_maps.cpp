@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_relate.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/align/mirrored.h"
@@ -25,15 +26,10 @@ FollowedWalls carried(const WallMap& map, const Transform2D& pose) {
   return all;
 }
 
-constexpr double kUnlikely = 0.2;  // confidence below which an answer counts for nothing
-constexpr std::size_t kMostPieces = 4, kMostAnswers = 5;
-
-constexpr double kClearlyMirrored = 0.7;  // how much better the mirror image must score: in pairs
-                                          // of sound maps it scores less by 0.9 or more
-
 /** In a symmetric building the runner-up may be right as well. */
 bool isSure(const MapPair& pair) {
-  return pair.alignment.confidence >= kMajority && pair.alignment.runnerUpConfidence < kUnlikely;
+  return pair.alignment.confidence >= kMajority &&
+         pair.alignment.runnerUpConfidence < fitted::kUnlikely;
 }
 
 /** Whether b fits better as its own mirror image. One that surely fits as it is is not asked, so
@@ -41,7 +37,7 @@ bool isSure(const MapPair& pair) {
 bool isMirrored(const WallMap& a, const WallMap& b, const Alignment& alignment) {
   if (alignment.isSameSite && alignment.confidence >= kSurePose) return false;
   const Alignment image = alignMaps(a, mirrored(b));
-  return image.isSameSite && image.best->score >= alignment.best->score + kClearlyMirrored;
+  return image.isSameSite && image.best->score >= alignment.best->score + fitted::kClearlyMirrored;
 }
 
 /** What is to be known of two maps beside their alignment. */
@@ -81,7 +77,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const WallMap& ma
   std::stable_sort(pieces.begin(), pieces.end(),
                    [](const Piece& l, const Piece& r) { return l.walls > r.walls; });
   std::vector<Transform2D> poses;
-  for (std::size_t i = 0; i < std::min(pieces.size(), kMostPieces); ++i)
+  for (std::size_t i = 0; i < std::min(pieces.size(), fitted::kMostOthers); ++i)
     poses.push_back(pieces[i].pose);
   return poses;
 }
@@ -92,7 +88,7 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const WallMap& map
   std::vector<Transform2D> poses{hubAndMap.alignment.pose};
   if (!isSure(hubAndMap))
     for (const Transform2D& pose : hubAndMap.alignment.poses) {
-      if (poses.size() == kMostAnswers) break;
+      if (poses.size() > fitted::kMostOthers) break;
       if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
             return areNear(known, pose, map.middle(), kSameAnswer);
           }))
@@ -183,7 +179,7 @@ MapPair relateAlignedMaps(const WallMap& a, const WallMap& b) {
   pair.alignment = alignmentAt(a, b, {{}});
   Alignment& alignment = pair.alignment;
   alignment.siteConfidence = probability(sameSiteLogOdds(alignment.best->evidence));
-  alignment.isSameSite = alignment.siteConfidence >= kUnlikely;
+  alignment.isSameSite = alignment.siteConfidence >= fitted::kUnlikely;
   if (!alignment.isSameSite) alignment.confidence = alignment.siteConfidence;
   compare(pair, a, b);
   return pair;

@@ -9,6 +9,7 @@
 #include "by_straightness.h"
 #include "choose_core.h"
 #include "choose_judges.h"
+#include "fitted_relate.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/relate/join_drives.h"
 #include "roomgraph/relate/place_runs.h"
@@ -20,10 +21,6 @@ std::size_t hubOf(const std::vector<Run>& runs) {
 }
 
 namespace {
-
-constexpr std::size_t kJudges = 4;  // runs of the core that any other run is related to
-constexpr std::size_t kSeekers =
-    3;  // runs of the core in which is looked for what is not in the hub
 
 /** Relates runs in sets that may be sites: each to a hub, and to a choice of the others. */
 class SiteBySite {
@@ -118,7 +115,7 @@ class SiteBySite {
    *  come back, the others become members. */
   std::vector<std::size_t> seek(const std::vector<std::size_t>& core, std::vector<std::size_t> lost,
                                 std::vector<Member>& members) {
-    for (std::size_t s = 1; s <= std::min(kSeekers, core.size() - 1); ++s) {
+    for (std::size_t s = 1; s <= std::min(fitted::kSeekers, core.size() - 1); ++s) {
       // Those that were chosen last have seen most that the hub has not.
       const Member seeker = members[core[core.size() - s]];
       relating_.search(seeker.run, lost);
@@ -141,7 +138,7 @@ class SiteBySite {
     std::vector<PairOver> pairs = copies(members);
     for (const Member& member : members) {
       const SeenPlaces own = seenPlaces(runs_[member.run].map, member.pose);
-      for (const std::size_t judge : chooseJudges(own, seen, kJudges, fixedIn(members)))
+      for (const std::size_t judge : chooseJudges(own, seen, fitted::kJudges, fixedIn(members)))
         pairs.push_back({member.in, members[core[judge]].run, member.run});
     }
     relating_.relate(pairs);

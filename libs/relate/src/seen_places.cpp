@@ -6,10 +6,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFarthest = 1e9;  // so that both coordinates fit into one number
-
 std::int64_t squareAt(double metres) {
-  return std::int64_t(std::floor(std::clamp(metres, -kFarthest, kFarthest)));
+  constexpr double most = 1 << 30;  // so that both coordinates fit into one number
+  return std::int64_t(std::floor(std::clamp(metres, -most, most)));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include "roomgraph/relate/sight_walls.h"
 
+#include <cmath>
 #include <limits>
 
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kSameWallIfBent = 0.3;  // how far apart the same wall may lie where maps bend [m]
 
 /** For each patch of a map where the nearest one that was found lies in another map. */
 std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls& followed) {
@@ -23,28 +23,30 @@ std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls&
   return poses;
 }
 
+/** Whether a wall goes on straight for the side of a patch, but for a tenth of it. */
 bool isStraight(const WallMap& map, const WallPoint& wall) {
-  constexpr int kSteps = 20, kMostGaps = 2;  // of 0.1 m; nearer than kSameWall is on the line
-  const Point along = 0.1 * Point{-wall.normal.y, wall.normal.x};
-  for (const int first : {-kSteps, -kSteps / 2, 0}) {
+  const int steps = int(std::lround(kPatchSide / kWallCell));
+  const Point along = kWallCell * Point{-wall.normal.y, wall.normal.x};
+  for (const int first : {-steps, -steps / 2, 0}) {
     int gaps = 0;
-    for (int step = first; step <= first + kSteps && gaps <= kMostGaps; ++step) {
+    for (int step = first; step <= first + steps && 10 * gaps <= steps; ++step) {
       const Point at = wall.place + double(step) * along;
       const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, at), wall.normal);
       gaps += !next || distance(next->place, at) >= kSameWall;
     }
-    if (gaps <= kMostGaps) return true;
+    if (10 * gaps <= steps) return true;
   }
   return false;
 }
 
-/** What `in` has at a place. */
+/** What `in` has at a place, where maps bend. */
 WallSighting sightingAt(const WallMap& in, Point at, Point normal) {
   const std::size_t cell = cellIndexAt(in.frame, at);
   if (cell >= in.states.size()) return WallSighting::unknown;
   const WallPoint* wall = nearestWall(in, cell, normal);
-  if (wall && distance(wall->place, at) < kSameWallIfBent) return WallSighting::found;
-  return in.depths[cell] > kSameWallIfBent ? WallSighting::free : WallSighting::unknown;
+  const double near = 2 * kSameWall;
+  if (wall && distance(wall->place, at) < near) return WallSighting::found;
+  return in.depths[cell] > near ? WallSighting::free : WallSighting::unknown;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "fitted_repair.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
@@ -11,14 +12,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr double kEarshot = 12;   // a node says nothing of places farther away [m]
-constexpr double kBlend = 1;      // over so much the word passes from node to node [m]
-constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
-// Who marks a place may mean what a node this near has drawn, or one farther off that sees it [m].
-constexpr double kMeant = 3, kMeantInSight = 6;
-constexpr double kOtherPiece =
-    3;  // a piece lies elsewhere that bends as far as this, on average [m]
 
 /** The mean of poses that say about the same. */
 template <class Words>
@@ -54,7 +47,7 @@ std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
     piece.bend += patch.walls * distance(patch.pose(middle), first.motion()(middle));
   }
   const auto isElsewhere = [](const Piece& piece) {
-    return piece.bend > kOtherPiece * piece.walls;
+    return piece.bend > fitted::kOtherPiece * piece.walls;
   };
   double together = 0;
   for (const auto& [layer, piece] : pieces)
@@ -123,7 +116,7 @@ std::vector<BendField::Word> BendField::wordsOn(const Transform2D& place) const 
   double nearest = HUGE_VAL;
   for (const Node& node : nodes_) {
     const double far = distance(node.from.shift(), place.shift());
-    if (far > kEarshot) continue;
+    if (far > fitted::kEarshot) continue;
     Word word;
     word.pose = node.to * node.from.inverse() * place, word.distance = far;
     word.isSeen = isInSight(node, place.shift(), word.pose.shift()), word.isKnown = node.isKnown;
@@ -133,8 +126,8 @@ std::vector<BendField::Word> BendField::wordsOn(const Transform2D& place) const 
   if (nearest == HUGE_VAL)
     for (const Word& word : words) nearest = std::min(nearest, word.distance);
   for (Word& word : words) {
-    const double behind = std::max(0.0, word.distance - nearest) / kBlend;
-    word.weight = std::exp(-0.5 * behind * behind) * (word.isSeen ? 1 : kUnseen);
+    const double behind = std::max(0.0, word.distance - nearest) / fitted::kBlend;
+    word.weight = std::exp(-0.5 * behind * behind) * (word.isSeen ? 1 : fitted::kUnseen);
   }
   return words;
 }
@@ -157,7 +150,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
   const double most = support(first), heaviest = first.weight;
   Carried carried;
   for (const Word& word : words)
-    if (word.distance < (word.isSeen ? kMeantInSight : kMeant))
+    if (word.distance < (word.isSeen ? 2 : 1) * fitted::kMeant)
       carried.rival = std::max(carried.rival, distance(word.pose.shift(), about.shift()));
   words.erase(std::remove_if(words.begin(), words.end(),
                              [&](const Word& word) {
@@ -172,7 +165,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
     squares += word.weight * squaredNorm(off);
     carried.isSeen |= word.isSeen, farthest = std::min(farthest, word.distance);
     if (word.isSeen) carried.nearest = std::min(carried.nearest, word.distance);
-    carried.isKnown |= word.isKnown && word.weight > kUnseen * heaviest;
+    carried.isKnown |= word.isKnown && word.weight > fitted::kUnseen * heaviest;
   }
   if (!carried.isSeen) carried.nearest = farthest;
   carried.spread = std::sqrt(squares / most);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 namespace {
@@ -48,12 +49,9 @@ std::vector<MaskRegion> maskRegions(const GridFrame& frame, const std::vector<bo
 }
 
 std::vector<Cell> cellsIn(const GridFrame& frame, const std::array<Point, 4>& corners) {
-  Point low = corners[0], high = corners[0], sum;
-  for (const Point corner : corners) {
-    low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
-    high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
-    sum = sum + corner;
-  }
+  Box box;
+  Point sum;
+  for (const Point corner : corners) box.include(corner), sum = sum + corner;
   const auto isInside = [&](Point p) {
     bool isLeft = false, isRight = false;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -63,7 +61,7 @@ std::vector<Cell> cellsIn(const GridFrame& frame, const std::array<Point, 4>& co
     return !(isLeft && isRight);
   };
   std::vector<Cell> cells{frame.cellAt(0.25 * sum)};
-  const Cell from = frame.cellAt(low), to = frame.cellAt(high);
+  const Cell from = frame.cellAt(box.low), to = frame.cellAt(box.high);
   for (int y = from.y; y <= to.y; ++y)
     for (int x = from.x; x <= to.x; ++x)
       if (isInside(frame.center({x, y}))) cells.push_back({x, y});

@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "fitted_repair.h"
+
 namespace roomgraph {
-namespace {
-
-constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
-constexpr double kRange = 15;         // of the walls of those [m]
-
-}  // namespace
-
 OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
                        const std::vector<Point>& places) {
   std::vector<LocalScan> scans;
@@ -21,7 +16,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
     const std::vector<Transform2D> real = solved.posesOf(i);
     for (std::size_t k = 0; k < local.size(); ++k) {
       if (std::none_of(places.begin(), places.end(), [&](Point place) {
-            return distance(place, real[k].shift()) < kTellsOfPlace;
+            return distance(place, real[k].shift()) < fitted::kTellsOfPlace;
           }))
         continue;
       scans.push_back(local[k]);
@@ -30,7 +25,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
   }
   std::vector<std::size_t> all(scans.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  if (!all.empty()) map_ = scanMap(scans, poses, all, kRange);
+  if (!all.empty()) map_ = scanMap(scans, poses, all, fitted::kRange);
 }
 
 }  // namespace roomgraph

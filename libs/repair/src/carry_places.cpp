@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_repair.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
@@ -14,13 +15,6 @@
 
 namespace roomgraph {
 namespace {
-
-constexpr double kBeenThere = 5;        // the robot was at a place that it has passed this near [m]
-constexpr double kLeastCarried = 0.03;  // of the consensus where it is best [m]
-constexpr double kLargeError = 0.2;     // from which on a place is worth a look [m]
-constexpr double kViewRange = 6;        // of what lies around a place [m]
-constexpr double kOwnPlace = 0.3;       // farther off they belong to another place [m]
-constexpr PoseTolerance kRivalWindow{0.3, 2.5};  // where rivals are looked for
 
 State stateAt(const WallMap& map, Point place) {
   const std::size_t cell = cellIndexAt(map.frame, place);
@@ -88,7 +82,7 @@ class Carrier {
     }
     carried.pose = route->onward.pose;
     carried.error =
-        std::hypot(kLeastCarried, std::hypot(route->there.spread, route->onward.spread));
+        std::hypot(fitted::kLeastCarried, std::hypot(route->there.spread, route->onward.spread));
     judge(place, *route, carried);
     return carried;
   }
@@ -108,7 +102,7 @@ class Carrier {
       carried.state = state, carried.reason = reason;
     };
     carried.state = CarryState::carried;
-    if (route.onward.nearest > kBeenThere)
+    if (route.onward.nearest > fitted::kBeenThere)
       return flag(CarryState::unseen,
                   formatted("the new map was made no nearer than %.1f m", route.onward.nearest));
     const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
@@ -124,17 +118,17 @@ class Carrier {
   std::string doubtOf(const Place& place, const Route& route, const CarriedPlace& carried) const {
     if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy)
       return "one of the maps has the place twice";
-    if (carried.error > kLargeError) return "the maps bend here";
+    if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
-    const LocalScan view = viewFrom(old_, place.pose, kViewRange);
+    const LocalScan view = viewFrom(old_, place.pose, fitted::kViewRange);
     if (!view.isTelling()) return doubtUnseen(place, route, carried);
     const Transform2D& at = *carried.pose;
     const ScanFit here = fitNear(view, new_, at);
     if (here.known < kMajority) return "the new map has hardly seen what lies around it";
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), at.shift());
-    if (off > kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
-    for (const ScanFit& other : findScan(view, new_, at, kRivalWindow, 1))
+    if (off > fitted::kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
+    for (const ScanFit& other : findScan(view, new_, at, fitted::kRivalWindow, 1))
       if (other.score * kRivalScore > here.score)
         return formatted("what lies around it fits better %.1f m beside",
                          distance(other.pose.shift(), at.shift()));

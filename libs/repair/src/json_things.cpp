@@ -26,7 +26,7 @@ class PlaceIndex {
 };
 
 double metres(const Json& value) {
-  if (!value.is_number() || !(std::abs(value.get<double>()) < kFarthestMark))
+  if (!value.is_number() || !(std::abs(value.get<double>()) < kFarthestOrigin))
     throw Broken{"", "has coordinates that are no place on a map"};
   return value.get<double>();
 }

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "fitted_repair.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kNeighbours = 8;
-constexpr int kPasses = 10;  // shreds are narrow: few are enough
 
 /** The nearest others of each place, from the nearest on. */
 std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D>& places) {
@@ -18,7 +16,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
   for (const Transform2D& place : places) {
     std::iota(others.begin(), others.end(), std::size_t(0));
     const auto far = [&](std::size_t k) { return squaredNorm(places[k].shift() - place.shift()); };
-    const std::size_t count = std::min(kNeighbours + 1, others.size());
+    const std::size_t count = std::min(fitted::kNeighbours + 1, others.size());
     std::partial_sort(others.begin(), others.begin() + std::ptrdiff_t(count), others.end(),
                       [&](std::size_t l, std::size_t r) {
                         return std::make_pair(far(l), l) < std::make_pair(far(r), r);
@@ -35,7 +33,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
 std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses) {
   const auto neighbours = neighboursOf(were);
   std::vector<bool> hasMoved(were.size());
-  for (int pass = 0; pass < kPasses; ++pass) {
+  for (int pass = 0; pass < fitted::kPasses; ++pass) {
     const std::vector<Transform2D> before = poses;
     bool isDone = true;
     for (std::size_t i = 0; i < were.size(); ++i) {

@@ -4,37 +4,23 @@
 #include <cmath>
 #include <tuple>
 
+#include "fitted_repair.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/geometry/NearPlaces.h"
 
 namespace roomgraph {
-namespace {
-
-constexpr double kSameSpot = 1;       // farther apart, key frames are at two places [m]
-constexpr double kPathBetween = 10;   // less path between two is no way round [m]
-constexpr double kLeastSigma = 0.05;  // of where a consensus has key frames [m]
-
-/** The way driven up to each scan [m]. */
-std::vector<double> pathOf(const std::vector<ScanWalls>& scans) {
-  std::vector<double> path(scans.size());
-  for (std::size_t k = 1; k < scans.size(); ++k)
-    path[k] = path[k - 1] + distance(scans[k - 1].at(), scans[k].at());
-  return path;
-}
-
-}  // namespace
-
 std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Transform2D>& real) {
-  const std::vector<double> path = pathOf(run.scans);
+  const std::vector<double> path = drivenWays(run.scans);
   std::vector<Point> places;
   for (const Transform2D& pose : real) places.push_back(pose.shift());
-  const NearPlaces near(places, kSameSpot);
+  const NearPlaces near(places, fitted::kSameSpot);
   std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;  // the nearest first
   for (std::size_t k = 0; k < places.size(); ++k)
     near.forEachNear(places[k], [&](std::uint32_t other) {
       const double apart = distance(places[k], places[other]);
-      if (other > k && apart <= kSameSpot && path[other] - path[k] >= kPathBetween &&
-          run.scans[k].time && run.scans[other].time)
+      if (other > k && apart <= fitted::kSameSpot &&
+          path[other] - path[k] >= fitted::kPathBetween && run.scans[k].time &&
+          run.scans[other].time)
         pairs.emplace_back(apart, k, other);
     });
   std::sort(pairs.begin(), pairs.end());
@@ -43,8 +29,8 @@ std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Tr
   for (const auto& [apart, from, to] : pairs) {
     if (isTaken[from] || isTaken[to]) continue;
     isTaken[from] = isTaken[to] = true;
-    constraints.push_back(
-        {from, to, *run.scans[from].time, *run.scans[to].time, std::hypot(kLeastSigma, apart)});
+    constraints.push_back({from, to, *run.scans[from].time, *run.scans[to].time,
+                           std::hypot(fitted::kLeastSigma, apart)});
   }
   std::sort(constraints.begin(), constraints.end(),
             [](const LoopConstraint& l, const LoopConstraint& r) { return l.from < r.from; });

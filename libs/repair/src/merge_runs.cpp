@@ -4,20 +4,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "fitted_repair.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/CellVotes.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
-constexpr double kToldOf = 0.1;          // share of the beams of a scan that tells of all of it
-constexpr double kBehindWall = 0.5;      // so far behind a wall nothing is seen that grazes it [m]
-constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is looked through
-constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well
 
 using LeftOut = std::vector<std::vector<std::size_t>>;
 
@@ -53,24 +49,21 @@ class Merger {
   enum class Word { none, with, against };
 
   void setFrame() {
-    double x0 = HUGE_VAL, y0 = HUGE_VAL, x1 = -HUGE_VAL, y1 = -HUGE_VAL;
-    const auto add = [&](Point p) {
-      x0 = std::min(x0, p.x), y0 = std::min(y0, p.y), x1 = std::max(x1, p.x),
-      y1 = std::max(y1, p.y);
-    };
+    Box box;
     for (const MergedRun& run : runs_)
       for (const Keyframe& scan : run.scans) {
-        add(scan.pose.shift());
-        for (const Point end : scan.ends) add(scan.pose(end));
+        box.include(scan.pose.shift());
+        for (const Point end : scan.ends) box.include(scan.pose(end));
       }
     const double side = options_.resolution;
-    const double width = (x1 - x0) / side + 4, height = (y1 - y0) / side + 4;
+    const double width = box.size().x / side + 4, height = box.size().y / side + 4;
     if (!(width * height < double(kMostCells)))
       throw DataError(
           "merge: the runs reach over more than 400 million cells: use a coarser resolution, or "
           "leave out what is far off");
     frame_.resolution = side;
-    frame_.origin = {side * (std::floor(x0 / side) - 1), side * (std::floor(y0 / side) - 1)};
+    frame_.origin = {side * (std::floor(box.low.x / side) - 1),
+                     side * (std::floor(box.low.y / side) - 1)};
     frame_.width = int(width), frame_.height = int(height);
   }
 
@@ -90,13 +83,13 @@ class Merger {
   Word othersOn(std::size_t r, Cell at, const std::vector<CellVotes>& votes) const {
     std::size_t free = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
-      if (other == r || votes[other].seen(frame_.index(at)) < kSureBeams) continue;
+      if (other == r || votes[other].seen(frame_.index(at)) < fitted::kSureBeams) continue;
       double most = 0;
       for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
           if (const Cell near{at.x + x, at.y + y}; frame_.contains(near))
             most = std::max(most, votes[other].wallShare(frame_.index(near)));
-      ++known, free += most <= kClearlyFree;
+      ++known, free += most <= fitted::kClearlyFree;
     }
     if (known == 0) return Word::none;
     return 2 * free > known ? Word::against : Word::with;
@@ -106,7 +99,7 @@ class Merger {
   bool isWallForOthers(std::size_t r, std::size_t cell, const std::vector<CellVotes>& votes) const {
     std::size_t walls = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
-      if (other == r || votes[other].seen(cell) < kSureBeams) continue;
+      if (other == r || votes[other].seen(cell) < fitted::kSureBeams) continue;
       ++known, walls += votes[other].wallShare(cell) >= kMajority;
     }
     return 2 * walls > known;
@@ -115,9 +108,9 @@ class Merger {
   /** Whether a beam has gone through a wall of others: it goes on well behind it. */
   bool goesThrough(std::size_t r, Point eye, Point end, const std::vector<CellVotes>& votes) const {
     const double length = distance(eye, end);
-    if (length <= kBehindWall) return false;
+    if (length <= fitted::kBehindWall) return false;
     bool isThrough = false;
-    passBeam(frame_, eye, eye + (1 - kBehindWall / length) * (end - eye),
+    passBeam(frame_, eye, eye + (1 - fitted::kBehindWall / length) * (end - eye),
              [&](std::size_t cell) { isThrough = isThrough || isWallForOthers(r, cell, votes); });
     return isThrough;
   }
@@ -134,7 +127,7 @@ class Merger {
                               : othersOn(r, frame_.cellAt(end), votes);
         with += word == Word::with, against += word == Word::against;
       }
-      if (against > with && double(against) > kToldOf * double(scan.ends.size()))
+      if (against > with && double(against) > fitted::kToldOf * double(scan.ends.size()))
         scans.push_back(k);
     }
     if (2 * scans.size() > runs_[r].scans.size()) {
@@ -155,14 +148,14 @@ class Merger {
       wall += sure * votes[r].wallShare(cell), all += sure;
     }
     for (auto r = order_.rbegin(); areTimed_ && r != order_.rend() && asked < 2; ++r) {
-      if (votes[*r].seen(cell) < kSureBeams) continue;
-      ++asked, agreeing += votes[*r].wallShare(cell) <= kClearlyFree
+      if (votes[*r].seen(cell) < fitted::kSureBeams) continue;
+      ++asked, agreeing += votes[*r].wallShare(cell) <= fitted::kClearlyFree
                                ? -1
                                : votes[*r].wallShare(cell) >= kMajority;
     }
     if (all <= 0) return std::nullopt;
     if (agreeing == 2) return std::max(wall / all, kMajority);
-    if (agreeing == -2) return std::min(wall / all, kClearlyFree);
+    if (agreeing == -2) return std::min(wall / all, fitted::kClearlyFree);
     return wall / all;
   }
 
@@ -176,7 +169,7 @@ class Merger {
     for (std::size_t cell = 0; cell < frame_.cellCount(); ++cell) {
       const auto share = shareAt(cell, votes);
       if (!share) continue;
-      merged.map.grey[cell] = *share >= kWallShare ? 0 : 255;
+      merged.map.grey[cell] = *share >= fitted::kWallShare ? 0 : 255;
       std::size_t seen = 0;
       for (const std::size_t r : order_) {
         if (votes[r].seen(cell) == 0) continue;

@@ -57,7 +57,7 @@ class PlacesTable {
     const std::string& cell = cells[*columnOf(name)];
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
-    if (cell.empty() || *end != '\0' || !(std::abs(value) < kFarthestMark))
+    if (cell.empty() || *end != '\0' || !(std::abs(value) < kFarthestOrigin))
       refuse(file_, "'" + cell + "' in line " + std::to_string(reader_.line()) + " is no " + name,
              "give metres, and radians for yaw");
     return value;

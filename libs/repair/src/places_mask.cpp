@@ -7,16 +7,17 @@
 #include <memory>
 
 #include "MaskCells.h"
+#include "fitted_repair.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/images/pgm_bytes.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/repair/CellVotes.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kBlock = 0.5;  // side of the squares whose corners are carried [m]
 
 /** A mask as it was read. */
 class Mask {
@@ -40,7 +41,7 @@ class Mask {
                          [](const auto& l, const auto& r) { return l.second < r.second; });
     background_ = most == empty.end() ? greys_.free() : most->first;
     regions_ = maskRegions(picture_.frame, isMarked);
-    block_ = std::max(1, int(std::lround(kBlock / yaml_.resolution)));
+    block_ = std::max(1, int(std::lround(fitted::kBlock / yaml_.resolution)));
   }
 
   MarkedFile marked() const {
@@ -151,18 +152,14 @@ class Mask {
 
   GridFrame frameAround(const GridFrame& to, const std::vector<Bent>& bent) const {
     const double side = yaml_.resolution;
-    Point low = to.origin,
-          high = to.origin + to.resolution * Point{double(to.width), double(to.height)};
+    Box box{to.origin, to.origin + to.resolution * Point{double(to.width), double(to.height)}};
     for (const Bent& region : bent)
-      for (const auto& [corner, at] : region) {
-        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
-        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
-      }
+      for (const auto& [corner, at] : region) box.include(at);
     GridFrame frame;
     frame.resolution = side;
-    frame.origin = {side * std::floor(low.x / side), side * std::floor(low.y / side)};
-    const double width = (high.x - frame.origin.x) / side + 1,
-                 height = (high.y - frame.origin.y) / side + 1;
+    frame.origin = {side * std::floor(box.low.x / side), side * std::floor(box.low.y / side)};
+    const double width = (box.high.x - frame.origin.x) / side + 1,
+                 height = (box.high.y - frame.origin.y) / side + 1;
     checkPictureSize(std::uint64_t(width), std::uint64_t(height), file_);
     frame.width = int(width), frame.height = int(height);
     return frame;
@@ -221,9 +218,8 @@ class Mask {
       const auto row = grey.begin() + std::ptrdiff_t(frame.index({0, y}));
       rows.insert(rows.end(), row, row + frame.width);
     }
-    if (!isPgm_) return pngBytes(rows, frame.width, frame.height);
-    return "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n" +
-           std::string(rows.begin(), rows.end());
+    return isPgm_ ? pgmBytes(rows, frame.width, frame.height)
+                  : pngBytes(rows, frame.width, frame.height);
   }
 
   std::string text_, file_;

@@ -6,8 +6,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr const char* kFormat = "roomgraph/site";
-
 std::vector<Json*> roomsIn(Json& document) {
   if (!document.contains("rooms") || !document["rooms"].is_array())
     throw Broken{"", "has no list of rooms"};
@@ -33,7 +31,7 @@ void visitRoom(Json& room, const VisitPlace& visit) {
 }  // namespace
 
 bool looksLikeSite(const std::string& text) {
-  return text.find(std::string("\"") + kFormat + "\"") != std::string::npos;
+  return text.find("\"roomgraph/site\"") != std::string::npos;
 }
 
 MarkedFile sitePlaces(const std::string& text, const std::string& file) {

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "OtherWalls.h"
+#include "fitted_repair.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/find_scan.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr std::size_t kPieceProbes = 12;  // scans of a piece that are looked up, evenly
 
 class Rejoiner {
  public:
@@ -41,17 +40,17 @@ class Rejoiner {
   bool isTorn(std::size_t k) const { return !areNear(offAt(k), {}, {}, kBesideItself); }
 
   /** Moves the smaller part beside a tear to where its links have it, unless that fits worse. The
-   *  parts reach to the larger tears that are borne out. */
+   *  parts reach to the larger tears that are confirmed. */
   void rejoin(std::size_t tear) {
-    const auto next = std::lower_bound(bornOut_.begin(), bornOut_.end(), tear);
-    const std::size_t from = next == bornOut_.begin() ? 0 : *std::prev(next);
-    const std::size_t to = next == bornOut_.end() ? scans_.size() : *next;
+    const auto next = std::lower_bound(confirmed_.begin(), confirmed_.end(), tear);
+    const std::size_t from = next == confirmed_.begin() ? 0 : *std::prev(next);
+    const std::size_t to = next == confirmed_.end() ? scans_.size() : *next;
     const bool isLater = to - tear < tear - from;
     const Transform2D before = poses_[tear - 1] * step(tear);
     const Transform2D motion =
         isLater ? before * poses_[tear].inverse() : poses_[tear] * before.inverse();
-    if (isBornOut(isLater ? tear : from, isLater ? to : tear, motion)) {
-      bornOut_.insert(next, tear);
+    if (isConfirmed(isLater ? tear : from, isLater ? to : tear, motion)) {
+      confirmed_.insert(next, tear);
       return;
     }
     for (std::size_t k = isLater ? tear : from; k < (isLater ? to : tear); ++k)
@@ -59,11 +58,11 @@ class Rejoiner {
   }
 
   /** Whether some scans fit clearly better where they lie than moved by `motion`. */
-  bool isBornOut(std::size_t first, std::size_t end, const Transform2D& motion) const {
+  bool isConfirmed(std::size_t first, std::size_t end, const Transform2D& motion) const {
     std::vector<std::size_t> probes;
     std::vector<Point> places;
-    for (std::size_t i = 0; i < std::min(kPieceProbes, end - first); ++i) {
-      probes.push_back(first + i * (end - first) / std::min(kPieceProbes, end - first));
+    for (std::size_t i = 0; i < std::min(fitted::kPieceProbes, end - first); ++i) {
+      probes.push_back(first + i * (end - first) / std::min(fitted::kPieceProbes, end - first));
       places.push_back(poses_[probes.back()].shift());
       places.push_back(motion(places.back()));
     }
@@ -80,7 +79,7 @@ class Rejoiner {
   std::size_t run_;
   const std::vector<ScanWalls>& scans_;
   std::vector<Transform2D> poses_;
-  std::vector<std::size_t> bornOut_;  // tears, ascending
+  std::vector<std::size_t> confirmed_;  // tears, ascending
   std::vector<LocalScan> local_;
 };
 

@@ -13,8 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kProbes = 60;  // scans of a run by which it is judged, about
-
 /** Why a run is better left as it was; mended where nothing speaks for that. */
 void judge(const MapError& error, RepairedRun& repaired) {
   if (!isTrusted(error)) {

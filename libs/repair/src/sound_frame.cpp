@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fitted_repair.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kDrawsAt = 5;               // [m]
-constexpr std::size_t kMostCandidates = 60;  // frames that are tried
-constexpr double kPerMedian = 1.4826;        // standard deviation of normal errors
-constexpr double kWithin = 2.5;              // standard deviations
 
 std::vector<double> distances(const std::vector<Transform2D>& were,
                               const std::vector<Transform2D>& real, const Transform2D& frame) {
@@ -23,13 +19,13 @@ std::vector<double> distances(const std::vector<Transform2D>& were,
 }
 
 /** The best frame for poses up to `most` apart. */
-Transform2D fitted(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real,
-                   const std::vector<double>& apart, double most) {
+Transform2D fitFrame(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real,
+                     const std::vector<double>& apart, double most) {
   MotionFit fit;
   for (std::size_t k = 0; k < were.size(); ++k) {
     if (apart[k] > most) continue;
-    for (const Point round :
-         {Point{kDrawsAt, 0}, Point{-kDrawsAt, 0}, Point{0, kDrawsAt}, Point{0, -kDrawsAt}})
+    for (const Point round : {Point{fitted::kDrawsAt, 0}, Point{-fitted::kDrawsAt, 0},
+                              Point{0, fitted::kDrawsAt}, Point{0, -fitted::kDrawsAt}})
       fit.add(real[k](round), were[k](round));
   }
   return fit.motion();
@@ -38,13 +34,14 @@ Transform2D fitted(const std::vector<Transform2D>& were, const std::vector<Trans
 }  // namespace
 
 double poseDistance(const Transform2D& l, const Transform2D& r) {
-  return std::hypot(distance(l.shift(), r.shift()), kDrawsAt * 2 * std::sin((l.phi - r.phi) / 2));
+  return std::hypot(distance(l.shift(), r.shift()),
+                    fitted::kDrawsAt * 2 * std::sin((l.phi - r.phi) / 2));
 }
 
 Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real) {
   Transform2D best;
   double least = HUGE_VAL;
-  const std::size_t step = were.size() / kMostCandidates + 1;
+  const std::size_t step = were.size() / fitted::kMostCandidates + 1;
   for (std::size_t k = 0; k < were.size(); k += step) {
     const Transform2D frame = were[k] * real[k].inverse();
     const double middle = median(distances(were, real, frame));
@@ -52,7 +49,8 @@ Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<T
   }
   for (int round = 0; round < 3 && !were.empty(); ++round) {
     const std::vector<double> apart = distances(were, real, best);
-    best = fitted(were, real, apart, std::max(kWithin * kPerMedian * median(apart), 1e-9));
+    best = fitFrame(were, real, apart,
+                    std::max(fitted::kWithin * fitted::kPerMedian * median(apart), 1e-9));
   }
   return best;
 }

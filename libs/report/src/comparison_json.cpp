@@ -130,16 +130,9 @@ Json roomJson(const SiteRoom& room) {
   Json runs = Json::array(), doors = Json::array();
   for (const SiteDoor& door : room.doors) doors.push_back(doorWithRunsJson(door));
   for (const RoomInRun& in : room.runs) runs.push_back(roomInRunJson(in));
-  return {{"id", room.id},
-          {"name", room.name},
-          {"kind", room.isCorridor ? "corridor" : "room"},
-          {"x", rounded(room.center.x)},
-          {"y", rounded(room.center.y)},
-          {"area_m2", rounded(room.area)},
-          {"polygon", ringJson(room.polygon.outer)},
-          {"holes", ringsJson(room.polygon.holes)},
-          {"doors", doors},
-          {"runs", runs}};
+  Json json = placedRoomJson(room, doors);
+  json["runs"] = runs;
+  return json;
 }
 
 /** Sections of keys, as in the file of a graph: numbers and switches as such. */

@@ -9,8 +9,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMostNames = 4;
-
 /** Which break moves most, where there are several: the first one. */
 std::string largestBreak(const Comparison& comparison) {
   if (comparison.breaks.size() < 2) return "";

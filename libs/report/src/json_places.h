@@ -27,6 +27,20 @@ inline Json doorJson(const SiteDoor& door) {
           {"to", door.to.empty() ? Json(nullptr) : Json(door.to)}};
 }
 
+/** A room of a site as it lies, of a comparison or of the file of names. */
+template <class Room>
+Json placedRoomJson(const Room& room, const Json& doors) {
+  return {{"id", room.id},
+          {"name", room.name},
+          {"kind", room.isCorridor ? "corridor" : "room"},
+          {"x", rounded(room.center.x)},
+          {"y", rounded(room.center.y)},
+          {"area_m2", rounded(room.area)},
+          {"polygon", ringJson(room.polygon.outer)},
+          {"holes", ringsJson(room.polygon.holes)},
+          {"doors", doors}};
+}
+
 /** A list with one entry per line. */
 template <class Things, class ToJson>
 std::string lines(const char* name, const Things& things, const ToJson& toJson) {

@@ -84,15 +84,7 @@ std::string siteJson(const SiteFile& file) {
   for (const KnownRoom& room : file.rooms) {
     Json doors = Json::array();
     for (const SiteDoor& door : room.doors) doors.push_back(doorJson(door));
-    text += separator + lineOf({{"id", room.id},
-                                {"name", room.name},
-                                {"kind", room.isCorridor ? "corridor" : "room"},
-                                {"x", rounded(room.center.x)},
-                                {"y", rounded(room.center.y)},
-                                {"area_m2", rounded(room.area)},
-                                {"polygon", ringJson(room.polygon.outer)},
-                                {"holes", ringsJson(room.polygon.holes)},
-                                {"doors", doors}});
+    text += separator + lineOf(placedRoomJson(room, doors));
     separator = ",\n";
   }
   return text + (file.rooms.empty() ? "]\n}\n" : "\n]\n}\n");

@@ -6,6 +6,9 @@
 
 namespace roomgraph {
 
+/** Stands for no index. */
+constexpr std::uint32_t kNoIndex = UINT32_MAX;
+
 /** A value for each cell of a map, row-major, where long stretches have one and the same value:
  *  those take no memory. Reading a cell costs one look-up more than in a vector. */
 template <class T>
@@ -18,7 +21,7 @@ class SparseCells {
       const auto begin = cells.begin() + std::ptrdiff_t(first);
       const auto end = cells.begin() + std::ptrdiff_t(std::min(first + kStretch, cells.size()));
       const bool isUsual = std::all_of(begin, end, [&](const T& cell) { return cell == usual; });
-      places_.push_back(isUsual ? kNone : std::uint32_t(values_.size() / kStretch));
+      places_.push_back(isUsual ? kNoIndex : std::uint32_t(values_.size() / kStretch));
       if (isUsual) continue;
       values_.insert(values_.end(), begin, end);
       values_.resize((places_.back() + 1) * kStretch, usual);
@@ -30,12 +33,11 @@ class SparseCells {
 
   T operator[](std::size_t cell) const {
     const std::uint32_t place = places_[cell / kStretch];
-    return place == kNone ? usual_ : values_[place * kStretch + cell % kStretch];
+    return place == kNoIndex ? usual_ : values_[place * kStretch + cell % kStretch];
   }
 
  private:
   static constexpr std::size_t kStretch = 16;
-  static constexpr std::uint32_t kNone = UINT32_MAX;
 
   std::size_t size_ = 0;
   T usual_{};

@@ -12,17 +12,16 @@ namespace roomgraph {
  *  more than 16 bits. */
 class SparseIndices {
  public:
-  static constexpr std::uint32_t kNone = UINT32_MAX;  ///< stands for no index
-
   SparseIndices() = default;
   /** O(cells). */
   explicit SparseIndices(const std::vector<std::uint32_t>& cells)
-      : areShort_(std::all_of(cells.begin(), cells.end(),
-                              [](std::uint32_t i) { return i == kNone || i < kNoShort; })) {
-    if (areShort_)  // the lower half of kNone is kNoShort
-      short_ = {std::vector<std::uint16_t>(cells.begin(), cells.end()), kNoShort};
+      : areShort_(std::all_of(cells.begin(), cells.end(), [](std::uint32_t i) {
+          return i == kNoIndex || i < shortened(kNoIndex);
+        })) {
+    if (areShort_)
+      short_ = {std::vector<std::uint16_t>(cells.begin(), cells.end()), shortened(kNoIndex)};
     else
-      long_ = {cells, kNone};
+      long_ = {cells, kNoIndex};
   }
 
   [[nodiscard]] std::size_t size() const { return areShort_ ? short_.size() : long_.size(); }
@@ -30,11 +29,13 @@ class SparseIndices {
   [[nodiscard]] std::uint32_t operator[](std::size_t cell) const {
     if (!areShort_) return long_[cell];
     const std::uint16_t index = short_[cell];
-    return index == kNoShort ? kNone : index;
+    return index == shortened(kNoIndex) ? kNoIndex : index;
   }
 
  private:
-  static constexpr std::uint16_t kNoShort = UINT16_MAX;
+  [[nodiscard]] static constexpr std::uint16_t shortened(std::uint32_t index) {
+    return std::uint16_t(index);
+  }
 
   bool areShort_ = true;
   SparseCells<std::uint16_t> short_;

@@ -22,7 +22,6 @@ struct DrawnEdges {
 
 /** What the alignment needs to know of a map; made once, then used for all pairs. */
 struct WallMap {
-  static constexpr std::uint32_t kNoWall = SparseIndices::kNone;  ///< a cell without a wall near it
   static constexpr double kReach = 1;  ///< walls farther away are not in `nearest` [m]
 
   std::vector<WallPoint> walls;  ///< about one per cell of `frame` and direction, by row
@@ -31,7 +30,7 @@ struct WallMap {
   /** How far each cell is from the nearest that is not free [m]; 0 where it is not free itself. */
   SparseCells<float> depths;
   /** For each octant and cell the wall point that is nearest among those whose normal is within 45
-   *  degrees of that octant; kNoWall where none is in reach. */
+   *  degrees of that octant; kNoIndex where none is in reach. */
   std::array<SparseIndices, kOctants> nearest;
   std::vector<std::uint32_t> freeCells;  ///< evenly spread over the free space: indices of `states`
   double freeArea = 0;                   ///< [m2]

@@ -30,6 +30,10 @@ struct ScanWalls {
   }  ///< where the robot was [m, frame of the run]
 };
 
+/** Ends of neighbouring beams this near to each other are of one wall, up to 4 m away; farther off
+ *  so much more [m]. */
+constexpr double kSameSurface = 0.3;
+
 /** Of a scan that is compared with maps; more would tell no more. */
 constexpr int kWallsPerScan = 90;
 
@@ -37,5 +41,8 @@ constexpr int kWallsPerScan = 90;
  *  are left out. */
 [[nodiscard]] std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames,
                                                int maxWalls = kWallsPerScan);
+
+/** The way driven up to each scan [m]. */
+[[nodiscard]] std::vector<double> drivenWays(const std::vector<ScanWalls>& scans);
 
 }  // namespace roomgraph

@@ -13,7 +13,7 @@ struct PoseTolerance {
 
 // All that the comparison takes for one pose, from the narrowest on.
 constexpr PoseTolerance kSameScanAnswer{0.02, 0.15};  ///< answers to where a scan lies
-constexpr PoseTolerance kSameNode{0.03, 0.2};         ///< of submaps that one node can stand for
+constexpr PoseTolerance kSameNode{0.03, 0.2};         ///< nodes that a coarse one can stand for
 constexpr PoseTolerance kSameStart{0.03, 0.3};        ///< candidates worth one closer look
 constexpr PoseTolerance kSameScanStart{0.05, 0.4};    ///< starts that one fit of a scan joins
 constexpr PoseTolerance kSamePiece{0.05, 0.5};        ///< patches of one piece of a broken map

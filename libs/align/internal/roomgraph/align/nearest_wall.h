@@ -33,7 +33,7 @@ inline bool hasSeen(const WallMap& map, std::size_t index) {
 inline const WallPoint* nearestWall(const WallMap& map, std::size_t index, Point normal) {
   if (index >= map.frame.cellCount()) return nullptr;
   const std::uint32_t wall = map.nearest[std::size_t(octantOf(normal))][index];
-  return wall == WallMap::kNoWall ? nullptr : &map.walls[wall];
+  return wall == kNoIndex ? nullptr : &map.walls[wall];
 }
 
 }  // namespace roomgraph

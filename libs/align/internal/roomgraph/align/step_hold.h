@@ -8,14 +8,14 @@ namespace roomgraph {
 
 // Ours
 // In:   the scans of a run
-// Out:  how far they bear out each of its steps
+// Out:  how far they support each of its steps
 // Next: trackScans, lookAgain, placeBreak
 
 /** The share of a scan's walls that another scan of its run has, too, where the run has drawn both.
  *  1 for a scan without walls. O(walls^2). */
 double commonWalls(const ScanWalls& other, const ScanWalls& scan);
 
-/** How far the scans of a run bear out the step to scan `k`: 1 where it has walls in common with
+/** How far the scans of a run support the step to scan `k`: 1 where it has walls in common with
  *  one of the two before it as scans have that follow each other, 0 where nothing fits, as behind a
  *  break, or where a robot was carried. 1 for the first scan, and behind the last. O(walls^2). */
 double stepHold(const std::vector<ScanWalls>& scans, std::size_t k);

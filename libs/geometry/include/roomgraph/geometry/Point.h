@@ -3,6 +3,8 @@
 
 namespace roomgraph {
 
+constexpr double kFarthestPlace = 1e11;  ///< beyond all places of maps that can be read [m]
+
 /** A place or a displacement in the plane [m, map frame]. */
 struct Point {
   double x = 0, y = 0;  ///< [m]

@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "roomgraph/geometry/Point.h"
@@ -41,15 +43,27 @@ enum class Side { inside, onBoundary, outside };
  *  end on the ray one counts. A point is inside of a ring if the number is odd. Exact. */
 [[nodiscard]] bool rayCrosses(Point p, Point a, Point b);
 
+/** An upright box; as it is made, it holds nothing. */
 struct Box {
-  Point low, high;  ///< lower left, upper right [m]
+  Point low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};  ///< lower left, upper right [m]
 
+  [[nodiscard]] bool isEmpty() const { return !(low.x <= high.x && low.y <= high.y); }
+  [[nodiscard]] Point size() const { return high - low; }  ///< [m]
+  /** Grows so that it holds `p` as well. */
+  void include(Point p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  /** The box with so much more to each side. */
+  [[nodiscard]] Box widened(double margin) const {
+    return {low - Point{margin, margin}, high + Point{margin, margin}};
+  }
   [[nodiscard]] bool contains(Point p) const {
     return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
   }
 };
 
-/** The smallest upright box round the points; they must not be empty. */
+/** The smallest box round the points; empty for none. */
 [[nodiscard]] Box boundingBox(const std::vector<Point>& points);
 
 }  // namespace roomgraph

@@ -11,8 +11,6 @@ namespace roomgraph {
 /** As files hold it, see rounded(double). */
 inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
-constexpr double kFarthestPlace = 1e11;  ///< beyond all places of maps that can be read [m]
-
 /** A coordinate in metres. Throws Broken where it is none, or beyond kFarthestPlace: who draws it
  *  would count with infinities. */
 double readCoordinate(const JsonNode& node);

@@ -10,6 +10,9 @@ struct Cell {
   int x = 0, y = 0;  ///< column and row, from 0 at the lower left
 };
 
+/** So far off lies no map that is read, and nothing that is marked on one [m]. */
+constexpr double kFarthestOrigin = 1e7;
+
 /** How the cells of a grid lie in the map frame: the only place that knows cells and metres. */
 struct GridFrame {
   int width = 0, height = 0;  ///< cells

@@ -9,9 +9,6 @@ namespace roomgraph {
 /** Those of a run, in the order of all tables. */
 const std::vector<MeasureKind>& runMeasureKinds();
 
-/** The further ones, which only a pair of runs has. */
-const std::vector<MeasureKind>& pairMeasureKinds();
-
 /** Of a run or a pair; null for none of this name. */
 const MeasureKind* findMeasureKind(const std::string& name);
 

@@ -9,8 +9,6 @@
 
 namespace roomgraph {
 
-constexpr double kFarthestMark = 1e7;  ///< nothing is marked so far off [m]
-
 /** What somebody has marked on a map: a goal, a lane, a zone. */
 struct Thing {
   std::string name;

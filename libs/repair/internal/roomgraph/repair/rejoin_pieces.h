@@ -10,7 +10,7 @@ using RealPoses = std::vector<std::vector<Transform2D>>;
 
 // Ours: look-alike places tear what is whole
 // In:   SolvedSite
-// Out:  RealPoses, without the tears that nothing bears out
+// Out:  RealPoses, without the tears that nothing confirms
 // Next: repairRuns, mergeRuns, carryPlaces
 
 /** Where the consensus tears a run, the smaller part is put back to the larger one by its own links

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <string>
 
 #include "roomgraph/compare/Comparison.h"
@@ -9,6 +10,9 @@ namespace roomgraph {
 // In:   Comparison
 // Out:  sentences for people
 // Next: comparisonReport, a terminal
+
+/** Of more names, a sentence tells how many more there are. */
+constexpr std::size_t kMostNames = 4;
 
 /** Which maps break, and where most; empty where none does. */
 [[nodiscard]] std::string breaksSentence(const Comparison& comparison);

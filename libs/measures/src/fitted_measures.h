@@ -1,0 +1,40 @@
+#pragma once
+#include <cstddef>
+
+/** What the measures were set by: `benchmarks/score_accuracy --data DIR` and
+ *  `benchmarks/map_baselines --data DIR` show how each agrees with true errors. */
+namespace roomgraph::fitted {
+
+// Matching of vertices: what speaks against a pair, in metres of distance.
+constexpr double kOtherKind = 0.3, kPerMetre = 0.5;
+constexpr double kUnlike = 1.0, kGrown = -0.3;
+constexpr int kMostExits = 3;
+constexpr double kFollowReach = 5;   // of a patch whose pose places a vertex [m]
+constexpr double kMaxSeed = 1;       // of vertices that are matched by their place [m]
+constexpr double kMaxGrown = 1.5;    // of neighbours of matched vertices [m]
+constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
+
+// By how much the lengths of one way may differ: always this, and this share of the longer one.
+constexpr double kLengthSlack = 0.5, kLengthShare = 0.25;  // [m]
+constexpr double kMaxPathLength = 20;  // of a way through vertices that are not matched [m]
+
+// Distance of two paths.
+constexpr double kPathStep = 0.25;  // [m]
+constexpr int kFewestPathSteps = 8, kMostPathSteps = 64;
+constexpr double kLoop = 0.3;  // share of the length below which the ends give no direction
+
+// Scans of one place at two times.
+constexpr double kSameFacing = 0.5;     // cosine
+constexpr std::size_t kWallStride = 2;  // every second wall of a scan is looked for
+constexpr double kMinApart = 5;         // path between two scans that are compared [m]
+constexpr double kSameView = 2;         // between the places of two scans that see the same [m]
+constexpr std::size_t kMaxVisits = 8;   // scans that one is compared with, nearest first
+
+// Coverage: a run that is trusted less than this share of the second best is so torn or bent that
+// it tells of places that are not there.
+constexpr double kLeastTrust = 1e-3;
+
+// Least support.
+constexpr double kArea = 10;  // of the site [m2]
+
+}  // namespace roomgraph::fitted
