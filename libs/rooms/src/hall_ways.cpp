@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <tuple>
 #include <utility>
 
@@ -20,7 +22,7 @@ constexpr double kDetour = 1.3;  // the longest way round, over the straight one
 /** A place of the open floor, and what of the ways is nearest to it. */
 struct Place {
   Point at, way;
-  double far = std::numeric_limits<double>::infinity();
+  double farSquared = std::numeric_limits<double>::infinity();  // from there [m2]
 };
 
 class Hall {
@@ -95,20 +97,24 @@ class Hall {
     return placeOf(border);
   }
 
+  /** Along the ways, by vertex; infinite where none leads. By Dijkstra's algorithm. */
   std::vector<double> lengthsFrom(VertexId start) const {
-    const TopologyGraph graph(vertices_, edges_);
-    std::vector<EdgeId> all;
-    PlaceOnPath place;
-    for (std::size_t e = 0; e < edges_.size(); ++e) {
-      all.push_back(EdgeId(e));
-      if (edges_[e].source == start) place = {EdgeId(e), 0};
-      if (edges_[e].target == start) place = {EdgeId(e), edges_[e].path.length};
+    std::vector<std::vector<std::pair<std::size_t, double>>> ways(vertices_.size());
+    for (const Edge& edge : edges_) {
+      ways[edge.source.index()].push_back({edge.target.index(), edge.path.length});
+      ways[edge.target.index()].push_back({edge.source.index(), edge.path.length});
     }
-    std::vector<double> lengths(vertices_.size(), 0);
-    if (!place.edge) return lengths;
-    const ShortestWays ways(graph, all, place);
-    for (std::size_t v = 0; v < lengths.size(); ++v)
-      if (ways.reaches(VertexId(v))) lengths[v] = ways.lengthTo(VertexId(v));
+    std::vector<double> lengths(vertices_.size(), std::numeric_limits<double>::infinity());
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    open.push({lengths[start.index()] = 0, start.index()});
+    while (!open.empty()) {
+      const auto [length, at] = open.top();
+      open.pop();
+      if (length > lengths[at]) continue;
+      for (const auto& [next, more] : ways[at])
+        if (length + more < lengths[next]) open.push({lengths[next] = length + more, next});
+    }
     return lengths;
   }
 
@@ -119,13 +125,13 @@ class Hall {
     for (const Edge& edge : edges_) bringNearer(places, edge.path);
     const Point middle = centroid(room_.polygon);
     const auto rank = [&](const Place& place) {
-      return std::tuple(place.far, distance(place.at, middle), place.at.x, place.at.y);
+      return std::tuple(place.farSquared, distance(place.at, middle), place.at.x, place.at.y);
     };
     while (!places.empty()) {
       const auto farthest =
           std::max_element(places.begin(), places.end(),
                            [&](const Place& l, const Place& r) { return rank(l) < rank(r); });
-      if (farthest->far <= kFar) return;
+      if (farthest->farSquared <= kFar * kFar) return;
       const Place place = *farthest;
       places.erase(farthest);
       if (isClear(place.way, place.at)) bringNearer(places, addPlace(place));
@@ -140,22 +146,40 @@ class Hall {
     const Box box = boundingBox(room_.polygon.outer);
     std::vector<Place> places;
     const auto first = [&](double low, double at) { return -std::floor((at - low) / side); };
-    for (double y = first(box.low.y, middle.y); middle.y + y * side <= box.high.y; ++y)
+    for (double y = first(box.low.y, middle.y); middle.y + y * side <= box.high.y; ++y) {
+      const std::vector<double> sides = sidesAt(middle.y + y * side);
       for (double x = first(box.low.x, middle.x); middle.x + x * side <= box.high.x; ++x) {
         const Point at = middle + side * Point{x, y};
-        if (obstacles_.clearance(at, at, side) >= side && sideOf(room_.polygon, at) == Side::inside)
-          places.push_back({at, {}});
+        const auto right = std::upper_bound(sides.begin(), sides.end(), at.x);
+        const bool isInside = (right - sides.begin()) % 2 == 1;
+        if (isInside && obstacles_.clearance(at, at, side) >= side) places.push_back({at, {}});
       }
+    }
     return places;
   }
 
+  /** Where the room begins and ends along a row, in turns. */
+  std::vector<double> sidesAt(double y) const {
+    std::vector<double> sides;
+    const auto add = [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        if ((a.y <= y) != (b.y <= y)) sides.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+    };
+    add(room_.polygon.outer);
+    for (const Ring& hole : room_.polygon.holes) add(hole);
+    std::sort(sides.begin(), sides.end());
+    return sides;
+  }
+
   static void bringNearer(std::vector<Place>& places, const Path& path) {
-    const int steps = std::max(1, int(std::ceil(path.length / (kFar / 8))));
+    const int steps = std::max(1, int(std::ceil(path.length / (kFar / 4))));
     for (int i = 0; i <= steps; ++i) {
       const Point way = placeOn(path, i == steps ? path.length : i * path.length / steps);
       for (Place& place : places)
-        if (const double far = distance(place.at, way); far < place.far)
-          place.far = far, place.way = way;
+        if (const double far = squaredNorm(place.at - way); far < place.farSquared)
+          place.farSquared = far, place.way = way;
     }
   }
 
