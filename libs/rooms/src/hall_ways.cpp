@@ -16,7 +16,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kFar = 3;       // from a way, where another one is missing [m]
+constexpr double kFarFloor = 3;  // from a way, where another one is missing [m]
 constexpr double kDetour = 1.3;  // the longest way round, over the straight one
 
 /** A place of the open floor, and what of the ways is nearest to it. */
@@ -62,7 +62,7 @@ class Hall {
 
   /** Where the ways there are lead much farther round: by more than what is far, too. */
   static bool isMissing(double shortest, double length) {
-    return length > std::max(kDetour * shortest, shortest + kFar);
+    return length > std::max(kDetour * shortest, shortest + kFarFloor);
   }
 
   std::vector<Link> missingLinks() const {
@@ -80,7 +80,7 @@ class Hall {
 
   /** The shortest that is clear, if any is that much shorter than the ways there are. */
   void addLink(std::vector<Link>& links, VertexId a, VertexId b, double length) const {
-    for (double along = 0;; along += kFar / 8) {
+    for (double along = 0;; along += kFarFloor / 8) {
       const Point turnA = onTheWayFrom(a, along), turnB = onTheWayFrom(b, along);
       const double shortest = 2 * along + distance(turnA, turnB);
       if (!isMissing(shortest, length)) return;
@@ -131,7 +131,7 @@ class Hall {
       const auto farthest =
           std::max_element(places.begin(), places.end(),
                            [&](const Place& l, const Place& r) { return rank(l) < rank(r); });
-      if (farthest->farSquared <= kFar * kFar) return;
+      if (farthest->farSquared <= kFarFloor * kFarFloor) return;
       const Place place = *farthest;
       places.erase(farthest);
       if (isClear(place.way, place.at)) bringNearer(places, addPlace(place));
@@ -141,7 +141,7 @@ class Hall {
   /** Squares round the centroid, so that they turn with the map; but not along walls, which ways
    *  in their middle reach. */
   std::vector<Place> openFloor() const {
-    const double side = kFar / 2;
+    const double side = kFarFloor / 2;
     const Point middle = centroid(room_.polygon);
     const Box box = boundingBox(room_.polygon.outer);
     std::vector<Place> places;
@@ -174,7 +174,7 @@ class Hall {
   }
 
   static void bringNearer(std::vector<Place>& places, const Path& path) {
-    const int steps = std::max(1, int(std::ceil(path.length / (kFar / 4))));
+    const int steps = std::max(1, int(std::ceil(path.length / (kFarFloor / 4))));
     for (int i = 0; i <= steps; ++i) {
       const Point way = placeOn(path, i == steps ? path.length : i * path.length / steps);
       for (Place& place : places)
@@ -285,7 +285,7 @@ class Hall {
 
 TopologyGraph hallWays(TopologyGraph ways, const Room& room, const ObstacleRows& obstacles,
                        double minClearance) {
-  if (room.inscribedRadius <= kFar || ways.edges().empty()) return ways;
+  if (room.inscribedRadius <= kFarFloor || ways.edges().empty()) return ways;
   return Hall(std::move(ways), room, obstacles, minClearance).build();
 }
 
