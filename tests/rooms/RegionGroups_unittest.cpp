@@ -67,6 +67,24 @@ TEST(RegionGroups, neighboursMeetInTheWidestOfTheirPassages) {
   EXPECT_EQ(regions.edges(), (Edges{4, 1})) << "those between different regions";
 }
 
+TEST(RegionGroups, bumpsChangeTheMeanWidthOfACorridorLessThanItsLargestDisc) {
+  // 2 m wide; on one side a niche of 2 m x 2 m. A disc has 3 m there.
+  const auto groupsOf = [](const Inside& inside) {
+    RegionGroups regions(inside.voronoi, inside.isInside, 0.15, 0.1);
+    for (const std::uint32_t e : regions.edges())
+      regions.join(inside.voronoi.edges[e].source, inside.voronoi.edges[e].target);
+    regions.sumAreas();
+    regions.sumWalls(std::vector<std::uint8_t>(inside.voronoi.obstacles.size(), 1));
+    const std::uint32_t all = regions.find(regions.voronoi().edges[regions.edges()[0]].source);
+    return std::pair(2 * regions.radius(all), regions.meanWidth(all));
+  };
+  const auto [disc, mean] = groupsOf(Plan(100, 10).inside());
+  const auto [wideDisc, wideMean] =
+      groupsOf(Plan(100, 20).wall(1, 1, 100, 10).gap(50, 1, 10, 10).inside());
+  EXPECT_GT(wideDisc, 1.2 * disc);
+  EXPECT_LT(wideMean, 1.1 * mean);
+}
+
 TEST(RegionGroups, aSquareHasAnElongationOfOne) {
   // Wall cells stand half a cell outside of what is free.
   const Inside square = Plan(20, 20).inside(), corridor = Plan(80, 20).inside();

@@ -97,23 +97,6 @@ TEST(SplitAtDoors, aShortWayBetweenTwoHallsIsNoRoom) {
   EXPECT_EQ(split(halls(12), options).roomCount, 3u);
 }
 
-TEST(SplitAtDoors, aCorridorGoesOnThroughAWiderStretchOfItself) {
-  // A corridor of 1.8 m; in its middle 4 m of it are 2.4 m wide, behind necks of 1.2 or 1 m.
-  const auto corridor = [](int neck) {
-    return Plan(120, 12)
-        .wall(1, 1, 120, 3)
-        .gap(51, 1, 20, 12)
-        .wall(50, 1, 1, 12)
-        .gap(50, 4, 1, neck)
-        .wall(71, 1, 1, 12)
-        .gap(71, 4, 1, neck)
-        .inside();
-  };
-  EXPECT_EQ(split(corridor(6)).roomCount, 0u);
-  EXPECT_EQ(split(corridor(6)).count, 1u);
-  EXPECT_EQ(split(corridor(5)).roomCount, 1u);
-}
-
 TEST(SplitAtDoors, widthsDoNotDependOnTheResolution) {
   // 1.6 m are free on both: a room from there on.
   SplitAtDoorsOptions options;

@@ -52,7 +52,7 @@ void RegionGroups::join(std::uint32_t a, std::uint32_t b) {
   if (!groups_.join(a, b)) return;
   const std::uint32_t both = find(a);
   radius_[both] = std::max(radius_[a], radius_[b]);
-  for (std::vector<double>* sums : {&area_, &bounded_, &walled_})
+  for (std::vector<double>* sums : {&area_, &bounded_, &walled_, &widened_})
     if (!sums->empty()) (*sums)[both] = (*sums)[a] + (*sums)[b];
 }
 
@@ -63,6 +63,7 @@ void RegionGroups::sumAreas() {
 void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   bounded_.assign(voronoi_.vertices.size(), 0);
   walled_.assign(voronoi_.vertices.size(), 0);
+  widened_.assign(voronoi_.vertices.size(), 0);
   const auto placeOf = [&](std::uint32_t v) { return voronoi_.vertices[v].at; };
   const auto isOutside = [&](std::uint32_t end) {
     return end == VoronoiEdge::kNoVertex || !isInside_[end];
@@ -82,6 +83,7 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
       const double area = std::abs(cross(placeOf(end) - left, narrowest - left)) / 2;
       const std::uint32_t region = find(end);
       bounded_[region] += 2 * area;
+      widened_[region] += area * (voronoi_.vertices[end].clearance + edge.minClearance);
       walled_[region] += area * ((isWall[edge.left] ? 1 : 0) + (isWall[edge.right] ? 1 : 0));
     }
   }
@@ -94,6 +96,11 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
 double RegionGroups::wallShare(std::uint32_t region) const {
   const double bounded = bounded_[region];
   return bounded > 0 ? walled_[region] / bounded / meanWallShare_ : 0;
+}
+
+double RegionGroups::meanWidth(std::uint32_t region) const {
+  const double bounded = bounded_[region];
+  return bounded > 0 ? 2 * std::max(0.0, widened_[region] / bounded - halfCell_) : 0;
 }
 
 void RegionGroups::keepPassages() {

@@ -49,6 +49,10 @@ class RegionGroups {
   /** How much of its area is nearest to walls, beside the mean where walls are. After sumWalls. */
   double wallShare(std::uint32_t region) const;
 
+  /** The mean distance from its ways to the walls beside them, by the area there, twice [m]. A
+   *  corridor is as wide as this, whatever opens into it. After sumWalls. */
+  double meanWidth(std::uint32_t region) const;
+
   void join(std::uint32_t a, std::uint32_t b);
   void sumAreas();
   /** `isWall`, per obstacle, tells walls from the edge of the unknown. Areas count, not
@@ -67,6 +71,7 @@ class RegionGroups {
   UnionFind groups_;
   std::vector<double> radius_, area_;
   std::vector<double> bounded_, walled_;  // areas nearest to obstacles, and to walls [m2]
+  std::vector<double> widened_;           // the former times the clearance there [m3]
   double meanWallShare_ = 1;
 };
 

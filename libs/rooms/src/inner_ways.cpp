@@ -7,6 +7,7 @@
 #include "place_on_paths.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/topology/dead_ends.h"
+#include "split_ways.h"
 
 namespace roomgraph {
 namespace {
@@ -88,20 +89,8 @@ TopologyGraph withRoomVertex(TopologyGraph ways, Point center, double minClearan
   const PlaceOnPath place = placeOnPaths(ways, edges, center, minClearance);
   std::vector<Vertex> vertices = ways.vertices();
   std::vector<Edge> parts = std::move(ways).takeEdges();
-  Edge& whole = parts[place.edge.index()];
-  const double rest = whole.path.length - place.along;
-  const VertexId end = place.along <= rest ? whole.source : whole.target;
-  if (std::min(place.along, rest) < kSamePlace) {
-    vertices[end.index()].kind = VertexKind::room;
-    return {std::move(vertices), std::move(parts)};
-  }
-  Edge second{VertexId(vertices.size()), whole.target,
-              piece(whole.path, place.along, whole.path.length), whole.room};
-  vertices.push_back({placeOn(whole.path, place.along), clearanceAt(whole.path, place.along),
-                      VertexKind::room, whole.room});
-  whole.path = piece(whole.path, 0, place.along);
-  whole.target = second.source;
-  parts.push_back(std::move(second));
+  const VertexId middle = splitAt(vertices, parts, place, VertexKind::room);
+  vertices[middle.index()].kind = VertexKind::room;
   return {std::move(vertices), std::move(parts)};
 }
 

@@ -51,6 +51,7 @@ PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& 
 }
 
 double clearanceAt(const Path& path, double along) {
+  if (path.obstacles.empty()) return path.minClearance;
   double end = 0;
   std::size_t i = 0;
   for (; i + 1 < path.obstacles.size(); ++i) {

@@ -14,7 +14,8 @@ constexpr double kSamePlace = 1e-6;
 [[nodiscard]] PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                                        Point p, double minClearance);
 
-/** Distance to the nearest obstacle of a place on a path [m]. */
+/** Distance to the nearest obstacle of a place on a path [m]; that of the whole path where the
+ *  obstacles are not known. */
 [[nodiscard]] double clearanceAt(const Path& path, double along);
 
 }  // namespace roomgraph

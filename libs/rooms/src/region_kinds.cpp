@@ -36,29 +36,16 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
 
-/** Whether a door may be as wide. */
-bool isWideAsDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   std::uint32_t region) {
-  return 2 * regions.radius(region) * (1 + kSameWidth) < options.maxWidth;
-}
-
-/** Of the two widest passages to each neighbour those that `isOpen` says are, by the neighbour and
- *  the clearance. */
-template <class IsOpen>
-int countOpen(const Neighbours& around, const IsOpen& isOpen) {
-  int count = 0;
-  for (const auto& [other, passage] : around)
-    for (const double clearance : {passage.clearance, passage.second})
-      count += clearance > 0 && isOpen(other, clearance) ? 1 : 0;
-  return count;
-}
-
-/** Whether it is no wider than a door, and opens with nearly its whole width on two sides. */
+/** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.
+ */
 bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                   std::uint32_t region, const Neighbours& exits) {
   const double open = options.maxRatio * regions.radius(region) * (1 - kSameWidth);
-  return isWideAsDoors(regions, options, region) &&
-         countOpen(exits, [&](std::uint32_t, double clearance) { return clearance >= open; }) > 1;
+  int count = 0;
+  for (const auto& [other, passage] : exits)
+    for (const double clearance : {passage.clearance, passage.second})
+      count += clearance >= open ? 1 : 0;
+  return count > 1 && 2 * regions.radius(region) * (1 + kSameWidth) < options.maxWidth;
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
@@ -89,8 +76,6 @@ class KindFinder {
     leastWidth_ = leastWidth();
     for (std::uint32_t v = 0; v < kinds_.size(); ++v)
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
-    while (followCorridors()) {
-    }
     keepLinks();
     return std::move(kinds_);
   }
@@ -125,27 +110,6 @@ class KindFinder {
     return isCorridor(regions_, options_, region, around(region), leastWidth_)
                ? RegionKind::corridor
                : RegionKind::room;
-  }
-
-  /** A corridor goes on through what is no wider than a door and open to it on two sides. All at
-   *  once, so no order matters; returns whether there was any. */
-  bool followCorridors() {
-    std::vector<std::uint32_t> found;
-    for (const auto& [region, around] : around_)
-      if (kinds_[region] == RegionKind::room && isWideAsDoors(regions_, options_, region) &&
-          openCorridors(region, around) > 1)
-        found.push_back(region);
-    for (const std::uint32_t region : found) kinds_[region] = RegionKind::corridor;
-    return !found.empty();
-  }
-
-  int openCorridors(std::uint32_t region, const Neighbours& around) const {
-    const double least = options_.narrowRatio * regions_.radius(region) * (1 - kSameWidth);
-    return countOpen(around, [&](std::uint32_t other, double clearance) {
-      return kinds_[other] == RegionKind::corridor && clearance >= least &&
-             !isDoor(regions_, clearance, region, other, options_.corridorRatio,
-                     options_.corridorDoor);
-    });
   }
 
   /** Half-seen space that alone links rooms with each other is a way between them. */

@@ -4,8 +4,10 @@
 #include <functional>
 
 #include "roomgraph/geometry/intersect.h"
+#include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_paths.h"
 #include "roomgraph/rooms/inner_ways.h"
+#include "straight_ways.h"
 
 namespace roomgraph {
 namespace {
@@ -38,19 +40,6 @@ std::vector<RoomParts> collectParts(const TopologyGraph& graph, std::size_t room
   }
   for (RoomParts& room : parts) std::sort(room.borderVertices.begin(), room.borderVertices.end());
   return parts;
-}
-
-/** Whether a straight way from inside the polygon to a border vertex leaves it in between. */
-bool leavesPolygon(const Polygon& polygon, Point from, Point to, double tolerance) {
-  const double way = distance(from, to);
-  const auto isCrossedBefore = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      for (const double at : intersect(from, to, ring[i], ring[(i + 1) % ring.size()]))
-        if ((1 - at) * way > tolerance) return true;
-    return false;
-  };
-  return isCrossedBefore(polygon.outer) ||
-         std::any_of(polygon.holes.begin(), polygon.holes.end(), isCrossedBefore);
 }
 
 /** Whether a straight path meets another one anywhere but where both start, or where both end. */
@@ -91,6 +80,14 @@ class RoomBuilder {
 
   /** The room's vertex and its ways to the border vertices, which come first. */
   TopologyGraph build(const Room& room, const RoomParts& parts) const {
+    TopologyGraph ways = waysOf(room, parts);
+    if (options_.straightEdges) return ways;
+    const double widths = options_.robotWidth / 2 + obstacles_.cellSide() / 2;
+    return hallWays(std::move(ways), room, obstacles_, std::max(clearance_, widths));
+  }
+
+ private:
+  TopologyGraph waysOf(const Room& room, const RoomParts& parts) const {
     if (!options_.straightEdges && !parts.innerEdges.empty()) {
       TopologyGraph ways =
           innerWays(graph_, parts.innerEdges, options_.robotWidth, obstacles_.cellSide() / 2);
@@ -100,7 +97,6 @@ class RoomBuilder {
     return starOf(graph_, parts.borderVertices, star(room, parts));
   }
 
- private:
   /** Half as wide as the room gets: not in a door, nor in a corner. */
   static double leastClearance(const Room& room) { return room.inscribedRadius / 2; }
 
@@ -121,17 +117,9 @@ class RoomBuilder {
     star.center = center;
     star.clearance = obstacles_.clearance(center, center, room.inscribedRadius);
     for (const VertexId v : parts.borderVertices)
-      star.paths.push_back(straightPath(center, graph_.vertex(v).at, graph_.vertex(v).clearance));
+      star.paths.push_back(
+          straightPath(obstacles_, center, graph_.vertex(v).at, graph_.vertex(v).clearance));
     return star;
-  }
-
-  /** `clearance` is that of the target. */
-  Path straightPath(Point source, Point target, double clearance) const {
-    Path path;
-    path.points = {source, target};
-    path.length = distance(source, target);
-    path.minClearance = obstacles_.clearance(source, target, clearance);
-    return path;
   }
 
   bool isClear(const Room& room, const Path& path) const {
@@ -151,7 +139,7 @@ class RoomBuilder {
     if (parts.innerEdges.empty()) return false;
     const InnerPaths inner =
         innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center, clearance_);
-    Path way = straightPath(star.center, inner.center, inner.clearance);
+    Path way = straightPath(obstacles_, star.center, inner.center, inner.clearance);
     if (!isClear(room, way)) return false;
     for (std::size_t done = 0; done < bent.size(); ++done) {
       const Path& path = inner.paths[bent[done]];

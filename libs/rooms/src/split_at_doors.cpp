@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "RegionGroups.h"
+#include "follow_corridors.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
 #include "region_kinds.h"
@@ -103,19 +104,6 @@ void joinOpenPassages(RegionGroups& regions, const SplitAtDoorsOptions& options)
   }
 }
 
-/** A corridor is narrower at doors that open into it: those do not part it. */
-void joinCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                   const std::vector<RegionKind>& kinds) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
-  for (const auto& [region, around] : regions.neighbours())
-    for (const auto& [other, passage] : around)
-      if (kinds[region] == RegionKind::corridor && kinds[other] == RegionKind::corridor &&
-          !isDoor(regions, passage.clearance, region, other, options.corridorRatio,
-                  options.corridorDoor))
-        pieces.push_back({region, other});
-  for (const auto& [a, b] : pieces) regions.join(a, b);
-}
-
 }  // namespace
 
 void describe(SplitAtDoorsOptions& options, FieldTable& table) {
@@ -168,8 +156,8 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   regions.sumAreas();
   regions.sumWalls(isWall);
   joinLeftovers(regions, options);
-  const std::vector<RegionKind> kinds = regionKinds(regions, options);
-  joinCorridors(regions, options, kinds);
+  std::vector<RegionKind> kinds = regionKinds(regions, options);
+  followCorridors(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are corridors.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };

@@ -26,9 +26,10 @@ void describe(RoomGraphOptions& options, FieldTable& table);
  *  centroid, and its edges are straight, where each of these keeps inside of the polygon and
  *  `clearance` from all obstacles. Elsewhere (concave, or with a table in the middle) it stands at
  *  the place nearest to the centroid on the paths through the room, and its edges follow the
- *  shortest of those. With `straightEdges` each room is a star. A room that the graph does not
- *  enter is left out and told in `notes` (code "room_unreached"); one without a way in it becomes a
- *  vertex without edges. Room ids are numbered anew, in the order of `rooms`. O(n log n). */
+ *  shortest of those. Halls get straight ways across their open floor as well (hallWays). With
+ *  `straightEdges` each room is a star. A room that the graph does not enter is left out and told
+ *  in `notes` (code "room_unreached"); one without a way in it becomes a vertex without edges. Room
+ *  ids are numbered anew, in the order of `rooms`. O(n log n), and see hallWays. */
 [[nodiscard]] RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms,
                                   const ObstacleRows& obstacles, double clearance,
                                   const RoomGraphOptions& options, Notes& notes);

@@ -24,9 +24,10 @@ namespace roomgraph {
  *  and neither room nor corridor, where it lies nearer to the edge of the unknown than to walls
  *  (`isWall`, per obstacle), unless it alone links rooms. It is a corridor where it is too narrow
  *  for a room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
- *  sides; or no wider than a door may be, and a corridor goes on through it or it opens with nearly
- *  its whole width on two sides; or long (its area in squares round its largest disc is its
- *  elongation) with two ways out; to half-seen space is none. Pieces of corridor without a door
+ *  sides; or no wider than a door may be, and open with nearly its whole width on two sides; or
+ *  long (its area in squares round its largest disc is its elongation) with two ways out; to half-
+ *  seen space is none; or where a corridor goes on through it: it leads on two sides to corridor
+ *  that is about as wide by the mean over its whole length. Pieces of corridor without a door
  *  between them become one. All widths are free ones, between the sides of obstacle cells of size
  *  `resolution` [m], not between their centres. `minClearance` keeps passages between neighbouring
  *  cells of a wall out [m]. Equal widths are judged together, so the order of the edges does not

@@ -1,0 +1,122 @@
+#include "follow_corridors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace roomgraph {
+namespace {
+
+/** Two ways out of a region lie on one side of it where they turn by less than a third of a
+ *  half turn from each other: its cosine. */
+constexpr double kSameSide = 0.5;
+
+using WaysOn = std::map<std::uint32_t, std::vector<Point>>;  // by region, unit vectors out of it
+
+/** A corridor is narrower at doors that open into it: those do not part it. */
+void joinPieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                const std::vector<RegionKind>& kinds) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pieces;
+  for (const auto& [region, around] : regions.neighbours())
+    for (const auto& [other, passage] : around)
+      if (kinds[region] == RegionKind::corridor && kinds[other] == RegionKind::corridor &&
+          !isDoor(regions, passage.clearance, region, other, options.corridorRatio,
+                  options.corridorDoor))
+        pieces.push_back({region, other});
+  for (const auto& [a, b] : pieces) regions.join(a, b);
+}
+
+bool leadOnTwoSides(const std::vector<Point>& waysOn) {
+  for (const Point p : waysOn)
+    for (const Point q : waysOn)
+      if (dot(p, q) < kSameSide) return true;
+  return false;
+}
+
+/** Rooms that may be pieces of corridor, until what they lead to is known to be none. */
+class Pieces {
+ public:
+  Pieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
+         const std::vector<RegionKind>& kinds)
+      : regions_(regions), options_(options), kinds_(kinds), mayBe_(kinds.size()) {
+    for (std::uint32_t v = 0; v < kinds.size(); ++v)
+      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(v)) found_.push_back(v);
+    for (const std::uint32_t v : found_) mayBe_[v] = 1;
+  }
+
+  std::vector<std::uint32_t> find() && {
+    while (dropOthers()) {
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /** The wider it is, the longer it has to be. */
+  bool isNarrow(std::uint32_t region) const {
+    const double length = std::min(1.0, regions_.elongation(region) / options_.maxElongation);
+    const double widest = std::max(options_.maxWidth, options_.maxCorridorWidth * length);
+    return 2 * regions_.radius(region) * (1 + kSameWidth) < widest;
+  }
+
+  bool dropOthers() {
+    WaysOn waysOn = allWaysOn();
+    const auto isOther = [&](std::uint32_t region) { return !leadOnTwoSides(waysOn[region]); };
+    const auto others = std::stable_partition(found_.begin(), found_.end(), std::not_fn(isOther));
+    for (auto it = others; it != found_.end(); ++it) mayBe_[*it] = 0;
+    const bool isAny = others != found_.end();
+    found_.erase(others, found_.end());
+    return isAny;
+  }
+
+  WaysOn allWaysOn() const {
+    WaysOn waysOn;
+    for (const std::uint32_t e : regions_.edges()) {
+      const VoronoiEdge& edge = regions_.voronoi().edges[e];
+      const std::uint32_t a = regions_.find(edge.source), b = regions_.find(edge.target);
+      if (a == b) continue;
+      if (leadsOn(a, b, regions_.clearance(edge))) waysOn[a].push_back(direction(edge));
+      if (leadsOn(b, a, regions_.clearance(edge))) waysOn[b].push_back(-1.0 * direction(edge));
+    }
+    return waysOn;
+  }
+
+  /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. */
+  bool leadsOn(std::uint32_t region, std::uint32_t other, double clearance) const {
+    const double width = regions_.meanWidth(region);
+    return mayBe_[region] && (mayBe_[other] || kinds_[other] == RegionKind::corridor) &&
+           width * (1 + kSameWidth) < std::sqrt(2.0) * regions_.meanWidth(other) &&
+           2 * clearance >= options_.narrowRatio * width * (1 - kSameWidth);
+  }
+
+  /** Across the passage, from the source's region to the target's. */
+  Point direction(const VoronoiEdge& edge) const {
+    const VoronoiGraph& voronoi = regions_.voronoi();
+    const Point sides = voronoi.obstacles[edge.right] - voronoi.obstacles[edge.left];
+    const Point way = voronoi.vertices[edge.target].at - voronoi.vertices[edge.source].at;
+    const Point across{-sides.y, sides.x};
+    return ((dot(across, way) < 0 ? -1 : 1) / norm(across)) * across;
+  }
+
+  RegionGroups& regions_;
+  const SplitAtDoorsOptions& options_;
+  const std::vector<RegionKind>& kinds_;
+  std::vector<std::uint32_t> found_;
+  std::vector<std::uint8_t> mayBe_;  // per region
+};
+
+}  // namespace
+
+void followCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                     std::vector<RegionKind>& kinds) {
+  joinPieces(regions, options, kinds);
+  for (;;) {
+    const std::vector<std::uint32_t> found = Pieces(regions, options, kinds).find();
+    if (found.empty()) return;
+    for (const std::uint32_t region : found) kinds[region] = RegionKind::corridor;
+    joinPieces(regions, options, kinds);
+  }
+}
+
+}  // namespace roomgraph

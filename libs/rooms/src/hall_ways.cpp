@@ -1,0 +1,292 @@
+#include "roomgraph/rooms/hall_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "place_on_paths.h"
+#include "roomgraph/geometry/intersect.h"
+#include "split_ways.h"
+#include "straight_ways.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFarFloor = 3;  // from a way, where another one is missing [m]
+constexpr double kDetour = 1.3;  // the longest way round, over the straight one
+
+/** A place of the open floor, and what of the ways is nearest to it. */
+struct Place {
+  Point at, way;
+  double farSquared = std::numeric_limits<double>::infinity();  // from there [m2]
+};
+
+class Hall {
+ public:
+  Hall(TopologyGraph ways, const Room& room, const ObstacleRows& obstacles, double minClearance)
+      : room_(room),
+        obstacles_(obstacles),
+        minClearance_(minClearance),
+        vertices_(ways.vertices()),
+        edges_(std::move(ways).takeEdges()) {}
+
+  TopologyGraph build() && {
+    joinBorders();
+    reachPlaces();
+    return {std::move(vertices_), std::move(edges_)};
+  }
+
+ private:
+  // Between border vertices
+
+  /** A way from one border vertex to another: along the ways out of both, and straight between. */
+  struct Link {
+    double length;
+    VertexId a, b;
+    Point turnA, turnB;  // where it leaves these ways
+  };
+
+  void joinBorders() {
+    std::vector<Link> links = missingLinks();
+    std::sort(links.begin(), links.end(), [](const Link& l, const Link& r) {
+      return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
+    });
+    for (const Link& link : links)
+      if (isMissing(link.length, lengthsFrom(link.a)[link.b.index()]))
+        addStraight(vertexAt(link.turnA), vertexAt(link.turnB));
+  }
+
+  /** Where the ways there are lead much farther round: by more than what is far, too. */
+  static bool isMissing(double shortest, double length) {
+    return length > std::max(kDetour * shortest, shortest + kFarFloor);
+  }
+
+  std::vector<Link> missingLinks() const {
+    std::vector<VertexId> borders;
+    for (std::size_t v = 0; v < vertices_.size(); ++v)
+      if (vertices_[v].kind == VertexKind::border) borders.push_back(VertexId(v));
+    std::vector<Link> links;
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+      const std::vector<double> lengths = lengthsFrom(borders[i]);
+      for (std::size_t j = i + 1; j < borders.size(); ++j)
+        addLink(links, borders[i], borders[j], lengths[borders[j].index()]);
+    }
+    return links;
+  }
+
+  /** The shortest that is clear, if any is that much shorter than the ways there are. */
+  void addLink(std::vector<Link>& links, VertexId a, VertexId b, double length) const {
+    for (double along = 0;; along += kFarFloor / 8) {
+      const Point turnA = onTheWayFrom(a, along), turnB = onTheWayFrom(b, along);
+      const double shortest = 2 * along + distance(turnA, turnB);
+      if (!isMissing(shortest, length)) return;
+      if (isClear(turnA, turnB)) return links.push_back({shortest, a, b, turnA, turnB});
+    }
+  }
+
+  Point onTheWayFrom(VertexId border, double along) const {
+    for (const Edge& edge : edges_) {
+      const double there = std::min(along, edge.path.length);
+      if (edge.source == border) return placeOn(edge.path, there);
+      if (edge.target == border) return placeOn(edge.path, edge.path.length - there);
+    }
+    return placeOf(border);
+  }
+
+  /** Along the ways, by vertex; infinite where none leads. By Dijkstra's algorithm. */
+  std::vector<double> lengthsFrom(VertexId start) const {
+    std::vector<std::vector<std::pair<std::size_t, double>>> ways(vertices_.size());
+    for (const Edge& edge : edges_) {
+      ways[edge.source.index()].push_back({edge.target.index(), edge.path.length});
+      ways[edge.target.index()].push_back({edge.source.index(), edge.path.length});
+    }
+    std::vector<double> lengths(vertices_.size(), std::numeric_limits<double>::infinity());
+    using Entry = std::pair<double, std::size_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    open.push({lengths[start.index()] = 0, start.index()});
+    while (!open.empty()) {
+      const auto [length, at] = open.top();
+      open.pop();
+      if (length > lengths[at]) continue;
+      for (const auto& [next, more] : ways[at])
+        if (length + more < lengths[next]) open.push({lengths[next] = length + more, next});
+    }
+    return lengths;
+  }
+
+  // To places
+
+  void reachPlaces() {
+    std::vector<Place> places = openFloor();
+    for (const Edge& edge : edges_) bringNearer(places, edge.path);
+    const Point middle = centroid(room_.polygon);
+    const auto rank = [&](const Place& place) {
+      return std::tuple(place.farSquared, distance(place.at, middle), place.at.x, place.at.y);
+    };
+    while (!places.empty()) {
+      const auto farthest =
+          std::max_element(places.begin(), places.end(),
+                           [&](const Place& l, const Place& r) { return rank(l) < rank(r); });
+      if (farthest->farSquared <= kFarFloor * kFarFloor) return;
+      const Place place = *farthest;
+      places.erase(farthest);
+      if (isClear(place.way, place.at)) bringNearer(places, addPlace(place));
+    }
+  }
+
+  /** Squares round the centroid, so that they turn with the map; but not along walls, which ways
+   *  in their middle reach. */
+  std::vector<Place> openFloor() const {
+    const double side = kFarFloor / 2;
+    const Point middle = centroid(room_.polygon);
+    const Box box = boundingBox(room_.polygon.outer);
+    std::vector<Place> places;
+    const auto first = [&](double low, double at) { return -std::floor((at - low) / side); };
+    for (double y = first(box.low.y, middle.y); middle.y + y * side <= box.high.y; ++y) {
+      const std::vector<double> sides = sidesAt(middle.y + y * side);
+      for (double x = first(box.low.x, middle.x); middle.x + x * side <= box.high.x; ++x) {
+        const Point at = middle + side * Point{x, y};
+        const auto right = std::upper_bound(sides.begin(), sides.end(), at.x);
+        const bool isInside = (right - sides.begin()) % 2 == 1;
+        if (isInside && obstacles_.clearance(at, at, side) >= side) places.push_back({at, {}});
+      }
+    }
+    return places;
+  }
+
+  /** Where the room begins and ends along a row, in turns. */
+  std::vector<double> sidesAt(double y) const {
+    std::vector<double> sides;
+    const auto add = [&](const Ring& ring) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
+        if ((a.y <= y) != (b.y <= y)) sides.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+    };
+    add(room_.polygon.outer);
+    for (const Ring& hole : room_.polygon.holes) add(hole);
+    std::sort(sides.begin(), sides.end());
+    return sides;
+  }
+
+  static void bringNearer(std::vector<Place>& places, const Path& path) {
+    const int steps = std::max(1, int(std::ceil(path.length / (kFarFloor / 4))));
+    for (int i = 0; i <= steps; ++i) {
+      const Point way = placeOn(path, i == steps ? path.length : i * path.length / steps);
+      for (Place& place : places)
+        if (const double far = squaredNorm(place.at - way); far < place.farSquared)
+          place.farSquared = far, place.way = way;
+    }
+  }
+
+  Path addPlace(const Place& place) {
+    const VertexId base = vertexAt(place.way);
+    const VertexId tip(vertices_.size());
+    vertices_.push_back({place.at,
+                         obstacles_.clearance(place.at, place.at, room_.inscribedRadius),
+                         VertexKind::deadEnd,
+                         {}});
+    addStraight(base, tip);
+    return straightPath(obstacles_, place.way, place.at, 0);
+  }
+
+  /** Of the place on the ways that is nearest to `at`. */
+  VertexId vertexAt(Point at) {
+    PlaceOnPath best;
+    double offset = std::numeric_limits<double>::infinity();
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Path& path = edges_[e].path;
+      double along = 0;
+      for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+        const Point place = nearestOnSegment(at, path.points[i], path.points[i + 1]);
+        if (distance(place, at) < offset) {
+          offset = distance(place, at);
+          best = {EdgeId(e), std::min(path.length, along + distance(path.points[i], place))};
+        }
+        along += distance(path.points[i], path.points[i + 1]);
+      }
+    }
+    return split(best);
+  }
+
+  // Both
+
+  Point placeOf(VertexId v) const { return vertices_[v.index()].at; }
+
+  VertexId split(PlaceOnPath place) {
+    const std::size_t count = vertices_.size();
+    const VertexId v = splitAt(vertices_, edges_, place, VertexKind::junction);
+    if (count == vertices_.size() || !edges_.back().path.obstacles.empty()) return v;
+    vertices_.back().clearance =
+        obstacles_.clearance(placeOf(v), placeOf(v), room_.inscribedRadius);
+    for (Edge* part : {&edges_[place.edge.index()], &edges_.back()}) {
+      Path& path = part->path;
+      path.minClearance = vertices_.back().clearance;
+      for (std::size_t i = 1; i < path.points.size(); ++i)
+        path.minClearance =
+            obstacles_.clearance(path.points[i - 1], path.points[i], path.minClearance);
+    }
+    return v;
+  }
+
+  bool isClear(Point a, Point b) const {
+    const Point middle = midpoint(a, b);
+    return obstacles_.clearance(a, b, minClearance_) >= minClearance_ &&
+           sideOf(room_.polygon, middle) == Side::inside &&
+           !leavesPolygon(room_.polygon, middle, a, 2 * minClearance_) &&
+           !leavesPolygon(room_.polygon, middle, b, 2 * minClearance_);
+  }
+
+  /** In pieces between the ways that it crosses. */
+  void addStraight(VertexId from, VertexId to) {
+    std::vector<std::pair<double, VertexId>> stops{{0, from}, {1, to}};
+    std::vector<std::pair<double, PlaceOnPath>> crossings = crossed(placeOf(from), placeOf(to));
+    for (auto it = crossings.rbegin(); it != crossings.rend(); ++it)  // the first part keeps its id
+      stops.push_back({it->first, split(it->second)});
+    std::sort(stops.begin(), stops.end());
+    for (std::size_t i = 1; i < stops.size(); ++i) {
+      const VertexId a = stops[i - 1].second, b = stops[i].second;
+      if (a == b) continue;
+      const double clearance =
+          std::min(vertices_[a.index()].clearance, vertices_[b.index()].clearance);
+      edges_.push_back({a, b, straightPath(obstacles_, placeOf(a), placeOf(b), clearance), {}});
+    }
+  }
+
+  /** By edge, and then from its source on. */
+  std::vector<std::pair<double, PlaceOnPath>> crossed(Point p, Point q) const {
+    std::vector<std::pair<double, PlaceOnPath>> all;
+    const double way = distance(p, q);
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      const Polyline& points = edges_[e].path.points;
+      double along = 0;
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (const double at : intersect(p, q, points[i], points[i + 1]))
+          if (std::min(at, 1 - at) * way > kSamePlace)
+            all.push_back({at, {EdgeId(e), along + distance(points[i], p + at * (q - p))}});
+        along += distance(points[i], points[i + 1]);
+      }
+    }
+    return all;
+  }
+
+  const Room& room_;
+  const ObstacleRows& obstacles_;
+  double minClearance_;
+  std::vector<Vertex> vertices_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace
+
+TopologyGraph hallWays(TopologyGraph ways, const Room& room, const ObstacleRows& obstacles,
+                       double minClearance) {
+  if (room.inscribedRadius <= kFarFloor || ways.edges().empty()) return ways;
+  return Hall(std::move(ways), room, obstacles, minClearance).build();
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,78 @@
+#include "follow_corridors.h"
+
+#include <gtest/gtest.h>
+
+#include "plan.h"
+#include "roomgraph/rooms/split_at_doors.h"
+
+namespace roomgraph::test {
+namespace {
+
+Regions split(const Plan& plan) {
+  const Inside inside = plan.inside();
+  const std::vector<std::uint8_t> allWalls(inside.voronoi.obstacles.size(), 1);
+  return splitAtDoors(inside.voronoi, inside.isInside, allWalls, 0.15, 0.2, SplitAtDoorsOptions());
+}
+
+/** A corridor of 1.8 m. In its middle 4 m of it are `wide` cells wide, behind doors of `door`. */
+Plan stretch(int wide, int door) {
+  const int above = wide - 9;
+  return Plan(120, wide)
+      .wall(1, 1, 49, above)
+      .wall(71, 1, 50, above)
+      .wall(50, 1, 1, wide)
+      .gap(50, above + 1, 1, door)
+      .wall(71, 1, 1, wide)
+      .gap(71, above + 1, 1, door);
+}
+
+TEST(FollowCorridors, itGoesOnThroughAStretchBehindDoors) {
+  // 1.2 or 1 m: with the former all is one piece, the latter is a door and bounds one.
+  EXPECT_EQ(split(stretch(12, 6)).roomCount, 0u);
+  EXPECT_EQ(split(stretch(12, 6)).count, 1u);
+  EXPECT_EQ(split(stretch(12, 5)).roomCount, 0u);
+}
+
+TEST(FollowCorridors, aLobbyStandsOut) {
+  EXPECT_EQ(split(stretch(18, 6)).roomCount, 1u) << "twice as wide";
+  EXPECT_EQ(split(stretch(12, 3)).roomCount, 1u) << "doors as narrow as those of rooms";
+}
+
+TEST(FollowCorridors, itGoesOnThroughSeveralStretches) {
+  // Two of 4 m x 2.4 m, one behind the other, between 10 m of corridor each.
+  Plan plan(141, 12);
+  plan.wall(1, 1, 49, 3).wall(93, 1, 49, 3);
+  for (const int door : {50, 71, 92}) plan.wall(door, 1, 1, 12).gap(door, 4, 1, 5);
+  EXPECT_EQ(split(plan).roomCount, 0u);
+}
+
+TEST(FollowCorridors, itGoesOnRoundABendBehindDoors) {
+  // Two arms of 16 m x 1.8 m, and a bend of 2.2 m square behind doors of 1 m.
+  Plan bend(92, 92);
+  bend.wall(1, 1, 83, 80).wall(1, 81, 80, 3);
+  bend.wall(81, 82, 1, 11).gap(81, 85, 1, 5).wall(82, 81, 11, 1);
+  EXPECT_EQ(split(bend.gap(85, 81, 5, 1)).roomCount, 0u);
+}
+
+TEST(FollowCorridors, aRoomWithTwoDoorsOnOneSideOfItIsNone) {
+  // A corridor of 2 m, and a room as wide along it with two doors of 1.2 m into it.
+  const Plan room = Plan(90, 21)
+                        .wall(1, 11, 90, 1)
+                        .wall(25, 12, 1, 10)
+                        .wall(55, 12, 1, 10)
+                        .gap(27, 11, 6, 1)
+                        .gap(47, 11, 6, 1)
+                        .wall(1, 12, 24, 10)
+                        .wall(56, 12, 35, 10);
+  EXPECT_EQ(split(room).roomCount, 1u);
+  EXPECT_EQ(split(room).count, 2u);
+}
+
+TEST(FollowCorridors, roomsInARowAreNoCorridorByThemselves) {
+  // Three rooms of 5 m x 5 m, one behind the other, with doors of 2 m.
+  const Plan row = Plan(77, 25).wall(26, 1, 1, 25).wall(52, 1, 1, 25);
+  EXPECT_EQ(split(Plan(row).gap(26, 8, 1, 10).gap(52, 8, 1, 10)).roomCount, 3u);
+}
+
+}  // namespace
+}  // namespace roomgraph::test
