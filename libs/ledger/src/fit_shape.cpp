@@ -94,7 +94,8 @@ Footprint footprint(const SiteShape& room, const RoomMove& move, const GridFrame
   counts.resize(std::max(counts.size(), run.shapes.size() + RunAreas::firstArea));
   for (const Point p : room.samples) {
     const std::size_t cell = cellIndexAt(frame, isStill ? p : motion(p));
-    const auto label = cell < run.labels.size() ? run.labels[cell] : RunAreas::unknown;
+    std::uint16_t label = RunAreas::unknown;
+    if (cell < run.labels.size()) label = run.labels[cell];
     if (counts[label] == 0) met.push_back(label);
     ++counts[label];
   }

@@ -109,7 +109,7 @@ double anyConfidence(const MapPair& pair) {
 void takeLikeliest(Alignment& alignment) {
   const double sum = alignment.confidence + alignment.runnerUpConfidence;
   if (sum <= 0 || (alignment.isSameSite && sum >= kMajority)) return;
-  if (alignment.runnerUpConfidence >= kUnlikely * sum) return;
+  if (alignment.runnerUpConfidence >= fitted::kUnlikely * sum) return;
   alignment.isSameSite = alignment.isOnlySaid = true;
   alignment.confidence /= sum, alignment.runnerUpConfidence /= sum;
 }

@@ -16,6 +16,9 @@ constexpr std::size_t kPieceProbes = 12;     // scans of a piece that are looked
 constexpr double kPerMedian = 1.4826;        // standard deviation of normal errors
 constexpr double kWithin = 2.5;              // standard deviations
 
+// Whether a run gets better.
+constexpr std::size_t kProbes = 60;  // scans of it by which it is judged, about
+
 // What others have seen.
 constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
 constexpr double kRange = 15;         // of the walls of those [m]

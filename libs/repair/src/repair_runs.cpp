@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "OtherWalls.h"
+#include "fitted_repair.h"
 #include "moved_run.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
@@ -33,7 +34,7 @@ bool fitsBetter(const SolvedSite& solved, const std::vector<Transform2D>& real, 
                 const Transform2D& siteOfRun) {
   const std::vector<LocalScan> scans = localScans(solved.site.runs[i]->scans);
   std::vector<Point> places;
-  const std::size_t step = scans.size() / kProbes + 1;
+  const std::size_t step = scans.size() / fitted::kProbes + 1;
   for (std::size_t k = 0; k < scans.size(); k += step) {
     places.push_back(real[k].shift());
     places.push_back((siteOfRun * solved.site.runs[i]->scans[k].pose).shift());
