@@ -131,7 +131,6 @@ class Hall {
       const auto farthest =
           std::max_element(places.begin(), places.end(),
                            [&](const Place& l, const Place& r) { return rank(l) < rank(r); });
-      if (farthest->farSquared <= kFarFloor * kFarFloor) return;
       const Place place = *farthest;
       places.erase(farthest);
       if (isClear(place.way, place.at)) bringNearer(places, addPlace(place));
@@ -173,6 +172,7 @@ class Hall {
     return sides;
   }
 
+  /** Of the places those stay that are still far from any way. */
   static void bringNearer(std::vector<Place>& places, const Path& path) {
     const int steps = std::max(1, int(std::ceil(path.length / (kFarFloor / 4))));
     for (int i = 0; i <= steps; ++i) {
@@ -181,6 +181,10 @@ class Hall {
         if (const double far = squaredNorm(place.at - way); far < place.farSquared)
           place.farSquared = far, place.way = way;
     }
+    places.erase(std::remove_if(
+                     places.begin(), places.end(),
+                     [](const Place& place) { return place.farSquared <= kFarFloor * kFarFloor; }),
+                 places.end());
   }
 
   Path addPlace(const Place& place) {
