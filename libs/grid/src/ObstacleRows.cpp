@@ -1,6 +1,8 @@
 #include "roomgraph/grid/ObstacleRows.h"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "roomgraph/geometry/Polyline.h"
 
@@ -15,6 +17,25 @@ ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
   }
 }
 
+namespace {
+
+/** The columns of a row in which a cell may be no farther than `reach` from the segment; none where
+ *  first > second. */
+std::pair<int, int> columnsNear(const GridFrame& frame, int row, Point a, Point b, double reach) {
+  double begin = 0, end = 1;
+  if (const double rise = b.y - a.y; rise != 0) {
+    const double middle = frame.center({0, row}).y - a.y, margin = reach + frame.resolution;
+    std::tie(begin, end) = std::minmax({(middle - margin) / rise, (middle + margin) / rise});
+    begin = std::max(begin, 0.0), end = std::min(end, 1.0);
+    if (begin > end) return {1, 0};
+  }
+  const auto [low, high] = std::minmax({a.x + begin * (b.x - a.x), a.x + end * (b.x - a.x)});
+  return {frame.cellAt(Point{low - reach, a.y}).x - 1,
+          frame.cellAt(Point{high + reach, a.y}).x + 1};
+}
+
+}  // namespace
+
 double ObstacleRows::clearance(Point a, Point b, double limit) const {
   const GridFrame& frame = obstacles_.frame;
   const Point reach{limit, limit};
@@ -24,8 +45,9 @@ double ObstacleRows::clearance(Point a, Point b, double limit) const {
   for (std::ptrdiff_t y = std::max(low.y, -1); y <= std::min(high.y, frame.height); ++y) {
     const auto rowEnd = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
     auto it = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
-    it = std::lower_bound(it, rowEnd, low.x, [](Cell cell, int x) { return cell.x < x; });
-    for (; it != rowEnd && it->x <= high.x; ++it)
+    const auto [first, last] = columnsNear(frame, int(y), a, b, nearest);
+    it = std::lower_bound(it, rowEnd, first, [](Cell cell, int x) { return cell.x < x; });
+    for (; it != rowEnd && it->x <= last; ++it)
       nearest = std::min(nearest, distanceToSegment(frame.center(*it), a, b));
   }
   return nearest;
