@@ -1,6 +1,7 @@
 #include "roomgraph/grid/ObstacleRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -41,11 +42,13 @@ double ObstacleRows::clearance(Point a, Point b, double limit) const {
   const Point reach{limit, limit};
   const Cell low = frame.cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
   const Cell high = frame.cellAt(Point{std::max(a.x, b.x), std::max(a.y, b.y)} + reach);
+  const std::pair<int, int> all{low.x, high.x};
+  const bool isLong = std::abs(b.x - a.x) > 2 * limit;  // then most of the box is far from it
   double nearest = limit;
   for (std::ptrdiff_t y = std::max(low.y, -1); y <= std::min(high.y, frame.height); ++y) {
     const auto rowEnd = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
     auto it = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
-    const auto [first, last] = columnsNear(frame, int(y), a, b, nearest);
+    const auto [first, last] = isLong ? columnsNear(frame, int(y), a, b, nearest) : all;
     it = std::lower_bound(it, rowEnd, first, [](Cell cell, int x) { return cell.x < x; });
     for (; it != rowEnd && it->x <= last; ++it)
       nearest = std::min(nearest, distanceToSegment(frame.center(*it), a, b));
