@@ -10,6 +10,7 @@
 
 #include "place_on_paths.h"
 #include "roomgraph/geometry/intersect.h"
+#include "roomgraph/grid/polygon_cells.h"
 #include "split_ways.h"
 #include "straight_ways.h"
 
@@ -143,33 +144,18 @@ class Hall {
     const double side = kFarFloor / 2;
     const Point middle = centroid(room_.polygon);
     const Box box = boundingBox(room_.polygon.outer);
+    const double left = std::floor((middle.x - box.low.x) / side);
+    const double below = std::floor((middle.y - box.low.y) / side);
+    GridFrame frame;
+    frame.resolution = side, frame.origin = middle - side * Point{left + 0.5, below + 0.5};
+    frame.width = int((box.high.x - frame.origin.x) / side) + 1;
+    frame.height = int((box.high.y - frame.origin.y) / side) + 1;
     std::vector<Place> places;
-    const auto first = [&](double low, double at) { return -std::floor((at - low) / side); };
-    for (double y = first(box.low.y, middle.y); middle.y + y * side <= box.high.y; ++y) {
-      const std::vector<double> sides = sidesAt(middle.y + y * side);
-      for (double x = first(box.low.x, middle.x); middle.x + x * side <= box.high.x; ++x) {
-        const Point at = middle + side * Point{x, y};
-        const auto right = std::upper_bound(sides.begin(), sides.end(), at.x);
-        const bool isInside = (right - sides.begin()) % 2 == 1;
-        if (isInside && obstacles_.clearance(at, at, side) >= side) places.push_back({at, {}});
-      }
+    for (const Cell cell : cellsIn(room_.polygon, frame)) {
+      const Point at = middle + side * Point{cell.x - left, cell.y - below};
+      if (obstacles_.clearance(at, at, side) >= side) places.push_back({at, {}});
     }
     return places;
-  }
-
-  /** Where the room begins and ends along a row, in turns. */
-  std::vector<double> sidesAt(double y) const {
-    std::vector<double> sides;
-    const auto add = [&](const Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-        if ((a.y <= y) != (b.y <= y)) sides.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-      }
-    };
-    add(room_.polygon.outer);
-    for (const Ring& hole : room_.polygon.holes) add(hole);
-    std::sort(sides.begin(), sides.end());
-    return sides;
   }
 
   /** Of the places those stay that are still far from any way. */
