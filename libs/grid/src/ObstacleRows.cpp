@@ -9,15 +9,6 @@
 
 namespace roomgraph {
 
-ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
-    : obstacles_(obstacles), firstInRow_(std::size_t(obstacles.frame.height) + 3) {
-  std::size_t next = 0;
-  for (std::size_t row = 0; row < firstInRow_.size(); ++row) {
-    while (next < obstacles.cells.size() && obstacles.cells[next].y < int(row) - 1) ++next;
-    firstInRow_[row] = next;
-  }
-}
-
 namespace {
 
 /** The columns of a row in which a cell may be no farther than `reach` from the segment; none where
@@ -36,6 +27,15 @@ std::pair<int, int> columnsNear(const GridFrame& frame, int row, Point a, Point 
 }
 
 }  // namespace
+
+ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
+    : obstacles_(obstacles), firstInRow_(std::size_t(obstacles.frame.height) + 3) {
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < firstInRow_.size(); ++row) {
+    while (next < obstacles.cells.size() && obstacles.cells[next].y < int(row) - 1) ++next;
+    firstInRow_[row] = next;
+  }
+}
 
 double ObstacleRows::clearance(Point a, Point b, double limit) const {
   const GridFrame& frame = obstacles_.frame;

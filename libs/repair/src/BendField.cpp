@@ -39,12 +39,13 @@ std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
     const Point middle = patches[patch.patch].middle;
     if (patch.layer == 0) first.add(middle, patch.pose(middle), patch.walls);
   }
+  const Transform2D lead = first.motion();
   std::map<int, Piece> pieces;
   for (const FollowedPatch& patch : followed.patches) {
     const Point middle = patches[patch.patch].middle;
     Piece& piece = pieces[patch.layer];
     piece.walls += patch.walls;
-    piece.bend += patch.walls * distance(patch.pose(middle), first.motion()(middle));
+    piece.bend += patch.walls * distance(patch.pose(middle), lead(middle));
   }
   const auto isElsewhere = [](const Piece& piece) {
     return piece.bend > fitted::kOtherPiece * piece.walls;
