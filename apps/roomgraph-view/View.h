@@ -25,7 +25,7 @@ struct View {
 
   /** Screen, with x to the right, <- frame of the site [m]. */
   Transform2D onScreen() const { return {0, 0, turn}; }
-  const Run* runNamed(const std::string& name) const;
+  const Run* runNamed(const std::string& name) const { return findRun(runs, name); }
   /** Of the run at this place of the comparison; empty without scans. */
   const std::vector<PathPose>& path(std::size_t run) const { return comparison.runs[run].path; }
 };

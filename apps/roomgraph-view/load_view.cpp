@@ -95,12 +95,6 @@ View viewOfMap(const std::string& file, const ExtractOptions& options) {
 
 }  // namespace
 
-const Run* View::runNamed(const std::string& name) const {
-  const auto found =
-      std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; });
-  return found == runs.end() ? nullptr : &*found;
-}
-
 View loadView(const std::vector<std::string>& files, const ExtractOptions& options,
               const Say& say) {
   std::vector<std::string> maps = files;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <optional>
 
 #include "ArchiveArguments.h"
 #include "ResultFolder.h"
@@ -45,14 +44,6 @@ CarryArguments withFiles(CarryArguments arguments) {
   return arguments;
 }
 
-/** The place of a map in the site; none where it does not lie in it. */
-std::optional<std::size_t> findPlace(const std::string& file, const SolvedRuns& runs) {
-  const Site& site = runs.solved.site;
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (site.runs[i]->file == file) return i;
-  return std::nullopt;
-}
-
 /** Of two maps alone the user says that they are of one site. Runs that join them are to show it;
  *  where they do not, the two maps are taken alone as well. */
 std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
@@ -61,15 +52,17 @@ std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
   if (!arguments.via.empty()) {
     site.files.insert(site.files.end(), arguments.via.begin(), arguments.via.end());
     auto runs = solveRuns(site);
-    if (findPlace(arguments.from, *runs) && findPlace(arguments.to, *runs)) return runs;
+    const Site& found = runs->solved.site;
+    if (found.placeOf(arguments.from) && found.placeOf(arguments.to)) return runs;
     site.files.resize(2);
   }
   site.areOneSite = true;
   return solveRuns(site);
 }
 
-std::size_t placeOf(const std::string& file, const SolvedRuns& runs) {
-  if (const auto place = findPlace(file, runs)) return *place;
+/** The place of a map in the site. */
+std::size_t placeIn(const Site& site, const std::string& file) {
+  if (const auto place = site.placeOf(file)) return *place;
   throw DataError(file +
                   ": does not lie in the other map: nothing can be carried; give runs that " +
                   "lie in both with --via");
@@ -103,7 +96,8 @@ int run(const CarryArguments& given) {
   std::vector<MarkedFile> files;
   for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
   const auto runs = solveBoth(arguments);
-  const std::size_t from = placeOf(arguments.from, *runs), to = placeOf(arguments.to, *runs);
+  const std::size_t from = placeIn(runs->solved.site, arguments.from),
+                    to = placeIn(runs->solved.site, arguments.to);
   const RealPoses real = rejoinPieces(runs->solved);
   std::string lines;
   bool areCarried = true;

@@ -100,16 +100,9 @@ py::dict dictOf(const MendedRun& run) {
   return dict;
 }
 
-/** The place of a map in the site; none where it does not lie in it. */
-std::optional<std::size_t> findPlace(const PythonMap& map, const Solved& solved) {
-  const Site& site = solved.site.site;
-  for (std::size_t i = 0; i < site.runs.size(); ++i)
-    if (site.runs[i]->file == fileOf(map)) return i;
-  return std::nullopt;
-}
-
-std::size_t placeOf(const PythonMap& map, const Solved& solved) {
-  if (const auto place = findPlace(map, solved)) return *place;
+/** The place of a map in the site. */
+std::size_t placeIn(const Site& site, const PythonMap& map) {
+  if (const auto place = site.placeOf(fileOf(map))) return *place;
   throw DataError(fileOf(map) +
                   ": does not lie in the other map: nothing can be carried; give runs that lie in "
                   "both as 'via'");
@@ -125,11 +118,12 @@ std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const Pytho
   std::vector<PythonMap> maps{from, to};
   maps.insert(maps.end(), via.begin(), via.end());
   auto solved = solve(maps, std::nullopt, call, via.empty());
-  if (!via.empty() && !(findPlace(from, *solved) && findPlace(to, *solved)))
+  const auto hasMap = [&](const PythonMap& map) { return solved->site.site.placeOf(fileOf(map)); };
+  if (!via.empty() && !(hasMap(from) && hasMap(to)))
     solved = solve({from, to}, std::nullopt, call, true);
   const SolvedSite& site = solved->site;
-  return carryPlaces(places, site, rejoinPieces(site), placeOf(from, *solved),
-                     placeOf(to, *solved));
+  return carryPlaces(places, site, rejoinPieces(site), placeIn(site.site, from),
+                     placeIn(site.site, to));
 }
 
 py::tuple tupleOf(const CarriedPlace& place) {

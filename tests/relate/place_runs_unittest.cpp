@@ -218,5 +218,16 @@ TEST(BendsOf, theLargerBendAndTheSmallerShareCount) {
   EXPECT_FALSE(bends.has(0, 2)) << "they were not related";
 }
 
+TEST(Site, runsAreFoundByNameAndByFile) {
+  std::vector<roomgraph::Run> runs(2);
+  runs[0].name = "a", runs[0].file = "maps/a.yaml", runs[1].name = "b", runs[1].file = "b.yaml";
+  EXPECT_EQ(findRun(runs, "b"), &runs[1]);
+  EXPECT_EQ(findRun(runs, "b.yaml"), nullptr);
+  Site site;
+  site.runs = {&runs[1]};
+  EXPECT_EQ(site.placeOf("b.yaml"), std::size_t(0));
+  EXPECT_FALSE(site.placeOf("maps/a.yaml")) << "of another site";
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -19,12 +19,6 @@ constexpr double kLayerStep = 0.05;    // between layers, so that none hides in 
 constexpr double kRobotMark = 0.15;    // [m]
 constexpr double kLetterHeight = 0.5;  // [m]
 
-const Run* findRun(const std::vector<Run>& runs, const std::string& name) {
-  const auto found =
-      std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; });
-  return found == runs.end() ? nullptr : &*found;
-}
-
 Transform2D poseOf(const Comparison& comparison, const std::string& name) {
   for (const ComparedRun& run : comparison.runs)
     if (run.name == name) return run.pose;

@@ -1,6 +1,5 @@
 #include "roomgraph/report/upright_turn.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace roomgraph {
@@ -18,11 +17,9 @@ double uprightTurn(const std::vector<WallPoint>& walls, double heading) {
 }
 
 double uprightTurn(const Comparison& comparison, const std::vector<Run>& runs) {
-  for (const ComparedRun& compared : comparison.runs) {
-    const auto run = std::find_if(runs.begin(), runs.end(),
-                                  [&](const Run& one) { return one.name == compared.name; });
-    if (run != runs.end()) return uprightTurn(run->map.walls, compared.pose.phi);
-  }
+  for (const ComparedRun& compared : comparison.runs)
+    if (const Run* run = findRun(runs, compared.name))
+      return uprightTurn(run->map.walls, compared.pose.phi);
   return 0;
 }
 

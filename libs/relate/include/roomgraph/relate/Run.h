@@ -21,6 +21,9 @@ struct Run {
   bool isScaleEstimated = false;   ///< `resolution` is estimateScale's, not the file's
 };
 
+/** The run of this name; null where there is none. O(runs). */
+[[nodiscard]] const Run* findRun(const std::vector<Run>& runs, const std::string& name);
+
 /** The order of sortRuns. */
 [[nodiscard]] bool isBefore(const Run& l, const Run& r);
 

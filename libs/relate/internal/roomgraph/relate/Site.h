@@ -1,6 +1,7 @@
 #pragma once
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "roomgraph/align/FullMaps.h"
@@ -21,6 +22,13 @@ struct Site {
   /** Of the runs of the core that came with a bare map: the map with all there is. */
   FullMaps fullMaps{};
 
+  /** The place of the run that came from this file among `runs`; none where it is not of the site.
+   */
+  std::optional<std::size_t> placeOf(const std::string& file) const {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i]->file == file) return i;
+    return std::nullopt;
+  }
   /** Bare at most for a run that is not of the core. */
   const WallMap& mapOf(std::size_t run) const { return fullMaps.known(runs[run]->map); }
 };
