@@ -15,7 +15,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/write_file.h"
-#include "roomgraph/map_files/map_formats.h"
 #include "terminal.h"
 
 namespace roomgraph {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"

@@ -6,7 +6,6 @@
 
 #include "ResultFolder.h"
 #include "commands.h"
-#include "mrpt_results.h"
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/compressed.h"

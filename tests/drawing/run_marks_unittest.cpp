@@ -13,7 +13,7 @@ TEST(RunMarks, tell42RunsApart) {
   std::set<std::tuple<int, int, int, std::string>> marks;
   for (std::size_t run = 0; run < 42; ++run) {
     const Colour colour = runColour(run);
-    marks.insert({colour.red, colour.green, colour.blue, runShapeName(run)});
+    marks.insert({colour.red, colour.green, colour.blue, runShape(run)});
   }
   EXPECT_EQ(marks.size(), 42u);
 }
@@ -37,16 +37,6 @@ TEST(RunMarks, twentyEightRunsHaveTheirOwnWalls) {
   EXPECT_EQ(walls.size(), 28u);
   EXPECT_EQ(runPattern(6), RunPattern::solid);
   EXPECT_EQ(runPattern(7), RunPattern::rising);
-}
-
-TEST(RunMarks, shapesOfOneNameHaveOnePath) {
-  std::set<std::pair<std::string, std::string>> shapes;
-  std::set<std::string> names;
-  for (std::size_t run = 0; run < 20; ++run) {
-    shapes.insert({runShapeName(run), runShape(run)});
-    names.insert(runShapeName(run));
-  }
-  EXPECT_EQ(shapes.size(), names.size());
 }
 
 }  // namespace

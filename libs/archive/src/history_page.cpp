@@ -4,7 +4,6 @@
 
 #include "error_plot.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/page/simple_page.h"

@@ -7,7 +7,6 @@
 #include "roomgraph/archive/lasting_change.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
-#include "roomgraph/ledger/site_rooms.h"
 
 namespace roomgraph {
 namespace {

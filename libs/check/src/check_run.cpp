@@ -7,7 +7,6 @@
 #include "find_welded.h"
 #include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/consensus/map_errors.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "self_consensus.h"
 #include "self_evidence.h"

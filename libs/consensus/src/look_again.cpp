@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "confirmed_nodes.h"
-#include "fitted_consensus.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/scan_map.h"
 #include "roomgraph/align/step_hold.h"

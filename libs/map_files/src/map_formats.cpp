@@ -7,7 +7,6 @@
 #include "readers.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
-#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/scans/read_simplemap.h"
 
 namespace roomgraph {

@@ -11,7 +11,6 @@
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/page/simple_page.h"
-#include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {

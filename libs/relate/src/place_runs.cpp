@@ -8,7 +8,6 @@
 #include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/pair_jobs.h"

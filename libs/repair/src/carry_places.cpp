@@ -9,7 +9,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/consensus/find_scan.h"
-#include "roomgraph/relate/place_runs.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/view_from.h"
 

@@ -7,7 +7,6 @@
 #include "read_depth_scan.h"
 #include "read_velodyne.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/scans/read_observation.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "point_bytes.h"
-#include "roomgraph/scans/read_observation.h"
 
 namespace roomgraph {
 namespace {

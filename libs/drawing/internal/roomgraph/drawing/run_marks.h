@@ -18,7 +18,4 @@ RunPattern runPattern(std::size_t run);
 /** An SVG path within -6 to 6, y down. */
 const char* runShape(std::size_t run);
 
-/** The name of that shape. */
-const char* runShapeName(std::size_t run);
-
 }  // namespace roomgraph
