@@ -5,20 +5,16 @@
 
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "scan_search.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr NarrowingBand kScanBand{0.6, 0.15, 7};
-constexpr double kHalfFound = 0.1;  // a wall this far from another counts half [m]
-constexpr double kRoughNear = 0.3;  // the same in the search
-constexpr std::size_t kRoughWalls = 30;
 constexpr double kLeastRough = 0.3;     // quality of a pose that is worth a closer look
 constexpr std::size_t kFirstLook = 10;  // walls that tell most poses apart
-constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr double kStep = 0.3;           // of the search [m]
 constexpr double kTurnStep = 0.05;      // [rad]
-constexpr std::size_t kTries = 6;       // poses of the search that are looked at closely
 
 /** The share of walls found, of a part of them and in the rough. */
 double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
@@ -60,7 +56,7 @@ ScanFit fitAt(const LocalScan& scan, const WallMap& in, const Transform2D& pose)
     const Point normal = forth.turned(point.normal);
     const WallPoint* wall = nearestWall(in, cell, normal);
     if (!wall) continue;
-    const double found = 1 / (1 + squaredNorm(wall->place - at) / (kHalfFound * kHalfFound));
+    const double found = 1 / (1 + squaredNorm(wall->place - at) / (kHalfNear * kHalfNear));
     sum += found;
     xx += found * normal.x * normal.x, xy += found * normal.x * normal.y;
     yy += found * normal.y * normal.y;

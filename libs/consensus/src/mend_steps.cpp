@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fitted_consensus.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -13,7 +14,6 @@ constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next 
 constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
 constexpr std::size_t kOneMap = 3;       // scans for which one map of those ahead will do
 constexpr std::size_t kTogether = 3;     // scans that are looked for as one
-constexpr double kFitsWell = 0.6;        // share of its walls from which on a scan fits
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
@@ -105,7 +105,7 @@ class Mender {
     if (ahead_.walls.empty() || k >= aheadOf_ + kOneMap) drawAhead(k);
     if (ahead_.walls.empty()) return;
     const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
-    if (fit.quality >= kFitsWell) {
+    if (fit.quality >= fitted::kWell) {
       result_.evidence[k] = StepEvidence::agrees;
       return;
     }

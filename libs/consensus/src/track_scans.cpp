@@ -8,23 +8,20 @@
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/step_hold.h"
+#include "scan_search.h"
 
 namespace roomgraph {
 namespace {
 
 // Around a wall, of what counts in the fit of a scan: a part of its walls will do to come near.
 constexpr NarrowingBand kRoughFit{0.6, 0.387, 3}, kFit{0.31, 0.2, 3};
-constexpr double kHalfNear = 0.1;  // a wall this far from another counts half [m]
-constexpr double kNearPatch = 6;   // patches within this give poses to try [m]
+constexpr double kNearPatch = 6;                      // patches within this give poses to try [m]
 constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
 constexpr std::size_t kMinWalls = 20;
-constexpr double kDoubt = 5;            // walls that speak against each pose beforehand
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
-constexpr std::size_t kSpinTries = 6;
-constexpr std::size_t kRoughStride = 3, kRoughWalls = 30;
-constexpr double kRoughNear = 0.3;  // [m]
+constexpr std::size_t kRoughStride = 3;
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 /** Says 0 where it is less than `least`, as soon as that is sure. */
@@ -183,13 +180,13 @@ class Tracker {
       for (const Point off : kSpinOffsets) {
         const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
         const Transform2D pose = carrying(scans_[k].at(), at + off, phi);
-        const double least = tries.size() < kSpinTries ? 0 : tries.back().first;
+        const double least = tries.size() < kTries ? 0 : tries.back().first;
         const double quality = roughQualityAt(k, pose, least);
-        if (tries.size() == kSpinTries && quality <= least) continue;
+        if (tries.size() == kTries && quality <= least) continue;
         tries.insert(std::find_if(tries.begin(), tries.end(),
                                   [&](const auto& one) { return one.first < quality; }),
                      {quality, pose});
-        tries.resize(std::min(tries.size(), kSpinTries));
+        tries.resize(std::min(tries.size(), kTries));
       }
     for (const auto& [quality, pose] : tries) tryFrom(k, pose);
   }
