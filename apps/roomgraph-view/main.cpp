@@ -9,6 +9,7 @@
 #include "HelpFormatter.h"
 #include "ViewWindow.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/stage_names.h"
@@ -61,7 +62,7 @@ ViewState stateOf(const Arguments& arguments, const View& view) {
 }
 
 std::string wordsFor(const std::vector<std::string>& files) {
-  if (files.size() == 1) return "Reading " + printable(fs::path(files[0]).filename().string());
+  if (files.size() == 1) return "Reading " + printable(fileName(files[0]));
   const bool isCompared = std::any_of(files.begin(), files.end(), [](const std::string& file) {
     return fs::path(file).extension() == ".json";
   });

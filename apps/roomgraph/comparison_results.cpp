@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
@@ -186,8 +187,7 @@ void addResults(Comparison comparison, const std::vector<Run>& runs, const Resul
                 const std::vector<std::string>& more, StagedFiles& staged) {
   comparison.files.clear();
   for (const std::vector<std::string>& names : {files.names(), more})
-    for (const std::string& name : names)
-      comparison.files.push_back(std::filesystem::path(name).filename().string());
+    for (const std::string& name : names) comparison.files.push_back(fileName(name));
   // All is made from what is saved, with its rounding, so that it can be made anew.
   files.add(parseComparisonJson(comparisonJson(comparison), "comparison.json"), runs, staged);
 }

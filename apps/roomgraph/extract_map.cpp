@@ -6,6 +6,7 @@
 #include "note_lines.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw_stages.h"
@@ -75,7 +76,7 @@ class Extraction {
     const auto add = [&](const std::string& extension, const std::string& bytes) {
       files_.push_back(outputFile(task_.folder, mapFile_, extension));
       staged.add(files_.back(), bytes);
-      return std::filesystem::path(files_.back()).filename().string();
+      return fileName(files_.back());
     };
     for (std::size_t i = 0; i < contents.size(); ++i) {
       const OutputFormat& format = task_.formats[i];

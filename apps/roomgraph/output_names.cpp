@@ -3,8 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -16,6 +14,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -24,13 +23,6 @@ namespace roomgraph {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool endsWith(const std::string& name, const std::string& end) {
-  return name.size() > end.size() &&
-         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
-           return a == std::tolower(static_cast<unsigned char>(b));
-         });
-}
 
 /** The first lines of a file; none where it cannot be read, which its reader will say. */
 std::string firstLines(const std::string& file) {

@@ -7,6 +7,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/compressed.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
@@ -38,7 +39,7 @@ struct RepairArguments {
 
 /** "run01.repaired.simplemap.gz" of "run01.simplemap.gz". */
 std::string repairedName(const std::string& file) {
-  const std::string name = std::filesystem::path(file).filename().string(), stem = mapStem(file);
+  const std::string name = fileName(file), stem = mapStem(file);
   return stem + ".repaired" + name.substr(std::min(stem.size(), name.size()));
 }
 

@@ -1,11 +1,11 @@
 #include "roomgraph/drawing/draw.h"
 
-#include <filesystem>
 #include <sstream>
 
 #include "draw_layers.h"
 #include "render.h"
 #include "result_scene.h"
+#include "roomgraph/base/file_name.h"
 
 namespace roomgraph {
 
@@ -27,7 +27,7 @@ Scene resultScene(const Stages& stages) {
   const RoomGraph& result = stages.result;
   const TopologyGraph& graph = result.graph;
   Scene scene;
-  scene.title = std::filesystem::path(stages.source.file).filename().string();
+  scene.title = fileName(stages.source.file);
   scene.subtitle = groupedCount(result.rooms.size(), "room", "rooms") + "  ·  " +
                    groupedCount(graph.vertices().size(), "vertex", "vertices") + "  ·  " +
                    groupedCount(graph.edges().size(), "edge", "edges") + "  ·  " +

@@ -8,6 +8,7 @@
 #include "result_scene.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"
 
@@ -173,7 +174,7 @@ void makeFolder(const std::string& folder) {
 
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeFolder(folder);
-  const std::string map = std::filesystem::path(stages.source.file).filename().string();
+  const std::string map = fileName(stages.source.file);
   std::string list;
   std::size_t number = 0;
   for (Picture& picture : pictures(stages)) {

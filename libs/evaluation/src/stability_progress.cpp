@@ -9,15 +9,13 @@
 namespace roomgraph {
 namespace {
 
-Json json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
 std::optional<double> valueOf(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
 }
 
 Json json(const GraphDistance& d) {
-  return {json(d.nearest), json(d.agreement.median), json(d.agreement.percentile90),
-          json(d.agreement.unmatchedBase), json(d.agreement.unmatchedOther)};
+  return {orNull(d.nearest), orNull(d.agreement.median), orNull(d.agreement.percentile90),
+          orNull(d.agreement.unmatchedBase), orNull(d.agreement.unmatchedOther)};
 }
 
 GraphDistance distanceOf(const Json& json) {
@@ -31,7 +29,7 @@ Json json(const StabilityRun& run, const RunMeasures& measures) {
           {"repeat", run.repeat},
           {"room", json(measures.room)},
           {"no_room", json(measures.noRoom)},
-          {"rooms_found", json(measures.roomsFound)},
+          {"rooms_found", orNull(measures.roomsFound)},
           {"rooms", measures.rooms}};
 }
 

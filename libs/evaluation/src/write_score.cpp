@@ -1,8 +1,8 @@
 #include "roomgraph/evaluation/write_score.h"
 
 #include <cmath>
-#include <filesystem>
 
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "stability_json.h"
@@ -50,7 +50,7 @@ Json roundedTo(std::optional<double> value, double digits) {
 }
 
 Json json(const ScoredRegions& regions) {
-  return {{"file", std::filesystem::path(regions.source.file).filename().string()},
+  return {{"file", fileName(regions.source.file)},
           {"sha256", regions.source.sha256},
           {"regions", regions.count},
           {"dropped", regions.dropped},

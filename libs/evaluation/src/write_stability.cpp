@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/version.h"
 #include "stability_json.h"
@@ -77,7 +77,7 @@ Json json(const Columns& columns) {
 }
 
 Json inputJson(const Stability& result) {
-  Json input{{"file", std::filesystem::path(result.source.file).filename().string()},
+  Json input{{"file", fileName(result.source.file)},
              {"sha256", result.source.sha256},
              {"kind", result.source.kind},
              {"resolution", result.frame.resolution},

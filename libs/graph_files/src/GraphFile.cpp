@@ -1,7 +1,6 @@
 #include "roomgraph/graph_files/GraphFile.h"
 
-#include <filesystem>
-
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/version.h"
 
 namespace roomgraph {
@@ -26,7 +25,7 @@ GraphFile graphFile(const Stages& stages) {
   GraphFile file;
   file.program = "roomgraph";
   file.version = version();
-  file.input.file = std::filesystem::path(stages.source.file).filename().string();
+  file.input.file = fileName(stages.source.file);
   file.input.kind = stages.source.kind;
   file.input.sha256 = stages.source.sha256;
   file.input.insertion = stages.source.insertion;

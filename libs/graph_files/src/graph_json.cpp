@@ -6,16 +6,9 @@
 namespace roomgraph {
 namespace {
 
-Json point(Point p) { return {rounded(p.x), rounded(p.y)}; }
-
 template <class Thing>
 Json idOrNull(Id<Thing> id) {
   return id ? Json(id.index()) : Json(nullptr);
-}
-
-/** File names need not be UTF-8; what is not gets a replacement sign. */
-std::string text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 Json inputJson(const GraphFile::Input& input) {
@@ -43,12 +36,12 @@ std::string pointsText(const std::vector<Point>& points) {
 }
 
 std::string vertexText(std::size_t id, const Vertex& vertex) {
-  return text({{"id", id},
-               {"kind", kindName(vertex.kind)},
-               {"x", rounded(vertex.at.x)},
-               {"y", rounded(vertex.at.y)},
-               {"clearance", rounded(vertex.clearance)},
-               {"room", idOrNull(vertex.room)}});
+  return lineOf({{"id", id},
+                 {"kind", kindName(vertex.kind)},
+                 {"x", rounded(vertex.at.x)},
+                 {"y", rounded(vertex.at.y)},
+                 {"clearance", rounded(vertex.clearance)},
+                 {"room", idOrNull(vertex.room)}});
 }
 
 std::string edgeText(const TopologyGraph& graph, std::size_t id, const Edge& edge) {
@@ -59,7 +52,7 @@ std::string edgeText(const TopologyGraph& graph, std::size_t id, const Edge& edg
                   {"room", idOrNull(edge.room)},
                   {"length", rounded(edge.path.length)},
                   {"min_clearance", rounded(edge.path.minClearance)}};
-  return withMember(text(json), "path", pointsText(edge.path.points));
+  return withMember(lineOf(json), "path", pointsText(edge.path.points));
 }
 
 Polygon roundedPolygon(Polygon polygon) {
@@ -82,12 +75,12 @@ std::string roomText(std::size_t id, const GraphRoom& room) {
   for (const VertexId v : room.borderVertices) borders.push_back(v.index());
   const Json json{{"id", id},
                   {"vertex", idOrNull(room.vertex)},
-                  {"center", point(room.center)},
+                  {"center", pointJson(room.center)},
                   {"area", rounded(area(roundedPolygon(polygon)))},
                   {"inscribed_radius", rounded(room.shape.inscribedRadius)},
-                  {"widest_place", point(room.shape.widestPlace)},
+                  {"widest_place", pointJson(room.shape.widestPlace)},
                   {"border_vertices", std::move(borders)}};
-  return withPolygon(text(json), polygon);
+  return withPolygon(lineOf(json), polygon);
 }
 
 std::string areaText(const std::vector<std::string>& names, std::size_t id, const Area& area) {
@@ -98,19 +91,19 @@ std::string areaText(const std::vector<std::string>& names, std::size_t id, cons
             {"room", idOrNull(area.room)},
             {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
             {"inscribed_radius", rounded(area.inscribedRadius)},
-            {"widest_place", point(area.widestPlace)},
+            {"widest_place", pointJson(area.widestPlace)},
             {"passages", std::move(passages)}};
   if (!names.empty()) json["name"] = names[id];
-  return withPolygon(text(json), area.polygon);
+  return withPolygon(lineOf(json), area.polygon);
 }
 
 std::string passageText(std::size_t id, const Passage& passage) {
   const Point from = rounded(passage.from), to = rounded(passage.to);
-  return text({{"id", id},
-               {"areas", {passage.a.index(), passage.b.index()}},
-               {"ends", {point(from), point(to)}},
-               {"middle", point(midpoint(from, to))},
-               {"width", rounded(passage.width)}});
+  return lineOf({{"id", id},
+                 {"areas", {passage.a.index(), passage.b.index()}},
+                 {"ends", {pointJson(from), pointJson(to)}},
+                 {"middle", pointJson(midpoint(from, to))},
+                 {"width", rounded(passage.width)}});
 }
 
 std::string noteText(std::size_t, const Note& note) {
@@ -119,7 +112,7 @@ std::string noteText(std::size_t, const Note& note) {
     json["x"] = rounded((*note.where)[0]);
     json["y"] = rounded((*note.where)[1]);
   }
-  return text(json);
+  return lineOf(json);
 }
 
 /** Adds "name": [ with one element on each line. The text of a large map is not copied around. */
@@ -140,7 +133,7 @@ std::string optionsText(const std::vector<SavedOption>& options) {
   std::string all = "\"options\": {";
   const char* separator = "\n";
   for (const auto& [section, values] : sections.items()) {
-    all += separator + text(Json(section)) + ": " + text(values);
+    all += separator + lineOf(Json(section)) + ": " + lineOf(values);
     separator = ",\n";
   }
   return all + (sections.empty() ? "}" : "\n}");
@@ -152,8 +145,8 @@ std::string graphJson(const GraphFile& file) {
   const TopologyGraph& graph = file.graph.graph;
   const Json program{{"name", file.program}, {"version", file.version}};
   std::string all =
-      "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + text(program) +
-      ",\n\"input\": " + text(inputJson(file.input)) + ",\n" + optionsText(file.options) + ",\n";
+      "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + lineOf(program) +
+      ",\n\"input\": " + lineOf(inputJson(file.input)) + ",\n" + optionsText(file.options) + ",\n";
   addList(all, "vertices", graph.vertices(), vertexText);
   addList(all += ",\n", "edges", graph.edges(),
           [&](std::size_t id, const Edge& edge) { return edgeText(graph, id, edge); });

@@ -1,10 +1,7 @@
 #include "roomgraph/map_files/map_formats.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 #include "readers.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/scans/read_simplemap.h"
@@ -21,13 +18,6 @@ std::string namesOf(std::string (*textOf)(const MapFormat&)) {
     text += textOf(format);
   }
   return text;
-}
-
-bool endsWith(const std::string& name, const std::string& end) {
-  return name.size() > end.size() &&
-         std::equal(end.rbegin(), end.rend(), name.rbegin(), [](char a, char b) {
-           return a == std::tolower(static_cast<unsigned char>(b));
-         });
 }
 
 /** A picture without a yaml, at options.resolution. */
@@ -81,7 +71,7 @@ std::string mapFormatsText() {
 }
 
 std::string mapStem(const std::string& mapFile) {
-  std::string name = std::filesystem::path(mapFile).filename().string();
+  std::string name = fileName(mapFile);
   for (const std::string end : {".gz", ".zst"})
     if (endsWith(name, end)) name.resize(name.size() - end.size());
   for (const MapFormat& format : mapFormats())

@@ -1,9 +1,9 @@
 #include "command_line.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {
@@ -21,17 +21,13 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-std::string nameOf(const std::string& file) {
-  return std::filesystem::path(file).filename().string();
-}
-
 /** As an argument; nothing for an option that has its default. */
 std::string argumentOf(const UsedOption& option) {
   static const std::map<std::string, std::string> flags = {{"aligned", " --aligned"},
                                                            {"estimate_scale", " --estimate-scale"}};
   if (option.section != "compare")
     return " --set " + quoted(option.section + "." + option.name + "=" + option.value);
-  if (option.name == "reference") return " --reference " + quoted(nameOf(option.value));
+  if (option.name == "reference") return " --reference " + quoted(fileName(option.value));
   const auto flag = flags.find(option.name);
   return flag == flags.end() ? "" : flag->second;
 }
@@ -41,8 +37,8 @@ std::string argumentOf(const UsedOption& option) {
 std::string commandLine(const Comparison& comparison) {
   std::vector<std::string> files;
   for (const ComparedRun& run : comparison.runs)
-    if (run.name != comparison.reference) files.push_back(nameOf(run.file));
-  for (const LeftOutRun& run : comparison.leftOut) files.push_back(nameOf(run.file));
+    if (run.name != comparison.reference) files.push_back(fileName(run.file));
+  for (const LeftOutRun& run : comparison.leftOut) files.push_back(fileName(run.file));
   std::sort(files.begin(), files.end());
   std::string text = "roomgraph compare";
   for (const std::string& file : files) text += " " + quoted(file);

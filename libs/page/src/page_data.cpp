@@ -5,18 +5,16 @@
 #include <map>
 
 #include "base64.h"
-#include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
 #include "roomgraph/drawing/run_marks.h"
+#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/page/site_pictures.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
-
-Json pointJson(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
 Json boxJson(const Box& box) { return {pointJson(box.low), pointJson(box.high)}; }
 

@@ -33,7 +33,7 @@ Json pathJson(const std::vector<PathPose>& path) {
   Json json = Json::array();
   for (const PathPose& at : path)
     json.push_back({{"key_frame", at.keyFrame},
-                    {"time", at.time ? Json(*at.time) : Json()},
+                    {"time", orNull(at.time)},
                     {"x", rounded(at.pose.x)},
                     {"y", rounded(at.pose.y)},
                     {"phi", rounded(at.pose.phi)},
@@ -101,8 +101,8 @@ Json breakJson(const MapBreak& tear) {
           {"rotation_deg", rounded(tear.rotation * 180 / M_PI)},
           {"shift_m", rounded(tear.shift)},
           {"class", nameOf(tear.kind())},
-          {"key_frame", tear.keyFrame ? Json(*tear.keyFrame) : Json()},
-          {"time", tear.time ? Json(*tear.time) : Json()},
+          {"key_frame", orNull(tear.keyFrame)},
+          {"time", orNull(tear.time)},
           {"pose_drawn", torn ? poseJson(torn->drawn) : Json()},
           {"pose_untorn", torn ? poseJson(torn->untorn) : Json()}};
 }
@@ -173,8 +173,7 @@ Json measureJson(const Measure& measure) {
 std::string comparisonJson(const Comparison& comparison) {
   std::string text = "{\n\"format\": \"roomgraph/comparison\",\n\"version\": 1,\n";
   text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
-  const Json reference = comparison.reference ? Json(*comparison.reference) : Json(nullptr);
-  text += "\"reference\": " + lineOf(reference) + ",\n";
+  text += "\"reference\": " + lineOf(orNull(comparison.reference)) + ",\n";
   if (!comparison.core.empty()) text += "\"core\": " + lineOf(Json(comparison.core)) + ",\n";
   text += lines("runs", comparison.runs,
                 [&](const ComparedRun& run) { return runJson(run, comparison); });

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/Json.h"
+#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/ledger/SiteRoom.h"
 
 namespace roomgraph {
@@ -10,7 +10,7 @@ namespace roomgraph {
 /** [[x, y], ...] */
 inline Json ringJson(const Ring& ring) {
   Json json = Json::array();
-  for (const Point p : ring) json.push_back({rounded(p.x), rounded(p.y)});
+  for (const Point p : ring) json.push_back(pointJson(p));
   return json;
 }
 

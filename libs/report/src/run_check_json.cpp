@@ -12,8 +12,8 @@ namespace roomgraph {
 namespace {
 
 Json breakJson(const MapBreak& tear) {
-  return {{"key_frame", tear.keyFrame ? Json(*tear.keyFrame) : Json()},
-          {"time", tear.time ? Json(*tear.time) : Json()},
+  return {{"key_frame", orNull(tear.keyFrame)},
+          {"time", orNull(tear.time)},
           {"x", rounded(tear.place.x)},
           {"y", rounded(tear.place.y)},
           {"rotation_deg", tear.torn ? Json(rounded(tear.rotation * 180 / M_PI)) : Json()},
@@ -21,7 +21,7 @@ Json breakJson(const MapBreak& tear) {
 }
 
 Json poseJson(const CheckedPose& at) {
-  return {{"key_frame", at.keyFrame},         {"time", at.time ? Json(*at.time) : Json()},
+  return {{"key_frame", at.keyFrame},         {"time", orNull(at.time)},
           {"x", rounded(at.pose.x)},          {"y", rounded(at.pose.y)},
           {"phi", rounded(at.pose.phi)},      {"agreed_x", rounded(at.agreed.x)},
           {"agreed_y", rounded(at.agreed.y)}, {"agreed_phi", rounded(at.agreed.phi)},
@@ -33,13 +33,9 @@ std::string stretchText(const DrawnStretch& stretch) {
                    stretch.first, stretch.last);
 }
 
-Json numberOrNull(const std::optional<double>& value) {
-  return value ? Json(rounded(*value)) : Json();
-}
-
 Json stretchJson(const DrawnStretch& stretch) {
   return {{"first_key_frame", stretch.first}, {"last_key_frame", stretch.last},
-          {"key_frame", stretch.keyFrame},    {"time", stretch.time ? Json(*stretch.time) : Json()},
+          {"key_frame", stretch.keyFrame},    {"time", orNull(stretch.time)},
           {"x", rounded(stretch.place.x)},    {"y", rounded(stretch.place.y)}};
 }
 

@@ -13,12 +13,7 @@ namespace {
 Point place(const JsonNode& node) { return {readCoordinate(node["x"]), readCoordinate(node["y"])}; }
 
 Ring ring(const JsonNode& node) {
-  Ring result;
-  for (const JsonNode& pair : node.list()) {
-    const std::vector<JsonNode> numbers = pair.list();
-    if (numbers.size() != 2) throw Broken{pair.place, "is not a pair [x, y]"};
-    result.push_back({readCoordinate(numbers[0]), readCoordinate(numbers[1])});
-  }
+  Ring result = readPoints(node);
   if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
   return result;
 }

@@ -11,6 +11,12 @@ using Json = nlohmann::ordered_json;
 /** As files hold it, see rounded(); null where there is none, or it is not finite. */
 Json numberOrNull(std::optional<double> value);
 
+/** In full; null where there is none. */
+template <class Value>
+Json orNull(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 /** On one line. File names need not be UTF-8; what is not gets a replacement sign. */
 std::string lineOf(const Json& json);
 

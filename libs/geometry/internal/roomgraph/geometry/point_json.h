@@ -11,6 +11,9 @@ namespace roomgraph {
 /** As files hold it, see rounded(double). */
 inline Point rounded(Point p) { return {rounded(p.x), rounded(p.y)}; }
 
+/** [x, y], rounded. */
+inline Json pointJson(Point p) { return {rounded(p.x), rounded(p.y)}; }
+
 /** A coordinate in metres. Throws Broken where it is none, or beyond kFarthestPlace: who draws it
  *  would count with infinities. */
 double readCoordinate(const JsonNode& node);
