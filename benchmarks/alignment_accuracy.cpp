@@ -1,6 +1,4 @@
 // How often the alignment finds the true pose of one map in another, and what its confidence says.
-#include <time.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <vector>
 
 #include "alignment_cases.h"
+#include "cpu_seconds.h"
 #include "cut_strip.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/wall_map.h"
@@ -36,12 +35,6 @@ struct PreparedMap {
   Grid grid;
   WallMap prepared;
 };
-
-double cpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 /** Reads each map once. */
 class Maps {

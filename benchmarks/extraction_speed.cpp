@@ -1,6 +1,5 @@
 // How much the whole extraction costs beside the bare Voronoi diagram of the same obstacles.
 #include <errno.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "FloorPlan.h"
+#include "cpu_seconds.h"
 #include "make_office.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -81,13 +81,6 @@ GreyMap load(const Case& which) {
   MakeOfficeOptions office;
   office.width = office.height = which.officeSize;
   return makeOffice(office);
-}
-
-/** CPU time of this process [s]: other programs on the machine do not count. */
-double cpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 /** Shares the CPU time of an extraction out by the steps' own clocks. */

@@ -1,7 +1,5 @@
 #include "floor_plans.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -56,12 +54,6 @@ GreyMap floorPlan(const std::string& data, const std::string& name, const std::s
   GreyMap map = loadGrid(picture(data, name, variant), options);
   map.frame.resolution = kResolution * truthWidth / map.frame.width;
   return map;
-}
-
-double cpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 }  // namespace roomgraph

@@ -22,7 +22,4 @@ bool hasFloorPlan(const std::string& data, const std::string& name, const std::s
 GreyMap floorPlan(const std::string& data, const std::string& name, const std::string& variant,
                   int truthWidth);
 
-/** CPU time of this process [s]: other programs on the machine do not count. */
-double cpuSeconds();
-
 }  // namespace roomgraph

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "cpu_seconds.h"
 #include "floor_plans.h"
 #include "room_rules.h"
 #include "roomgraph/base/Error.h"

@@ -2,17 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "occurrences.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
 namespace {
 
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-    ++found;
-  return found;
-}
+using test::count;
 
 WatchedSite siteOf(const std::vector<double>& errors) {
   WatchedSite site;

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "occurrences.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 WatchedSite siteOf(const std::string& name, double error, int nights = 12) {
   WatchedSite site;

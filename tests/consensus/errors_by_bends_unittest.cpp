@@ -4,15 +4,12 @@
 
 #include <cmath>
 
+#include "drawn_bends.h"
+
 namespace roomgraph {
 namespace {
 
-PairBends bendsOf(const std::vector<double>& errors) {
-  PairBends bends(errors.size());
-  for (const auto& [i, j] : bends.pairs())
-    bends(i, j) = {std::hypot(errors[i], errors[j]), 1, 1000, false};
-  return bends;
-}
+using test::bendsOf;
 
 /** Runs of a site, with walls that are so far from right angles. */
 struct SiteOfRuns {

@@ -6,19 +6,14 @@
 #include <cmath>
 
 #include "RandomNumbers.h"
+#include "drawn_bends.h"
 
 namespace roomgraph {
 namespace {
 
-using Deviations = std::vector<std::optional<double>>;
+using test::bendsOf;
 
-/** The bends of maps that each err in their own way. */
-PairBends bendsOf(const std::vector<double>& errors) {
-  PairBends bends(errors.size());
-  for (const auto& [i, j] : bends.pairs())
-    bends(i, j) = {std::hypot(errors[i], errors[j]), 1, 1000, false};
-  return bends;
-}
+using Deviations = std::vector<std::optional<double>>;
 
 Deviations untold(std::size_t n) { return Deviations(n); }
 

@@ -17,6 +17,7 @@ namespace roomgraph {
 namespace {
 
 using test::broken;
+using test::drifting;
 using test::moved;
 using test::Way;
 
@@ -33,11 +34,6 @@ const std::vector<Keyframe>& drive() {
 /** The drive as another log of it. */
 std::vector<Keyframe> otherLog(std::vector<Keyframe> frames, std::uint64_t first) {
   for (std::size_t k = 0; k < frames.size(); ++k) frames[k].scanId = first + k;
-  return frames;
-}
-
-std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn) {
-  for (std::size_t i = 1; i < frames.size(); ++i) frames = broken(frames, i, turn, {});
   return frames;
 }
 

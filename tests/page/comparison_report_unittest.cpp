@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "occurrences.h"
 #include "page_data.h"
 #include "roomgraph/report/comparison_json.h"
 #include "sample_comparison.h"
@@ -12,23 +13,13 @@
 namespace roomgraph {
 namespace {
 
+using test::count;
 using test::kHostileName;
+using test::sample;
 using test::SampleComparison;
 using test::sampleComparison;
 
-const SampleComparison& sample() {
-  static const SampleComparison one = sampleComparison();
-  return one;
-}
-
 std::string report() { return comparisonReport(sample().comparison, sample().runs); }
-
-std::size_t count(const std::string& text, const std::string& what) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
-    ++found;
-  return found;
-}
 
 TEST(ComparisonReport, holdsVerdictRunsRoomsBreaksPairsAndWhatWasLeftOut) {
   const std::string html = report();

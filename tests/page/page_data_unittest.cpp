@@ -11,10 +11,7 @@
 namespace roomgraph {
 namespace {
 
-const test::SampleComparison& sample() {
-  static const test::SampleComparison one = test::sampleComparison();
-  return one;
-}
+using test::sample;
 
 TEST(PageData, isJsonThatCannotEndAScript) {
   const std::string text = pageData(sample().comparison, sample().runs);

@@ -11,11 +11,7 @@ namespace roomgraph {
 namespace {
 
 using test::kHostileName;
-
-const test::SampleComparison& sample() {
-  static const test::SampleComparison one = test::sampleComparison();
-  return one;
-}
+using test::sample;
 
 bool isSaid(const Comparison& comparison, const std::string& sentence) {
   const std::vector<std::string> said = pageSummary(comparison);

@@ -7,10 +7,7 @@
 namespace roomgraph {
 namespace {
 
-const test::SampleComparison& sample() {
-  static const test::SampleComparison one = test::sampleComparison();
-  return one;
-}
+using test::sample;
 
 /** What a template makes of the tables. */
 std::string shown(const Comparison& comparison, const std::string& text) {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include "occurrences.h"
+
 namespace roomgraph {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 /** Three scans a metre apart, each of which has met one wall 2 m ahead of it. */
 Run threeScans() {

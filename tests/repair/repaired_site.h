@@ -18,12 +18,6 @@ inline std::vector<Keyframe> drive(std::uint64_t log) {
   return frames;
 }
 
-/** The drive with a heading that drifts by `turn` at each key frame [rad]. */
-inline std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn) {
-  for (std::size_t i = 1; i < frames.size(); ++i) frames = broken(frames, i, turn, {});
-  return frames;
-}
-
 /** Runs that have drawn their maps from their scans, and what they tell together. */
 struct SolvedDrives {
   std::vector<Run> runs;

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "occurrences.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using test::has;
 
 Comparison twoRuns() {
   Comparison comparison;

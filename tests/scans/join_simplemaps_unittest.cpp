@@ -5,15 +5,12 @@
 #include "map_files.h"
 #include "newer_simplemap.h"
 #include "roomgraph/scans/read_stored_poses.h"
+#include "stored_in.h"
 
 namespace roomgraph {
 namespace {
 
-StoredPoses storedIn(const std::string& bytes) {
-  const test::TempDir dir;
-  CheckedFile file(dir.write("map", bytes));
-  return readStoredPoses(file);
-}
+using test::storedIn;
 
 SimplemapPart partOf(const std::string& bytes, const std::vector<std::size_t>& frames) {
   return {bytes, storedIn(bytes), frames};

@@ -14,9 +14,12 @@
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/scans/read_stored_poses.h"
+#include "stored_in.h"
 
 namespace roomgraph {
 namespace {
+
+using test::storedIn;
 
 using mrpt::poses::CPose3D;
 
@@ -26,12 +29,6 @@ constexpr PlanarCovariance kSure{0.04, 0.09, 0.01, 0.005, 0.001, -0.002};
 
 ByteView viewOf(const std::string& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-}
-
-StoredPoses storedIn(const std::string& bytes) {
-  const test::TempDir dir;
-  CheckedFile file(dir.write("map", bytes));
-  return readStoredPoses(file);
 }
 
 /** The object of the only pose of a map after its move. */

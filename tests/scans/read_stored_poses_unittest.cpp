@@ -5,15 +5,12 @@
 #include "map_files.h"
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
+#include "stored_in.h"
 
 namespace roomgraph {
 namespace {
 
-StoredPoses storedIn(const std::string& bytes) {
-  const test::TempDir dir;
-  CheckedFile file(dir.write("map", bytes));
-  return readStoredPoses(file);
-}
+using test::storedIn;
 
 TEST(ReadStoredPoses, tellsKeyFramesWithoutScansToo) {
   const StoredPoses stored =

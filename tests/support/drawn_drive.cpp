@@ -63,6 +63,11 @@ std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, dou
   return frames;
 }
 
+std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn) {
+  for (std::size_t i = 1; i < frames.size(); ++i) frames = broken(frames, i, turn, {});
+  return frames;
+}
+
 std::vector<Keyframe> moved(std::vector<Keyframe> frames, const Transform2D& motion) {
   for (Keyframe& frame : frames) frame.pose = motion * frame.pose;
   return frames;

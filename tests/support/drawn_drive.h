@@ -14,6 +14,9 @@ std::vector<Keyframe> drawnDrive(const Grid& grid);
 std::vector<Keyframe> broken(std::vector<Keyframe> frames, std::size_t from, double turn,
                              Point shift);
 
+/** The same drive with a heading that drifts by `turn` at each key frame [rad]. */
+std::vector<Keyframe> drifting(std::vector<Keyframe> frames, double turn);
+
 /** The same drive in another frame. */
 std::vector<Keyframe> moved(std::vector<Keyframe> frames, const Transform2D& motion);
 

@@ -163,4 +163,9 @@ SampleComparison sampleComparison() {
   return sample;
 }
 
+const SampleComparison& sample() {
+  static const SampleComparison one = sampleComparison();
+  return one;
+}
+
 }  // namespace roomgraph::test

@@ -20,5 +20,7 @@ struct SampleComparison {
  *  hostile name, lacks a room and bends in two places, the fourth has not looked into the east. One
  *  file is left out. */
 SampleComparison sampleComparison();
+/** The same, made once. */
+const SampleComparison& sample();
 
 }  // namespace roomgraph::test

@@ -1,0 +1,15 @@
+#pragma once
+#include <string>
+
+#include "map_files.h"
+#include "roomgraph/scans/read_stored_poses.h"
+
+namespace roomgraph::test {
+
+inline StoredPoses storedIn(const std::string& bytes) {
+  const TempDir dir;
+  CheckedFile file(dir.write("map", bytes));
+  return readStoredPoses(file);
+}
+
+}  // namespace roomgraph::test
