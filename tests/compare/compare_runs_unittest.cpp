@@ -89,7 +89,7 @@ TEST(CompareRuns, ofManyRunsACoreTellsWhichIsBent) {
 TEST(CompareRuns, bareMapsChangeNothing) {
   std::vector<roomgraph::Run> runs = threeGoodAndABentRun();
   const std::vector<Keyframe> drive = test::drawnDrive(drawnBuilding(1, {}));
-  for (const double turn : {0.3, 1.1, -0.8}) {
+  for (const double turn : {0.3, 1.1}) {
     const auto frames = test::moved(drive, {2 * turn, 1, turn});
     runs.push_back(run("turned " + std::to_string(turn), test::mapDrawnBy(frames)));
     runs.back().scans = scanWalls(frames);

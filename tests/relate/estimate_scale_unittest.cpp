@@ -13,6 +13,7 @@ namespace {
 using test::drawnBuilding;
 
 constexpr double kCell = 0.05;  // of drawnBuilding [m]
+const test::Seen kWest{-1e9, 15};
 
 roomgraph::Run run(const Grid& grid) {
   roomgraph::Run run;
@@ -60,13 +61,13 @@ TEST(EstimateScale, theRunsTellHowLargeTheBuildingIs) {
 }
 
 TEST(EstimateScale, aRunThatHasSeenAPartIsEnough) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(4, {3, -4, 0.4}, {-1e9, 15}))};
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(4, {3, -4, 0.4}, kWest))};
   expectScale(estimated(pictureOf(4, 0.03), runs), kCell, 0.007);
 }
 
 TEST(EstimateScale, aDrawingMayBeFreeAllRound) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
-  Grid picture = pictureOf(1, 0.03);
+  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}, kWest))};
+  Grid picture = pictureOf(1, 0.03, kWest);
   std::replace(picture.cells.begin(), picture.cells.end(), State::unknown, State::free);
   expectScale(estimated(picture, runs), kCell, 0.005);
 }
@@ -81,9 +82,10 @@ TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
 }
 
 TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
-  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {0, 0, 2})), run(drawnBuilding(11, {}))};
+  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {0, 0, 2}, kWest)),
+                                   run(drawnBuilding(11, {}, kWest))};
   runs[1].map.axisDeviation = 0;  // it is looked in first
-  const auto found = estimated(pictureOf(1, 0.04), runs);
+  const auto found = estimated(pictureOf(1, 0.04, kWest), runs);
   expectScale(found, kCell, 0.005);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->best, 0u);
@@ -103,9 +105,9 @@ TEST(EstimateScale, oneStretchedRunIsOutvoted) {
 }
 
 TEST(EstimateScale, theOrderOfRunsAndJobsChangesNothing) {
-  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {1, 2, 0.1})),
-                                   run(drawnBuilding(1, {0, 1, -1.2}))};
-  const Grid picture = pictureOf(1, 0.03);
+  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {1, 2, 0.1}, kWest)),
+                                   run(drawnBuilding(1, {0, 1, -1.2}, kWest))};
+  const Grid picture = pictureOf(1, 0.03, kWest);
   const auto one = estimated(picture, runs);
   std::swap(runs[0], runs[1]);
   const auto other = estimateScale(picture, runs, [](std::size_t count, const auto& job) {
