@@ -13,50 +13,51 @@ constexpr std::uint32_t kOs2InfoSize = 64;  // numbers its compressions in anoth
 constexpr std::uint32_t kInfoSizes[] = {kOldInfoSize, 40, 52, 56, kOs2InfoSize, 108, 124};
 enum Compression : std::uint32_t { kNone = 0, kMasks = 3, kMasksWithAlpha = 6 };
 
-void readOldInfo(ByteReader& in, BmpHeader& header) {
-  header.width = in.get<std::uint16_t>();
-  header.height = in.get<std::uint16_t>();
-  in.skip(2);  // planes
-  header.bitsPerPixel = in.get<std::uint16_t>();
+void readOldInfo(ByteReader& reader, BmpHeader& header) {
+  header.width = reader.get<std::uint16_t>();
+  header.height = reader.get<std::uint16_t>();
+  reader.skip(2);  // planes
+  header.bitsPerPixel = reader.get<std::uint16_t>();
 }
 
 /** Fills in the masks of a header of at least 40 bytes, which follow them or are part of it. */
-void readMasks(ByteReader& in, std::uint32_t infoSize, std::uint32_t compression,
+void readMasks(ByteReader& reader, std::uint32_t infoSize, std::uint32_t compression,
                BmpHeader& header) {
   if (header.bitsPerPixel == 16) header.masks = {0x7c00, 0x03e0, 0x001f, 0};
   if (header.bitsPerPixel == 32) header.masks = {0xff0000, 0x00ff00, 0x0000ff, 0};
   if (compression == kNone) return;
   const bool hasAlpha = infoSize >= 56 || compression == kMasksWithAlpha;
-  for (std::size_t i = 0; i < (hasAlpha ? 4u : 3u); ++i) header.masks[i] = in.get<std::uint32_t>();
+  for (std::size_t i = 0; i < (hasAlpha ? 4u : 3u); ++i)
+    header.masks[i] = reader.get<std::uint32_t>();
 }
 
 /** Returns how many colours the palette has. */
-std::uint64_t readInfo(ByteReader& in, std::uint32_t infoSize, BmpHeader& header) {
-  const auto width = in.get<std::int32_t>(), height = in.get<std::int32_t>();
-  if (width < 0) refuse(in.file(), "it is damaged: its width is negative", kSavePictureAgain);
+std::uint64_t readInfo(ByteReader& reader, std::uint32_t infoSize, BmpHeader& header) {
+  const auto width = reader.get<std::int32_t>(), height = reader.get<std::int32_t>();
+  if (width < 0) refuse(reader.file(), "it is damaged: its width is negative", kSavePictureAgain);
   header.width = std::uint64_t(width);
   header.isTopDown = height < 0;
   header.height = std::uint64_t(std::abs(std::int64_t(height)));
-  in.skip(2);  // planes
-  header.bitsPerPixel = in.get<std::uint16_t>();
-  const auto compression = in.get<std::uint32_t>();
+  reader.skip(2);  // planes
+  header.bitsPerPixel = reader.get<std::uint16_t>();
+  const auto compression = reader.get<std::uint32_t>();
   const bool hasMasks = compression == kMasks || compression == kMasksWithAlpha;
   if (compression != kNone && (!hasMasks || infoSize == kOs2InfoSize))
-    refuse(in.file(), "is a compressed bmp", "save it without compression, or as png");
-  in.skip(4 + 4 + 4);  // size of the pixels, dots per metre
-  const auto colours = in.get<std::uint32_t>();
-  in.skip(4);  // important ones
-  readMasks(in, infoSize, compression, header);
+    refuse(reader.file(), "is a compressed bmp", "save it without compression, or as png");
+  reader.skip(4 + 4 + 4);  // size of the pixels, dots per metre
+  const auto colours = reader.get<std::uint32_t>();
+  reader.skip(4);  // important ones
+  readMasks(reader, infoSize, compression, header);
   return colours;
 }
 
-void readPalette(ByteReader& in, std::uint64_t colours, bool isOld, BmpHeader& header) {
+void readPalette(ByteReader& reader, std::uint64_t colours, bool isOld, BmpHeader& header) {
   const std::uint64_t most = std::uint64_t(1) << header.bitsPerPixel;
   if (colours == 0) colours = most;
   if (colours > most)
-    refuse(in.file(), "it is damaged: its palette is too long", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: its palette is too long", kSavePictureAgain);
   for (; colours > 0; --colours) {
-    const std::uint8_t* blueFirst = in.take(isOld ? 3 : 4);
+    const std::uint8_t* blueFirst = reader.take(isOld ? 3 : 4);
     header.palette.push_back({blueFirst[2], blueFirst[1], blueFirst[0]});
   }
 }
@@ -107,27 +108,27 @@ bool isBmp(ByteView head) {
   return std::count(std::begin(kInfoSizes), std::end(kInfoSizes), infoSize) > 0;
 }
 
-BmpHeader readBmpHeader(ByteReader in) {
+BmpHeader readBmpHeader(ByteReader reader) {
   BmpHeader header;
-  in.skip(2);
-  header.endsAt = in.get<std::uint32_t>();
-  in.skip(4);
-  header.pixelsAt = in.get<std::uint32_t>();
-  const auto infoSize = in.get<std::uint32_t>();
+  reader.skip(2);
+  header.endsAt = reader.get<std::uint32_t>();
+  reader.skip(4);
+  header.pixelsAt = reader.get<std::uint32_t>();
+  const auto infoSize = reader.get<std::uint32_t>();
   const bool isOld = infoSize == kOldInfoSize;
   std::uint64_t colours = 0;
   if (isOld)
-    readOldInfo(in, header);
+    readOldInfo(reader, header);
   else
-    colours = readInfo(in, infoSize, header);
+    colours = readInfo(reader, infoSize, header);
   constexpr int depths[] = {1, 4, 8, 16, 24, 32};
   if (std::count(std::begin(depths), std::end(depths), header.bitsPerPixel) == 0)
-    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
-  if (kFileHeaderSize + infoSize > in.position())
-    in.skip(kFileHeaderSize + infoSize - in.position());
-  if (header.bitsPerPixel <= 8) readPalette(in, colours, isOld, header);
-  if (header.pixelsAt < in.position())
-    refuse(in.file(), "it is damaged: its pixels begin within its header", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
+  if (kFileHeaderSize + infoSize > reader.position())
+    reader.skip(kFileHeaderSize + infoSize - reader.position());
+  if (header.bitsPerPixel <= 8) readPalette(reader, colours, isOld, header);
+  if (header.pixelsAt < reader.position())
+    refuse(reader.file(), "it is damaged: its pixels begin within its header", kSavePictureAgain);
   return header;
 }
 
@@ -138,17 +139,17 @@ void checkBmp(const CheckedFile& file, const BmpHeader& header) {
 
 void decodeBmp(CheckedFile& file, const BmpHeader& header,
                const std::function<void(std::size_t row, const std::vector<BmpPixel>&)>& take) {
-  ByteReader in(file.content(), file.name());
-  in.skip(header.pixelsAt);
+  ByteReader reader(file.content(), file.name());
+  reader.skip(header.pixelsAt);
   std::vector<BmpPixel> pixels(header.width);
   for (std::size_t i = 0; i < header.height; ++i) {
-    const std::uint8_t* row = in.take(rowBytes(header));
+    const std::uint8_t* row = reader.take(rowBytes(header));
     for (std::size_t x = 0; x < pixels.size(); ++x)
       pixels[x] = pixelAt(row, x, header, file.name());
     take(header.isTopDown ? header.height - 1 - i : i, pixels);
   }
   // A colour profile may stand behind the pixels; the file's header counts it.
-  if (in.left() > 0 && in.position() + in.left() != header.endsAt)
+  if (reader.left() > 0 && reader.position() + reader.left() != header.endsAt)
     refuse(file.name(), "something follows the picture in it", "remove what was appended");
 }
 

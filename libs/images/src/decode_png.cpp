@@ -158,11 +158,11 @@ std::vector<Pixel> decodeAll(ByteView png, const Conversion<Pixel>& conversion,
 
 }  // namespace
 
-PngHeader readPngHeader(ByteReader in) {
-  in.skip(kSignatureSize);
-  const std::uint8_t* chunk = in.take(8 + 13);
+PngHeader readPngHeader(ByteReader reader) {
+  reader.skip(kSignatureSize);
+  const std::uint8_t* chunk = reader.take(8 + 13);
   if (bigEndian(chunk) != 13 || std::memcmp(chunk + 4, "IHDR", 4) != 0)
-    refuse(in.file(), "it is damaged: it does not begin with its size", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: it does not begin with its size", kSavePictureAgain);
   PngHeader header;
   header.width = bigEndian(chunk + 8);
   header.height = bigEndian(chunk + 12);
@@ -173,7 +173,7 @@ PngHeader readPngHeader(ByteReader in) {
   header.isColour = type == 2 || type == 6;
   header.isInterlaced = chunk[20] != 0;
   if (header.bitsPerPixel == 0)
-    refuse(in.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: its kind of pixel is unknown", kSavePictureAgain);
   return header;
 }
 
@@ -197,31 +197,31 @@ std::uint64_t scanlineBytes(const PngHeader& header) {
   return sum;
 }
 
-void checkPng(ByteReader in, const PngHeader& header) {
-  in.skip(kSignatureSize);
+void checkPng(ByteReader reader, const PngHeader& header) {
+  reader.skip(kSignatureSize);
   std::uint64_t dataBytes = 0;
   std::vector<ByteView> data;
   for (bool isEnd = false; !isEnd;) {
-    const std::uint32_t length = bigEndian(in.take(4));
-    const std::uint8_t* chunk = in.take(std::uint64_t(length) + 4);
-    const std::uint32_t stored = bigEndian(in.take(4));
+    const std::uint32_t length = bigEndian(reader.take(4));
+    const std::uint8_t* chunk = reader.take(std::uint64_t(length) + 4);
+    const std::uint32_t stored = bigEndian(reader.take(4));
     if (crc32_z(0, chunk, std::size_t(length) + 4) != stored)
-      refuse(in.file(), "it is damaged: a checksum in it is wrong", kSavePictureAgain);
+      refuse(reader.file(), "it is damaged: a checksum in it is wrong", kSavePictureAgain);
     if (std::memcmp(chunk, "IDAT", 4) == 0) {
       dataBytes += length;
       data.push_back({chunk + 4, length});
     }
     isEnd = std::memcmp(chunk, "IEND", 4) == 0;
   }
-  if (in.left() > 0)
-    refuse(in.file(), "something follows the picture in it", "remove what was appended");
+  if (reader.left() > 0)
+    refuse(reader.file(), "something follows the picture in it", "remove what was appended");
   constexpr std::uint64_t mostInflation = 1032;
   const std::uint64_t pixelBytes =
       std::uint64_t(header.width) * header.height * std::uint64_t(header.bitsPerPixel) / 8;
   if (pixelBytes / mostInflation > dataBytes)
-    refuse(in.file(), "it is damaged: it holds fewer pixels than it says", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: it holds fewer pixels than it says", kSavePictureAgain);
   if (pixelBytes >= kProveFrom && !isWholeStream(data, Deflated::asZlib, scanlineBytes(header)))
-    refuse(in.file(), "it is damaged: its pixels cannot be read", kSavePictureAgain);
+    refuse(reader.file(), "it is damaged: its pixels cannot be read", kSavePictureAgain);
 }
 
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file) {

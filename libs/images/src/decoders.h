@@ -25,7 +25,7 @@ using BmpPixel = std::array<std::uint8_t, 4>;
 bool isBmp(ByteView head);
 /** Reads what stands before the pixels of a bmp of any depth. Throws DataError where it is damaged
  *  or compressed. */
-BmpHeader readBmpHeader(ByteReader in);
+BmpHeader readBmpHeader(ByteReader reader);
 /** Throws DataError where the file is too short for its pixels. The size must be a sane one. */
 void checkBmp(const CheckedFile& file, const BmpHeader& header);
 /** Hands out the pixels of a checked bmp, row by row; `row` counts from the lowest. Throws
@@ -52,7 +52,7 @@ struct PgmHeader {
 };
 
 /** Reads the size from the first bytes of a pgm (P2, P5). Throws DataError where it is damaged. */
-PgmHeader readPgmHeader(ByteReader in);
+PgmHeader readPgmHeader(ByteReader reader);
 /** Throws DataError where the file is damaged, too short for its pixels, or goes on behind them, as
  *  far as that can be told without reading them. The size must be a sane one. */
 void checkPgm(CheckedFile& file, const PgmHeader& header);
@@ -70,11 +70,11 @@ struct PngHeader {
 };
 
 /** Reads the size from the first bytes of a png. */
-PngHeader readPngHeader(ByteReader in);
+PngHeader readPngHeader(ByteReader reader);
 /** Throws DataError unless every chunk is whole, its checksum right, the last one the end of the
  *  file, and the compressed data long enough for the pixels to be in it at all; of a large picture,
  *  unless it is whole. */
-void checkPng(ByteReader in, const PngHeader& header);
+void checkPng(ByteReader reader, const PngHeader& header);
 /** Decodes a checked png into one grey level per pixel, the highest row first. Gamma and colour
  *  profiles are not applied, as map servers do not. */
 std::vector<std::uint8_t> decodePng(ByteView png, const std::string& file);

@@ -50,40 +50,40 @@ void check(const GridHeader& header, const std::string& file) {
     refuse(file, "it is damaged: its size contradicts its bounds", kSaveMapAgain);
 }
 
-GridHeader readHeader(ByteReader& in) {
+GridHeader readHeader(ByteReader& reader) {
   GridHeader header;
-  header.object = readObjectHeader(in);
-  checkVersion(in, header.object, 7);  // which has the layout of 6, in 8 bits only
-  if (header.object.version >= 2) header.bitsPerCell = in.get<std::uint8_t>();
-  header.width = in.get<std::uint32_t>();
-  header.height = in.get<std::uint32_t>();
+  header.object = readObjectHeader(reader);
+  checkVersion(reader, header.object, 7);  // which has the layout of 6, in 8 bits only
+  if (header.object.version >= 2) header.bitsPerCell = reader.get<std::uint8_t>();
+  header.width = reader.get<std::uint32_t>();
+  header.height = reader.get<std::uint32_t>();
   for (float* value : {&header.xMin, &header.xMax, &header.yMin, &header.yMax, &header.resolution})
-    *value = in.get<float>();
-  check(header, in.file());
+    *value = reader.get<float>();
+  check(header, reader.file());
   return header;
 }
 
 /** Steps over the options behind the cells, each field with the size that MRPT writes. */
-void skipOptions(ByteReader& in, int version) {
+void skipOptions(ByteReader& reader, int version) {
   if (version >= 1) {
-    in.skip(4 + 1 + 4 + 4 + 1 + 2 + 4);  // insertion: altitude to horizontal tolerance
-    in.skip(4 + 4 * 4 + 4 + 4 + 1);      // likelihood: the method and the likelihood field
-    in.skip(4 + 4 + 4);                  // mean information
-    in.skip(1 + 4 + 4);                  // ray tracing
-    in.skip(4 + 4);                      // consensus
-    in.skip(std::uint64_t(in.get<std::uint32_t>()) * 4);  // its weights
-    in.skip(1);                                           // likelihood cache
+    reader.skip(4 + 1 + 4 + 4 + 1 + 2 + 4);  // insertion: altitude to horizontal tolerance
+    reader.skip(4 + 4 * 4 + 4 + 4 + 1);      // likelihood: the method and the likelihood field
+    reader.skip(4 + 4 + 4);                  // mean information
+    reader.skip(1 + 4 + 4);                  // ray tracing
+    reader.skip(4 + 4);                      // consensus
+    reader.skip(std::uint64_t(reader.get<std::uint32_t>()) * 4);  // its weights
+    reader.skip(1);                                               // likelihood cache
     if (version >= 6) {
-      const ObjectHeader params = readObjectHeader(in);
-      checkVersion(in, params, 0);
-      in.skip(3);
-      readObjectEnd(in, params);
+      const ObjectHeader params = readObjectHeader(reader);
+      checkVersion(reader, params, 0);
+      reader.skip(3);
+      readObjectEnd(reader, params);
     } else {
-      in.skip(1);
+      reader.skip(1);
     }
   }
-  if (version >= 4) in.skip(4 + 4);  // feature detection
-  if (version >= 5) in.skip(1);      // widening beams
+  if (version >= 4) reader.skip(4 + 4);  // feature detection
+  if (version >= 5) reader.skip(1);      // widening beams
 }
 
 /** Grey level by stored byte. Before version 3 the cells were probabilities, not log-odds. */
@@ -109,11 +109,11 @@ bool isGridmap(CheckedFile& file) {
   return object && object->className == "COccupancyGridMap2D";
 }
 
-GreyMap readGridmapObject(ByteReader& in) {
-  const GridHeader header = readHeader(in);
-  const std::uint8_t* cells = in.take(header.cellBytes());
-  skipOptions(in, header.object.version);
-  readObjectEnd(in, header.object);
+GreyMap readGridmapObject(ByteReader& reader) {
+  const GridHeader header = readHeader(reader);
+  const std::uint8_t* cells = reader.take(header.cellBytes());
+  skipOptions(reader, header.object.version);
+  readObjectEnd(reader, header.object);
 
   GreyMap map;
   map.frame.width = int(header.width);
@@ -143,9 +143,9 @@ GreyMap readGridmap(CheckedFile& file, const LoadGridOptions&) {
   if (file.claimedSize() > atLeast + roomForOptions)
     refuse(file.name(), "it is damaged, or something follows the map in it", kSaveMapAgain);
 
-  ByteReader in(file.content(), file.name());
-  GreyMap map = readGridmapObject(in);
-  if (in.left() > 0)
+  ByteReader reader(file.content(), file.name());
+  GreyMap map = readGridmapObject(reader);
+  if (reader.left() > 0)
     refuse(file.name(), "something follows the map in it", "remove what was appended");
   return map;
 }

@@ -12,6 +12,6 @@ bool hasLayerPoints(const std::string& className);
 
 /** Reads the points of the layer whose object begins here, in the frame of the map. What follows
  *  its last point is left. */
-CloudPoints readLayerPoints(ByteReader& in);
+CloudPoints readLayerPoints(ByteReader& reader);
 
 }  // namespace roomgraph

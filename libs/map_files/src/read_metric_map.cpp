@@ -46,46 +46,46 @@ bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
 }
 
 /** Steps over what is left of a layer. */
-void skipLayer(ByteReader& in, bool isLast, int mapVersion) {
-  while (in.left() > 0) {
-    const void* end = std::memchr(in.peek(), kObjectEnd, in.left());
+void skipLayer(ByteReader& reader, bool isLast, int mapVersion) {
+  while (reader.left() > 0) {
+    const void* end = std::memchr(reader.peek(), kObjectEnd, reader.left());
     if (!end) break;
-    in.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - in.peek()) + 1);
-    if (followsLayer({in.peek(), in.left()}, isLast, mapVersion)) return;
+    reader.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - reader.peek()) + 1);
+    if (followsLayer({reader.peek(), reader.left()}, isLast, mapVersion)) return;
   }
-  refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
+  refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
 }
 
 /** Lines and planes, which are no part of a grid. */
-void skipFeatures(ByteReader& in) {
-  const std::string container = readText(in), element = readText(in);
+void skipFeatures(ByteReader& reader) {
+  const std::string container = readText(reader), element = readText(reader);
   if (container != "std::vector" || element.find("TLine3D") == std::string::npos)
-    refuse(in.file(), "it is damaged: its lines are missing", kSaveMapAgain);
+    refuse(reader.file(), "it is damaged: its lines are missing", kSaveMapAgain);
   constexpr std::uint64_t line = 6 * sizeof(double), plane = 7 * sizeof(double);
   for (const std::uint64_t size : {line, plane, line})
-    in.skip(std::uint64_t(in.get<std::uint32_t>()) * size);
+    reader.skip(std::uint64_t(reader.get<std::uint32_t>()) * size);
 }
 
-std::vector<Layer> readLayers(ByteReader& in) {
-  const ObjectHeader map = readObjectHeader(in);
-  checkVersion(in, map, 5);
-  skipFeatures(in);
-  const auto count = in.get<std::uint32_t>();
+std::vector<Layer> readLayers(ByteReader& reader) {
+  const ObjectHeader map = readObjectHeader(reader);
+  checkVersion(reader, map, 5);
+  skipFeatures(reader);
+  const auto count = reader.get<std::uint32_t>();
   if (count > 1000)
-    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " layers",
+    refuse(reader.file(), "it is damaged: it claims " + std::to_string(count) + " layers",
            kSaveMapAgain);
   std::vector<Layer> layers;
   for (std::uint32_t i = 0; i < count; ++i) {
     Layer layer;
-    layer.name = readText(in);
-    layer.at = in.position();
-    ByteReader object = in;
-    layer.className = readObjectHeader(in).className;
+    layer.name = readText(reader);
+    layer.at = reader.position();
+    ByteReader object = reader;
+    layer.className = readObjectHeader(reader).className;
     if (isGrid(layer))
-      in = object, readGridmapObject(in);
+      reader = object, readGridmapObject(reader);
     else {
-      if (isPointsMapClass(layer.className)) layer.isEmpty = readPoints(in).empty();
-      skipLayer(in, i + 1 == count, map.version);
+      if (isPointsMapClass(layer.className)) layer.isEmpty = readPoints(reader).empty();
+      skipLayer(reader, i + 1 == count, map.version);
     }
     layers.push_back(layer);
   }
@@ -115,21 +115,21 @@ Layer chosen(const std::vector<Layer>& layers, const std::string& name, const st
   return *found;
 }
 
-GreyMap slicedLayer(ByteReader& in, const Layer& layer, const LoadGridOptions& options) {
-  const auto points = readLayerPoints(in);
+GreyMap slicedLayer(ByteReader& reader, const Layer& layer, const LoadGridOptions& options) {
+  const auto points = readLayerPoints(reader);
   Voxels voxels;
   for (const auto& p : points) voxels.add(double(p.x), double(p.y), double(p.z));
   if (voxels.empty())
-    refuse(in.file(), "its layer '" + layer.name + "' has no points", kSaveMapAgain);
+    refuse(reader.file(), "its layer '" + layer.name + "' has no points", kSaveMapAgain);
   const Slice slice = findSlice(voxels, options);
   if (slice.isFlat || !slice.isFloorSeen)
-    refuse(in.file(),
+    refuse(reader.file(),
            "its layer '" + layer.name + "' has points of " +
                (slice.isFlat ? "one height only" : "walls only") +
                ": without a floor nothing tells what is free",
            "give it a layer with a grid");
-  refuseEmptySlice(slice, in.file());
-  GreyMap map = gridOfPoints(points, slice, options.resolution, in.file());
+  refuseEmptySlice(slice, reader.file());
+  GreyMap map = gridOfPoints(points, slice, options.resolution, reader.file());
   map.notes.push_back(
       {"slice", "its points are cut: " + sliceText(slice) + " (see --slice)", std::nullopt});
   return map;
@@ -143,8 +143,8 @@ bool isMetricMap(CheckedFile& file) {
 }
 
 GreyMap readMetricMap(CheckedFile& file, const LoadGridOptions& options) {
-  ByteReader in(file.content(), file.name());
-  const std::vector<Layer> layers = readLayers(in);
+  ByteReader reader(file.content(), file.name());
+  const std::vector<Layer> layers = readLayers(reader);
   const Layer layer = chosen(layers, options.layer, file.name());
   if (!isGrid(layer) && !isPoints(layer))
     refuse(file.name(), "its layer '" + layer.name + "' is a " + layer.className,

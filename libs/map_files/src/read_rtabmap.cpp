@@ -73,10 +73,10 @@ std::vector<std::uint8_t> unpack(ByteView packed, GridFrame& frame, const std::s
   constexpr std::size_t trailer = 3 * sizeof(std::int32_t);
   if (packed.size <= trailer) refuseDamaged(file);
   const ByteView stream{packed.data, packed.size - trailer};
-  ByteReader in({packed.data + stream.size, trailer}, file);
-  const auto rows = in.get<std::int32_t>(), columns = in.get<std::int32_t>();
+  ByteReader reader({packed.data + stream.size, trailer}, file);
+  const auto rows = reader.get<std::int32_t>(), columns = reader.get<std::int32_t>();
   constexpr std::int32_t signedBytes = 1;  // OpenCV's CV_8SC1
-  if (in.get<std::int32_t>() != signedBytes || rows <= 0 || columns <= 0) refuseDamaged(file);
+  if (reader.get<std::int32_t>() != signedBytes || rows <= 0 || columns <= 0) refuseDamaged(file);
   frame.width = columns, frame.height = rows;
   if (frame.cellCount() > kMostCells)
     refuse(file,

@@ -17,7 +17,7 @@ bool isGridmap(CheckedFile& file);
 GreyMap readGridmap(CheckedFile& file, const LoadGridOptions& options);
 
 /** Reads a COccupancyGridMap2D object, from its header to its end, as readGridmap() does. */
-GreyMap readGridmapObject(ByteReader& in);
+GreyMap readGridmapObject(ByteReader& reader);
 
 /** Whether the file is an SQLite database. */
 bool isRtabmap(CheckedFile& file);

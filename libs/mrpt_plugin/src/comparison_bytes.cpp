@@ -10,16 +10,16 @@ namespace {
 
 const char* const kRemedy = "compare the maps again";
 
-RunWalls readWalls(ByteReader& in) {
+RunWalls readWalls(ByteReader& reader) {
   RunWalls run;
-  run.run = in.getText();
-  const auto count = in.get<std::uint32_t>();
-  if (count > in.left() / (2 * sizeof(float)))
-    refuse(in.file(), "it is cut short or damaged", kRemedy);
+  run.run = reader.getText();
+  const auto count = reader.get<std::uint32_t>();
+  if (count > reader.left() / (2 * sizeof(float)))
+    refuse(reader.file(), "it is cut short or damaged", kRemedy);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const float x = in.get<float>(), y = in.get<float>();
+    const float x = reader.get<float>(), y = reader.get<float>();
     if (!std::isfinite(x) || !std::isfinite(y))
-      refuse(in.file(), "a place in it is not a number", kRemedy);
+      refuse(reader.file(), "a place in it is not a number", kRemedy);
     run.walls.push_back({double(x), double(y)});
   }
   return run;
@@ -43,12 +43,12 @@ std::string comparisonBytes(const MappedComparison& comparison) {
 }
 
 void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparison& comparison) {
-  ByteReader in(bytes, name);
-  comparison.comparison = parseComparisonJson(in.getText(), name);
+  ByteReader reader(bytes, name);
+  comparison.comparison = parseComparisonJson(reader.getText(), name);
   comparison.walls.clear();
-  const auto count = in.get<std::uint32_t>();
-  for (std::uint32_t i = 0; i < count; ++i) comparison.walls.push_back(readWalls(in));
-  if (in.left() > 0) refuse(name, "something is left over in it", kRemedy);
+  const auto count = reader.get<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i) comparison.walls.push_back(readWalls(reader));
+  if (reader.left() > 0) refuse(name, "something is left over in it", kRemedy);
 }
 
 }  // namespace roomgraph

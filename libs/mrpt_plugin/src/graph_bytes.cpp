@@ -23,23 +23,23 @@ void putCells(ByteWriter& out, const std::vector<State>& cells) {
   }
 }
 
-std::vector<State> readCells(ByteReader& in, std::size_t needed) {
+std::vector<State> readCells(ByteReader& reader, std::size_t needed) {
   constexpr std::size_t runSize = 5;
-  const auto runs = in.get<std::uint32_t>();
-  if (runs > in.left() / runSize)
-    refuse(in.file(), "it claims more data than it holds", kGraphRemedy);
-  const ByteView bytes{in.take(runs * runSize), runs * runSize};
+  const auto runs = reader.get<std::uint32_t>();
+  if (runs > reader.left() / runSize)
+    refuse(reader.file(), "it claims more data than it holds", kGraphRemedy);
+  const ByteView bytes{reader.take(runs * runSize), runs * runSize};
   // Once to check, once to fill: no memory is taken for a map that does not fit.
   std::uint64_t count = 0;
-  for (ByteReader run(bytes, in.file()); run.left() > 0;) {
+  for (ByteReader run(bytes, reader.file()); run.left() > 0;) {
     if (run.get<std::uint8_t>() > static_cast<std::uint8_t>(State::occupied))
-      refuse(in.file(), "its map has cells of an unknown state", kGraphRemedy);
+      refuse(reader.file(), "its map has cells of an unknown state", kGraphRemedy);
     count += run.get<std::uint32_t>();
   }
-  if (count != needed) refuse(in.file(), "its map has too many or too few cells", kGraphRemedy);
+  if (count != needed) refuse(reader.file(), "its map has too many or too few cells", kGraphRemedy);
   std::vector<State> cells;
   cells.reserve(needed);
-  for (ByteReader run(bytes, in.file()); run.left() > 0;) {
+  for (ByteReader run(bytes, reader.file()); run.left() > 0;) {
     const auto state = static_cast<State>(run.get<std::uint8_t>());
     cells.insert(cells.end(), run.get<std::uint32_t>(), state);
   }
@@ -65,17 +65,17 @@ std::string graphBytes(const MappedGraph& graph) {
 }
 
 void readGraphBytes(ByteView bytes, const std::string& name, MappedGraph& graph) {
-  ByteReader in(bytes, name);
+  ByteReader reader(bytes, name);
   MappedGraph found;
-  found.file = parseGraphJson(in.getText(), name);
+  found.file = parseGraphJson(reader.getText(), name);
   const GridFrame& frame = found.file.input.frame;
   if (frame.cellCount() > kMostCells)
     refuse(name,
            "its map cannot have " + std::to_string(frame.width) + " x " +
                std::to_string(frame.height) + " cells",
            kGraphRemedy);
-  if (in.getFlag()) found.map = Grid{frame, readCells(in, frame.cellCount())};
-  if (in.left() > 0) refuse(name, "something follows the room graph in it", kGraphRemedy);
+  if (reader.getFlag()) found.map = Grid{frame, readCells(reader, frame.cellCount())};
+  if (reader.left() > 0) refuse(name, "something follows the room graph in it", kGraphRemedy);
   graph = std::move(found);
 }
 

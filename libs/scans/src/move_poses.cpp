@@ -42,19 +42,19 @@ class Mover {
 
   void move(std::size_t begin, const PoseMove& move) {
     motion_ = move.motion;
-    ByteReader in(content_, file_);
-    in.skip(begin);
-    const ObjectHeader header = readObjectHeader(in);
+    ByteReader reader(content_, file_);
+    reader.skip(begin);
+    const ObjectHeader header = readObjectHeader(reader);
     const std::string& name = header.className;
     const bool isInformation = name == "CPosePDFGaussianInf" || name == "CPose3DPDFGaussianInf";
     if (name == "CPose3DPDFGaussian" || name == "CPose3DPDFGaussianInf") {
-      movePose3D(in);
-      if (move.covariance) setBlock({in.position(), true}, 6, *move.covariance, isInformation);
+      movePose3D(reader);
+      if (move.covariance) setBlock({reader.position(), true}, 6, *move.covariance, isInformation);
     } else if (name == "CPosePDFGaussian" || name == "CPosePDFGaussianInf") {
-      movePose2D(in, isInformation);
-      if (move.covariance) setPlanar(in, header, *move.covariance, isInformation);
+      movePose2D(reader, isInformation);
+      if (move.covariance) setPlanar(reader, header, *move.covariance, isInformation);
     } else {
-      moveParticles(in, name == "CPose3DPDFParticles", header.version);
+      moveParticles(reader, name == "CPose3DPDFParticles", header.version);
     }
   }
 
@@ -94,66 +94,66 @@ class Mover {
     set(pose, yaw, wrappedAngle(number(pose, yaw) + motion_.phi));
   }
 
-  Numbers matrix(ByteReader& in) const {
-    const ObjectHeader header = readObjectHeader(in);
+  Numbers matrix(ByteReader& reader) const {
+    const ObjectHeader header = readObjectHeader(reader);
     const bool areDouble = header.className.back() == 'D';
-    const auto rows = in.get<std::uint32_t>(), columns = in.get<std::uint32_t>();
-    const Numbers numbers{in.position(), areDouble};
-    in.skip(std::uint64_t(rows) * columns * (areDouble ? sizeof(double) : sizeof(float)));
-    readObjectEnd(in, header);
+    const auto rows = reader.get<std::uint32_t>(), columns = reader.get<std::uint32_t>();
+    const Numbers numbers{reader.position(), areDouble};
+    reader.skip(std::uint64_t(rows) * columns * (areDouble ? sizeof(double) : sizeof(float)));
+    readObjectEnd(reader, header);
     return numbers;
   }
 
-  /** Leaves `in` behind the object. */
-  void movePose3D(ByteReader& in) {
-    const ObjectHeader header = readObjectHeader(in);
+  /** Leaves `reader` behind the object. */
+  void movePose3D(ByteReader& reader) {
+    const ObjectHeader header = readObjectHeader(reader);
     if (header.version <= 1) {
-      const Numbers m = matrix(in);  // 4 x 4
+      const Numbers m = matrix(reader);  // 4 x 4
       for (std::size_t c = 0; c < 3; ++c) turnPair(m, c, 4 + c, motion_.phi);
       turnPair(m, 3, 7, motion_.phi, motion_.shift());
     } else {
-      movePlace({in.position(), true});
-      in.skip(3 * sizeof(double));
-      const Numbers turn{in.position(), true};
+      movePlace({reader.position(), true});
+      reader.skip(3 * sizeof(double));
+      const Numbers turn{reader.position(), true};
       if (header.version == 2) {  // a quaternion, r x y z
         turnPair(turn, 0, 3, motion_.phi / 2), turnPair(turn, 1, 2, motion_.phi / 2);
       } else {
         for (std::size_t c = 0; c < 3; ++c) turnPair(turn, c, 3 + c, motion_.phi);
       }
-      in.skip((header.version == 2 ? 4 : 9) * sizeof(double));
+      reader.skip((header.version == 2 ? 4 : 9) * sizeof(double));
     }
-    readObjectEnd(in, header);
+    readObjectEnd(reader, header);
   }
 
   /** An object, or with `isBare` its coordinates alone. */
-  void movePose2D(ByteReader& in, bool isBare) {
+  void movePose2D(ByteReader& reader, bool isBare) {
     ObjectHeader header;
-    if (!isBare) header = readObjectHeader(in);
+    if (!isBare) header = readObjectHeader(reader);
     const bool areDouble = isBare || header.version > 0;
-    moveCoordinates({in.position(), areDouble}, 2);
-    in.skip(3 * (areDouble ? sizeof(double) : sizeof(float)));
-    if (!isBare) readObjectEnd(in, header);
+    moveCoordinates({reader.position(), areDouble}, 2);
+    reader.skip(3 * (areDouble ? sizeof(double) : sizeof(float)));
+    if (!isBare) readObjectEnd(reader, header);
   }
 
-  void moveParticles(ByteReader& in, bool are3D, int version) {
-    for (auto left = in.get<std::uint32_t>(); left > 0; --left) {
-      in.skip(sizeof(double));  // its weight
+  void moveParticles(ByteReader& reader, bool are3D, int version) {
+    for (auto left = reader.get<std::uint32_t>(); left > 0; --left) {
+      reader.skip(sizeof(double));  // its weight
       if (version == 0) {
-        if (are3D) movePose3D(in);
-        if (!are3D) movePose2D(in, false);
+        if (are3D) movePose3D(reader);
+        if (!are3D) movePose2D(reader, false);
         continue;
       }
-      moveCoordinates({in.position(), true}, are3D ? 3 : 2);
-      in.skip((are3D ? 6 : 3) * sizeof(double));
+      moveCoordinates({reader.position(), true}, are3D ? 3 : 2);
+      reader.skip((are3D ? 6 : 3) * sizeof(double));
     }
   }
 
-  void setPlanar(ByteReader& in, const ObjectHeader& header, const PlanarCovariance& covariance,
+  void setPlanar(ByteReader& reader, const ObjectHeader& header, const PlanarCovariance& covariance,
                  bool isInformation) {
     if (isInformation || header.version > 0)
-      return setBlock({in.position(), isInformation || header.version > 1}, 3, covariance,
+      return setBlock({reader.position(), isInformation || header.version > 1}, 3, covariance,
                       isInformation);
-    const Numbers m = matrix(in);
+    const Numbers m = matrix(reader);
     const std::array<double, 9> all{covariance.xx, covariance.xy, covariance.xp,
                                     covariance.xy, covariance.yy, covariance.yp,
                                     covariance.xp, covariance.yp, covariance.pp};

@@ -32,24 +32,24 @@ struct Matrix {
   }
 };
 
-Matrix readMatrix(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+Matrix readMatrix(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
   if (header.className.compare(0, 7, "CMatrix") != 0)
-    refuse(in.file(), "it is damaged: a matrix is missing in it", kSaveMapAgain);
-  checkVersion(in, header, 0);
+    refuse(reader.file(), "it is damaged: a matrix is missing in it", kSaveMapAgain);
+  checkVersion(reader, header, 0);
   Matrix matrix;
   matrix.isDouble = header.className.back() == 'D';
-  matrix.rows = in.get<std::uint32_t>();
-  matrix.columns = in.get<std::uint32_t>();
+  matrix.rows = reader.get<std::uint32_t>();
+  matrix.columns = reader.get<std::uint32_t>();
   if (matrix.rows > 100 || matrix.columns > 100)
-    refuse(in.file(), "it is damaged: a matrix in it has an absurd size", kSaveMapAgain);
+    refuse(reader.file(), "it is damaged: a matrix in it has an absurd size", kSaveMapAgain);
   const std::size_t size = matrix.isDouble ? sizeof(double) : sizeof(float);
-  matrix.data = in.take(std::uint64_t(matrix.rows) * matrix.columns * size);
-  readObjectEnd(in, header);
+  matrix.data = reader.take(std::uint64_t(matrix.rows) * matrix.columns * size);
+  readObjectEnd(reader, header);
   return matrix;
 }
 
-CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& in) {
+CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& reader) {
   bool isRotation = true;
   for (int r = 0; r < 3; ++r) {
     double norm = 0;
@@ -57,28 +57,28 @@ CPose3D poseOf(const mrpt::math::CMatrixDouble44& m, const ByteReader& in) {
     // Written so that NaN is refused, too.
     isRotation = isRotation && std::abs(norm - 1) < 0.01 && std::isfinite(m(r, 3));
   }
-  if (!isRotation) refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
+  if (!isRotation) refuse(reader.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
   return CPose3D(m);
 }
 
-mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
+mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& reader, int version) {
   mrpt::math::CMatrixDouble44 m = mrpt::math::CMatrixDouble44::Identity();
   if (version <= 1) {
-    const Matrix stored = readMatrix(in);
+    const Matrix stored = readMatrix(reader);
     if (stored.rows != 4 || stored.columns != 4)
-      refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
+      refuse(reader.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 4; ++c) m(r, c) = stored.at(std::size_t(r), std::size_t(c));
     return m;
   }
-  for (int r = 0; r < 3; ++r) m(r, 3) = in.get<double>();
+  for (int r = 0; r < 3; ++r) m(r, 3) = reader.get<double>();
   if (version >= 3) {
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) m(r, c) = in.get<double>();
+      for (int c = 0; c < 3; ++c) m(r, c) = reader.get<double>();
     return m;
   }
   mrpt::math::CQuaternionDouble q;
-  for (int i = 0; i < 4; ++i) q[i] = in.get<double>();
+  for (int i = 0; i < 4; ++i) q[i] = reader.get<double>();
   mrpt::math::CMatrixDouble33 rotation;
   q.rotationMatrixNoResize(rotation);
   for (int r = 0; r < 3; ++r)
@@ -86,138 +86,139 @@ mrpt::math::CMatrixDouble44 readPoseMatrix(ByteReader& in, int version) {
   return m;
 }
 
-CPose3D checkPose(const CPose2D& pose, const ByteReader& in) {
+CPose3D checkPose(const CPose2D& pose, const ByteReader& reader) {
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !(std::abs(pose.phi()) < 1e3))
-    refuse(in.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
+    refuse(reader.file(), "it is damaged: a pose in it is not valid", kSaveMapAgain);
   return CPose3D(CPose2D(pose.x(), pose.y(), pose.phi()));
 }
 
 template <class T>
-CPose2D readCoordinates(ByteReader& in) {
+CPose2D readCoordinates(ByteReader& reader) {
   CPose2D pose;
-  pose.x(double(in.get<T>()));
-  pose.y(double(in.get<T>()));
-  pose.phi(double(in.get<T>()));
+  pose.x(double(reader.get<T>()));
+  pose.y(double(reader.get<T>()));
+  pose.phi(double(reader.get<T>()));
   return pose;
 }
 
-std::uint32_t readParticleCount(ByteReader& in) {
-  const auto count = in.get<std::uint32_t>();
+std::uint32_t readParticleCount(ByteReader& reader) {
+  const auto count = reader.get<std::uint32_t>();
   constexpr std::uint64_t smallestParticle = 8 + 3 * 4;
-  if (count == 0 || count > in.left() / smallestParticle)
-    refuse(in.file(), "it is damaged: a pose in it has an absurd number of particles",
+  if (count == 0 || count > reader.left() / smallestParticle)
+    refuse(reader.file(), "it is damaged: a pose in it has an absurd number of particles",
            kSaveMapAgain);
   return count;
 }
 
-CPose3D readParticles3D(ByteReader& in, int version) {
+CPose3D readParticles3D(ByteReader& reader, int version) {
   mrpt::poses::CPose3DPDFParticles pdf(0);
-  for (std::uint32_t n = readParticleCount(in); n > 0; --n) {
-    const double logWeight = in.get<double>();
+  for (std::uint32_t n = readParticleCount(reader); n > 0; --n) {
+    const double logWeight = reader.get<double>();
     mrpt::math::TPose3D pose;
     if (version == 0)
-      pose = readPose3D(in).asTPose();
+      pose = readPose3D(reader).asTPose();
     else
-      for (std::size_t i = 0; i < 6; ++i) pose[i] = in.get<double>();
+      for (std::size_t i = 0; i < 6; ++i) pose[i] = reader.get<double>();
     pdf.m_particles.emplace_back(pose, logWeight);
   }
   CPose3D mean;
   pdf.getMean(mean);
-  return poseOf(mean.getHomogeneousMatrixVal<mrpt::math::CMatrixDouble44>(), in);
+  return poseOf(mean.getHomogeneousMatrixVal<mrpt::math::CMatrixDouble44>(), reader);
 }
 
-CPose3D readParticles2D(ByteReader& in, int version) {
+CPose3D readParticles2D(ByteReader& reader, int version) {
   mrpt::poses::CPosePDFParticles pdf(0);
-  for (std::uint32_t n = readParticleCount(in); n > 0; --n) {
-    const double logWeight = in.get<double>();
+  for (std::uint32_t n = readParticleCount(reader); n > 0; --n) {
+    const double logWeight = reader.get<double>();
     mrpt::math::TPose2D pose;
     if (version == 0)
-      pose = readPose2D(in).asTPose();
+      pose = readPose2D(reader).asTPose();
     else
-      for (std::size_t i = 0; i < 3; ++i) pose[i] = in.get<double>();
+      for (std::size_t i = 0; i < 3; ++i) pose[i] = reader.get<double>();
     pdf.m_particles.emplace_back(pose, logWeight);
   }
   CPose2D mean;
   pdf.getMean(mean);
-  return checkPose(mean, in);
+  return checkPose(mean, reader);
 }
 
-CPose3D readGaussian3D(ByteReader& in) {
-  CPose3D mean = readPose3D(in);
-  in.skip(21 * sizeof(double));  // the upper triangle of 6 x 6
+CPose3D readGaussian3D(ByteReader& reader) {
+  CPose3D mean = readPose3D(reader);
+  reader.skip(21 * sizeof(double));  // the upper triangle of 6 x 6
   return mean;
 }
 
-CPose3D readGaussian2D(ByteReader& in, int version) {
-  CPose3D mean = checkPose(readPose2D(in), in);
+CPose3D readGaussian2D(ByteReader& reader, int version) {
+  CPose3D mean = checkPose(readPose2D(reader), reader);
   if (version == 0)
-    skipMatrix(in);
+    skipMatrix(reader);
   else
-    in.skip(6 * (version == 1 ? sizeof(float) : sizeof(double)));
+    reader.skip(6 * (version == 1 ? sizeof(float) : sizeof(double)));
   return mean;
 }
 
-CPose3D readInformation2D(ByteReader& in) {
-  CPose3D mean = checkPose(readCoordinates<double>(in), in);
-  in.skip(6 * sizeof(double));
+CPose3D readInformation2D(ByteReader& reader) {
+  CPose3D mean = checkPose(readCoordinates<double>(reader), reader);
+  reader.skip(6 * sizeof(double));
   return mean;
 }
 
 }  // namespace
 
-mrpt::Clock::time_point readTime(ByteReader& in) {
-  return mrpt::Clock::time_point(mrpt::Clock::duration(in.get<std::int64_t>()));
+mrpt::Clock::time_point readTime(ByteReader& reader) {
+  return mrpt::Clock::time_point(mrpt::Clock::duration(reader.get<std::int64_t>()));
 }
 
-CPose3D readPose3D(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+CPose3D readPose3D(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
   if (header.className != "CPose3D")
-    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
-  checkVersion(in, header, 3);
-  const auto matrix = readPoseMatrix(in, header.version);
-  readObjectEnd(in, header);
-  return poseOf(matrix, in);
+    refuse(reader.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
+  checkVersion(reader, header, 3);
+  const auto matrix = readPoseMatrix(reader, header.version);
+  readObjectEnd(reader, header);
+  return poseOf(matrix, reader);
 }
 
-CPose2D readPose2D(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+CPose2D readPose2D(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
   if (header.className != "CPose2D")
-    refuse(in.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
-  checkVersion(in, header, 1);
-  CPose2D pose = header.version == 0 ? readCoordinates<float>(in) : readCoordinates<double>(in);
-  readObjectEnd(in, header);
+    refuse(reader.file(), "it is damaged: a pose is missing in it", kSaveMapAgain);
+  checkVersion(reader, header, 1);
+  CPose2D pose =
+      header.version == 0 ? readCoordinates<float>(reader) : readCoordinates<double>(reader);
+  readObjectEnd(reader, header);
   return pose;
 }
 
-CPose3D readPoseMean(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+CPose3D readPoseMean(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
   CPose3D mean;
   if (header.className == "CPose3DPDFGaussian") {
-    checkVersion(in, header, 1);
-    mean = readGaussian3D(in);
+    checkVersion(reader, header, 1);
+    mean = readGaussian3D(reader);
   } else if (header.className == "CPose3DPDFGaussianInf") {
-    checkVersion(in, header, 0);
-    mean = readGaussian3D(in);
+    checkVersion(reader, header, 0);
+    mean = readGaussian3D(reader);
   } else if (header.className == "CPosePDFGaussian") {
-    checkVersion(in, header, 2);
-    mean = readGaussian2D(in, header.version);
+    checkVersion(reader, header, 2);
+    mean = readGaussian2D(reader, header.version);
   } else if (header.className == "CPosePDFGaussianInf") {
-    checkVersion(in, header, 0);
-    mean = readInformation2D(in);
+    checkVersion(reader, header, 0);
+    mean = readInformation2D(reader);
   } else if (header.className == "CPose3DPDFParticles") {
-    checkVersion(in, header, 1);
-    mean = readParticles3D(in, header.version);
+    checkVersion(reader, header, 1);
+    mean = readParticles3D(reader, header.version);
   } else if (header.className == "CPosePDFParticles") {
-    checkVersion(in, header, 1);
-    mean = readParticles2D(in, header.version);
+    checkVersion(reader, header, 1);
+    mean = readParticles2D(reader, header.version);
   } else {
-    refuse(in.file(), "keeps a pose as " + header.className,
+    refuse(reader.file(), "keeps a pose as " + header.className,
            "save the map with Gaussian or particle poses");
   }
-  readObjectEnd(in, header);
+  readObjectEnd(reader, header);
   return mean;
 }
 
-void skipMatrix(ByteReader& in) { readMatrix(in); }
+void skipMatrix(ByteReader& reader) { readMatrix(reader); }
 
 }  // namespace roomgraph

@@ -34,37 +34,37 @@ std::optional<ObjectHeader> peekObjectHeader(ByteView bytes) {
   return header;
 }
 
-ObjectHeader readObjectHeader(ByteReader& in) {
-  auto header = peekObjectHeader({in.peek(), in.left()});
+ObjectHeader readObjectHeader(ByteReader& reader) {
+  auto header = peekObjectHeader({reader.peek(), reader.left()});
   if (!header) {
-    in.skip(1);  // tells a file that ends here from one that goes on with something else
-    refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
+    reader.skip(1);  // tells a file that ends here from one that goes on with something else
+    refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
   }
-  in.skip((header->isOldFormat ? 4 : 1) + (in.peek()[0] & 0x7f));
+  reader.skip((header->isOldFormat ? 4 : 1) + (reader.peek()[0] & 0x7f));
   if (header->className == "nullptr") return *header;
-  header->version = header->isOldFormat ? in.get<std::int32_t>() : in.get<std::int8_t>();
+  header->version = header->isOldFormat ? reader.get<std::int32_t>() : reader.get<std::int8_t>();
   return *header;
 }
 
-void readObjectEnd(ByteReader& in, const ObjectHeader& header) {
-  if (!header.isOldFormat && in.get<std::uint8_t>() != kObjectEnd)
-    refuse(in.file(),
+void readObjectEnd(ByteReader& reader, const ObjectHeader& header) {
+  if (!header.isOldFormat && reader.get<std::uint8_t>() != kObjectEnd)
+    refuse(reader.file(),
            "it is damaged: a " + header.className + " in it does not end where it should",
            kSaveMapAgain);
 }
 
-void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest) {
+void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newest) {
   if (header.version < 0 || header.version > newest)
-    refuse(in.file(),
+    refuse(reader.file(),
            "holds version " + std::to_string(header.version) + " of " + header.className +
                ", and only " + (newest == 0 ? "0 is" : "0 to " + std::to_string(newest) + " are") +
                " known here",
            "get a newer roomgraph, or give the map's grid as a ROS map (yaml with png)");
 }
 
-std::string readText(ByteReader& in) {
-  const auto length = in.get<std::uint32_t>();
-  return {reinterpret_cast<const char*>(in.take(length)), length};
+std::string readText(ByteReader& reader) {
+  const auto length = reader.get<std::uint32_t>();
+  return {reinterpret_cast<const char*>(reader.take(length)), length};
 }
 
 }  // namespace roomgraph

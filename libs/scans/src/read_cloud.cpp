@@ -15,13 +15,13 @@ namespace {
 using mrpt::math::TPoint3Df;
 
 /** The object that a CObservationPointCloud holds, or keeps in a file of its own. */
-std::function<CloudPoints()> readPointsMap(ByteReader& in) {
-  const ObjectHeader header = readObjectHeader(in);
+std::function<CloudPoints()> readPointsMap(ByteReader& reader) {
+  const ObjectHeader header = readObjectHeader(reader);
   if (header.className == "nullptr") return PointCloud().points;
   if (!isPointsMapClass(header.className))
-    refuse(in.file(), "keeps a point cloud as " + header.className,
+    refuse(reader.file(), "keeps a point cloud as " + header.className,
            "save it with one of MRPT's classes of points");
-  return skipPoints(in);
+  return skipPoints(reader);
 }
 
 /** As MRPT numbers them, CObservationPointCloud::ExternalStorageFormat. */
@@ -34,20 +34,20 @@ CloudPoints readExternalPoints(const std::string& name, std::uint8_t storage) {
   return storage == kKitti ? kittiPoints(bytes) : textPoints(bytes);
 }
 
-void readPointCloud(ByteReader& in, PointCloud& cloud) {
-  cloud.label = readText(in);
-  cloud.time = readTime(in);
-  cloud.sensor = readPose3D(in);
-  const auto storage = in.get<std::uint8_t>();
+void readPointCloud(ByteReader& reader, PointCloud& cloud) {
+  cloud.label = readText(reader);
+  cloud.time = readTime(reader);
+  cloud.sensor = readPose3D(reader);
+  const auto storage = reader.get<std::uint8_t>();
   if (storage == kInside) {
-    cloud.points = readPointsMap(in);
+    cloud.points = readPointsMap(reader);
     return;
   }
-  const std::string name = readText(in);
+  const std::string name = readText(reader);
   if (storage > kText)
-    refuse(in.file(), "keeps point clouds in files of a kind that is not known here",
+    refuse(reader.file(), "keeps point clouds in files of a kind that is not known here",
            "save it with the clouds inside");
-  const auto found = findExternalFile(in.file(), name);
+  const auto found = findExternalFile(reader.file(), name);
   if (!found) {
     cloud.missingFile = name;
     return;
@@ -58,8 +58,8 @@ void readPointCloud(ByteReader& in, PointCloud& cloud) {
 
 /** The layout of MRPT 2.11 on first tells where the matrices are kept; earlier ones begin with the
  *  size of the ranges. */
-bool saysWhereMatricesAre(ByteReader in, std::uint16_t rows, std::uint16_t columns) {
-  const auto storedColumns = in.get<std::uint16_t>(), storedRows = in.get<std::uint16_t>();
+bool saysWhereMatricesAre(ByteReader reader, std::uint16_t rows, std::uint16_t columns) {
+  const auto storedColumns = reader.get<std::uint16_t>(), storedRows = reader.get<std::uint16_t>();
   return storedColumns != columns || storedRows != rows;
 }
 
@@ -89,41 +89,41 @@ CloudPoints organizedPoints(const std::uint8_t* bytes, std::size_t count) {
   return points;
 }
 
-std::function<CloudPoints()> readOrganizedPoints(ByteReader& in) {
-  const auto columns = in.get<std::uint16_t>(), rows = in.get<std::uint16_t>();
+std::function<CloudPoints()> readOrganizedPoints(ByteReader& reader) {
+  const auto columns = reader.get<std::uint16_t>(), rows = reader.get<std::uint16_t>();
   const std::size_t count = std::size_t(columns) * rows;
-  const std::uint8_t* bytes = in.take(count * 3 * sizeof(float));
+  const std::uint8_t* bytes = reader.take(count * 3 * sizeof(float));
   return [=] { return organizedPoints(bytes, count); };
 }
 
-void readRotatingScan(ByteReader& in, PointCloud& cloud) {
-  cloud.time = readTime(in);
-  cloud.label = readText(in);
-  const auto rows = in.get<std::uint16_t>(), columns = in.get<std::uint16_t>();
-  const auto unit = in.get<double>(), start = in.get<double>(), span = in.get<double>();
-  in.skip(sizeof(double));      // how long it took
-  readText(in);                 // model
-  in.skip(2 * sizeof(double));  // shortest and longest range
-  cloud.sensor = readPose3D(in);
-  readTime(in);
-  in.skip(1);  // whose clock it was
-  const bool isNewer = saysWhereMatricesAre(in, rows, columns);
-  if (isNewer && in.getFlag()) {
-    cloud.missingFile = readText(in);  // a kind of file that no public program writes
+void readRotatingScan(ByteReader& reader, PointCloud& cloud) {
+  cloud.time = readTime(reader);
+  cloud.label = readText(reader);
+  const auto rows = reader.get<std::uint16_t>(), columns = reader.get<std::uint16_t>();
+  const auto unit = reader.get<double>(), start = reader.get<double>(), span = reader.get<double>();
+  reader.skip(sizeof(double));      // how long it took
+  readText(reader);                 // model
+  reader.skip(2 * sizeof(double));  // shortest and longest range
+  cloud.sensor = readPose3D(reader);
+  readTime(reader);
+  reader.skip(1);  // whose clock it was
+  const bool isNewer = saysWhereMatricesAre(reader, rows, columns);
+  if (isNewer && reader.getFlag()) {
+    cloud.missingFile = readText(reader);  // a kind of file that no public program writes
     return;
   }
-  const auto storedColumns = in.get<std::uint16_t>(), storedRows = in.get<std::uint16_t>();
-  const std::uint8_t* ranges = in.take(std::uint64_t(storedColumns) * storedRows * 2);
+  const auto storedColumns = reader.get<std::uint16_t>(), storedRows = reader.get<std::uint16_t>();
+  const std::uint8_t* ranges = reader.take(std::uint64_t(storedColumns) * storedRows * 2);
   if (storedRows == 1)
     cloud.points = [=] { return pointsOfRing(ranges, storedColumns, unit, start, span); };
   if (!isNewer || storedRows == 1) return;
-  const auto width = in.get<std::uint16_t>();
-  in.skip(std::uint64_t(width) * in.get<std::uint16_t>());  // intensities
-  for (auto layers = in.get<std::uint16_t>(); layers > 0; --layers) {
-    readText(in);
-    in.skip(std::uint64_t(storedColumns) * storedRows * 2);
+  const auto width = reader.get<std::uint16_t>();
+  reader.skip(std::uint64_t(width) * reader.get<std::uint16_t>());  // intensities
+  for (auto layers = reader.get<std::uint16_t>(); layers > 0; --layers) {
+    readText(reader);
+    reader.skip(std::uint64_t(storedColumns) * storedRows * 2);
   }
-  cloud.points = readOrganizedPoints(in);
+  cloud.points = readOrganizedPoints(reader);
   cloud.sensor = {};
 }
 
@@ -134,20 +134,20 @@ bool isCloudClass(const std::string& className) {
          className == "CObservationVelodyneScan" || className == "CObservationRotatingScan";
 }
 
-PointCloud readCloud(ByteReader& in, const ObjectHeader& header) {
+PointCloud readCloud(ByteReader& reader, const ObjectHeader& header) {
   PointCloud cloud;
   if (header.className == "CObservation3DRangeScan") {
-    checkVersion(in, header, 10);
-    readDepthScan(in, header, cloud);
+    checkVersion(reader, header, 10);
+    readDepthScan(reader, header, cloud);
   } else if (header.className == "CObservationVelodyneScan") {
-    checkVersion(in, header, 2);
-    readVelodyne(in, cloud);
+    checkVersion(reader, header, 2);
+    readVelodyne(reader, cloud);
   } else if (header.className == "CObservationRotatingScan") {
-    checkVersion(in, header, 0);
-    readRotatingScan(in, cloud);
+    checkVersion(reader, header, 0);
+    readRotatingScan(reader, cloud);
   } else {
-    checkVersion(in, header, 0);
-    readPointCloud(in, cloud);
+    checkVersion(reader, header, 0);
+    readPointCloud(reader, cloud);
   }
   return cloud;
 }

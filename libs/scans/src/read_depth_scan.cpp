@@ -21,48 +21,50 @@ struct DepthCamera {
 constexpr int kOldestCamera = 4, kNewestCamera = 6;  // versions of TCamera whose end is known
 
 /** Reads what follows the header of a TCamera. */
-DepthCamera readCamera(ByteReader& in) {
+DepthCamera readCamera(ByteReader& reader) {
   DepthCamera camera;
-  in.skip(9 * sizeof(double));  // focal length in metres, distortion
-  for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy}) *value = in.get<double>();
+  reader.skip(9 * sizeof(double));  // focal length in metres, distortion
+  for (double* value : {&camera.fx, &camera.fy, &camera.cx, &camera.cy})
+    *value = reader.get<double>();
   return camera;
 }
 
-void skipCameraEnd(ByteReader& in, const ObjectHeader& header) {
-  in.skip(2 * sizeof(std::uint32_t));  // rows and columns
-  if (header.version >= 5) readText(in);
-  if (header.version >= 6) in.skip(1);  // the model of its distortion
-  readObjectEnd(in, header);
+void skipCameraEnd(ByteReader& reader, const ObjectHeader& header) {
+  reader.skip(2 * sizeof(std::uint32_t));  // rows and columns
+  if (header.version >= 5) readText(reader);
+  if (header.version >= 6) reader.skip(1);  // the model of its distortion
+  readObjectEnd(reader, header);
 }
 
 /** The header of the camera, behind pictures whose layout is not known here. */
-std::optional<ObjectHeader> findCamera(ByteReader& in) {
-  for (; in.left() > 0; in.skip(1)) {
-    const auto header = peekObjectHeader({in.peek(), std::min<std::size_t>(in.left(), 128)});
+std::optional<ObjectHeader> findCamera(ByteReader& reader) {
+  for (; reader.left() > 0; reader.skip(1)) {
+    const auto header =
+        peekObjectHeader({reader.peek(), std::min<std::size_t>(reader.left(), 128)});
     if (header && !header->isOldFormat && header->className == "TCamera")
-      return readObjectHeader(in);
+      return readObjectHeader(reader);
   }
   return std::nullopt;
 }
 
 /** Reads what follows the camera of the depths, and returns whether these are distances along the
  *  camera's axis, and not from the camera. */
-bool readRest(ByteReader& in, const ObjectHeader& camera, PointCloud& cloud) {
+bool readRest(ByteReader& reader, const ObjectHeader& camera, PointCloud& cloud) {
   const auto isKnown = [](const ObjectHeader& header) {
     return header.version >= kOldestCamera && header.version <= kNewestCamera;
   };
   if (!isKnown(camera)) return true;
-  skipCameraEnd(in, camera);
-  const ObjectHeader second = readObjectHeader(in);
+  skipCameraEnd(reader, camera);
+  const ObjectHeader second = readObjectHeader(reader);
   if (second.className != "TCamera" || !isKnown(second)) return true;
-  readCamera(in);
-  skipCameraEnd(in, second);
-  readPose3D(in);
-  in.skip(sizeof(float));  // standard deviation
-  cloud.time = readTime(in);
-  cloud.label = readText(in);
-  for (int i = 0; i < 2; ++i) in.skip(1), readText(in);  // files beside the map
-  return in.getFlag();
+  readCamera(reader);
+  skipCameraEnd(reader, second);
+  readPose3D(reader);
+  reader.skip(sizeof(float));  // standard deviation
+  cloud.time = readTime(reader);
+  cloud.label = readText(reader);
+  for (int i = 0; i < 2; ++i) reader.skip(1), readText(reader);  // files beside the map
+  return reader.getFlag();
 }
 
 struct DepthImage {
@@ -71,12 +73,12 @@ struct DepthImage {
   double unit = 0;
 };
 
-void readDepthImage(ByteReader& in, DepthImage& image) {
-  image.rows = in.get<std::uint32_t>();
-  image.columns = in.get<std::uint32_t>();
+void readDepthImage(ByteReader& reader, DepthImage& image) {
+  image.rows = reader.get<std::uint32_t>();
+  image.columns = reader.get<std::uint32_t>();
   if (image.rows > 20'000 || image.columns > 20'000)
-    refuse(in.file(), "it is damaged: a depth image in it has an absurd size", kSaveMapAgain);
-  image.depths = in.take(std::uint64_t(image.rows) * image.columns * 2);
+    refuse(reader.file(), "it is damaged: a depth image in it has an absurd size", kSaveMapAgain);
+  image.depths = reader.take(std::uint64_t(image.rows) * image.columns * 2);
 }
 
 /** MRPT's cameras look along x, with y to the left and z up. */
@@ -99,23 +101,23 @@ CloudPoints pointsOf(const DepthImage& image, const DepthCamera& camera, bool is
 
 }  // namespace
 
-void readDepthScan(ByteReader& in, const ObjectHeader& header, PointCloud& cloud) {
-  in.skip(4);  // longest range
-  cloud.sensor = readPose3D(in);
-  const bool hasPoints = header.version == 0 || in.getFlag();
-  const std::uint64_t count = hasPoints ? ByteReader(in).get<std::uint32_t>() : 0;
-  if (hasPoints) cloud.points = skipPoints(in);
+void readDepthScan(ByteReader& reader, const ObjectHeader& header, PointCloud& cloud) {
+  reader.skip(4);  // longest range
+  cloud.sensor = readPose3D(reader);
+  const bool hasPoints = header.version == 0 || reader.getFlag();
+  const std::uint64_t count = hasPoints ? ByteReader(reader).get<std::uint32_t>() : 0;
+  if (hasPoints) cloud.points = skipPoints(reader);
   // The rest is laid out in another way before MRPT 2.1, where depths are a matrix of metres.
   if (header.version < 9) return;
-  in.skip(count * 2 * sizeof(std::uint16_t));  // the pixels of the points
+  reader.skip(count * 2 * sizeof(std::uint16_t));  // the pixels of the points
   DepthImage image;
-  const bool hasImage = in.getFlag();
-  image.unit = double(in.get<float>());
-  if (hasImage) readDepthImage(in, image);
-  const auto found = findCamera(in);
+  const bool hasImage = reader.getFlag();
+  image.unit = double(reader.get<float>());
+  if (hasImage) readDepthImage(reader, image);
+  const auto found = findCamera(reader);
   if (!found || found->version < kOldestCamera) return;
-  const DepthCamera camera = readCamera(in);
-  const bool isDepth = readRest(in, *found, cloud);
+  const DepthCamera camera = readCamera(reader);
+  const bool isDepth = readRest(reader, *found, cloud);
   if (!hasPoints && camera.fx > 0 && camera.fy > 0)
     cloud.points = [=] { return pointsOf(image, camera, isDepth); };
 }

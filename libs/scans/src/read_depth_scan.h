@@ -7,6 +7,6 @@ namespace roomgraph {
 /** Reads what follows the header of a CObservation3DRangeScan: the points that it holds, else those
  *  that its depth image means. Lens distortion is not undone. Label and time are read from MRPT 2.1
  *  on. */
-void readDepthScan(ByteReader& in, const ObjectHeader& header, PointCloud& cloud);
+void readDepthScan(ByteReader& reader, const ObjectHeader& header, PointCloud& cloud);
 
 }  // namespace roomgraph

@@ -8,13 +8,13 @@ namespace roomgraph {
 namespace {
 
 /** Fills in the beams. */
-void readBeams(ByteReader& in, int version, RangeScan& scan) {
-  const auto count = in.get<std::uint32_t>();
+void readBeams(ByteReader& reader, int version, RangeScan& scan) {
+  const auto count = reader.get<std::uint32_t>();
   if (count > 100'000)  // MRPT keeps them on the stack while it inserts them
-    refuse(in.file(), "it is damaged: a scan in it claims " + std::to_string(count) + " beams",
+    refuse(reader.file(), "it is damaged: a scan in it claims " + std::to_string(count) + " beams",
            kSaveMapAgain);
-  const std::uint8_t* ranges = in.take(std::uint64_t(count) * sizeof(float));
-  const std::uint8_t* validity = version >= 1 ? in.take(count) : nullptr;
+  const std::uint8_t* ranges = reader.take(std::uint64_t(count) * sizeof(float));
+  const std::uint8_t* validity = version >= 1 ? reader.take(count) : nullptr;
   scan.ranges.resize(count);
   scan.isValid.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -28,42 +28,43 @@ void readBeams(ByteReader& in, int version, RangeScan& scan) {
 }
 
 /** What stands behind the beams. */
-void readScanEnd(ByteReader& in, int version, RangeScan& scan) {
-  if (version >= 2) in.skip(4);  // standard deviation
-  scan.time = version >= 3 ? readTime(in) : mrpt::Clock::time_point();
-  if (version >= 4) in.skip(4);  // beam aperture
+void readScanEnd(ByteReader& reader, int version, RangeScan& scan) {
+  if (version >= 2) reader.skip(4);  // standard deviation
+  scan.time = version >= 3 ? readTime(reader) : mrpt::Clock::time_point();
+  if (version >= 4) reader.skip(4);  // beam aperture
   if (version >= 5) {
-    scan.label = readText(in);
-    in.skip(8);  // pitch
+    scan.label = readText(reader);
+    reader.skip(8);  // pitch
   }
-  if (version >= 7 && in.getFlag()) in.skip(std::uint64_t(scan.ranges.size()) * 4);  // intensity
-  if (version >= 8) in.skip(4);  // how long the sweep took
+  if (version >= 7 && reader.getFlag())
+    reader.skip(std::uint64_t(scan.ranges.size()) * 4);  // intensity
+  if (version >= 8) reader.skip(4);                      // how long the sweep took
 }
 
 }  // namespace
 
-void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan) {
-  checkVersion(in, header, 8);
-  scan.aperture = in.get<float>();
-  scan.rightToLeft = in.getFlag();
-  scan.maxRange = in.get<float>();
+void readScan(ByteReader& reader, const ObjectHeader& header, RangeScan& scan) {
+  checkVersion(reader, header, 8);
+  scan.aperture = reader.get<float>();
+  scan.rightToLeft = reader.getFlag();
+  scan.maxRange = reader.get<float>();
   if (scan.aperture < 0) {  // of a ROS scan whose angles decrease
     scan.aperture = -scan.aperture;
     scan.rightToLeft = !scan.rightToLeft;
   }
   if (!(scan.aperture >= 0 && scan.aperture < 7))
-    refuse(in.file(), "it is damaged: a scan in it has an absurd field of view", kSaveMapAgain);
-  scan.sensor = readPose3D(in);
-  if (header.version < 6) skipMatrix(in);
-  readBeams(in, header.version, scan);
-  readScanEnd(in, header.version, scan);
-  readObjectEnd(in, header);
+    refuse(reader.file(), "it is damaged: a scan in it has an absurd field of view", kSaveMapAgain);
+  scan.sensor = readPose3D(reader);
+  if (header.version < 6) skipMatrix(reader);
+  readBeams(reader, header.version, scan);
+  readScanEnd(reader, header.version, scan);
+  readObjectEnd(reader, header);
 }
 
-std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& in, const ObjectHeader& header) {
+std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& reader, const ObjectHeader& header) {
   constexpr int newest = 2;
   if (header.version > newest) return std::nullopt;
-  const mrpt::poses::CPose2D pose = readPose2D(in);
+  const mrpt::poses::CPose2D pose = readPose2D(reader);
   if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.phi()))
     return std::nullopt;
   return pose;

@@ -4,11 +4,11 @@
 
 namespace roomgraph {
 
-std::function<CloudPoints()> skipPoints(ByteReader& in) {
-  const std::uint64_t count = in.get<std::uint32_t>();
-  const std::uint8_t* x = in.take(count * sizeof(float));
-  const std::uint8_t* y = in.take(count * sizeof(float));
-  const std::uint8_t* z = in.take(count * sizeof(float));
+std::function<CloudPoints()> skipPoints(ByteReader& reader) {
+  const std::uint64_t count = reader.get<std::uint32_t>();
+  const std::uint8_t* x = reader.take(count * sizeof(float));
+  const std::uint8_t* y = reader.take(count * sizeof(float));
+  const std::uint8_t* z = reader.take(count * sizeof(float));
   return [=] { return pointsOf(x, y, z, count); };
 }
 

@@ -23,12 +23,13 @@ bool isObservationClass(const std::string& name) {
 }
 
 /** From version 2 on, an entry ends with how fast the robot was, where that is known. */
-void skipTwist(ByteReader& in) {
-  if (!startsWithOptional({in.peek(), in.left()}))
-    refuse(in.file(), "it is damaged: an entry in it does not end where it should", kSaveMapAgain);
-  readText(in);
-  in.skip(in.get<std::uint32_t>());  // the name of its type
-  if (in.getFlag()) in.skip(6 * sizeof(double));
+void skipTwist(ByteReader& reader) {
+  if (!startsWithOptional({reader.peek(), reader.left()}))
+    refuse(reader.file(), "it is damaged: an entry in it does not end where it should",
+           kSaveMapAgain);
+  readText(reader);
+  reader.skip(reader.get<std::uint32_t>());  // the name of its type
+  if (reader.getFlag()) reader.skip(6 * sizeof(double));
 }
 
 /** Whether an observation may end just before `bytes`: another follows, or the frame ends and with
@@ -48,65 +49,66 @@ bool followsObservation(ByteView bytes, bool isLast, int mapVersion) {
 
 /** Steps over an observation whose layout is not known here, to the place where the next object is
  *  announced. Its bytes never reach a reader that would believe them. */
-void skipObservation(ByteReader& in, const ObjectHeader& header, bool isLast, int mapVersion) {
+void skipObservation(ByteReader& reader, const ObjectHeader& header, bool isLast, int mapVersion) {
   if (header.isOldFormat)
-    refuse(in.file(), "holds a " + header.className + " in the format of MRPT before 0.5.5",
+    refuse(reader.file(), "holds a " + header.className + " in the format of MRPT before 0.5.5",
            "load and save the map with a newer MRPT");
-  while (in.left() > 0) {
-    const void* end = std::memchr(in.peek(), kObjectEnd, in.left());
+  while (reader.left() > 0) {
+    const void* end = std::memchr(reader.peek(), kObjectEnd, reader.left());
     if (!end) break;
-    in.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - in.peek()) + 1);
-    if (followsObservation({in.peek(), in.left()}, isLast, mapVersion)) return;
+    reader.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - reader.peek()) + 1);
+    if (followsObservation({reader.peek(), reader.left()}, isLast, mapVersion)) return;
   }
-  refuse(in.file(), "it is cut short or damaged", kSaveMapAgain);
+  refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
 }
 
 /** One observation of those that are known, or the step over it. */
-void readObservation(ByteReader& in, Recording& recording, bool isLast) {
-  const ObjectHeader header = readObjectHeader(in);
+void readObservation(ByteReader& reader, Recording& recording, bool isLast) {
+  const ObjectHeader header = readObjectHeader(reader);
   Recording::Frame& frame = recording.frames.back();
   std::string label;
   if (header.className == "CObservation2DRangeScan") {
-    readScan(in, header, frame.scans.emplace_back());
+    readScan(reader, header, frame.scans.emplace_back());
     label = frame.scans.back().label;
   } else {
     if (isCloudClass(header.className)) {
-      frame.clouds.push_back(readCloud(in, header));
+      frame.clouds.push_back(readCloud(reader, header));
       label = frame.clouds.back().label;
     }
     if (header.className == "CObservationOdometry")
-      if (const auto odometry = readOdometry(in, header)) frame.odometry = odometry;
-    skipObservation(in, header, isLast, recording.version);
+      if (const auto odometry = readOdometry(reader, header)) frame.odometry = odometry;
+    skipObservation(reader, header, isLast, recording.version);
   }
   ++recording.sensors[{header.className, header.version, label}];
 }
 
-void readFrame(ByteReader& in, Recording& recording) {
-  const ObjectHeader frame = readObjectHeader(in);
+void readFrame(ByteReader& reader, Recording& recording) {
+  const ObjectHeader frame = readObjectHeader(reader);
   if (frame.className != "CSensoryFrame" && frame.className != "CSensorialFrame")
-    refuse(in.file(), "it is damaged: an entry in it has no observations", kSaveMapAgain);
-  checkVersion(in, frame, 2);
-  if (frame.version < 2) in.skip(4);   // id
-  if (frame.version == 0) in.skip(8);  // time
-  const auto count = in.get<std::uint32_t>();
-  if (count > in.left() / kSmallestObservation)
-    refuse(in.file(), "it is damaged: an entry claims " + std::to_string(count) + " observations",
+    refuse(reader.file(), "it is damaged: an entry in it has no observations", kSaveMapAgain);
+  checkVersion(reader, frame, 2);
+  if (frame.version < 2) reader.skip(4);   // id
+  if (frame.version == 0) reader.skip(8);  // time
+  const auto count = reader.get<std::uint32_t>();
+  if (count > reader.left() / kSmallestObservation)
+    refuse(reader.file(),
+           "it is damaged: an entry claims " + std::to_string(count) + " observations",
            kSaveMapAgain);
-  for (std::uint32_t i = 0; i < count; ++i) readObservation(in, recording, i + 1 == count);
-  readObjectEnd(in, frame);
+  for (std::uint32_t i = 0; i < count; ++i) readObservation(reader, recording, i + 1 == count);
+  readObjectEnd(reader, frame);
 }
 
-std::uint32_t readCount(ByteReader& in, std::uint64_t bytesLeft) {
-  const auto count = in.get<std::uint32_t>();
+std::uint32_t readCount(ByteReader& reader, std::uint64_t bytesLeft) {
+  const auto count = reader.get<std::uint32_t>();
   if (count > bytesLeft / kSmallestEntry)
-    refuse(in.file(), "it is damaged: it claims " + std::to_string(count) + " entries",
+    refuse(reader.file(), "it is damaged: it claims " + std::to_string(count) + " entries",
            kSaveMapAgain);
   return count;
 }
 
-ObjectHeader readMapHeader(ByteReader& in) {
-  ObjectHeader header = readObjectHeader(in);
-  checkVersion(in, header, 2);
+ObjectHeader readMapHeader(ByteReader& reader) {
+  ObjectHeader header = readObjectHeader(reader);
+  checkVersion(reader, header, 2);
   return header;
 }
 
@@ -120,19 +122,19 @@ void checkHead(const CheckedFile& file) {
     refuse(file.name(), "is larger than 1 GB", "give a smaller map, or a gridmap");
 }
 
-void readEntries(ByteReader in, Recording& recording) {
-  const ObjectHeader map = readMapHeader(in);
+void readEntries(ByteReader reader, Recording& recording) {
+  const ObjectHeader map = readMapHeader(reader);
   recording.version = map.version;
-  for (std::uint32_t left = readCount(in, in.left()); left > 0; --left) {
-    const std::size_t begin = in.position();
-    recording.frames.emplace_back().robot = readPoseMean(in);
-    readFrame(in, recording);
-    if (map.version >= 2) skipTwist(in);
-    recording.frames.back().begin = begin, recording.frames.back().end = in.position();
+  for (std::uint32_t left = readCount(reader, reader.left()); left > 0; --left) {
+    const std::size_t begin = reader.position();
+    recording.frames.emplace_back().robot = readPoseMean(reader);
+    readFrame(reader, recording);
+    if (map.version >= 2) skipTwist(reader);
+    recording.frames.back().begin = begin, recording.frames.back().end = reader.position();
   }
-  readObjectEnd(in, map);
-  if (in.left() > 0)
-    refuse(in.file(), "something follows the map in it", "remove what was appended");
+  readObjectEnd(reader, map);
+  if (reader.left() > 0)
+    refuse(reader.file(), "something follows the map in it", "remove what was appended");
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ StoredPoses readStoredPoses(CheckedFile& file) {
   const Recording recording = readSimplemap(file);
   StoredPoses poses;
   poses.mapVersion = recording.version;
-  ByteReader in(file.head(), file.name());
-  readObjectHeader(in);
-  in.skip(sizeof(std::uint32_t));
-  poses.headEnd = in.position();
+  ByteReader reader(file.head(), file.name());
+  readObjectHeader(reader);
+  reader.skip(sizeof(std::uint32_t));
+  poses.headEnd = reader.position();
   for (const Recording::Frame& frame : recording.frames) {
     StoredPose pose;
     pose.begin = frame.begin, pose.end = frame.end;

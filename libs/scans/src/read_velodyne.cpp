@@ -15,9 +15,9 @@ struct Floats {
   std::uint32_t count = 0;
 };
 
-Floats readFloats(ByteReader& in) {
-  const auto count = in.get<std::uint32_t>();
-  return {in.take(std::uint64_t(count) * sizeof(float)), count};
+Floats readFloats(ByteReader& reader) {
+  const auto count = reader.get<std::uint32_t>();
+  return {reader.take(std::uint64_t(count) * sizeof(float)), count};
 }
 
 using mrpt::math::TPoint3Df;
@@ -46,22 +46,22 @@ bool areKnown(const CObservationVelodyneScan& scan) {
 
 }  // namespace
 
-void readVelodyne(ByteReader& in, PointCloud& cloud) {
-  cloud.time = readTime(in);
-  cloud.label = readText(in);
+void readVelodyne(ByteReader& reader, PointCloud& cloud) {
+  cloud.time = readTime(reader);
+  cloud.label = readText(reader);
   VelodynePackets packets;
-  packets.minRange = in.get<double>();
-  packets.maxRange = in.get<double>();
-  cloud.sensor = readPose3D(in);
-  const auto part = [&in](std::uint64_t size) {
-    const std::uint64_t bytes = in.get<std::uint32_t>() * size;
-    return ByteView{in.take(bytes), std::size_t(bytes)};
+  packets.minRange = reader.get<double>();
+  packets.maxRange = reader.get<double>();
+  cloud.sensor = readPose3D(reader);
+  const auto part = [&reader](std::uint64_t size) {
+    const std::uint64_t bytes = reader.get<std::uint32_t>() * size;
+    return ByteView{reader.take(bytes), std::size_t(bytes)};
   };
   packets.packets = part(VelodynePackets::kPacketSize);
   packets.lasers = part(VelodynePackets::kLaserSize);
-  const Floats x = readFloats(in), y = readFloats(in), z = readFloats(in);
+  const Floats x = readFloats(reader), y = readFloats(reader), z = readFloats(reader);
   if (x.count != y.count || x.count != z.count)
-    refuse(in.file(), "it is damaged: a point cloud in it has fewer y or z than x",
+    refuse(reader.file(), "it is damaged: a point cloud in it has fewer y or z than x",
            "copy or save the map again");
   if (x.count > 0)
     cloud.points = [=] { return pointsOf(x.bytes, y.bytes, z.bytes, x.count); };

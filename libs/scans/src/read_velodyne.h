@@ -7,7 +7,7 @@ namespace roomgraph {
 
 /** Reads what follows the header of a CObservationVelodyneScan, up to its points: those that it
  *  holds, else those that its packets mean. */
-void readVelodyne(ByteReader& in, PointCloud& cloud);
+void readVelodyne(ByteReader& reader, PointCloud& cloud);
 
 /** The packets of a laser scanner as it sends them, in the bytes of the file that they are from. */
 struct VelodynePackets {

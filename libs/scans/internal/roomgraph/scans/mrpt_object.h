@@ -8,16 +8,16 @@
 namespace roomgraph {
 
 /** Reads a time of MRPT's: 100 ns from 1601 on; 0, which is INVALID_TIMESTAMP, stands for none. */
-mrpt::Clock::time_point readTime(ByteReader& in);
+mrpt::Clock::time_point readTime(ByteReader& reader);
 
 /** Reads a mrpt::poses::CPose3D object. Every number is finite, the rotation is a rotation. */
-mrpt::poses::CPose3D readPose3D(ByteReader& in);
+mrpt::poses::CPose3D readPose3D(ByteReader& reader);
 /** Reads a mrpt::poses::CPose2D object, of any numbers. */
-mrpt::poses::CPose2D readPose2D(ByteReader& in);
+mrpt::poses::CPose2D readPose2D(ByteReader& reader);
 /** Reads an object of one of MRPT's Gaussian or particle pose classes, in 2D or 3D, and returns
  *  its mean. Throws DataError for another class. */
-mrpt::poses::CPose3D readPoseMean(ByteReader& in);
+mrpt::poses::CPose3D readPoseMean(ByteReader& reader);
 /** Steps over a CMatrixF or CMatrixD object. */
-void skipMatrix(ByteReader& in);
+void skipMatrix(ByteReader& reader);
 
 }  // namespace roomgraph

@@ -20,14 +20,14 @@ bool startsWithOptional(ByteView bytes);
 /** The header at `bytes`, if it looks like one. Moves nothing. */
 std::optional<ObjectHeader> peekObjectHeader(ByteView bytes);
 /** Reads the header. Throws DataError where there is none. */
-ObjectHeader readObjectHeader(ByteReader& in);
+ObjectHeader readObjectHeader(ByteReader& reader);
 /** The mark at an object's end. */
 constexpr std::uint8_t kObjectEnd = 0x88;
-void readObjectEnd(ByteReader& in, const ObjectHeader& header);
+void readObjectEnd(ByteReader& reader, const ObjectHeader& header);
 /** Throws DataError unless the version is one of 0 to `newest`. */
-void checkVersion(const ByteReader& in, const ObjectHeader& header, int newest);
+void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newest);
 
 /** Reads a text with its length before it. */
-std::string readText(ByteReader& in);
+std::string readText(ByteReader& reader);
 
 }  // namespace roomgraph

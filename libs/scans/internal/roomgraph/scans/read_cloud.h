@@ -14,6 +14,6 @@ bool isCloudClass(const std::string& className);
  *  leaves what is behind them. Files beside the map are looked for in NAME_Images, as MOLA writes
  *  them, and beside it. Throws DataError for a newer version, and where anything contradicts the
  *  format. */
-PointCloud readCloud(ByteReader& in, const ObjectHeader& header);
+PointCloud readCloud(ByteReader& reader, const ObjectHeader& header);
 
 }  // namespace roomgraph

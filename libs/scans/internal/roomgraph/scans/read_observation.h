@@ -9,10 +9,10 @@ namespace roomgraph {
 /** Reads what follows the header of a CObservation2DRangeScan, versions 0 to 8, its end included.
  *  Ranges that are no length (NaN, negative) become invalid ones. Throws DataError where anything
  *  contradicts the format or a number is absurd. */
-void readScan(ByteReader& in, const ObjectHeader& header, RangeScan& scan);
+void readScan(ByteReader& reader, const ObjectHeader& header, RangeScan& scan);
 
 /** Reads the pose that follows the header of a CObservationOdometry, versions 0 to 2, and leaves
  *  the rest. None where it is not finite, or the version is another: a map can do without. */
-std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& in, const ObjectHeader& header);
+std::optional<mrpt::poses::CPose2D> readOdometry(ByteReader& reader, const ObjectHeader& header);
 
 }  // namespace roomgraph

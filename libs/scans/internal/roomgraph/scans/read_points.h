@@ -9,9 +9,9 @@ namespace roomgraph {
 
 /** Steps over what all classes of point maps begin with: a count, then all x, all y, all z. What
  *  comes back decodes it, from the same bytes. Points that are not finite are left out. */
-std::function<CloudPoints()> skipPoints(ByteReader& in);
+std::function<CloudPoints()> skipPoints(ByteReader& reader);
 /** Decodes them at once. */
-inline CloudPoints readPoints(ByteReader& in) { return skipPoints(in)(); }
+inline CloudPoints readPoints(ByteReader& reader) { return skipPoints(reader)(); }
 
 /** Whether it is one of MRPT's classes of point maps. */
 bool isPointsMapClass(const std::string& className);
