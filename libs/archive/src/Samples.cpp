@@ -33,13 +33,13 @@ std::vector<double> ranksOf(const Samples& samples) {
   return ranks;
 }
 
-double medianOf(const Samples& samples, std::size_t begin, std::size_t end) {
+}  // namespace
+
+double medianOf(const Samples& samples) {
   std::vector<double> values;
-  for (std::size_t i = begin; i < end; ++i) values.push_back(samples[i].value);
+  for (const Sample& sample : samples) values.push_back(sample.value);
   return median(std::move(values));
 }
-
-}  // namespace
 
 TrendTest mannKendall(const Samples& samples) {
   TrendTest test;
@@ -83,8 +83,9 @@ std::optional<ChangePoint> changePoint(const Samples& samples) {
     if (std::abs(sum) > most) most = std::abs(sum), found.first = i + 1;
   }
   if (most == 0) return {};
-  found.before = medianOf(samples, 0, found.first);
-  found.after = medianOf(samples, found.first, samples.size());
+  const auto change = samples.begin() + std::ptrdiff_t(found.first);
+  found.before = medianOf({samples.begin(), change});
+  found.after = medianOf({change, samples.end()});
   // Pettitt's K is twice the cumulative sum of the ranks.
   found.p = std::min(1.0, 2 * std::exp(-6 * 4 * most * most / (n * n * n + n * n)));
   return found;

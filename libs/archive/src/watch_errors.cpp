@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "roomgraph/base/statistics.h"
-
 namespace roomgraph {
 namespace {
 
@@ -13,12 +11,6 @@ constexpr double kLeastMetres = 0.03;  // less is no decline, either [m]
 
 Samples lastOf(const Samples& samples, std::size_t count) {
   return {samples.end() - std::ptrdiff_t(std::min(count, samples.size())), samples.end()};
-}
-
-double medianOf(const Samples& samples) {
-  std::vector<double> values;
-  for (const Sample& sample : samples) values.push_back(sample.value);
-  return median(std::move(values));
 }
 
 /** More than moved furniture and chance would do. */

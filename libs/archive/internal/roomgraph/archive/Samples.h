@@ -14,6 +14,9 @@ struct Sample {
 /** In the order of time. */
 using Samples = std::vector<Sample>;
 
+/** Of the values, of which there must be one. */
+double medianOf(const Samples& samples);
+
 // Mann 1945, Kendall 1975
 
 /** Whether values rise or fall with time. */
