@@ -41,16 +41,16 @@ Colour darker(Colour c) {
   return {dim(c.red), dim(c.green), dim(c.blue)};
 }
 
-void labelDisc(const Pen& pen, Point at, double radius, const std::string& label) {
+void labelDisc(const Pen& pen, Point place, double radius, const std::string& label) {
   cairo_t* cairo = pen.cairo();
   cairo_new_sub_path(cairo);
-  cairo_arc(cairo, at.x, at.y, radius, 0, 6.283185307179586);
+  cairo_arc(cairo, place.x, place.y, radius, 0, 6.283185307179586);
   pen.ink(ink::paper, 0.95);
   cairo_fill_preserve(cairo);
   pen.ink(ink::inside);
   pen.stroke(1.4);
   const double sizePx = radius * (label.size() < 3 ? 1.15 : 0.86);
-  pen.text(label, {at.x, at.y + 0.36 * sizePx}, sizePx, true, Pen::Align::centre);
+  pen.text(label, {place.x, place.y + 0.36 * sizePx}, sizePx, true, Pen::Align::centre);
 }
 
 const char* legendName(VertexKind kind, bool isMany) {
@@ -69,9 +69,9 @@ const char* legendName(VertexKind kind, bool isMany) {
   return "";
 }
 
-void strokeSample(const Pen& pen, Point at, Colour colour, double widthPx) {
-  cairo_move_to(pen.cairo(), at.x - 9, at.y);
-  cairo_line_to(pen.cairo(), at.x + 9, at.y);
+void strokeSample(const Pen& pen, Point place, Colour colour, double widthPx) {
+  cairo_move_to(pen.cairo(), place.x - 9, place.y);
+  cairo_line_to(pen.cairo(), place.x + 9, place.y);
   pen.ink(colour);
   pen.stroke(widthPx);
 }
@@ -80,9 +80,9 @@ constexpr double kPassagePx = 2.4;
 constexpr Colour kClutter{150, 60, 118};
 
 /** Adds to cairo's current path. */
-void addRing(const Pen& pen, Point at, double radius) {
+void addRing(const Pen& pen, Point place, double radius) {
   cairo_new_sub_path(pen.cairo());
-  cairo_arc(pen.cairo(), at.x, at.y, radius, 0, 6.283185307179586);
+  cairo_arc(pen.cairo(), place.x, place.y, radius, 0, 6.283185307179586);
 }
 
 /** Fills and strokes the rings of the current path. */
@@ -137,8 +137,8 @@ void drawObstacles(const Pen& pen, const ObstacleCells& obstacles) {
   pen.ink(ink::vermilion);
   int count = 0;
   for (const Cell cell : obstacles.cells) {
-    const Point at = pen.view().px(obstacles.frame.center(cell));
-    cairo_rectangle(pen.cairo(), at.x - half, at.y - half, 2 * half, 2 * half);
+    const Point place = pen.view().px(obstacles.frame.center(cell));
+    cairo_rectangle(pen.cairo(), place.x - half, place.y - half, 2 * half, 2 * half);
     if (++count % 256 == 0) cairo_fill(pen.cairo());
   }
   cairo_fill(pen.cairo());
@@ -165,7 +165,7 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
     if (count == 0) continue;
     items.push_back(
         {groupedCount(std::size_t(count), legendName(kind, false), legendName(kind, true)),
-         [kind](const Pen& pen, Point at) { pen.mark(kind, at); }});
+         [kind](const Pen& pen, Point place) { pen.mark(kind, place); }});
   }
   const auto inside = std::size_t(std::count_if(graph.edges().begin(), graph.edges().end(),
                                                 [](const Edge& e) { return bool(e.room); }));
@@ -175,22 +175,22 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
         ink::blue, kCorridorPx));
   if (inside > 0)
     items.push_back({groupedCount(inside, "way inside a room", "ways inside rooms"),
-                     [](const Pen& pen, Point at) {
+                     [](const Pen& pen, Point place) {
                        cairo_set_dash(pen.cairo(), kDash, 2, 0);
-                       strokeSample(pen, at, ink::inside, kInsidePx);
+                       strokeSample(pen, place, ink::inside, kInsidePx);
                        cairo_set_dash(pen.cairo(), nullptr, 0, 0);
                      }});
   return items;
 }
 
 LegendItem roomLegend(std::size_t count) {
-  return {groupedCount(count, "room", "rooms"), [](const Pen& pen, Point at) {
-            cairo_rectangle(pen.cairo(), at.x - 9, at.y - 6, 18, 12);
+  return {groupedCount(count, "room", "rooms"), [](const Pen& pen, Point place) {
+            cairo_rectangle(pen.cairo(), place.x - 9, place.y - 6, 18, 12);
             pen.ink(ink::sky, 0.34);
             cairo_fill_preserve(pen.cairo());
             pen.ink(darker(ink::sky), 0.85);
             pen.stroke(kOutlinePx);
-            pen.mark(VertexKind::room, at);
+            pen.mark(VertexKind::room, place);
           }};
 }
 
@@ -207,12 +207,12 @@ std::vector<LegendItem> stateLegend(const Grid& grid) {
 }
 
 LegendItem lineLegend(const std::string& label, Colour colour, double widthPx) {
-  return {label, [=](const Pen& pen, Point at) { strokeSample(pen, at, colour, widthPx); }};
+  return {label, [=](const Pen& pen, Point place) { strokeSample(pen, place, colour, widthPx); }};
 }
 
 LegendItem squareLegend(const std::string& label, Colour colour) {
-  return {label, [=](const Pen& pen, Point at) {
-            cairo_rectangle(pen.cairo(), at.x - 5.5, at.y - 5.5, 11, 11);
+  return {label, [=](const Pen& pen, Point place) {
+            cairo_rectangle(pen.cairo(), place.x - 5.5, place.y - 5.5, 11, 11);
             pen.ink(colour);
             cairo_fill_preserve(pen.cairo());
             pen.ink(ink::quiet, 0.6);
@@ -256,8 +256,8 @@ LegendItem passageLegend(std::size_t count) {
 }
 
 LegendItem corridorAreaLegend(std::size_t count) {
-  return {groupedCount(count, "corridor", "corridors"), [](const Pen& pen, Point at) {
-            cairo_rectangle(pen.cairo(), at.x - 9, at.y - 6, 18, 12);
+  return {groupedCount(count, "corridor", "corridors"), [](const Pen& pen, Point place) {
+            cairo_rectangle(pen.cairo(), place.x - 9, place.y - 6, 18, 12);
             pen.ink(ink::sky, 0.34);
             cairo_fill_preserve(pen.cairo());
             pen.ink(ink::blue, 0.7);
@@ -266,8 +266,8 @@ LegendItem corridorAreaLegend(std::size_t count) {
 }
 
 LegendItem clutterLegend() {
-  return {"clutter", [](const Pen& pen, Point at) {
-            addRing(pen, at, 5);
+  return {"clutter", [](const Pen& pen, Point place) {
+            addRing(pen, place, 5);
             finishRings(pen);
           }};
 }

@@ -46,10 +46,10 @@ std::string pictureOf(const Box& box, const char* kind) {
 }
 
 /** Grey where it was driven once; else from green to red, by how far it is off. */
-const char* colourOf(const CheckedPose& at) {
-  if (!at.isSeenTwice) return "#8a929c";
-  if (at.error < 0.1) return "#1f7a3d";
-  return at.error < 0.3 ? "#b08900" : at.error < 1 ? "#cc5a00" : "#b00020";
+const char* colourOf(const CheckedPose& pose) {
+  if (!pose.isSeenTwice) return "#8a929c";
+  if (pose.error < 0.1) return "#1f7a3d";
+  return pose.error < 0.3 ? "#b08900" : pose.error < 1 ? "#cc5a00" : "#b00020";
 }
 
 std::string mapPicture(const RunCheck& check, const Run& run) {
@@ -59,7 +59,7 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
     (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
   Box box;
   for (const WallPoint& wall : run.map.walls) box.include(wall.place);
-  for (const CheckedPose& at : check.path) box.include(at.pose.shift());
+  for (const CheckedPose& checked : check.path) box.include(checked.pose.shift());
   if (box.isEmpty()) return "";
   std::string svg =
       pictureOf(box, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
@@ -70,11 +70,11 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
            "stroke=\"" + colourOf(check.path[k]) + "\"/>\n";
   }
   for (std::size_t i = 0; i < check.breaks.size(); ++i) {
-    const Point at = check.breaks[i].place;
+    const Point centre = check.breaks[i].place;
     svg += formatted(
         "<circle cx=\"%.2f\" cy=\"%.2f\" r=\".8\" fill=\"none\" stroke=\"#b00020\" "
         "stroke-width=\".2\"><title>break %zu</title></circle>\n",
-        at.x, -at.y, i + 1);
+        centre.x, -centre.y, i + 1);
   }
   for (const DoubledPlace& place : check.doubled)
     svg += formatted(
@@ -91,8 +91,8 @@ std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
   std::vector<Point> walls;
   for (std::size_t k = frames.first; k < frames.end; ++k)
     for (const WallPoint& wall : run.scans[k].walls)
-      if (const Point at = motion(wall.place); distance(at, middle) < kScanReach)
-        walls.push_back(at);
+      if (const Point moved = motion(wall.place); distance(moved, middle) < kScanReach)
+        walls.push_back(moved);
   return walls;
 }
 
@@ -140,15 +140,17 @@ std::string breaksHtml(const RunCheck& check, const Run& run) {
 
 /** The scan of a key frame. */
 std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
-  const auto at = std::find_if(check.path.begin(), check.path.end(),
-                               [&](const CheckedPose& pose) { return pose.keyFrame >= keyFrame; });
-  return std::size_t(at - check.path.begin());
+  const auto found =
+      std::find_if(check.path.begin(), check.path.end(),
+                   [&](const CheckedPose& pose) { return pose.keyFrame >= keyFrame; });
+  return std::size_t(found - check.path.begin());
 }
 
 /** The scans beside the one at which a stretch is shown. */
 FrameRange framesOf(const DrawnStretch& stretch, const RunCheck& check) {
-  const std::size_t at = scanOf(stretch.keyFrame, check);
-  return {at - std::min(at, kFramesBeside), std::min(check.path.size(), at + kFramesBeside + 1)};
+  const std::size_t scan = scanOf(stretch.keyFrame, check);
+  return {scan - std::min(scan, kFramesBeside),
+          std::min(check.path.size(), scan + kFramesBeside + 1)};
 }
 
 std::string doubledHtml(const RunCheck& check, const Run& run) {
