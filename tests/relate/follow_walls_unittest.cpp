@@ -89,6 +89,26 @@ TEST(FollowWalls, aPieceThatIsFarOffIsFoundByTheOtherPoses) {
   EXPECT_GT(moved, 0.2 * double(broken.walls.size())) << "of the half that lies 2 m away";
 }
 
+/** The map with a second copy of itself to its right. */
+Grid twice(const Grid& grid) {
+  Grid result = grid;
+  result.frame.width *= 2;
+  result.cells.resize(result.frame.cellCount());
+  for (int y = 0; y < result.frame.height; ++y)
+    for (int x = 0; x < result.frame.width; ++x)
+      result.cells[result.frame.index({x, y})] = grid.atOrUnknown({x % grid.frame.width, y});
+  return result;
+}
+
+TEST(FollowWalls, whatTheOtherHasNotSeenIsNoPieceOfItWhereItLooksAlike) {
+  const Grid drawing = drawnBuilding(4, {});
+  const double width = drawing.frame.width * drawing.frame.resolution;
+  const WallMap both = mapOf(twice(drawing)), one = mapOf(drawing);
+  const FollowedWalls found = followWalls(both, one, {{}, {-width, 0, 0}});
+  EXPECT_LT(found.bend, 0.03);
+  EXPECT_NEAR(found.share, 0.5, 0.05);
+}
+
 TEST(FollowWalls, theMisfitIsThatOfAllWallsWhetherFollowedOrNot) {
   const WallMap map = mapOf(drawnBuilding(4, {}));
   const WallMap turned = mapOf(bent(drawnBuilding(4, {}), 0.3));

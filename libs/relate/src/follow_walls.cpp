@@ -45,7 +45,11 @@ double misfitAt(const WallMap& of, const WallMap& in, const Transform2D& pose) {
 class Follower {
  public:
   Follower(const WallMap& of, const WallMap& in)
-      : of_(of), in_(in), patches_(of.patches), isFound_(of.walls.size()) {
+      : of_(of),
+        in_(in),
+        patches_(of.patches),
+        foundIn_(of.walls.size(), kNone),
+        explainedIn_(in.walls.size(), kNone) {
     for (const WallPatch& patch : patches_) left_.push_back(patch.around);
   }
 
@@ -117,11 +121,14 @@ class Follower {
     const Motion2D forth(offer.pose);
     double count = 0;
     for (const std::uint32_t k : patches_[offer.patch].own) {
-      if (isFound_[k]) continue;
+      if (foundIn_[k] != kNone) continue;
       const Point at = forth(of_.walls[k].place);
       const WallPoint* wall = wallAt(at, forth.turned(of_.walls[k].normal));
       if (!wall || distance(wall->place, at) > kSameWall) continue;
-      isFound_[k] = true;
+      foundIn_[k] = layer_;
+      int& explained = explainedIn_[std::size_t(wall - in_.walls.data())];
+      if (explained == kNone) explained = layer_;
+      twice_ += explained != layer_;
       ++count;
     }
     if (count > 0) result_.patches.push_back({offer.patch, offer.pose, count, layer_});
@@ -132,7 +139,7 @@ class Follower {
   void nextLayer() {
     for (std::vector<std::uint32_t>& points : left_)
       points.erase(std::remove_if(points.begin(), points.end(),
-                                  [&](std::uint32_t k) { return isFound_[k]; }),
+                                  [&](std::uint32_t k) { return foundIn_[k] != kNone; }),
                    points.end());
     isDone_.assign(patches_.size(), false);
     queued_.assign(patches_.size(), 0);
@@ -183,9 +190,31 @@ class Follower {
     offer(seed, others[*chosen], kMajority, false);
     others.erase(others.begin() + std::ptrdiff_t(*chosen));
     const std::size_t before = result_.patches.size();
-    if (grow(kMajority) < fitted::kMinPieceShare * double(of_.walls.size()))
-      result_.patches.resize(before);
+    twice_ = 0;
+    const double walls = grow(kMajority);
+    if (walls < fitted::kMinPieceShare * double(of_.walls.size()) || looksAlike(first, walls))
+      giveBack(before);
     return true;
+  }
+
+  /** Whether the walls that this layer has found lie on what another one explains, and nothing
+   *  speaks against the place that the `first` pose gives them, since the other map does not know
+   *  it: buildings repeat themselves. */
+  bool looksAlike(const Transform2D& first, double walls) const {
+    if (twice_ < fitted::kSureShare * walls) return false;
+    std::vector<std::uint32_t> found;
+    for (std::uint32_t k = 0; k < foundIn_.size(); ++k)
+      if (foundIn_[k] == layer_) found.push_back(k);
+    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[found[i]]; };
+    const WallShare share = wallShare(found.size(), pointAt, in_, first);
+    return share.known < fitted::kMinKnown * share.all;
+  }
+
+  /** Forgets what this layer has found, from this patch of the result on. */
+  void giveBack(std::size_t before) {
+    result_.patches.resize(before);
+    std::replace(foundIn_.begin(), foundIn_.end(), layer_, kNone);
+    std::replace(explainedIn_.begin(), explainedIn_.end(), layer_, kNone);
   }
 
   /** Looks for the second copy of what was found, and for patches that little is left of. */
@@ -222,7 +251,10 @@ class Follower {
 
   const WallMap &of_, &in_;
   const WallPatches& patches_;
-  std::vector<std::uint8_t> isFound_;             // wall points
+  static constexpr int kNone = -1;
+  std::vector<int> foundIn_;      // the layer that has found a wall point of `of`
+  std::vector<int> explainedIn_;  // the first layer that has found one on this wall point of `in`
+  double twice_ = 0;              // wall points of a layer on what another one explains
   std::vector<std::vector<std::uint32_t>> left_;  // of `around`, per patch
   std::vector<bool> isDone_;
   std::vector<double> queued_;  // best quality that waits, per patch
