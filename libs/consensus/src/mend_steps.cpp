@@ -14,7 +14,6 @@ constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next 
 constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
 constexpr std::size_t kOneMap = 3;       // scans for which one map of those ahead will do
 constexpr std::size_t kTogether = 3;     // scans that are looked for as one
-constexpr double kAgrees = 0.5;          // share of the walls of both sides of a step that fit
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
@@ -87,16 +86,6 @@ class Mender {
     return std::move(result_);
   }
 
-  bool refutes(std::size_t k, const Transform2D& other) {
-    result_.poses = drawn_;
-    drawAhead(k);
-    if (ahead_.walls.empty() || !scans_[k].isTelling()) return false;
-    const StepView view = viewOf(k);
-    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
-    const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
-    return drawn.quality >= kAgrees && drawn.score - fit.score > kClearSlip.leastGain;
-  }
-
  private:
   Transform2D step(std::size_t from, std::size_t to) const {
     return drawn_[from].inverse() * drawn_[to];
@@ -151,42 +140,29 @@ class Mender {
     return all;
   }
 
-  /** What the scans about a step to `k` see of each other. */
-  struct StepView {
-    WallMap behind;
-    LocalScan before, after;
-  };
-
-  StepView viewOf(std::size_t k) const {
+  StepEvidence judge(std::size_t k) {
     std::vector<Transform2D> fromHere(scans_.size());
     std::vector<std::size_t> chosen;
     for (std::size_t i = k; i < std::min(k + kScansBehind, scans_.size()); ++i)
       chosen.push_back(i), fromHere[i] = step(k, i);
-    return {scanMap(scans_, fromHere, chosen, range()),
-            together(k - std::min(k, kTogether), k, result_.poses),
-            together(k, std::min(k + kTogether, scans_.size()), fromHere)};
-  }
-
-  /** A fit by the walls of both sides. */
-  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) const {
-    const ScanFit back = fitAt(view.before, view.behind, fit.pose.inverse());
-    const double known = std::max(1e-9, fit.known + back.known);
-    fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
-    fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
-    fit.known = known / 2;
-    return fit;
-  }
-
-  StepEvidence judge(std::size_t k) {
-    const StepView view = viewOf(k);
-    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
+    const WallMap behind = scanMap(scans_, fromHere, chosen, range());
+    const LocalScan before = together(k - std::min(k, kTogether), k, result_.poses);
+    const LocalScan after = together(k, std::min(k + kTogether, scans_.size()), fromHere);
+    const auto weighed = [&](ScanFit fit) {
+      const ScanFit back = fitAt(before, behind, fit.pose.inverse());
+      const double known = std::max(1e-9, fit.known + back.known);
+      fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
+      fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
+      fit.known = known / 2;
+      return fit;
+    };
+    const ScanFit drawn = weighed(asDrawn(after, ahead_, result_.poses[k]));
     const bool isPossibleAsDrawn = isPossible(k, step(k - 1, k));
     if (isPossibleAsDrawn && drawn.quality >= kSlip.mostAsDrawn)
-      return drawn.quality >= kAgrees ? StepEvidence::agrees : StepEvidence::none;
+      return drawn.quality >= 0.5 ? StepEvidence::agrees : StepEvidence::none;
     const bool mayBeTorn = !isPossibleAsDrawn || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
-    for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
-      found.push_back(weighed(k, view, fit));
+    for (const ScanFit& fit : candidates(k, after, mayBeTorn)) found.push_back(weighed(fit));
     return decide(k, drawn, found);
   }
 
@@ -245,11 +221,6 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {
   return Mender(scans, drawn, asked).mended();
-}
-
-bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-               std::size_t k, const Transform2D& step) {
-  return Mender(scans, drawn, {}).refutes(k, step);
 }
 
 }  // namespace roomgraph

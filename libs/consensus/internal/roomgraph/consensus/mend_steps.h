@@ -9,7 +9,7 @@ namespace roomgraph {
 // Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  MendedSteps
-// Next: findRevisits, ownMatches, heldSteps
+// Next: findRevisits, ownMatches
 
 /** What a scan and those before it, which see the same walls, say of the step between them. */
 enum class StepEvidence {
@@ -35,11 +35,5 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
  *  evidence. O(scans + asked * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked);
-
-/** Whether the scans on both sides of the step to scan `k`, of at least 1, agree with it as it was
- *  drawn, and clearly less with `step` (scan k - 1 <- scan k): where walls stand in a place that
- *  they see as free. False where either is a guess. O(scans + cells around a few scans). */
-bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-               std::size_t k, const Transform2D& step);
 
 }  // namespace roomgraph
