@@ -11,9 +11,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kLayerHeight = 0.1;           // between runs [m]
-constexpr double kBreakRadius = 0.6;           // [m]
-constexpr mrpt::img::TColor kInk{15, 15, 20};  // shows on light, on RawLogViewer's grey, on walls
+constexpr double kLayerHeight = 0.1;  // between runs [m]
+constexpr double kBreakRadius = 0.6;  // [m]
+constexpr mrpt::img::TColor kWordColour{15, 15,
+                                        20};  // shows on light, on RawLogViewer's grey, on walls
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   auto cloud = viz::CPointCloud::Create();
@@ -158,8 +159,8 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, Writer& writ
   auto names = viz::CSetOfObjects::Create();
   names->setName("room names");
   for (const SiteRoom& room : rooms)
-    names->insert(writer.written(room.name.empty() ? room.id : room.name, kInk, namePlace(room),
-                                 height, true));
+    names->insert(writer.written(room.name.empty() ? room.id : room.name, kWordColour,
+                                 namePlace(room), height, true));
   return names;
 }
 
@@ -192,7 +193,7 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, d
     std::string words = tear.run;
     if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
     rings->insert(writer.written(
-        words, kInk, tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}),
+        words, kWordColour, tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}),
         height));
   }
   return rings;
