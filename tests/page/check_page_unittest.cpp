@@ -82,7 +82,7 @@ TEST(CheckPage, mapAndScansStandUpright) {
   for (int i = 0; i < 100; ++i)
     askew.map.walls.push_back({motion({0.1 * i, 0}), turned({0, 1}, 0.3)});
   const std::string page = checkPage(torn(), askew);
-  EXPECT_TRUE(has(page, "class=\"map\" role=\"img\" viewBox=\"-1.00 -1."))
+  EXPECT_TRUE(has(page, "class=\"map\" aria-label=\"map\" role=\"img\" viewBox=\"-1.00 -1."))
       << "as wide as the wall is long, and not as its shadow";
   EXPECT_TRUE(has(page, "<g transform=\"rotate(17.19 0.00 -0.00)\">"));
   EXPECT_FALSE(has(page, "rotate(0.00"));

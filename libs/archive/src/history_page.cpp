@@ -101,7 +101,8 @@ std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options
       "</h2>\n<p class=\"hint\">Robots that need attention come first. The map error is how far a "
       "map lies from where the walls are, by all runs together; the limit is " +
       metres(options.limit) +
-      " m.</p>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">State</th><th "
+      " m.</p>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of "
+      "robots\"><table>\n<thead><tr><th scope=\"col\">State</th><th "
       "scope=\"col\">Site</th><th scope=\"col\">Robot</th><th scope=\"col\">Map error over "
       "time</th><th scope=\"col\" class=\"n\">Latest [m]</th><th scope=\"col\" "
       "class=\"n\">Nights</th><th scope=\"col\" class=\"n\">Latest run</th><th scope=\"col\" "
@@ -112,7 +113,8 @@ std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options
 
 std::string runsHtml(const SiteHistory& history) {
   std::string html =
-      "<details><summary>Latest runs</summary><div class=\"scroll\"><table><thead><tr><th "
+      "<details><summary>Latest runs</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"Table of runs\"><table><thead><tr><th "
       "scope=\"col\">Time</th><th scope=\"col\">Robot</th><th scope=\"col\" class=\"n\">Map error "
       "[m]</th><th scope=\"col\">File</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
   const std::size_t count = std::min<std::size_t>(15, history.runs.size());
@@ -132,7 +134,9 @@ std::string siteHtml(const WatchedSite& site, std::size_t number, const WatchOpt
                      "</h2>\n";
   for (const RobotWatch& robot : site.watch.robots)
     html += "<h3>" + xmlText(robot.robot) + ": " + xmlText(robot.sentence) +
-            "</h3>\n<div class=\"plot\">" + errorPlot(site, robot, options) + "</div>\n";
+            "</h3>\n<div class=\"plot\" tabindex=\"0\" role=\"region\" aria-label=\"Plot of map "
+            "errors\">" +
+            errorPlot(site, robot, options) + "</div>\n";
   if (!site.watch.changes.empty()) {
     html += "<h3>Rooms that have changed for good</h3>\n<ul>\n";
     for (const RoomChange& change : site.watch.changes)

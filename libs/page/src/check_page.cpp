@@ -42,7 +42,7 @@ std::string dots(const std::vector<Point>& places, const char* colour, double si
 
 /** Opens a picture of what lies in `box` once it has been turned by `turn` about `middle`. */
 std::string pictureOf(const Box& box, const char* kind, double turn, Point middle) {
-  return std::string("<svg class=\"") + kind +
+  return std::string("<svg class=\"") + kind + "\" aria-label=\"" + kind +
          formatted("\" role=\"img\" viewBox=\"%.2f %.2f %.2f %.2f\">\n", box.low.x - 1,
                    -box.high.y - 1, box.size().x + 2, box.size().y + 2) +
          formatted("<g transform=\"rotate(%.2f %.2f %.2f)\">\n", -turn * 180 / M_PI, middle.x,
