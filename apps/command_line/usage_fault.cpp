@@ -46,6 +46,8 @@ std::string plainText(const CLI::ParseError& error) {
     std::strtod(value.c_str(), &end);
     if (value.empty() || *end) return parts[1].str() + "'" + value + "' is not a number";
   }
+  if (std::regex_match(what, parts, std::regex("Could not convert: (.*) = (.*)")))
+    return parts[1].str() + ": '" + parts[2].str() + "' is not a number";
   const std::string text = std::regex_replace(what, std::regex("([0-9])\\.0+\\b"), "$1");
   return std::regex_replace(text, std::regex("(\\.[0-9]*[1-9])0+\\b"), "$1");
 }

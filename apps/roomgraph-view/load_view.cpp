@@ -27,7 +27,7 @@ bool isComparison(const std::string& file) {
   const CheckedFile opened(file);
   const ByteView head = opened.head();
   return std::string(reinterpret_cast<const char*>(head.data), head.size)
-             .find("\"roomgraph/graph\"") == std::string::npos;
+             .find("\"roomgraph/comparison\"") != std::string::npos;
 }
 
 /** Adds the runs of a map file to the view; says why where there is none. */

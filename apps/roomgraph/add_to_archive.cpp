@@ -12,6 +12,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -59,6 +60,23 @@ void addOne(Archive& archive, const std::string& file, const AddRunOptions& opti
   if (!arguments.isQuiet) print(line);
 }
 
+/** A mistake leaves no archive behind. */
+void checkThatOneCanBeRead(const ArchiveArguments& arguments, const AddRunOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::exists(arguments.archive, ignored) || ignored) return;
+  std::vector<std::string> problems;
+  for (const std::string& file : arguments.files) {
+    try {
+      (void)loadGrid(file, options.compare.extract.loadGrid);
+      return;
+    } catch (const DataError& error) {
+      problems.emplace_back(error.what());
+    }
+  }
+  for (std::size_t i = 0; i + 1 < problems.size(); ++i) printError(problems[i]);
+  throw DataError(problems.back());
+}
+
 }  // namespace
 
 AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
@@ -99,11 +117,7 @@ std::string siteToAddTo(const ArchiveArguments& arguments, const Archive& archiv
 
 int addToArchive(const ArchiveArguments& arguments) {
   AddRunOptions options = addOptionsOf(arguments);
-  // A name that is mistyped leaves no archive behind.
-  const auto exists = [](const std::string& file) { return std::filesystem::exists(file); };
-  if (!exists(arguments.archive) &&
-      std::none_of(arguments.files.begin(), arguments.files.end(), exists))
-    throw DataError(arguments.files.front() + ": there is no such file: check the name");
+  checkThatOneCanBeRead(arguments, options);
   Archive archive(arguments.archive, Archive::Access::orNew);
   options.site = siteToAddTo(arguments, archive);
   PairFolder cache(arguments.cache);

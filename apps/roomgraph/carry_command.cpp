@@ -48,6 +48,7 @@ CarryArguments withFiles(CarryArguments arguments) {
  *  where they do not, the two maps are taken alone as well. */
 std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
   SiteArguments site = arguments.site;
+  site.takesCopies = true;  // a map may be carried to itself
   site.files = {arguments.from, arguments.to};
   if (!arguments.via.empty()) {
     site.files.insert(site.files.end(), arguments.via.begin(), arguments.via.end());
@@ -111,7 +112,7 @@ int run(const CarryArguments& given) {
   }
   results.commit();
   if (!arguments.site.running.isQuiet) print(lines);
-  return areCarried ? kDone : kBadData;
+  return areCarried ? runs->exitCode() : kBadData;
 }
 
 }  // namespace

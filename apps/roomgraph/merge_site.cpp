@@ -190,7 +190,7 @@ int mergeSite(const MergeArguments& arguments) {
   results.commit();
   for (const std::string& text : merging.leftOut) printError(text + ": left out");
   if (!site.running.isQuiet) print(lines);
-  return kDone;
+  return runs->exitCode();
 }
 
 }  // namespace roomgraph

@@ -173,7 +173,7 @@ int run(const RepairArguments& arguments) {
              graphG2o(runs->solved.consensus));
   tell(shown, site, staged);
   writeGrids(mended, site);
-  return kDone;
+  return runs->exitCode();
 }
 
 }  // namespace

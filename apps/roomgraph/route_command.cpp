@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -63,10 +64,17 @@ bool isNumber(const std::string& text, Number& number) {
   return std::from_chars(text.data(), end, number).ptr == end && !text.empty();
 }
 
+/** Whether a place may lie on a map; not so what is infinite or no number. */
+bool isPlace(Point place) {
+  return std::abs(place.x) < kFarthestPlace && std::abs(place.y) < kFarthestPlace;
+}
+
 /** R3 is where its vertex stands; C7 the widest place of a corridor; or x and y [m]. */
 Point placeOf(const GraphFile& file, const std::vector<std::string>& words, const char* option) {
   Point place;
-  if (words.size() == 2 && isNumber(words[0], place.x) && isNumber(words[1], place.y)) return place;
+  if (words.size() == 2 && isNumber(words[0], place.x) && isNumber(words[1], place.y) &&
+      isPlace(place))
+    return place;
   if (words.size() == 1) {
     const auto room = numberAfter('R', words[0]), corridor = numberAfter('C', words[0]);
     if (room && *room < file.graph.rooms.size()) return file.graph.rooms[*room].center;
@@ -75,8 +83,8 @@ Point placeOf(const GraphFile& file, const std::vector<std::string>& words, cons
   }
   throw UsageError(
       formatted("%s takes a room of this map (R0 to R%zu), a corridor (C and the number "
-                "of its area), or x and y in metres",
-                option, std::max<std::size_t>(file.graph.rooms.size(), 1) - 1));
+                "of its area), or x and y in metres, such as '%s 1.5 2'",
+                option, std::max<std::size_t>(file.graph.rooms.size(), 1) - 1, option));
 }
 
 /** One line for each area and passage on the way. */
@@ -121,6 +129,7 @@ std::string areaText(const GraphFile& file, AreaId id) {
 }
 
 int run(const WhereArguments& arguments) {
+  if (!isPlace(arguments.place)) throw UsageError("where: X and Y are no place: give metres");
   const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
   const Whereabouts where = whereIs(file.graph, file.areas, arguments.place);
   std::string text = where.area ? areaText(file, where.area) : "in no room and no corridor\n";

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "commands.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -18,6 +17,22 @@ CompareMapsOptions optionsOf(const SiteArguments& arguments) {
   options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
   options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   return options;
+}
+
+/** Runs are to bear each other out, which a copy does not; the reference stays. */
+void leaveOutCopies(ReadRuns& read) {
+  std::vector<Run>& runs = read.runs;
+  for (std::size_t i = runs.size(); i-- > 0;) {
+    const auto isOriginal = [&](const Run& other) {
+      const auto place = std::size_t(&other - runs.data());
+      return (place < i || read.reference == place) && other.sha256 == runs[i].sha256;
+    };
+    const auto original = std::find_if(runs.begin(), runs.end(), isOriginal);
+    if (original == runs.end() || read.reference == i) continue;
+    printError(runs[i].file + ": is a copy of " + original->file + ": left out");
+    if (read.reference && *read.reference > i) --*read.reference;
+    runs.erase(runs.begin() + std::ptrdiff_t(i));
+  }
 }
 
 /** Names what does not lie in the site. */
@@ -45,6 +60,7 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   CompareMapsOptions options = optionsOf(arguments);
   ReadRuns read = readRuns(arguments.files, options);
+  if (!arguments.takesCopies) leaveOutCopies(read);
   options.compare.reference = read.reference;
   PairFolder cache(arguments.cache);
   options.compare.kept = cache.kept();

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/consensus/solve_site.h"
 
@@ -12,7 +13,8 @@ namespace roomgraph {
 struct SiteArguments {
   std::vector<std::string> files;
   std::string reference, folder, cache;
-  bool areOneSite = false;  ///< they are said to show one
+  bool areOneSite = false;   ///< they are said to show one
+  bool takesCopies = false;  ///< else a run is left out that is a copy of another
   OptionArguments options;
   RunningArguments running;
 };
@@ -24,6 +26,9 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
 struct SolvedRuns {
   ReadRuns read;
   SolvedSite solved;  ///< of `read.runs`, so this is not to be copied or moved
+
+  /** What a command ends with that could do the rest. */
+  ExitCode exitCode() const { return read.leftOut.empty() ? kDone : kBadData; }
 };
 
 /** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */

@@ -178,6 +178,9 @@ done
 # A mistyped name leaves no archive behind, and a name is not a page long.
 expect 1 "$roomgraph" archive typo.db add nigth1.pgm
 one_line err nigth1.pgm "no such file"
+printf 'P5 9 9 255\n' > damaged.pgm
+expect 1 "$roomgraph" archive typo.db add nigth1.pgm damaged.pgm
+[ "$(wc -l < err)" -eq 2 ] || fail "not a line for each file"
 [ ! -e typo.db ] || fail "an archive without any run"
 expect 2 "$roomgraph" archive site.db add night1.pgm --robot "$(printf 'x%.0s' {1..300})"
 one_line err --robot "at most 200"

@@ -54,6 +54,11 @@ opened_by written/a.json "is a graph, and no map" "roomgraph info"
 opened_by written/a.geojson "is GeoJSON" QGIS
 opened_by written/a.graphml "is a graph, and no map" Gephi
 opened_by written/a.osm JOSM
+opened_by written/a.svg "is a drawing, and no map" browser
+printf '{"format": "roomgraph/check", "version": 1}\n' > run.check.json
+opened_by run.check.json "no map" browser
+printf '{"format": "roomgraph/site", "version": 1}\n' > site.json
+opened_by site.json "no map" --names
 opened_by written/a.roomgraph "is a graph, and no map" RawLogViewer
 opened_by written/a.3Dscene "is a scene" SceneViewer3D
 printf '<!DOCTYPE html>\n' > page.html

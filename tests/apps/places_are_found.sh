@@ -17,3 +17,9 @@ expect 2 "$roomgraph" route g/a.json --from R7 --to R0
 one_line err "--from" "R0 to R1"
 expect 1 "$roomgraph" where none.json 1 1
 one_line err none.json
+expect 2 "$roomgraph" where g/a.json nan 1
+one_line err "metres"
+expect 2 "$roomgraph" where g/a.json left 1
+one_line err "X: 'left' is not a number"
+expect 2 "$roomgraph" route g/a.json --from inf 0 --to R0
+one_line err "--from 1.5 2"

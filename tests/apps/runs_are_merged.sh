@@ -35,3 +35,12 @@ one_line err "two or more"
 printf '{}' > names.json
 expect 1 merge "$maps"/office_run[12].simplemap.gz --names names.json
 one_line err names.json
+
+# A copy bears nothing out, and what cannot be read is missing from the map.
+cp "$maps"/office_run1.simplemap.gz latest.simplemap.gz
+expect 1 merge "$maps"/office_run1.simplemap.gz latest.simplemap.gz
+grep -q "is a copy of .*: left out" err || fail "a copy counts as another run"
+head -c 2000 latest.simplemap.gz > cut.simplemap.gz
+expect 1 "$roomgraph" repair "$maps"/office_run[12].simplemap.gz cut.simplemap.gz -o rest --cache cache
+one_line err cut.simplemap.gz "cut short"
+[ -s rest/site.g2o ] || fail "the others are not used"

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "roomgraph/base/Error.h"
@@ -83,6 +84,20 @@ TEST(Database, failuresAreOneLineWithFileAndRemedy) {
     }
   }
   EXPECT_FALSE(std::filesystem::exists(folder.file("none.db")));
+}
+
+TEST(Database, aNameThatLeadsNowhereIsRefused) {
+  const test::Folder folder;
+  std::filesystem::create_symlink(folder.file("b.db"), folder.file("a.db"));
+  std::filesystem::create_symlink(folder.file("a.db"), folder.file("b.db"));
+  for (const bool mayMake : {false, true}) {
+    try {
+      Database database(folder.file("a.db"), mayMake);
+      FAIL() << "a ring of links was opened";
+    } catch (const DataError& error) {
+      EXPECT_NE(std::string(error.what()).find("cannot be opened ("), std::string::npos);
+    }
+  }
 }
 
 }  // namespace

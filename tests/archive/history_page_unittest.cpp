@@ -34,6 +34,14 @@ TEST(HistoryPage, needsNoOtherFileAndRunsNothing) {
   EXPECT_TRUE(has(page, "<h1>anna: yes, the map of 1970-01-12 may be rolled out</h1>"));
 }
 
+TEST(HistoryPage, whatMayBeWiderThanTheWindowIsReachedByKeyboard) {
+  const std::string page = historyPage({siteOf("office", 0.1)}, {});
+  for (const std::string part : {"<div class=\"scroll\"", "<div class=\"plot\""}) {
+    EXPECT_TRUE(has(page, part + " tabindex=\"0\" role=\"region\" aria-label=")) << part;
+    EXPECT_FALSE(has(page, part + ">")) << part;
+  }
+}
+
 TEST(HistoryPage, aRobotOfFewNightsIsNotCalledSound) {
   const std::string alone = historyPage({siteOf("new", 0.1, 9)}, {});
   EXPECT_TRUE(has(alone, "<td class=\"state unsure\">too few nights</td>"));

@@ -181,11 +181,11 @@ TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
   EXPECT_EQ(recordError(fiveRuns(), "d", {"d"}), 0.2);
   EXPECT_EQ(gateVerdict(fiveRuns(), options).margins,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
-                  "others, no more than 0.7 m more"});
+                  "others; up to 0.7 m more passes"});
   options.maxWorse = 0.69;
   EXPECT_EQ(gateVerdict(fiveRuns(), options).complaints,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
-                  "others, more than 0.69 m more"});
+                  "others; up to 0.69 m more passes"});
   EXPECT_EQ(gateVerdict(fiveRuns(), options).candidates, Lines{"d"});
 }
 

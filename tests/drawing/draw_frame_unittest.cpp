@@ -13,6 +13,21 @@ TEST(DrawFrame, theScaleBarHasARoundLength) {
   EXPECT_DOUBLE_EQ(roundLength(0.06), 0.05);
 }
 
+TEST(DrawFrame, wordsGrowWithThePictureOnceItIsLargerThanAScreen) {
+  Scene scene;
+  for (const char* label : {"rooms", "corridors", "passages", "doors", "walls", "unknown"})
+    scene.legend.push_back({label, [](const Pen&, Point) {}});
+  const auto layout = [&](int cells) {
+    View view;
+    view.columns = view.rows = cells, view.frame = {cells, cells, 0.05, {}};
+    return layoutOf(scene, view);
+  };
+  EXPECT_EQ(layout(450).map.y, layout(900).map.y);
+  EXPECT_NEAR(layout(1600).map.y - 20, (layout(900).map.y - 20) * 16 / 9, 1);
+  EXPECT_GT(layout(1600).legend[1].x - layout(1600).legend[0].x,
+            1.7 * (layout(900).legend[1].x - layout(900).legend[0].x));
+}
+
 /** A grid whose known part is a box of cells. */
 Grid gridWith(int width, int height, Cell low, Cell high) {
   Grid grid{{width, height, 0.05, {3, -4}}, {}};

@@ -95,6 +95,21 @@ TEST(ComparisonScene, namesRunsAndBreaks) {
   EXPECT_EQ(textsIn(scene, "breaks").count("b, key frame 7"), 1u);
 }
 
+TEST(ComparisonScene, namesOfBreaksInOnePlaceDoNotLieOverEachOther) {
+  Comparison comparison = twoRuns();
+  for (std::size_t k : {7, 8, 9}) comparison.breaks.push_back({"b", {1, 2}, 0.1, 0.5, k, {}, {}});
+  SiteRoom room;  // its name would lie in the second of them
+  room.id = "R1", room.center = {3, 3}, room.polygon = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}};
+  comparison.rooms = {room};
+  MrptScene scene = comparisonScene(comparison, runs());
+  auto texts = textsIn(scene, "breaks");
+  texts.merge(textsIn(scene, "room names"));
+  ASSERT_EQ(texts.size(), 4u);
+  for (const auto& [words, place] : texts)
+    for (const auto& [others, there] : texts)
+      if (words != others) EXPECT_GT(std::abs(place.y - there.y), 0.35) << words << " " << others;
+}
+
 TEST(ComparisonScene, aNameLiesInItsRoomAlsoWhereTheMiddleDoesNot) {
   Comparison comparison = twoRuns();
   SiteRoom ring;

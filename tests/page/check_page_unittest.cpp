@@ -75,6 +75,20 @@ TEST(CheckPage, hasATableOfTheEvidence) {
   EXPECT_TRUE(has(page, "C</th><td>-</td><td>-</td><td>0</td>"));
 }
 
+TEST(CheckPage, mapAndScansStandUpright) {
+  auto askew = twoScans();
+  askew.map.walls.clear();
+  const Transform2D motion{0, 0, 0.3};
+  for (int i = 0; i < 100; ++i)
+    askew.map.walls.push_back({motion({0.1 * i, 0}), turned({0, 1}, 0.3)});
+  const std::string page = checkPage(torn(), askew);
+  EXPECT_TRUE(has(page, "class=\"map\" aria-label=\"map\" role=\"img\" viewBox=\"-1.00 -1."))
+      << "as wide as the wall is long, and not as its shadow";
+  EXPECT_TRUE(has(page, "<g transform=\"rotate(17.19 0.00 -0.00)\">"));
+  EXPECT_FALSE(has(page, "rotate(0.00"));
+  EXPECT_FALSE(has(checkPage(torn(), twoScans()), "rotate(17"));
+}
+
 TEST(CheckPage, namesAreTextAndNothingElse) {
   const std::string page = checkPage(torn(), twoScans());
   EXPECT_TRUE(has(page, "<h1>a&lt;b</h1>"));

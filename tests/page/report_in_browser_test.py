@@ -304,6 +304,9 @@ def it_is_dark_where_that_is_preferred(browser, folder):
     check(browser.value(light) == "rgb(23, 28, 36)", "it is not dark")
     check(browser.value("getComputedStyle(document.querySelector('#map')).backgroundColor")
           == "rgb(255, 255, 255)", "the map is not paper")
+    for turned in ("#map", "#map-beside", ".layers .mark", ".legend i", "td .scans-picture"):
+        check("invert" in browser.value(f"getComputedStyle(document.querySelector('{turned}')).filter"),
+              f"{turned} glares in the dark, or has other colours than the map")
     browser.settle()
     browser.save_picture(folder / "dark.png")
     browser.ask("Emulation.setEmulatedMedia", {"features": []})

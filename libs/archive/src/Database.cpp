@@ -55,10 +55,14 @@ std::string readOnlyUri(const std::string& path) {
 Database::Database(const std::string& file, bool mayMake) : file_(file) {
   // Names such as ":memory:" and "file:x" are files like any other here.
   const std::string path = std::filesystem::absolute(file).string();
-  const bool exists = std::filesystem::exists(path);
+  std::error_code error;
+  const std::filesystem::file_type kind = std::filesystem::status(path, error).type();
+  const bool exists = kind != std::filesystem::file_type::not_found;
   if (!mayMake && !exists)
     refuse(file, "there is no such archive", "make it with 'roomgraph archive " + file + " add'");
-  if (exists && !std::filesystem::is_regular_file(path))
+  if (kind == std::filesystem::file_type::none)
+    refuse(file, "cannot be opened (" + error.message() + ")", remedyOf(SQLITE_CANTOPEN));
+  if (exists && kind != std::filesystem::file_type::regular)
     refuse(file, "is not a regular file", remedyOf(SQLITE_NOTADB));
   if (!mayMake && std::filesystem::file_size(path) == 0)
     refuse(file, "is empty: it may have been lost in a crash or a copy", remedyOf(SQLITE_CORRUPT));

@@ -89,9 +89,10 @@ std::string rowHtml(const Row& row, const WatchOptions& options) {
          "</td><th scope=\"row\">" + xmlText(row.site->history.site) + "</th><td>" +
          xmlText(robot.robot) + "</td><td>" + errorSparkline(*row.site, robot, options) +
          "</td><td class=\"n\">" + metres(latestError(row)) + "</td><td class=\"n\">" +
-         std::to_string(robot.runs.size()) + "</td><td>" + dayText(runs[robot.latest].time) +
-         "</td><td>" + (robot.lastGood ? dayText(runs[*robot.lastGood].time) : "–") +
-         "</td><td class=\"why\">" + xmlText(robot.advice + "; " + robot.sentence) + "</td></tr>\n";
+         std::to_string(robot.runs.size()) + "</td><td class=\"n\">" +
+         dayText(runs[robot.latest].time) + "</td><td class=\"n\">" +
+         (robot.lastGood ? dayText(runs[*robot.lastGood].time) : "–") + "</td><td class=\"why\">" +
+         xmlText(robot.advice + "; " + robot.sentence) + "</td></tr>\n";
 }
 
 std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options) {
@@ -100,18 +101,20 @@ std::string robotsHtml(const std::vector<Row>& rows, const WatchOptions& options
       "</h2>\n<p class=\"hint\">Robots that need attention come first. The map error is how far a "
       "map lies from where the walls are, by all runs together; the limit is " +
       metres(options.limit) +
-      " m.</p>\n<div class=\"scroll\"><table>\n<thead><tr><th scope=\"col\">State</th><th "
+      " m.</p>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table of "
+      "robots\"><table>\n<thead><tr><th scope=\"col\">State</th><th "
       "scope=\"col\">Site</th><th scope=\"col\">Robot</th><th scope=\"col\">Map error over "
       "time</th><th scope=\"col\" class=\"n\">Latest [m]</th><th scope=\"col\" "
-      "class=\"n\">Nights</th><th scope=\"col\">Latest run</th><th scope=\"col\">Last good</th><th "
-      "scope=\"col\">What is seen</th></tr></thead>\n<tbody>\n";
+      "class=\"n\">Nights</th><th scope=\"col\" class=\"n\">Latest run</th><th scope=\"col\" "
+      "class=\"n\">Last good</th><th scope=\"col\">What is seen</th></tr></thead>\n<tbody>\n";
   for (const Row& row : rows) html += rowHtml(row, options);
   return html + "</tbody></table></div>\n</section>\n";
 }
 
 std::string runsHtml(const SiteHistory& history) {
   std::string html =
-      "<details><summary>Latest runs</summary><div class=\"scroll\"><table><thead><tr><th "
+      "<details><summary>Latest runs</summary><div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+      "aria-label=\"Table of runs\"><table><thead><tr><th "
       "scope=\"col\">Time</th><th scope=\"col\">Robot</th><th scope=\"col\" class=\"n\">Map error "
       "[m]</th><th scope=\"col\">File</th><th scope=\"col\">Why</th></tr></thead><tbody>\n";
   const std::size_t count = std::min<std::size_t>(15, history.runs.size());
@@ -131,7 +134,9 @@ std::string siteHtml(const WatchedSite& site, std::size_t number, const WatchOpt
                      "</h2>\n";
   for (const RobotWatch& robot : site.watch.robots)
     html += "<h3>" + xmlText(robot.robot) + ": " + xmlText(robot.sentence) +
-            "</h3>\n<div class=\"plot\">" + errorPlot(site, robot, options) + "</div>\n";
+            "</h3>\n<div class=\"plot\" tabindex=\"0\" role=\"region\" aria-label=\"Plot of map "
+            "errors\">" +
+            errorPlot(site, robot, options) + "</div>\n";
   if (!site.watch.changes.empty()) {
     html += "<h3>Rooms that have changed for good</h3>\n<ul>\n";
     for (const RoomChange& change : site.watch.changes)
@@ -172,7 +177,8 @@ std::string historyPage(const std::vector<WatchedSite>& sites, const WatchOption
                 counted(rows.size(), "robot", "robots") + ", " + counted(runs, "run", "runs");
   page.style =
       ".plots h3{margin-top:22px} .state{font-weight:650;white-space:nowrap} "
-      ".state.bad{color:var(--alarm)} .state.unsure{color:var(--soft);font-weight:400}";
+      ".state.bad{color:var(--alarm)} .state.unsure{color:var(--soft);font-weight:400} "
+      "@media screen and (max-width:700px){.plot{overflow-x:auto} .plot svg{max-width:none}}";
   page.body = robotsHtml(rows, options) + sitesHtml(rows, options);
   page.footer = "What alarms, and why, stands in roomgraph's docs/archive.md.";
   return simplePage(page);

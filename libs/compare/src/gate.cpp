@@ -197,10 +197,9 @@ class Judge {
     if (!record) return complain(run.name, "there is no other run to hold it against");
     const double more = *error - *record, left = *options_.maxWorse - more;
     hold("record", run.name, left,
-         formatted("its map error of %.3f m is %.3f m %s than the median of the three best others, "
-                   "%s than %.4g m more",
-                   *error, std::abs(more), more < 0 ? "less" : "more",
-                   left < 0 ? "more" : "no more", *options_.maxWorse));
+         formatted("its map error of %.3f m is %.3f m %s than the median of the three best others; "
+                   "up to %.4g m more passes",
+                   *error, std::abs(more), more < 0 ? "less" : "more", *options_.maxWorse));
   }
 
   void judgeLeftOut(const LeftOutRun& run) {

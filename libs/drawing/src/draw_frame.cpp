@@ -11,6 +11,7 @@ namespace {
 constexpr int kFrameMargin = 20, kTitleHeight = 58, kMinWidth = 560;
 constexpr double kTitlePx = 18, kSubtitlePx = 12.5, kLegendPx = 12.5;
 constexpr double kRowPx = 24, kSymbolPx = 26, kGapPx = 22;
+constexpr double kScreenPx = 900;  // of the longer side, as much as a screen shows
 
 using Cairo = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
 
@@ -32,8 +33,15 @@ std::string shortened(const Pen& pen, std::string line, double sizePx, bool isBo
   return line + "…";
 }
 
+/** By how much words are larger than said above, so that they can be read where a large picture is
+ *  made as small as a screen. */
+double enlarged(const View& view) {
+  return std::max(1.0, std::max(view.widthPx(), view.heightPx()) / kScreenPx);
+}
+
 double scaleBarLength(const View& view) {
-  return roundLength(std::clamp(0.22 * view.widthPx(), 60.0, 220.0) / view.pxPerMetre());
+  return roundLength(std::clamp(0.22 * view.widthPx(), 60.0, 220.0 * enlarged(view)) /
+                     view.pxPerMetre());
 }
 
 std::string metresText(double metres) {
@@ -50,7 +58,7 @@ std::string metresText(double metres) {
 
 void drawScaleBar(const Pen& pen, Point at) {
   const double metres = scaleBarLength(pen.view());
-  const double width = metres * pen.view().pxPerMetre();
+  const double width = metres * pen.view().pxPerMetre(), large = enlarged(pen.view());
   cairo_t* cairo = pen.cairo();
   pen.ink(ink::text);
   cairo_move_to(cairo, at.x, at.y - 4);
@@ -60,17 +68,34 @@ void drawScaleBar(const Pen& pen, Point at) {
   cairo_move_to(cairo, at.x + width, at.y - 4);
   cairo_line_to(cairo, at.x + width, at.y + 4);
   pen.stroke(1.6);
-  pen.text(metresText(metres), {at.x + width + 8, at.y + 4.5}, kLegendPx, true, Pen::Align::left);
+  pen.text(metresText(metres), {at.x + width + 8 * large, at.y + 4.5 * large}, kLegendPx * large,
+           true, Pen::Align::left);
 }
 
 void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
-  const double width = layout.width - 2 * kFrameMargin;
+  const double width = layout.width - 2 * kFrameMargin, large = enlarged(pen.view());
+  const auto line = [&](const std::string& words, double sizePx, bool isBold, double below) {
+    pen.text(shortened(pen, words, sizePx * large, isBold, width),
+             {kFrameMargin, kFrameMargin + below * large}, sizePx * large, isBold,
+             Pen::Align::left);
+  };
   pen.ink(ink::text);
-  pen.text(shortened(pen, scene.title, kTitlePx, true, width), {kFrameMargin, kFrameMargin + 14.0},
-           kTitlePx, true, Pen::Align::left);
+  line(scene.title, kTitlePx, true, 14);
   pen.ink(ink::quiet);
-  pen.text(shortened(pen, scene.subtitle, kSubtitlePx, false, width),
-           {kFrameMargin, kFrameMargin + 36.0}, kSubtitlePx, false, Pen::Align::left);
+  line(scene.subtitle, kSubtitlePx, false, 36);
+}
+
+/** The symbol is drawn for words as small as said above. */
+void drawLegendItem(const Pen& pen, const LegendItem& item, Point at) {
+  const double large = enlarged(pen.view());
+  cairo_t* cairo = pen.cairo();
+  cairo_save(cairo);
+  cairo_translate(cairo, at.x, at.y);
+  cairo_scale(cairo, large, large);
+  item.symbol(pen, {});
+  pen.ink(ink::text);
+  pen.text(item.label, {kSymbolPx - 11, 4.5}, kLegendPx, false, Pen::Align::left);
+  cairo_restore(cairo);
 }
 
 }  // namespace
@@ -86,20 +111,21 @@ Layout layoutOf(const Scene& scene, const View& view) {
   Layout layout;
   layout.width = std::max(kMinWidth, view.widthPx() + 2 * kFrameMargin);
   const int left = (layout.width - view.widthPx()) / 2;  // whole pixels
-  layout.map = {double(left), double(kFrameMargin + kTitleHeight - 6)};
+  const double large = enlarged(view), row = std::round(kRowPx * large);
+  layout.map = {double(left), kFrameMargin + std::round((kTitleHeight - 6) * large)};
   const Cairo cairo = scratch();
   const Pen pen(cairo.get(), view);
   const double right = layout.width - kFrameMargin;
-  Point next{kFrameMargin, layout.map.y + view.heightPx() + kRowPx};
+  Point next{kFrameMargin, layout.map.y + view.heightPx() + row};
   layout.scaleBar = {next.x + 1, next.y};
   const double metres = scaleBarLength(view);
-  next.x += metres * view.pxPerMetre() + 8 + pen.textWidth(metresText(metres), kLegendPx, true) +
-            1.5 * kGapPx;
+  next.x += metres * view.pxPerMetre() + 8 * large +
+            pen.textWidth(metresText(metres), kLegendPx * large, true) + 1.5 * kGapPx * large;
   for (const LegendItem& item : scene.legend) {
-    const double width = kSymbolPx + pen.textWidth(item.label, kLegendPx, false);
-    if (next.x + width > right && next.x > kFrameMargin) next = {kFrameMargin, next.y + kRowPx};
-    layout.legend.push_back({next.x + 9, next.y});
-    next.x += width + kGapPx;
+    const double width = large * (kSymbolPx + pen.textWidth(item.label, kLegendPx, false));
+    if (next.x + width > right && next.x > kFrameMargin) next = {kFrameMargin, next.y + row};
+    layout.legend.push_back({next.x + 9 * large, next.y});
+    next.x += width + kGapPx * large;
   }
   layout.height = int(next.y) + kFrameMargin;
   return layout;
@@ -113,13 +139,8 @@ void drawFrame(cairo_t* cairo, const Scene& scene, const View& view, const Layou
   pen.ink(ink::rule);
   pen.stroke(1);
   drawScaleBar(pen, layout.scaleBar);
-  for (std::size_t i = 0; i < scene.legend.size(); ++i) {
-    const Point at = layout.legend[i];
-    scene.legend[i].symbol(pen, at);
-    pen.ink(ink::text);
-    pen.text(scene.legend[i].label, {at.x + kSymbolPx - 11, at.y + 4.5}, kLegendPx, false,
-             Pen::Align::left);
-  }
+  for (std::size_t i = 0; i < scene.legend.size(); ++i)
+    drawLegendItem(pen, scene.legend[i], layout.legend[i]);
 }
 
 }  // namespace roomgraph

@@ -39,10 +39,15 @@ constexpr OtherFile kOtherTexts[] = {
      "open it with 'roomgraph report', 'roomgraph info' or roomgraph-view"},
     {"\"roomgraph/graph\"", "is a graph, and no map",
      "open it with 'roomgraph info', or give the map that it is of"},
+    {"\"roomgraph/check\"", "is what a run tells of itself, and no map",
+     "open the page beside it in a browser, or give the map of the run"},
+    {"\"roomgraph/site\"", "is a file of room names, and no map",
+     "give it to 'roomgraph compare' as --names"},
     {"\"FeatureCollection\"", "is GeoJSON, and no map", "open it with QGIS or nav2's route server"},
     {"<graphml", "is a graph, and no map", "open it with Gephi or networkx"},
     {"<osm ", "is a map of OpenStreetMap's kind", "open it with JOSM"},
     {"<!DOCTYPE html", "is a page, and no map", "open it in a browser"},
+    {"<svg ", "is a drawing, and no map", "open it in a browser, or give the map that it is of"},
     {"FLASER ", "is a log of CARMEN, and no map", "make a simplemap of it with carmen2simplemap"},
 };
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kLayerHeight = 0.1;  // between runs [m]
 constexpr double kBreakRadius = 0.6;  // [m]
+constexpr mrpt::img::TColor kWordColour{15, 15,
+                                        20};  // shows on light, on RawLogViewer's grey, on walls
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   auto cloud = viz::CPointCloud::Create();
@@ -109,16 +111,19 @@ class Writer {
   /** `letter` is the height of the letters [m]; lines run level where all is turned by `turn`. */
   Writer(double letter, double turn) : letter_(letter), level_(Transform2D{0, 0, -turn}) {}
 
-  /** They start at `place`, or have it in their middle. */
+  /** They start at `place`, or have it in their middle; or some lines above or below it, so that
+   *  they lie over no words written before. */
   viz::CText3D::Ptr written(const std::string& words, const mrpt::img::TColor& colour, Point place,
-                            double height, bool isCentred = false) const {
+                            double height, bool isCentred = false) {
     auto text = viz::CText3D::Create(words, "sans", float(letter_), viz::FILL);
     text->setColor_u8(colour);
-    if (isCentred) {
-      const auto box = text->getBoundingBox();
-      const Point size{double(box.min.x + box.max.x), double(box.min.y + box.max.y)};
-      place = place - 0.5 * level_(size);
-    }
+    const auto box = text->getBoundingBox();
+    const Point low{double(box.min.x), double(box.min.y)},
+        high{double(box.max.x), double(box.max.y)};
+    Point start = level_.inverse()(place);
+    if (isCentred) start = start - midpoint(low, high);
+    start = clearOfOthers({start + low, start + high}) - low;
+    place = level_(start);
     text->setPose(mrpt::poses::CPose3D(place.x, place.y, height, level_.phi, 0, M_PI / 5));
     return text;
   }
@@ -128,25 +133,41 @@ class Writer {
   const Transform2D& level() const { return level_; }
 
  private:
+  /** The lower left corner of a box of words, moved by up to ten lines so that it lies over no
+   *  others; they keep theirs. */
+  Point clearOfOthers(const Box& words) {
+    for (const int line : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8, 9, -9, 10}) {
+      const Point up{0, line * kLegendLine * letter_};
+      const Box moved{words.low + up, words.high + up};
+      if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) {
+            return moved.low.x < other.high.x && other.low.x < moved.high.x &&
+                   moved.low.y < other.high.y && other.low.y < moved.high.y;
+          }))
+        continue;
+      taken_.push_back(moved);
+      return moved.low;
+    }
+    return words.low;
+  }
+
   double letter_;
   Transform2D level_;
+  std::vector<Box> taken_;  ///< by words, in the frame of what is to be read
 };
 
-viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, const Writer& writer,
-                                double height) {
+viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, Writer& writer, double height) {
   auto names = viz::CSetOfObjects::Create();
   names->setName("room names");
-  const mrpt::img::TColor colour{15, 15, 20};  // shows on light and on RawLogViewer's grey
   for (const SiteRoom& room : rooms)
-    names->insert(writer.written(room.name.empty() ? room.id : room.name, colour, namePlace(room),
-                                 height, true));
+    names->insert(writer.written(room.name.empty() ? room.id : room.name, kWordColour,
+                                 namePlace(room), height, true));
   return names;
 }
 
 /** The names of the first runs in their colours, below the maps, whose lower left corner is
  *  `corner`, as it is to be read. */
-viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, const Writer& writer,
-                                 Point corner, double height) {
+viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, Writer& writer, Point corner,
+                                 double height) {
   auto legend = viz::CSetOfObjects::Create();
   legend->setName("legend");
   for (std::size_t i = 0; i < std::min(runs.size(), kMostNamed); ++i) {
@@ -157,8 +178,7 @@ viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, const Wri
   return legend;
 }
 
-viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& writer,
-                                 double height) {
+viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, double height) {
   std::map<std::string, std::size_t> places;
   for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
   auto rings = viz::CSetOfObjects::Create();
@@ -173,8 +193,8 @@ viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, const Writer& wri
     std::string words = tear.run;
     if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
     rings->insert(writer.written(
-        words, ring->getColor_u8(),
-        tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}), height));
+        words, kWordColour, tear.place + writer.level()(Point{-kBreakRadius, 1.2 * kBreakRadius}),
+        height));
   }
   return rings;
 }
@@ -228,7 +248,7 @@ viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
   auto all = viz::CSetOfObjects::Create();
   all->setName("comparison");
   const Box box = drawnBox(comparison, walls, turn);
-  const Writer writer(letterHeight(box), turn);
+  Writer writer(letterHeight(box), turn);
   const std::size_t count = comparison.runs.size();
   for (std::size_t i = count; i-- > 0;) {
     const ComparedRun& run = comparison.runs[i];

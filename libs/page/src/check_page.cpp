@@ -11,6 +11,7 @@
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/page/simple_page.h"
 #include "roomgraph/report/run_check_json.h"
+#include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
 namespace {
@@ -39,10 +40,13 @@ std::string dots(const std::vector<Point>& places, const char* colour, double si
          formatted("\" stroke-width=\"%.2f\" d=\"", size) + path + "\"/>\n";
 }
 
-std::string pictureOf(const Box& box, const char* kind) {
-  return std::string("<svg class=\"") + kind +
+/** Opens a picture of what lies in `box` once it has been turned by `turn` about `middle`. */
+std::string pictureOf(const Box& box, const char* kind, double turn, Point middle) {
+  return std::string("<svg class=\"") + kind + "\" aria-label=\"" + kind +
          formatted("\" role=\"img\" viewBox=\"%.2f %.2f %.2f %.2f\">\n", box.low.x - 1,
-                   -box.high.y - 1, box.size().x + 2, box.size().y + 2);
+                   -box.high.y - 1, box.size().x + 2, box.size().y + 2) +
+         formatted("<g transform=\"rotate(%.2f %.2f %.2f)\">\n", -turn * 180 / M_PI, middle.x,
+                   -middle.y);
 }
 
 /** Grey where it was driven once; else from green to red, by how far it is off. */
@@ -57,12 +61,14 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
   const bool hasCopies = run.map.wallDoubling.value_or(0) > 0;
   for (const WallPoint& wall : run.map.walls)
     (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
+  const double turn = uprightTurn(run.map.walls, 0);
+  const Transform2D upright{0, 0, turn};
   Box box;
-  for (const WallPoint& wall : run.map.walls) box.include(wall.place);
-  for (const CheckedPose& checked : check.path) box.include(checked.pose.shift());
+  for (const WallPoint& wall : run.map.walls) box.include(upright(wall.place));
+  for (const CheckedPose& checked : check.path) box.include(upright(checked.pose.shift()));
   if (box.isEmpty()) return "";
   std::string svg =
-      pictureOf(box, "map") + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
+      pictureOf(box, "map", turn, {}) + dots(walls, "#17202e", 0.1) + dots(copies, "#c44d00", 0.1);
   for (std::size_t k = 1; k < check.path.size(); ++k) {
     const Point from = check.path[k - 1].pose.shift(), to = check.path[k].pose.shift();
     svg += formatted("<path fill=\"none\" stroke-width=\".25\" d=\"M%.2f %.2fL%.2f %.2f\" ", from.x,
@@ -82,7 +88,7 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
                "%.2f\">",
                place.one.place.x, -place.one.place.y, place.other.place.x, -place.other.place.y) +
            "<title>" + doubledText(place) + "</title></path>\n";
-  return svg + "</svg>\n";
+  return svg + "</g></svg>\n";
 }
 
 /** What some scans have met within kScanReach of a place, moved by `motion` first. */
@@ -99,9 +105,10 @@ std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
 /** What two stretches of the run have met around a place, that of the second moved by `motion`. */
 std::string scansPicture(Point middle, const Run& run, const FrameRange& ahead,
                          const FrameRange& behind, const Transform2D& motion) {
-  return pictureOf(Box{middle, middle}.widened(kScanReach), "scans") +
+  return pictureOf(Box{middle, middle}.widened(kScanReach), "scans", uprightTurn(run.map.walls, 0),
+                   middle) +
          dots(wallsNear(middle, run, ahead, {}), "#0a4f8f", 0.14) +
-         dots(wallsNear(middle, run, behind, motion), "#c44d00", 0.14) + "</svg>";
+         dots(wallsNear(middle, run, behind, motion), "#c44d00", 0.14) + "</g></svg>";
 }
 
 /** The same as drawn and, if that is known, as they fit. */
