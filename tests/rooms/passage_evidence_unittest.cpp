@@ -92,7 +92,7 @@ TEST(PassageEvidence, whereACorridorMeetsAHallIsAMouth) {
 
 TEST(PassageEvidence, theNarrowerADoorTheSurerItIs) {
   double last = 1;
-  for (const int door : {4, 6, 8, 10}) {
+  for (const int door : {5, 6, 8, 10}) {
     const double confidence = evidenceOf(twoRooms(door, 4)).confidence;
     EXPECT_LT(confidence, last) << door;
     EXPECT_GT(confidence, 0) << door;
@@ -103,11 +103,23 @@ TEST(PassageEvidence, theNarrowerADoorTheSurerItIs) {
 TEST(PassageEvidence, isTheMeanOfHowMuchNarrowerItIsThanBoth) {
   const Grid grid = gridOf(drawn(twoRooms(5, 8), kCell));
   SplitAtDoorsOptions options;
-  options.maxWidth = 2;
+  options.maxWidth = 2, options.minRoomWidth = 0;
   // Free widths: 0.8 m in an area of 1.6 m, and of 2 m.
   const RegionBorder border{0, 1, {}, {1, 0}, 0.4 + kCell / 2};
   EXPECT_NEAR(passageEvidence(grid, border, 0.8 + kCell / 2, options).confidence,
               std::sqrt(0.5 * 0.6), 1e-12);
+}
+
+TEST(PassageEvidence, aGapThatIsNarrowerThanAnyRoomIsLessSure) {
+  const Grid grid = gridOf(drawn(twoRooms(5, 8), kCell));
+  SplitAtDoorsOptions options;
+  const RegionBorder border{0, 1, {}, {1, 0}, 0.2 + kCell / 2};
+  options.minRoomWidth = 0.4;
+  const double whole = passageEvidence(grid, border, 3, options).confidence;
+  options.minRoomWidth = 0.8;
+  EXPECT_NEAR(passageEvidence(grid, border, 3, options).confidence, whole / 2, 1e-12);
+  options.minRoomWidth = 0;
+  EXPECT_EQ(passageEvidence(grid, border, 3, options).confidence, whole);
 }
 
 TEST(PassageEvidence, isNoDoorAtAllWhereItIsAsWideAsTheAreaOrTheWidestDoor) {

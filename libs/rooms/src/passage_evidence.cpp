@@ -13,6 +13,11 @@ double narrowness(double width, double beside) {
   return width < beside * (1 - kSameWidth) ? 1 - width / beside : 0;
 }
 
+/** Gaps beside furniture are narrower than the narrowest room, and few doors are. */
+double shareOfNarrowestRoom(double width, double narrowest) {
+  return width < narrowest ? width / narrowest : 1;
+}
+
 /** Whether wall, or what nobody has seen, goes on beyond `end` in line with the opening. */
 bool goesOn(const Grid& grid, Point end, Point other) {
   const double width = distance(end, other), step = grid.frame.resolution;
@@ -42,7 +47,8 @@ PassageEvidence passageEvidence(const Grid& grid, const RegionBorder& border, do
       std::sqrt(narrowness(free, beside) * narrowness(2 * free, options.maxWidth));
   const bool isNarrow =
       narrowness(free, options.maxRatio * beside) > 0 && narrowness(2 * free, options.maxWidth) > 0;
-  return {likeADoor * border.wallEnds / 2, reasonOf(grid, border, isNarrow)};
+  const double confidence = likeADoor * shareOfNarrowestRoom(2 * free, options.minRoomWidth);
+  return {confidence * border.wallEnds / 2, reasonOf(grid, border, isNarrow)};
 }
 
 }  // namespace roomgraph

@@ -35,7 +35,8 @@ enum class PassageReason : std::uint8_t {
 /** How sure it is that a passage is a door, and what speaks for it. */
 struct PassageEvidence {
   /** 0 to 1: the geometric mean of how much narrower it is than the narrower area, and than the
-   *  widest door; 0 where it is as wide as one of these. As many ends count as are wall. */
+   *  widest door; 0 where it is as wide as one of these. Where it is narrower than the narrowest
+   *  room, as gaps beside furniture are, only that share of it. As many ends count as are wall. */
   double confidence = 0;
   PassageReason reason = PassageReason::narrowing;
 };
