@@ -39,7 +39,8 @@ constexpr OutputFormat kFormats[] = {
      [](const Stages& stages, const AreaWishes&) { return graphml(stages.result); }},
     {"geojson", "geojson",
      [](const Stages& s, const AreaWishes& wishes) {
-       return geojson(s.result, ObstacleRows(s.obstacles), s.clearance, wishes.names);
+       return geojson(s.result, ObstacleRows(s.obstacles), s.clearance, s.areas.passages,
+                      wishes.names);
      }},
     {"3Dscene", "3Dscene",
      [](const Stages& s, const AreaWishes&) { return sceneBytes(CRoomGraph(s)); }},

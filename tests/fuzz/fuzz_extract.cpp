@@ -21,7 +21,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<std::string> broken = test::brokenRules(stages);
   for (const std::string& rule : broken) std::fprintf(stderr, "%s\n", rule.c_str());
   if (!broken.empty()) std::abort();
-  graphml(stages.result), geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance),
+  graphml(stages.result),
+      geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance,
+              stages.areas.passages),
       osmXml(stages.areas);
   areaLabelsPng(stages.areas, stages.grid.frame);
   const std::string json = graphJson(stages);

@@ -15,13 +15,14 @@ namespace {
 using Json = nlohmann::json;
 
 std::string geojsonOf(const Stages& stages) {
-  return geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance);
+  return geojson(stages.result, ObstacleRows(stages.obstacles), stages.clearance,
+                 stages.areas.passages);
 }
 
 const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
 
 struct Features {
-  std::vector<Json> nodes, edges, polygons;
+  std::vector<Json> nodes, edges, polygons, lines;
 };
 
 /** Sorted by the type of geometry, as nav2's loader does it. */
@@ -32,6 +33,7 @@ Features features(const std::string& text) {
     const std::string type = feature["geometry"]["type"];
     (type == "Point"             ? sorted.nodes
      : type == "MultiLineString" ? sorted.edges
+     : type == "LineString"      ? sorted.lines
                                  : sorted.polygons)
         .push_back(feature);
   }
@@ -98,6 +100,18 @@ TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
   ASSERT_EQ(rings.size(), 2u);
   for (const Json& ring : rings) EXPECT_EQ(ring.front(), ring.back());
   EXPECT_EQ(all.polygons[0]["properties"]["area"], 16.31);
+}
+
+TEST(Geojson, passagesAreLinesFromEndToEnd) {
+  const Stages stages = sampleStages();
+  const std::vector<Json> lines = features(geojsonOf(stages)).lines;
+  ASSERT_EQ(lines.size(), stages.areas.passages.size());
+  EXPECT_EQ(lines[0]["geometry"]["coordinates"], Json({{3.45, 2.55}, {3.45, -1.55}}));
+  EXPECT_EQ(lines[0]["properties"], Json({{"passage", 0},
+                                          {"width", 4.1},
+                                          {"confidence", 0.8765},
+                                          {"reason", "wall_on_both_sides"}}));
+  EXPECT_EQ(lines[1]["properties"], Json({{"passage", 1}, {"width", 0.9552}}));
 }
 
 /** nav2's loader throws at null, wherever in the properties it is. */

@@ -76,6 +76,9 @@ TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
   EXPECT_NE(complaint("/areas/0/holes", nullptr), "");
   EXPECT_NE(complaint("/passages/0/areas", Json::array({1})), "");
   EXPECT_NE(complaint("/passages/0/ends/0", Json::array({1.0})), "");
+  EXPECT_NE(complaint("/passages/0/confidence", 1.5), "");
+  EXPECT_NE(complaint("/passages/0/reason", "door"), "");
+  EXPECT_NE(complaint("/passages/1/reason", "mouth"), "") << "without a confidence";
 }
 
 TEST(GraphJson, ofAnOlderProgramWithoutAreasFollowsTheSchema) {
@@ -105,6 +108,8 @@ TEST(GraphJson, holdsAreasAndPassages) {
                                        {"ends", {{7.55, 0.95}, {7.65, 0.0}}},
                                        {"middle", {7.6, 0.475}},
                                        {"width", 0.9552}}));
+  EXPECT_EQ(json["passages"][0]["confidence"], 0.8765);
+  EXPECT_EQ(json["passages"][0]["reason"], "wall_on_both_sides");
 }
 
 TEST(GraphJson, holdsWhatTheGraphHolds) {

@@ -162,6 +162,12 @@ TEST(OsmXml, passagesSayWhatTheyJoin) {
                                 {"width", "0.9552"}}));
 }
 
+TEST(OsmXml, passagesSayHowSureTheyAreAndWhy) {
+  const Way passage = parsed(osmXml(sampleStages().areas)).named("passage_0");
+  EXPECT_EQ(passage.tags.at("roomgraph:confidence"), "0.8765");
+  EXPECT_EQ(passage.tags.at("roomgraph:reason"), "wall_on_both_sides");
+}
+
 TEST(OsmXml, theFloorIsAStructureRoundAllAreas) {
   const Osm osm = parsed(osmXml(sampleStages().areas));
   const Way& floor = osm.named("floor_0");

@@ -94,6 +94,11 @@ TEST(ReadGraphJson, givesAreasAndPassagesBack) {
     EXPECT_NEAR(distance(after.passages[p].from, before.passages[p].from), 0, 1e-4);
     EXPECT_NEAR(distance(after.passages[p].to, before.passages[p].to), 0, 1e-4);
     EXPECT_NEAR(after.passages[p].width, before.passages[p].width, 1e-4);
+    ASSERT_EQ(after.passages[p].evidence.has_value(), before.passages[p].evidence.has_value());
+    if (!after.passages[p].evidence) continue;  // as in files of older versions
+    EXPECT_NEAR(after.passages[p].evidence->confidence, before.passages[p].evidence->confidence,
+                1e-4);
+    EXPECT_EQ(after.passages[p].evidence->reason, before.passages[p].evidence->reason);
   }
   EXPECT_TRUE(after.labels.empty());
 }
@@ -180,6 +185,10 @@ const std::pair<const char*, Json> kWrong[] = {
     {"/passages/0/areas", Json::array({0, 1, 2})},
     {"/passages/0/ends", Json::array({Json::array({1, 2})})},
     {"/passages/0/width", nullptr},
+    {"/passages/0/confidence", 1.1},
+    {"/passages/0/confidence", nullptr},
+    {"/passages/0/reason", "door"},
+    {"/passages/1/reason", "mouth"},
 };
 
 TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {

@@ -38,6 +38,22 @@ TEST(FollowCorridors, aLobbyStandsOut) {
   EXPECT_EQ(split(stretch(12, 3)).roomCount, 1u) << "doors as narrow as those of rooms";
 }
 
+/** A corridor of 1 m with so many cells of it 1.8 m wide, and 2 m of that on both sides behind
+ *  openings of 1.2 m. */
+Plan widening(int cells) {
+  const int end = 101 + cells;
+  return Plan(end + 100, 9)
+      .wall(1, 1, 89, 4)
+      .wall(end + 11, 1, 90, 4)
+      .wall(100, 1, 1, 3)
+      .wall(end, 1, 1, 3);
+}
+
+TEST(FollowCorridors, itGoesOnThroughALongStretchIntoWhichItOpensAsWideAsThatIs) {
+  EXPECT_EQ(split(widening(26)).roomCount, 0u) << "5.2 m, wider than the corridor further on";
+  EXPECT_EQ(split(widening(16)).roomCount, 1u) << "3.2 m: a lobby";
+}
+
 TEST(FollowCorridors, itGoesOnThroughSeveralStretches) {
   // Two of 4 m x 2.4 m, one behind the other, between 10 m of corridor each.
   Plan plan(141, 12);

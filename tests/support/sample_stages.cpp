@@ -83,6 +83,7 @@ AreaGraph sampleAreas(const Stages& stages) {
     areas.areas[b].passages.push_back(id);
   };
   passage(0, 1, {3.45, 2.55}, {3.45, -1.55});
+  areas.passages.back().evidence = {0.87654321, PassageReason::wallOnBothSides};
   passage(1, 2, {7.55, 0.95}, {7.65, 0.00004});
   const GridFrame& frame = stages.grid.frame;
   areas.labels.assign(frame.cellCount(), 0);

@@ -7,6 +7,7 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/geometry/thinned_line.h"
+#include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
 #include "speed_limit.h"
 #include "straight_pieces.h"
@@ -59,11 +60,16 @@ std::string closedRing(Ring ring, double tolerance) {
 class Writer {
  public:
   Writer(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance,
-         const std::vector<std::string>& roomNames)
-      : graph_(graph), obstacles_(obstacles), clearance_(clearance), roomNames_(roomNames) {}
+         const std::vector<Passage>& passages, const std::vector<std::string>& roomNames)
+      : graph_(graph),
+        obstacles_(obstacles),
+        clearance_(clearance),
+        passages_(passages),
+        roomNames_(roomNames) {}
 
   std::string write() {
     for (std::size_t r = 0; r < graph_.rooms.size(); ++r) addRoomPolygon(r);
+    for (std::size_t p = 0; p < passages_.size(); ++p) addPassage(p);
     for (const Vertex& vertex : graph_.graph.vertices())
       addNode(vertex.at, Members()
                              .quoted("class", kindName(vertex.kind))
@@ -106,6 +112,17 @@ class Writer {
     addFeature(properties.number("area", area(room.polygon))
                    .number("inscribed_radius", room.inscribedRadius),
                "Polygon", rings + "]");
+  }
+
+  void addPassage(std::size_t p) {
+    const Passage& passage = passages_[p];
+    Members properties;
+    properties.add("passage", p).number("width", passage.width);
+    if (passage.evidence)
+      properties.number("confidence", passage.evidence->confidence)
+          .quoted("reason", reasonName(passage.evidence->reason));
+    addFeature(properties, "LineString",
+               "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }
 
   std::size_t addNode(Point at, const Members& metadata) {
@@ -179,6 +196,7 @@ class Writer {
   const RoomGraph& graph_;
   const ObstacleRows& obstacles_;
   double clearance_;
+  const std::vector<Passage>& passages_;
   const std::vector<std::string>& roomNames_;
   std::string features_;
   std::size_t nextId_ = 0;
@@ -188,8 +206,9 @@ class Writer {
 }  // namespace
 
 std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles, double clearance,
+                    const std::vector<Passage>& passages,
                     const std::vector<std::string>& roomNames) {
-  return Writer(graph, obstacles, clearance, roomNames).write();
+  return Writer(graph, obstacles, clearance, passages, roomNames).write();
 }
 
 }  // namespace roomgraph

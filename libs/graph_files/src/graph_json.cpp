@@ -1,6 +1,7 @@
 #include "roomgraph/graph_files/graph_json.h"
 
 #include "roomgraph/geometry/point_json.h"
+#include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -99,11 +100,16 @@ std::string areaText(const std::vector<std::string>& names, std::size_t id, cons
 
 std::string passageText(std::size_t id, const Passage& passage) {
   const Point from = rounded(passage.from), to = rounded(passage.to);
-  return lineOf({{"id", id},
-                 {"areas", {passage.a.index(), passage.b.index()}},
-                 {"ends", {pointJson(from), pointJson(to)}},
-                 {"middle", pointJson(midpoint(from, to))},
-                 {"width", rounded(passage.width)}});
+  Json json{{"id", id},
+            {"areas", {passage.a.index(), passage.b.index()}},
+            {"ends", {pointJson(from), pointJson(to)}},
+            {"middle", pointJson(midpoint(from, to))},
+            {"width", rounded(passage.width)}};
+  if (passage.evidence) {
+    json["confidence"] = rounded(passage.evidence->confidence);
+    json["reason"] = reasonName(passage.evidence->reason);
+  }
+  return lineOf(json);
 }
 
 std::string noteText(std::size_t, const Note& note) {

@@ -9,6 +9,7 @@
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
+#include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
 #include "text.h"
 
@@ -158,10 +159,13 @@ class OsmWriter {
 
   void addPassage(std::size_t p) {
     const Passage& passage = graph_.passages[p];
-    addWay({passage.from, passage.to},
-           tag("level", "0") + tag("name", "passage_" + std::to_string(p)) +
-               tag("osmAG:from", reference(passage.a)) + tag("osmAG:to", reference(passage.b)) +
-               tag("osmAG:type", "passage") + tag("width", numberText(rounded(passage.width))));
+    std::string tags = tag("level", "0") + tag("name", "passage_" + std::to_string(p)) +
+                       tag("osmAG:from", reference(passage.a)) +
+                       tag("osmAG:to", reference(passage.b)) + tag("osmAG:type", "passage");
+    if (passage.evidence)
+      tags += tag("roomgraph:confidence", numberText(rounded(passage.evidence->confidence))) +
+              tag("roomgraph:reason", reasonName(passage.evidence->reason));
+    addWay({passage.from, passage.to}, tags + tag("width", numberText(rounded(passage.width))));
   }
 
   void addHoles(std::size_t a) {

@@ -6,6 +6,7 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/geometry/point_json.h"
+#include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
 
 namespace roomgraph {
@@ -121,13 +122,28 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
   return area;
 }
 
+/** None where the file is of a program that did not tell it yet. */
+std::optional<PassageEvidence> readEvidence(const JsonNode& node) {
+  if (!node.contains("confidence") && !node.contains("reason")) return std::nullopt;
+  const auto reason = reasonOfName(node["reason"].text());
+  if (!reason) throw Broken{node.place + ".reason", "is not a reason for a passage"};
+  const double confidence = node["confidence"].number();
+  if (confidence < 0 || confidence > 1)
+    throw Broken{node.place + ".confidence", "is not between 0 and 1"};
+  return PassageEvidence{confidence, *reason};
+}
+
 Passage readPassage(const JsonNode& node, std::size_t areaCount) {
   const auto areas = node["areas"].list();
   if (areas.size() != 2) throw Broken{node.place + ".areas", "is not a pair [area, area]"};
   const auto ends = readPoints(node["ends"]);
   if (ends.size() != 2) throw Broken{node.place + ".ends", "is not a pair [point, point]"};
-  return {readId<AreaId>(areas[0], areaCount), readId<AreaId>(areas[1], areaCount), ends[0],
-          ends[1], node["width"].number()};
+  return {readId<AreaId>(areas[0], areaCount),
+          readId<AreaId>(areas[1], areaCount),
+          ends[0],
+          ends[1],
+          node["width"].number(),
+          readEvidence(node)};
 }
 
 /** None where the file is of a program that did not know them yet. */

@@ -50,21 +50,23 @@ ObstacleCells obstaclesOf(const Stages& s) {
 }
 
 /** III-B with one alpha, or ours. */
-Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside, const Stages& s) {
+Regions findRegions(const VoronoiGraph& voronoi, const InsideFlags& isInside,
+                    const std::vector<std::uint8_t>& isWall, const Stages& s) {
   KeepClearOptions anyPassage;
   anyPassage.minClearance = 0;
   const double resolution = s.grid.frame.resolution;
   const double minClearance = effectiveClearance(anyPassage, resolution);
   if (s.roomRadius > 0) return findRooms(voronoi, isInside, s.roomRadius, minClearance);
-  return splitAtDoors(voronoi, isInside, wallObstacles(s.grid, s.obstacles), minClearance,
-                      resolution, s.options.splitAtDoors);
+  return splitAtDoors(voronoi, isInside, isWall, minClearance, resolution, s.options.splitAtDoors);
 }
 
 /** On the map without clutter. Its diagram is as large as the other, and not needed for long. */
 RegionOutlines outlineRegions(const Stages& s) {
   const VoronoiGraph voronoi = voronoiWithout(s.voronoi, s.obstacles, s.cleared.isClutter);
   const InsideFlags isInside = keepInside(voronoi, s.cleared.grid, s.options.keepInside);
-  return regionOutlines(s.cleared.grid, voronoi, isInside, findRegions(voronoi, isInside, s));
+  const std::vector<std::uint8_t> isWall = wallObstacles(s.grid, s.obstacles);
+  return regionOutlines(s.cleared.grid, voronoi, isInside,
+                        findRegions(voronoi, isInside, isWall, s), isWall);
 }
 
 /** Paths pass clutter on one side. */
@@ -121,7 +123,8 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   step("join_doors").doors = s.roomRadius > 0 ? joinDoors(s.cleaned, options.joinDoors) : s.cleaned;
   step("room_graph").result = roomGraph(s.doors, s.rooms, ObstacleRows(s.obstacles), s.clearance,
                                         options.roomGraph, s.notes);
-  step("area_graph").areas = areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, s.notes);
+  step("area_graph").areas =
+      areaGraph(s.cleared.grid, s.outlines, s.result, s.clearance, options.splitAtDoors, s.notes);
   for (Note& note : extractionNotes(s)) s.notes.push_back(std::move(note));
   return s;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "label_cells.h"
+#include "passage_evidence.h"
 #include "reached_regions.h"
 
 namespace roomgraph {
@@ -36,10 +37,11 @@ std::vector<Area> makeAreas(const Rooms& shapes, const RoomGraph& graph,
   return areas;
 }
 
-std::vector<Passage> findPassages(const std::vector<RegionBorder>& borders,
-                                  const std::vector<AreaId>& areaOf, double clearance) {
+std::vector<Passage> findPassages(const Grid& grid, const RegionOutlines& outlines,
+                                  const std::vector<AreaId>& areaOf, double clearance,
+                                  const SplitAtDoorsOptions& doors) {
   std::vector<Passage> passages;
-  for (const RegionBorder& border : borders) {
+  for (const RegionBorder& border : outlines.borders) {
     if (!isPassage(border, clearance)) continue;
     // Who leaves the area on the left has the way's end on the left.
     Passage passage{areaOf[border.left], areaOf[border.right], border.to, border.from, 0};
@@ -49,6 +51,9 @@ std::vector<Passage> findPassages(const std::vector<RegionBorder>& borders,
       std::swap(passage.from, passage.to);
     }
     passage.width = distance(passage.from, passage.to);
+    const double radius = std::min(outlines.regions[border.left].inscribedRadius,
+                                   outlines.regions[border.right].inscribedRadius);
+    passage.evidence = passageEvidence(grid, border, radius, doors);
     passages.push_back(passage);
   }
   std::sort(passages.begin(), passages.end(), [](const Passage& p, const Passage& q) {
@@ -60,12 +65,12 @@ std::vector<Passage> findPassages(const std::vector<RegionBorder>& borders,
 }  // namespace
 
 AreaGraph areaGraph(const Grid& grid, const RegionOutlines& outlines, const RoomGraph& graph,
-                    double clearance, Notes& notes) {
+                    double clearance, const SplitAtDoorsOptions& doors, Notes& notes) {
   const std::vector<AreaId> areaOf =
       numberAreas(outlines, graph, reachedRegions(outlines, graph, clearance));
   AreaGraph result;
   result.areas = makeAreas(outlines.regions, graph, areaOf);
-  result.passages = findPassages(outlines.borders, areaOf, clearance);
+  result.passages = findPassages(grid, outlines, areaOf, clearance, doors);
   for (std::size_t p = 0; p < result.passages.size(); ++p)
     for (const AreaId area : {result.passages[p].a, result.passages[p].b})
       result.areas[area.index()].passages.push_back(PassageId(p));

@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "join_leftovers.h"
+
 namespace roomgraph {
 namespace {
 
@@ -82,11 +84,15 @@ class Pieces {
     return waysOn;
   }
 
-  /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. */
+  /** A lobby stands out: it is wider than where two corridors cross at right angles, a square. By
+   *  the corridor's mean width; or by the opening, where a long stretch leads to what narrow nooks
+   *  make narrower in the mean. */
   bool leadsOn(std::uint32_t region, std::uint32_t other, double clearance) const {
     const double width = regions_.meanWidth(region);
+    const bool isLong = regions_.elongation(region) > kDeepestAlcove;
     return mayBe_[region] && (mayBe_[other] || kinds_[other] == RegionKind::corridor) &&
-           width * (1 + kSameWidth) < std::sqrt(2.0) * regions_.meanWidth(other) &&
+           width * (1 + kSameWidth) <
+               std::sqrt(2.0) * std::max(regions_.meanWidth(other), isLong ? 2 * clearance : 0) &&
            2 * clearance >= options_.narrowRatio * width * (1 - kSameWidth);
   }
 

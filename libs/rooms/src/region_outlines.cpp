@@ -80,7 +80,8 @@ class FaceCover {
 }  // namespace
 
 RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
-                              const InsideFlags& isInside, const Regions& regions) {
+                              const InsideFlags& isInside, const Regions& regions,
+                              const std::vector<std::uint8_t>& isWall) {
   RegionOutlines outlines;
   outlines.regions = traceRegions(voronoi, regions);
   outlines.roomCount = regions.roomCount;
@@ -93,7 +94,8 @@ RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
     const bool isOpening = regions.of(edge.source) != kNone && regions.of(edge.target) != kNone;
     // The source lies on the left of the way from the right site to the left one.
     outlines.borders.push_back({source, target, voronoi.obstacles[edge.right],
-                                voronoi.obstacles[edge.left], isOpening ? edge.minClearance : 0});
+                                voronoi.obstacles[edge.left], isOpening ? edge.minClearance : 0,
+                                (isWall[edge.right] ? 1 : 0) + (isWall[edge.left] ? 1 : 0)});
   }
   return outlines;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/grid/ObstacleRows.h"
+#include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 
 namespace roomgraph {
@@ -27,13 +28,15 @@ namespace roomgraph {
  *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
  *  Polygons, off by half a cell at most, with room, area, inscribed_radius and, where there are
- *  `roomNames` (by RoomId; more may follow), name, which nav2 skips.
+ *  `roomNames` (by RoomId; more may follow), name; `passages` are LineStrings from end to end with
+ *  passage (their number), width, confidence and reason (Passage). nav2 skips both.
  *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
  *  ("room", "way", "corridor"). All numbers but ids have a point, as nav2 casts metadata to float
  *  and stops at an integer. It refuses a graph without edges, and a node without one is none: a
  *  vertex without a way gets one within its disc of clearance, to a node of class "bend". Same
  *  graph, same bytes. */
 [[nodiscard]] std::string geojson(const RoomGraph& graph, const ObstacleRows& obstacles,
-                                  double clearance, const std::vector<std::string>& roomNames = {});
+                                  double clearance, const std::vector<Passage>& passages = {},
+                                  const std::vector<std::string>& roomNames = {});
 
 }  // namespace roomgraph

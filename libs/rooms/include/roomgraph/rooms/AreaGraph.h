@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "roomgraph/base/Ids.h"
@@ -21,11 +22,31 @@ struct Area {
   [[nodiscard]] bool isRoom() const { return bool(room); }  ///< else corridor
 };
 
+/** Why an opening was taken for one. The wall of an end goes on where no cell beyond it, in line
+ *  with the opening and as far as half of its width, is free. */
+enum class PassageReason : std::uint8_t {
+  wallOnBothSides,  ///< it is narrow beside both areas, and at both ends the wall goes on
+  wallOnOneSide,    ///< the same, at one end only: a door in the corner of a room
+  narrowing,        ///< narrow beside both areas, between corners or things that stick out
+  mouth,            ///< as wide as the narrower area, which opens into a wider one
+  unseenSide        ///< an end is no wall, but the edge of what was seen
+};
+
+/** How sure it is that a passage is a door, and what speaks for it. */
+struct PassageEvidence {
+  /** 0 to 1: the geometric mean of how much narrower it is than the narrower area, and than the
+   *  widest door; 0 where it is as wide as one of these. Where it is narrower than the narrowest
+   *  room, as gaps beside furniture are, only that share of it. As many ends count as are wall. */
+  double confidence = 0;
+  PassageReason reason = PassageReason::narrowing;
+};
+
 /** An opening between two obstacles in which two areas meet. */
 struct Passage {
   AreaId a, b;       ///< the smaller one first
   Point from, to;    ///< its two ends, which are obstacles [m, map frame]
   double width = 0;  ///< distance of its ends [m]
+  std::optional<PassageEvidence> evidence = {};  ///< none where a file of older versions has none
   [[nodiscard]] Point middle() const { return midpoint(from, to); }  ///< [m, map frame]
 };
 

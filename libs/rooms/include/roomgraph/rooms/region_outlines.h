@@ -7,7 +7,7 @@
 namespace roomgraph {
 
 // Ours
-// In:   the map without clutter with its VoronoiGraph and Regions
+// In:   the map without clutter with its VoronoiGraph and Regions, and its walls
 // Out:  RegionOutlines; the diagram is not needed any more
 // Next: borderVertices (the rooms), areaGraph
 
@@ -16,6 +16,7 @@ struct RegionBorder {
   std::uint32_t left, right;  ///< the regions on both sides of the way; Regions::kNone for outside
   Point from, to;             ///< two obstacles [m, map frame]
   double clearance = 0;       ///< of the way across [m]; 0 where there is none
+  int wallEnds = 2;           ///< how many of the two obstacles are wall
 };
 
 /** The regions by their borders. */
@@ -31,8 +32,10 @@ struct RegionOutlines {
 
 /** Traces the regions. Delaunay faces of the inside that are in no region, because their centre
  *  lies in a wall or in the unknown, count to the region that they are open to for `borders`, so
- *  that these part all free cells; the shapes leave them out. O(n log n). */
+ *  that these part all free cells; the shapes leave them out. `isWall`, per obstacle, tells walls
+ *  from the edge of the unknown. O(n log n). */
 [[nodiscard]] RegionOutlines regionOutlines(const Grid& grid, const VoronoiGraph& voronoi,
-                                            const InsideFlags& isInside, const Regions& regions);
+                                            const InsideFlags& isInside, const Regions& regions,
+                                            const std::vector<std::uint8_t>& isWall);
 
 }  // namespace roomgraph
