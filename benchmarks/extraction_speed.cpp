@@ -148,7 +148,7 @@ void warmUp() {
   writeGridmap(plan.map(), file);
   const GreyMap map = loadGrid(file, {});
   std::filesystem::remove(file);
-  extract(map, {});
+  (void)extract(map, {});
 }
 
 /** What a child process does: one extraction, then how much memory and time it took. */
