@@ -110,7 +110,7 @@ TEST(Geojson, passagesAreLinesFromEndToEnd) {
   EXPECT_EQ(lines[0]["properties"], Json({{"passage", 0},
                                           {"width", 4.1},
                                           {"confidence", 0.8765},
-                                          {"reason", "wall_on_both_sides"}}));
+                                          {"evidence", "wall_on_both_sides"}}));
   EXPECT_EQ(lines[1]["properties"], Json({{"passage", 1}, {"width", 0.9552}}));
 }
 

@@ -77,8 +77,8 @@ TEST(GraphJson, whatIsBrokenBreaksTheSchema) {
   EXPECT_NE(complaint("/passages/0/areas", Json::array({1})), "");
   EXPECT_NE(complaint("/passages/0/ends/0", Json::array({1.0})), "");
   EXPECT_NE(complaint("/passages/0/confidence", 1.5), "");
-  EXPECT_NE(complaint("/passages/0/reason", "door"), "");
-  EXPECT_NE(complaint("/passages/1/reason", "mouth"), "") << "without a confidence";
+  EXPECT_NE(complaint("/passages/0/evidence", "door"), "");
+  EXPECT_NE(complaint("/passages/1/evidence", "mouth"), "") << "without a confidence";
 }
 
 TEST(GraphJson, ofAnOlderProgramWithoutAreasFollowsTheSchema) {
@@ -109,7 +109,7 @@ TEST(GraphJson, holdsAreasAndPassages) {
                                        {"middle", {7.6, 0.475}},
                                        {"width", 0.9552}}));
   EXPECT_EQ(json["passages"][0]["confidence"], 0.8765);
-  EXPECT_EQ(json["passages"][0]["reason"], "wall_on_both_sides");
+  EXPECT_EQ(json["passages"][0]["evidence"], "wall_on_both_sides");
 }
 
 TEST(GraphJson, holdsWhatTheGraphHolds) {

@@ -165,7 +165,7 @@ TEST(OsmXml, passagesSayWhatTheyJoin) {
 TEST(OsmXml, passagesSayHowSureTheyAreAndWhy) {
   const Way passage = parsed(osmXml(sampleStages().areas)).named("passage_0");
   EXPECT_EQ(passage.tags.at("roomgraph:confidence"), "0.8765");
-  EXPECT_EQ(passage.tags.at("roomgraph:reason"), "wall_on_both_sides");
+  EXPECT_EQ(passage.tags.at("roomgraph:evidence"), "wall_on_both_sides");
 }
 
 TEST(OsmXml, theFloorIsAStructureRoundAllAreas) {

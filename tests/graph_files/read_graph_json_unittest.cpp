@@ -187,8 +187,8 @@ const std::pair<const char*, Json> kWrong[] = {
     {"/passages/0/width", nullptr},
     {"/passages/0/confidence", 1.1},
     {"/passages/0/confidence", nullptr},
-    {"/passages/0/reason", "door"},
-    {"/passages/1/reason", "mouth"},
+    {"/passages/0/evidence", "door"},
+    {"/passages/1/evidence", "mouth"},
 };
 
 TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {

@@ -120,7 +120,7 @@ class Writer {
     properties.add("passage", p).number("width", passage.width);
     if (passage.evidence)
       properties.number("confidence", passage.evidence->confidence)
-          .quoted("reason", reasonName(passage.evidence->reason));
+          .quoted("evidence", reasonName(passage.evidence->reason));
     addFeature(properties, "LineString",
                "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }

@@ -107,7 +107,7 @@ std::string passageText(std::size_t id, const Passage& passage) {
             {"width", rounded(passage.width)}};
   if (passage.evidence) {
     json["confidence"] = rounded(passage.evidence->confidence);
-    json["reason"] = reasonName(passage.evidence->reason);
+    json["evidence"] = reasonName(passage.evidence->reason);
   }
   return lineOf(json);
 }

@@ -124,9 +124,9 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
 
 /** None where the file is of a program that did not tell it yet. */
 std::optional<PassageEvidence> readEvidence(const JsonNode& node) {
-  if (!node.contains("confidence") && !node.contains("reason")) return std::nullopt;
-  const auto reason = reasonOfName(node["reason"].text());
-  if (!reason) throw Broken{node.place + ".reason", "is not a reason for a passage"};
+  if (!node.contains("confidence") && !node.contains("evidence")) return std::nullopt;
+  const auto reason = reasonOfName(node["evidence"].text());
+  if (!reason) throw Broken{node.place + ".evidence", "is no evidence of a passage"};
   const double confidence = node["confidence"].number();
   if (confidence < 0 || confidence > 1)
     throw Broken{node.place + ".confidence", "is not between 0 and 1"};

@@ -29,7 +29,7 @@ namespace roomgraph {
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
  *  Polygons, off by half a cell at most, with room, area, inscribed_radius and, where there are
  *  `roomNames` (by RoomId; more may follow), name; `passages` are LineStrings from end to end with
- *  passage (their number), width, confidence and reason (Passage). nav2 skips both.
+ *  passage (their number), width, confidence and evidence (Passage). nav2 skips both.
  *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
  *  ("room", "way", "corridor"). All numbers but ids have a point, as nav2 casts metadata to float
  *  and stops at an integer. It refuses a graph without edges, and a node without one is none: a
