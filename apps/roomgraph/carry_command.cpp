@@ -12,6 +12,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/repair/carry_things.h"
 #include "roomgraph/repair/read_marked.h"
+#include "run_in_order.h"
 #include "site_runs.h"
 #include "terminal.h"
 
@@ -100,10 +101,12 @@ int run(const CarryArguments& given) {
   const std::size_t from = placeIn(runs->solved.site, arguments.from),
                     to = placeIn(runs->solved.site, arguments.to);
   const RealPoses real = rejoinPieces(runs->solved);
+  const RunningArguments& running = arguments.site.running;
+  const ForEach forEach = onThreads(running.threads, !running.isQuiet);
   std::string lines;
   bool areCarried = true;
   for (const MarkedFile& file : files) {
-    const auto carried = carryThings(file, runs->solved, real, from, to);
+    const auto carried = carryThings(file, runs->solved, real, from, to, forEach);
     std::vector<std::string> names;
     for (const NamedBytes& one : file.write(carried, runs->solved.site.mapOf(to).frame))
       names.push_back(results.add(one.name, one.bytes));
@@ -111,7 +114,7 @@ int run(const CarryArguments& given) {
     areCarried = areCarried && isAllCarried(carried);
   }
   results.commit();
-  if (!arguments.site.running.isQuiet) print(lines);
+  if (!running.isQuiet) print(lines);
   return areCarried ? runs->exitCode() : kBadData;
 }
 

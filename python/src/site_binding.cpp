@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "PythonThreads.h"
 #include "bindings.h"
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"
@@ -123,7 +124,7 @@ std::vector<CarriedPlace> carry(const std::vector<NamedPose>& poses, const Pytho
     solved = solve({from, to}, std::nullopt, call, true);
   const SolvedSite& site = solved->site;
   return carryPlaces(places, site, rejoinPieces(site), placeIn(site.site, from),
-                     placeIn(site.site, to));
+                     placeIn(site.site, to), onPythonThreads(call.threads, call.progress));
 }
 
 py::tuple tupleOf(const CarriedPlace& place) {

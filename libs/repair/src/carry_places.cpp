@@ -182,10 +182,11 @@ std::string nameOf(CarryState state) {
 }
 
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
-                                      const RealPoses& real, std::size_t from, std::size_t to) {
+                                      const RealPoses& real, std::size_t from, std::size_t to,
+                                      const ForEach& forEach) {
   const Carrier carrier(solved, real, from, to);
-  std::vector<CarriedPlace> carried;
-  for (const Place& place : places) carried.push_back(carrier.carry(place));
+  std::vector<CarriedPlace> carried(places.size());
+  forEach(places.size(), [&](std::size_t i) { carried[i] = carrier.carry(places[i]); });
   return carried;
 }
 

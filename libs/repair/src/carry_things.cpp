@@ -60,9 +60,10 @@ std::vector<CarriedThing> carriedThings(const MarkedFile& file,
 }
 
 std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& solved,
-                                      const RealPoses& real, std::size_t from, std::size_t to) {
+                                      const RealPoses& real, std::size_t from, std::size_t to,
+                                      const ForEach& forEach) {
   const Site& site = solved.site;
-  return carriedThings(file, carryPlaces(file.places, solved, real, from, to),
+  return carriedThings(file, carryPlaces(file.places, solved, real, from, to, forEach),
                        site.poses[to].inverse() * site.poses[from]);
 }
 

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "roomgraph/base/ForEach.h"
 #include "roomgraph/repair/CarriedPlace.h"
 #include "roomgraph/repair/rejoin_pieces.h"
 
@@ -17,6 +18,7 @@ namespace roomgraph {
  *  each place moves as the maps bend around it. Then each is looked up on the map of `to`. Without
  *  scans, the walls that were followed carry them. O(places * key frames). */
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
-                                      const RealPoses& real, std::size_t from, std::size_t to);
+                                      const RealPoses& real, std::size_t from, std::size_t to,
+                                      const ForEach& forEach = oneByOne);
 
 }  // namespace roomgraph

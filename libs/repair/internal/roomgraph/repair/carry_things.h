@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "roomgraph/base/ForEach.h"
 #include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/rejoin_pieces.h"
 
@@ -14,7 +15,8 @@ namespace roomgraph {
 /** Carries all that a file has marked on the map of run `from` to that of run `to`, see
  *  carryPlaces. */
 std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& solved,
-                                      const RealPoses& real, std::size_t from, std::size_t to);
+                                      const RealPoses& real, std::size_t from, std::size_t to,
+                                      const ForEach& forEach);
 
 /** The same of places that were carried: `rigid` (new map <- old map) lays those out of which
  *  nothing at all is known. */
