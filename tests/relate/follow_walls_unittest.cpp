@@ -103,10 +103,14 @@ Grid twice(const Grid& grid) {
 TEST(FollowWalls, whatTheOtherHasNotSeenIsNoPieceOfItWhereItLooksAlike) {
   const Grid drawing = drawnBuilding(4, {});
   const double width = drawing.frame.width * drawing.frame.resolution;
-  const WallMap both = mapOf(twice(drawing)), one = mapOf(drawing);
-  const FollowedWalls found = followWalls(both, one, {{}, {-width, 0, 0}});
-  EXPECT_LT(found.bend, 0.03);
-  EXPECT_NEAR(found.share, 0.5, 0.05);
+  WallMap both = mapOf(twice(drawing)), one = mapOf(drawing);
+  const auto found = [&] { return followWalls(both, one, {{}, {-width, 0, 0}}); };
+  EXPECT_LT(found().bend, 0.03);
+  EXPECT_NEAR(found().share, 0.5, 0.05);
+  both.hasScans = true;
+  EXPECT_NEAR(found().share, 0.5, 0.05) << "the other map has none";
+  one.hasScans = true;
+  EXPECT_GT(found().share, 0.9) << "a torn run has come back";
 }
 
 TEST(FollowWalls, theMisfitIsThatOfAllWallsWhetherFollowedOrNot) {

@@ -55,6 +55,7 @@ Run prepareRun(const std::string& name, const GreyMap& map, const std::vector<Ke
     throw DataError((map.source.file.empty() ? name : map.source.file) +
                     ": has no wall beside free space: a run must have some");
   run.scans = scanWalls(scans);
+  run.map.hasScans = !run.scans.empty();
   leaveNoSpareRoomIn(run);
   return run;
 }

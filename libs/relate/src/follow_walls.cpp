@@ -192,14 +192,17 @@ class Follower {
     const std::size_t before = result_.patches.size();
     twice_ = 0;
     const double walls = grow(kMajority);
-    if (walls < fitted::kMinPieceShare * double(of_.walls.size()) || looksAlike(first, walls))
+    if (walls < fitted::kMinPieceShare * double(of_.walls.size()))
+      result_.patches.resize(before);
+    else if (!(of_.hasScans && in_.hasScans) && looksAlike(first, walls))
       giveBack(before);
     return true;
   }
 
   /** Whether the walls that this layer has found lie on what another one explains, and nothing
    *  speaks against the place that the `first` pose gives them, since the other map does not know
-   *  it: buildings repeat themselves. */
+   *  it: buildings repeat themselves. A torn run that has come back does the same: where there are
+   *  scans, they decide. */
   bool looksAlike(const Transform2D& first, double walls) const {
     if (twice_ < fitted::kSureShare * walls) return false;
     std::vector<std::uint32_t> found;

@@ -40,6 +40,7 @@ struct WallMap {
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
   std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
   std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice
+  bool hasScans = false;  ///< its run has scans, so that a piece that only looks alike shows later
 
   [[nodiscard]] Point middle() const {  ///< of `frame` [m]
     return frame.origin + 0.5 * frame.resolution * Point{double(frame.width), double(frame.height)};
