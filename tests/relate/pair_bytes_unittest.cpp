@@ -187,6 +187,7 @@ TEST(Fingerprint, tellsMapsApartByAllThatRelatingThemDependsOn) {
       },
       [](WallMap& m) { m.walls.pop_back(); },
       [](WallMap& m) { m.states[m.states.size() / 3] = State::occupied; },
+      [](WallMap& m) { m.hasScans = !m.hasScans; },
   };
   for (std::size_t i = 0; i < changes.size(); ++i) {
     WallMap changed = map;

@@ -188,6 +188,7 @@ std::string fingerprint(const WallMap& map) {
   const GridFrame& frame = map.frame;
   writer.number(frame.width), writer.number(frame.height), writer.number(frame.resolution);
   writer.number(frame.origin.x), writer.number(frame.origin.y);
+  writer.number(map.hasScans);  // followWalls asks for it
   for (const WallPoint& wall : map.walls) {
     writer.number(wall.place.x), writer.number(wall.place.y);
     writer.number(wall.normal.x), writer.number(wall.normal.y);

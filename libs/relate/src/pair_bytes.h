@@ -13,7 +13,8 @@ namespace roomgraph {
 // Next: relateRuns
 
 /** What a map is to the comparison, as 64 hex digits: all that relating it to others depends on, so
- *  two files with the same walls, states and frame have the same. O(cells). */
+ *  two files with the same walls, states and frame have the same, if both have scans or neither.
+ *  O(cells). */
 std::string fingerprint(const WallMap& map);
 
 /** All of the pair, exactly, behind a checksum; for machines of one byte order. */
