@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kLayerHeight = 0.1;  // between runs [m]
 constexpr double kBreakRadius = 0.6;  // [m]
-constexpr mrpt::img::TColor kWordColour{15, 15,
-                                        20};  // shows on light, on RawLogViewer's grey, on walls
+// Shows on light, on RawLogViewer's grey, on walls.
+constexpr mrpt::img::TColor kWordColour{15, 15, 20};
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
   auto cloud = viz::CPointCloud::Create();
