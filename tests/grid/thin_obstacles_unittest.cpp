@@ -49,5 +49,36 @@ TEST(ThinObstacles, unknownBoundsOnlyWhereAsked) {
   EXPECT_EQ(countKept(thinObstacles(grid, options)), 0u);
 }
 
+/** What stays, cell by cell, the border repeated outwards. */
+bool isKept(const Grid& grid, int x, int y, const ThinObstaclesOptions& options) {
+  const auto isObstacle = [&](int dx, int dy) {
+    const State state = grid.at({std::clamp(x + dx, 0, grid.frame.width - 1),
+                                 std::clamp(y + dy, 0, grid.frame.height - 1)});
+    return state == State::occupied || (options.unknownIsObstacle && state == State::unknown);
+  };
+  bool isEnclosed = options.neighbours != "none";
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int dx = -1; dx <= 1; ++dx)
+      if (options.neighbours == "8" || dx == 0 || dy == 0)
+        isEnclosed = isEnclosed && isObstacle(dx, dy);
+  return isObstacle(0, 0) && !isEnclosed;
+}
+
+TEST(ThinObstacles, eachCellStaysByItsOwnNeighbours) {
+  const Grid grid = gridFrom({"###?.##?###", "####?######", "##.########", "#####?##?##",
+                              "###########", "?##?#######", "???########"});
+  for (const char* neighbours : {"none", "4", "8"})
+    for (const bool unknownIsObstacle : {false, true}) {
+      ThinObstaclesOptions options;
+      options.neighbours = neighbours;
+      options.unknownIsObstacle = unknownIsObstacle;
+      const auto kept = thinObstacles(grid, options);
+      for (int y = 0; y < grid.frame.height; ++y)
+        for (int x = 0; x < grid.frame.width; ++x)
+          EXPECT_EQ(kept[grid.frame.index({x, y})] != 0, isKept(grid, x, y, options))
+              << neighbours << " at " << x << ", " << y;
+    }
+}
+
 }  // namespace
 }  // namespace roomgraph::test

@@ -1,13 +1,11 @@
 #include "roomgraph/grid/GridFrame.h"
 
-#include <cmath>
-
 namespace roomgraph {
 namespace {
 
 // Clamped to just outside of the grid: an int cannot hold every double.
 int cellIndex(double offset, double resolution, int count) {
-  const double index = std::floor(offset / resolution);
+  const double index = offset / resolution;
   if (!(index >= 0)) return -1;
   return index < count ? int(index) : count;
 }

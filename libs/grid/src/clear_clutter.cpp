@@ -74,12 +74,15 @@ class ClutterFinder {
     group_ = {{}, first, first};
     add(first);
     if (sizeOf(group_) > maxTable_) return false;
-    for (std::size_t i = 0; i < group_.cells.size(); ++i) {
+    // The last one first: what is large is left on the shortest way.
+    for (open_ = {first}; !open_.empty();) {
+      const Cell cell = open_.back();
+      open_.pop_back();
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-          if (!visit({group_.cells[i].x + dx, group_.cells[i].y + dy})) return false;
-      countRim(group_.cells[i]);
-      group_.wall += grid_.at(group_.cells[i]) == State::occupied ? 1 : 0;
+          if (!visit({cell.x + dx, cell.y + dy})) return false;
+      countRim(cell);
+      group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
     return isSmall(group_) || isCompact(group_);
   }
@@ -129,6 +132,7 @@ class ClutterFinder {
     const std::size_t index = frame.index(near);
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
+    open_.push_back(near);
     return !add(near) || sizeOf(group_) <= maxTable_;
   }
 
@@ -161,6 +165,7 @@ class ClutterFinder {
   double maxSize_, maxTable_;  // [m]
   std::vector<Mark> marks_;
   Group group_;
+  std::vector<Cell> open_;  // of it, whose neighbours are not visited yet
 };
 
 }  // namespace

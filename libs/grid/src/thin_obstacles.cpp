@@ -5,31 +5,30 @@
 namespace roomgraph {
 namespace {
 
-/** Which cells are obstacles, the border repeated outwards. */
-class Neighbourhood {
- public:
-  Neighbourhood(const Grid& grid, bool unknownIsObstacle)
-      : grid_(grid), unknownIsObstacle_(unknownIsObstacle) {}
+using Flags = std::vector<std::uint8_t>;
 
-  bool isObstacle(int x, int y) const {
-    const GridFrame& frame = grid_.frame;
-    const State state =
-        grid_.at({std::clamp(x, 0, frame.width - 1), std::clamp(y, 0, frame.height - 1)});
-    return state == State::occupied || (unknownIsObstacle_ && state == State::unknown);
-  }
-  bool isEnclosedBy4(int x, int y) const {
-    return isObstacle(x - 1, y) && isObstacle(x + 1, y) && isObstacle(x, y - 1) &&
-           isObstacle(x, y + 1);
-  }
-  bool isEnclosedBy8(int x, int y) const {
-    return isEnclosedBy4(x, y) && isObstacle(x - 1, y - 1) && isObstacle(x + 1, y - 1) &&
-           isObstacle(x - 1, y + 1) && isObstacle(x + 1, y + 1);
-  }
+/** Which cells of row `y` are obstacles; the border is repeated outwards, by one cell on each side
+ *  and beyond the first and the last row. */
+void fillRow(const Grid& grid, int y, bool unknownIsObstacle, Flags& row) {
+  const State* cells =
+      grid.cells.data() + grid.frame.index({0, std::clamp(y, 0, grid.frame.height - 1)});
+  const auto width = std::size_t(grid.frame.width);
+  for (std::size_t x = 0; x < width; ++x)
+    row[x + 1] = (cells[x] == State::occupied) | (unknownIsObstacle & (cells[x] == State::unknown));
+  row.front() = row[1];
+  row.back() = row[width];
+}
 
- private:
-  const Grid& grid_;
-  bool unknownIsObstacle_;
-};
+/** No branch within, so that the compiler takes many cells at once. */
+void keepOf(const Flags& below, const Flags& here, const Flags& above, bool useFour, bool useEight,
+            std::uint8_t* kept) {
+  const std::uint8_t four = useFour || useEight, eight = useEight;
+  for (std::size_t x = 1; x + 1 < here.size(); ++x) {
+    const std::uint8_t sides = here[x - 1] & here[x + 1] & below[x] & above[x];
+    const std::uint8_t corners = below[x - 1] & below[x + 1] & above[x - 1] & above[x + 1];
+    kept[x - 1] = here[x] & ~(four & sides & (corners | (eight ^ 1)));
+  }
+}
 
 }  // namespace
 
@@ -42,15 +41,16 @@ void describe(ThinObstaclesOptions& options, FieldTable& table) {
 }
 
 std::vector<std::uint8_t> thinObstacles(const Grid& grid, const ThinObstaclesOptions& options) {
-  const Neighbourhood near(grid, options.unknownIsObstacle);
   const bool useFour = options.neighbours == "4", useEight = options.neighbours == "8";
   std::vector<std::uint8_t> kept(grid.cells.size());
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x) {
-      const bool isEnclosed =
-          (useFour && near.isEnclosedBy4(x, y)) || (useEight && near.isEnclosedBy8(x, y));
-      kept[grid.frame.index({x, y})] = near.isObstacle(x, y) && !isEnclosed;
-    }
+  const auto padded = std::size_t(grid.frame.width) + 2;
+  Flags below(padded), here(padded), above(padded);
+  for (int y = 0; y < grid.frame.height; ++y) {
+    if (y == 0) fillRow(grid, 0, options.unknownIsObstacle, here), below = here;
+    fillRow(grid, y + 1, options.unknownIsObstacle, above);
+    keepOf(below, here, above, useFour, useEight, kept.data() + grid.frame.index({0, y}));
+    std::swap(below, here), std::swap(here, above);
+  }
   return kept;
 }
 

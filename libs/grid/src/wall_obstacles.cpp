@@ -19,6 +19,7 @@ class SeenEdge {
       : grid_(grid), beyond_(std::size_t(grid.frame.width), State::unknown) {}
 
   bool isNearWall(Cell cell) const {
+    if (grid_.atOrUnknown(cell) == State::occupied) return true;
     const int left = std::max(cell.x - kRim, 0);
     const int right = std::min(cell.x + kRim, grid_.frame.width - 1);
     const int top = std::min(cell.y + kRim, grid_.frame.height - 1);

@@ -6,12 +6,16 @@
 
 namespace roomgraph {
 
+RoomIndex::Bucket RoomIndex::Buckets::at(Point p) const {
+  return {std::int64_t(std::floor(p.x / size)), std::int64_t(std::floor(p.y / size))};
+}
+
 template <class Visit>
 void RoomIndex::Buckets::forEach(Point p, Point q, const Visit& visit) const {
-  const auto bucket = [&](double x) { return std::int64_t(std::floor(x / size)); };
-  const auto lastX = bucket(std::max(p.x, q.x)), lastY = bucket(std::max(p.y, q.y));
-  for (auto x = bucket(std::min(p.x, q.x)); x <= lastX; ++x)
-    for (auto y = bucket(std::min(p.y, q.y)); y <= lastY; ++y) visit(Bucket{x, y});
+  const Bucket low = at({std::min(p.x, q.x), std::min(p.y, q.y)});
+  const Bucket high = at({std::max(p.x, q.x), std::max(p.y, q.y)});
+  for (auto x = low.first; x <= high.first; ++x)
+    for (auto y = low.second; y <= high.second; ++y) visit(Bucket{x, y});
 }
 
 void RoomIndex::Buckets::add(std::uint32_t thing, Point p, Point q) {
@@ -116,14 +120,11 @@ std::vector<RoomIndex::Opening> RoomIndex::openingsNear(Point p, Point q) const 
 }
 
 RoomId RoomIndex::roomAt(Point p) const {
-  RoomId room = RoomId::none();
-  roomBuckets_.forEach(p, p, [&](Bucket bucket) {
-    const auto it = roomBuckets_.lists.find(bucket);
-    if (it == roomBuckets_.lists.end()) return;
-    for (const std::uint32_t i : it->second)
-      if (!room && isInside(rooms_[i], p)) room = RoomId(i);
-  });
-  return room;
+  const auto it = roomBuckets_.lists.find(roomBuckets_.at(p));
+  if (it == roomBuckets_.lists.end()) return RoomId::none();
+  for (const std::uint32_t i : it->second)
+    if (isInside(rooms_[i], p)) return RoomId(i);
+  return RoomId::none();
 }
 
 }  // namespace roomgraph

@@ -15,7 +15,10 @@ class FaceCover {
  public:
   FaceCover(const Grid& grid, const VoronoiGraph& voronoi, const InsideFlags& isInside,
             const Regions& regions)
-      : voronoi_(voronoi), regionOf_(regions.regionOf), isHidden_(regionOf_.size()) {
+      : voronoi_(voronoi),
+        regionOf_(regions.regionOf),
+        isHidden_(regionOf_.size()),
+        best_(regionOf_.size()) {
     // What lies in free space and is not inside is outside.
     for (std::uint32_t v = 0; v < isHidden_.size(); ++v)
       isHidden_[v] = regionOf_[v] == kNone && (isInside[v] || !grid.isFree(voronoi.vertices[v].at));
@@ -47,33 +50,30 @@ class FaceCover {
 
   /** One round: each face takes the region behind its widest opening. */
   bool spread() {
-    std::vector<std::pair<std::uint32_t, Offer>> offers;
+    std::vector<std::uint32_t> faces;  // that have an offer
     const auto offer = [&](const VoronoiEdge& edge, std::uint32_t to, std::uint32_t from) {
-      if (isOpenTo(to, from))
-        offers.push_back({to,
-                          {distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]),
-                           regionOf_[from]}});
+      if (!isOpenTo(to, from)) return;
+      const double width = distance(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
+      if (best_[to].region == kNone) faces.push_back(to);
+      if (width > best_[to].width) best_[to] = {width, regionOf_[from]};
     };
     for (const VoronoiEdge* edge : edges_) {
       offer(*edge, edge->source, edge->target);
       offer(*edge, edge->target, edge->source);
     }
-    // The best of each face is the last.
-    std::sort(offers.begin(), offers.end(), [](const auto& a, const auto& b) {
-      return std::make_pair(a.first, a.second.width) < std::make_pair(b.first, b.second.width);
-    });
-    for (const auto& [face, best] : offers) regionOf_[face] = best.region;
+    for (const std::uint32_t face : faces) regionOf_[face] = best_[face].region;
     const auto isDone = [&](const VoronoiEdge* edge) {
       const auto isOpen = [&](std::uint32_t v) { return isHidden_[v] && regionOf_[v] == kNone; };
       return !isOpen(edge->source) && !isOpen(edge->target);
     };
     edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isDone), edges_.end());
-    return !offers.empty();
+    return !faces.empty();
   }
 
   const VoronoiGraph& voronoi_;
   std::vector<std::uint32_t> regionOf_;
   std::vector<std::uint8_t> isHidden_;
+  std::vector<Offer> best_;  // per face, in the round in which it gets one
   std::vector<const VoronoiEdge*> edges_;
 };
 

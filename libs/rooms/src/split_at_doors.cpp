@@ -24,8 +24,9 @@ class PassageJoiner {
   PassageJoiner(RegionGroups& regions, const SplitAtDoorsOptions& options)
       : regions_(regions), options_(options) {}
 
-  void join(std::vector<std::uint32_t> edges) {
-    do findOpenPairs(edges);
+  void join(const std::uint32_t* first, const std::uint32_t* last) {
+    edges_.assign(first, last);
+    do findOpenPairs();
     while (joinEqual() || joinWidest());
   }
 
@@ -36,7 +37,7 @@ class PassageJoiner {
     double hostRadius;
   };
 
-  void findOpenPairs(std::vector<std::uint32_t>& edges) {
+  void findOpenPairs() {
     pairs_.clear();
     const auto isJoined = [&](std::uint32_t e) {
       const VoronoiEdge& edge = regions_.voronoi().edges[e];
@@ -49,7 +50,7 @@ class PassageJoiner {
       if (!isDoorBetween(a, b) && clearance_ >= least) pairs_.push_back({a, b, regions_.radius(b)});
       return false;
     };
-    edges.erase(std::remove_if(edges.begin(), edges.end(), isJoined), edges.end());
+    edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isJoined), edges_.end());
   }
 
   bool isDoorBetween(std::uint32_t a, std::uint32_t b) const {
@@ -57,17 +58,16 @@ class PassageJoiner {
   }
 
   bool joinEqual() {
-    std::vector<Pair> equal;
     for (const Pair& pair : pairs_)
-      if (regions_.radius(pair.region) >= pair.hostRadius * (1 - kSameWidth)) equal.push_back(pair);
-    return joinAll(equal);
+      if (regions_.radius(pair.region) >= pair.hostRadius * (1 - kSameWidth))
+        chosen_.push_back(pair);
+    return joinChosen();
   }
 
   bool joinWidest() {
     std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) {
       return std::tie(p.region, q.hostRadius, p.host) < std::tie(q.region, p.hostRadius, q.host);
     });
-    std::vector<Pair> widest;
     for (std::size_t i = 0, end = 0; i < pairs_.size(); i = end) {
       while (end < pairs_.size() && pairs_[end].region == pairs_[i].region) ++end;
       std::size_t tied = i;
@@ -76,21 +76,24 @@ class PassageJoiner {
       // What lies in a door between two equal rooms stays a leftover.
       const bool isOneHost = pairs_[i].host == pairs_[tied - 1].host;
       if (isOneHost || !isDoorBetween(pairs_[i].host, pairs_[tied - 1].host))
-        widest.insert(widest.end(), pairs_.begin() + std::ptrdiff_t(i),
-                      pairs_.begin() + std::ptrdiff_t(tied));
+        chosen_.insert(chosen_.end(), pairs_.begin() + std::ptrdiff_t(i),
+                       pairs_.begin() + std::ptrdiff_t(tied));
     }
-    return joinAll(widest);
+    return joinChosen();
   }
 
-  bool joinAll(const std::vector<Pair>& pairs) {
-    for (const Pair& pair : pairs) regions_.join(pair.region, pair.host);
-    return !pairs.empty();
+  bool joinChosen() {
+    for (const Pair& pair : chosen_) regions_.join(pair.region, pair.host);
+    const bool isAny = !chosen_.empty();
+    chosen_.clear();
+    return isAny;
   }
 
   RegionGroups& regions_;
   const SplitAtDoorsOptions& options_;
-  double clearance_ = 0;  // of all these passages
-  std::vector<Pair> pairs_;
+  std::vector<std::uint32_t> edges_;  // between regions that have not met yet
+  double clearance_ = 0;              // of all these passages
+  std::vector<Pair> pairs_, chosen_;  // members, as most widths have but one edge
 };
 
 /** From wide to narrow: what is no door joins. */
@@ -100,7 +103,7 @@ void joinOpenPassages(RegionGroups& regions, const SplitAtDoorsOptions& options)
   PassageJoiner joiner(regions, options);
   for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
     while (end < edges.size() && width(end) >= width(first) * (1 - kSameWidth)) ++end;
-    joiner.join({edges.begin() + std::ptrdiff_t(first), edges.begin() + std::ptrdiff_t(end)});
+    joiner.join(edges.data() + first, edges.data() + end);
   }
 }
 

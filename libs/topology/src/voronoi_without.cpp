@@ -64,7 +64,10 @@ class HoleFiller {
       result_.vertices.push_back(graph_.vertices[v]);
     }
     for (VoronoiEdge edge : graph_.edges) {
-      if (goes(edge.source) || goes(edge.target)) continue;
+      if (goes(edge.source) || goes(edge.target)) {
+        atHoles_.push_back(edge);
+        continue;
+      }
       edge.source = newOf_[edge.source];
       if (!edge.isInfinite()) edge.target = newOf_[edge.target];
       result_.edges.push_back(edge);
@@ -73,12 +76,11 @@ class HoleFiller {
 
   std::vector<Hole> holes() const {
     UnionFind groups(graph_.vertices.size());
-    for (const VoronoiEdge& edge : graph_.edges)
+    for (const VoronoiEdge& edge : atHoles_)
       if (goes(edge.source) && goes(edge.target)) groups.join(edge.source, edge.target);
     std::vector<Hole> holes;
     std::unordered_map<std::uint32_t, std::size_t> holeOf;
-    for (const VoronoiEdge& edge : graph_.edges) {
-      if (!goes(edge.source) && !goes(edge.target)) continue;
+    for (const VoronoiEdge& edge : atHoles_) {
       const auto group = groups.find(goes(edge.source) ? edge.source : edge.target);
       const auto it = holeOf.emplace(group, holes.size()).first;
       if (it->second == holes.size()) holes.emplace_back();
@@ -177,7 +179,8 @@ class HoleFiller {
   const VoronoiGraph& graph_;
   const ObstacleCells& obstacles_;
   const std::vector<std::uint8_t>& isLeftOut_;
-  std::vector<std::uint8_t> goes_;
+  std::vector<std::uint8_t> goes_;    // per vertex
+  std::vector<VoronoiEdge> atHoles_;  // with an end that goes
   std::vector<std::uint32_t> newOf_;
   VoronoiGraph result_;
 };

@@ -38,6 +38,7 @@ class RoomIndex {
     double size = 1;  ///< of a square [m]
     std::unordered_map<Bucket, std::vector<std::uint32_t>, BucketHash> lists;
 
+    [[nodiscard]] Bucket at(Point p) const;
     /** Calls `visit` for every square that the box round p and q touches. */
     template <class Visit>
     void forEach(Point p, Point q, const Visit& visit) const;
