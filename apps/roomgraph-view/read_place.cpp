@@ -45,8 +45,8 @@ void addGraph(const View& view, Point place, std::vector<std::string>& lines) {
   }
   if (const auto v = vertexNear(view, place)) {
     const Vertex& vertex = graph.graph.vertices()[*v];
-    lines.push_back(formatted("vertex %zu (%s), clearance %.2f m", *v, kindName(vertex.kind),
-                              vertex.clearance));
+    lines.push_back(
+        formatted("vertex %zu (%s), clearance %.2f m", *v, nameOf(vertex.kind), vertex.clearance));
   }
   if (const auto e = pathNear(view, place)) {
     const Edge& edge = graph.graph.edges()[*e];

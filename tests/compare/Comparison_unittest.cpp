@@ -52,7 +52,7 @@ TEST(Comparison, oneBadRunLeavesNoDoubtOnSureOnes) {
 TEST(Comparison, certaintyNamesTheWorstDoubt) {
   Comparison comparison = ofFour();
   ComparedRun& a = comparison.runs[0];
-  const auto word = [&] { return std::string(certaintyText(comparison.certaintyOf(a))); };
+  const auto word = [&] { return std::string(nameOf(comparison.certaintyOf(a))); };
   EXPECT_EQ(word(), "sure");
   a.score->share = 0.5;
   EXPECT_EQ(word(), "likely");

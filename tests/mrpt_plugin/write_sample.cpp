@@ -30,7 +30,7 @@ void writeGraph(const std::string& object, const std::string& scene) {
     print("floor_" + std::to_string(room), roomgraph::roomColour(room));
   print("corridor", roomgraph::kCorridorColour);
   for (const roomgraph::Vertex& vertex : sample.file.graph.graph.vertices())
-    print(roomgraph::kindName(vertex.kind), roomgraph::vertexColour(vertex.kind));
+    print(roomgraph::nameOf(vertex.kind), roomgraph::vertexColour(vertex.kind));
 }
 
 void writeComparison(const std::string& object, const std::string& scene) {

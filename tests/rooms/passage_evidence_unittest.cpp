@@ -45,7 +45,7 @@ std::vector<std::string> twoRooms(int door, int below) {
   return rows;
 }
 
-std::string reason(const PassageEvidence& evidence) { return reasonName(evidence.reason); }
+std::string reason(const PassageEvidence& evidence) { return nameOf(evidence.reason); }
 
 TEST(PassageEvidence, aDoorInAWallHasWallOnBothSides) {
   EXPECT_EQ(reason(evidenceOf(twoRooms(5, 8))), "wall_on_both_sides");

@@ -9,11 +9,12 @@ TEST(ReasonNames, eachNameGivesItsReasonBack) {
   for (const PassageReason reason :
        {PassageReason::wallOnBothSides, PassageReason::wallOnOneSide, PassageReason::narrowing,
         PassageReason::mouth, PassageReason::unseenSide})
-    EXPECT_EQ(reasonOfName(reasonName(reason)), reason) << reasonName(reason);
+    EXPECT_EQ(valueOfName<PassageReason>(nameOf(reason)), reason) << nameOf(reason);
 }
 
 TEST(ReasonNames, anyOtherTextIsNone) {
-  for (const char* text : {"", "door", "Mouth", "mouth "}) EXPECT_FALSE(reasonOfName(text)) << text;
+  for (const char* text : {"", "door", "Mouth", "mouth "})
+    EXPECT_FALSE(valueOfName<PassageReason>(text)) << text;
 }
 
 }  // namespace

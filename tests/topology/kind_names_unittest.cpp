@@ -11,11 +11,11 @@ TEST(KindNames, everyKindHasItsOwnAndIsFoundByIt) {
   std::set<std::string> names;
   for (const VertexKind kind : {VertexKind::junction, VertexKind::deadEnd, VertexKind::border,
                                 VertexKind::room, VertexKind::ring}) {
-    EXPECT_TRUE(names.insert(kindName(kind)).second) << kindName(kind);
-    EXPECT_EQ(kindOfName(kindName(kind)), kind);
+    EXPECT_TRUE(names.insert(nameOf(kind)).second) << nameOf(kind);
+    EXPECT_EQ(valueOfName<VertexKind>(nameOf(kind)), kind);
   }
-  EXPECT_FALSE(kindOfName("door"));
-  EXPECT_FALSE(kindOfName(""));
+  EXPECT_FALSE(valueOfName<VertexKind>("door"));
+  EXPECT_FALSE(valueOfName<VertexKind>(""));
 }
 
 TEST(KindNames, anEdgeWithARoomRunsInside) {

@@ -8,11 +8,6 @@
 namespace roomgraph {
 namespace {
 
-RoomSighting sightingOf(const std::string& text) {
-  if (text == "seen") return RoomSighting::seen;
-  return text == "gone" ? RoomSighting::gone : RoomSighting::unvisited;
-}
-
 /** Of the runs of a site, each behind its key in the tables. */
 using RunPlaces = std::map<std::int64_t, std::size_t>;
 
@@ -73,7 +68,8 @@ void readSightings(Database& database, const std::string& site, const RunPlaces&
   rows.with(site);
   while (rows.step()) {
     RoomSeen seen;
-    seen.room = rows.text(1), seen.sighting = sightingOf(rows.text(2));
+    seen.room = rows.text(1);
+    seen.sighting = valueOfName<RoomSighting>(rows.text(2)).value_or(RoomSighting::unvisited);
     seen.pieces = int(rows.integer(3)), seen.isMerged = rows.integer(4) != 0;
     seen.doors = int(rows.integer(5)), seen.area = rows.numberIfAny(6);
     seen.shift = rows.numberIfAny(7), seen.boundaryAgreement = rows.numberIfAny(8);

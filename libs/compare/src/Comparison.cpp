@@ -32,19 +32,6 @@ std::vector<Names> setsOf(const std::vector<ComparedPair>& pairs, const IsJoined
 
 }  // namespace
 
-const char* certaintyText(Certainty certainty) {
-  switch (certainty) {
-    case Certainty::sure:
-      return "sure";
-    case Certainty::likely:
-      return "likely";
-    case Certainty::doubtful:
-      return "doubtful";
-    default:
-      return "cannot tell";
-  }
-}
-
 std::optional<double> ComparedRun::partialCoverage() const {
   const Measure* coverage = find(measures, "coverage");
   const bool isPartial =

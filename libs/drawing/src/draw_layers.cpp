@@ -54,19 +54,12 @@ void labelDisc(const Pen& pen, Point place, double radius, const std::string& la
 }
 
 const char* legendName(VertexKind kind, bool isMany) {
-  switch (kind) {
-    case VertexKind::junction:
-      return isMany ? "junctions" : "junction";
-    case VertexKind::deadEnd:
-      return isMany ? "dead ends" : "dead end";
-    case VertexKind::border:
-      return isMany ? "border vertices" : "border vertex";
-    case VertexKind::room:
-      return isMany ? "room vertices" : "room vertex";
-    case VertexKind::ring:
-      return isMany ? "ring vertices" : "ring vertex";
-  }
-  return "";
+  constexpr const char* names[][2] = {{"junction", "junctions"},
+                                      {"dead end", "dead ends"},
+                                      {"border vertex", "border vertices"},
+                                      {"room vertex", "room vertices"},
+                                      {"ring vertex", "ring vertices"}};
+  return names[std::size_t(kind)][isMany];
 }
 
 void strokeSample(const Pen& pen, Point place, Colour colour, double widthPx) {

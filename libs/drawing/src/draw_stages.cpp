@@ -64,7 +64,7 @@ Picture voronoiPicture(const Stages& stages, std::vector<bool> isShown) {
 Json graphCounts(const TopologyGraph& graph) {
   Json counts{{"vertices", graph.vertices().size()}, {"edges", graph.edges().size()}};
   for (const Vertex& vertex : graph.vertices()) {
-    Json& count = counts[kindName(vertex.kind)];
+    Json& count = counts[nameOf(vertex.kind)];
     count = count.is_null() ? 1 : count.get<int>() + 1;
   }
   return counts;

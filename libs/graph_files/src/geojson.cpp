@@ -72,7 +72,7 @@ class Writer {
     for (std::size_t p = 0; p < passages_.size(); ++p) addPassage(p);
     for (const Vertex& vertex : graph_.graph.vertices())
       addNode(vertex.at, Members()
-                             .quoted("class", kindName(vertex.kind))
+                             .quoted("class", nameOf(vertex.kind))
                              .number("clearance", vertex.clearance)
                              .room(vertex.room));
     addBends();
@@ -120,7 +120,7 @@ class Writer {
     properties.add("passage", p).number("width", passage.width);
     if (passage.evidence)
       properties.number("confidence", passage.evidence->confidence)
-          .quoted("evidence", reasonName(passage.evidence->reason));
+          .quoted("evidence", nameOf(passage.evidence->reason));
     addFeature(properties, "LineString",
                "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }

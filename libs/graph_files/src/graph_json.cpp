@@ -38,7 +38,7 @@ std::string pointsText(const std::vector<Point>& points) {
 
 std::string vertexText(std::size_t id, const Vertex& vertex) {
   return lineOf({{"id", id},
-                 {"kind", kindName(vertex.kind)},
+                 {"kind", nameOf(vertex.kind)},
                  {"x", rounded(vertex.at.x)},
                  {"y", rounded(vertex.at.y)},
                  {"clearance", rounded(vertex.clearance)},
@@ -107,7 +107,7 @@ std::string passageText(std::size_t id, const Passage& passage) {
             {"width", rounded(passage.width)}};
   if (passage.evidence) {
     json["confidence"] = rounded(passage.evidence->confidence);
-    json["evidence"] = reasonName(passage.evidence->reason);
+    json["evidence"] = nameOf(passage.evidence->reason);
   }
   return lineOf(json);
 }

@@ -55,7 +55,7 @@ void addNode(std::string& xml, const RoomGraph& graph, std::size_t v) {
   xml += "    <node id=\"n" + std::to_string(v) + "\">";
   data(xml, "x", vertex.at.x);
   data(xml, "y", vertex.at.y);
-  data(xml, "kind", std::string(kindName(vertex.kind)));
+  data(xml, "kind", std::string(nameOf(vertex.kind)));
   data(xml, "clearance", vertex.clearance);
   data(xml, "room", vertex.room);
   if (vertex.kind == VertexKind::room && vertex.room)

@@ -164,7 +164,7 @@ class OsmWriter {
                        tag("osmAG:to", reference(passage.b)) + tag("osmAG:type", "passage");
     if (passage.evidence)
       tags += tag("roomgraph:confidence", numberText(rounded(passage.evidence->confidence))) +
-              tag("roomgraph:evidence", reasonName(passage.evidence->reason));
+              tag("roomgraph:evidence", nameOf(passage.evidence->reason));
     addWay({passage.from, passage.to}, tags + tag("width", numberText(rounded(passage.width))));
   }
 

@@ -55,7 +55,7 @@ std::vector<SavedOption> readOptions(const JsonNode& node) {
 }
 
 Vertex readVertex(const JsonNode& node, std::size_t roomCount) {
-  const auto kind = kindOfName(node["kind"].text());
+  const auto kind = valueOfName<VertexKind>(node["kind"].text());
   if (!kind) throw Broken{node.place + ".kind", "is not a kind of vertex"};
   return {{node["x"].number(), node["y"].number()},
           node["clearance"].numberOrInfinity(),
@@ -125,7 +125,7 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
 /** None where the file is of a program that did not tell it yet. */
 std::optional<PassageEvidence> readEvidence(const JsonNode& node) {
   if (!node.contains("confidence") && !node.contains("evidence")) return std::nullopt;
-  const auto reason = reasonOfName(node["evidence"].text());
+  const auto reason = valueOfName<PassageReason>(node["evidence"].text());
   if (!reason) throw Broken{node.place + ".evidence", "is no evidence of a passage"};
   const double confidence = node["confidence"].number();
   if (confidence < 0 || confidence > 1)

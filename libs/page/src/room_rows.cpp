@@ -21,7 +21,7 @@ void setSightings(data& row, const SiteRoom& room) {
     const bool isGone = one.sighting == RoomSighting::gone;
     seen += isSeen, gone += isGone;
     data dot;
-    dot.set("kind", isSeen ? "seen" : isGone ? "gone" : "unvisited");
+    dot.set("kind", nameOf(one.sighting));
     dot.set("title", text(one.run + (isSeen   ? ": seen"
                                      : isGone ? ": looked there, no such room"
                                               : ": has not looked there")));

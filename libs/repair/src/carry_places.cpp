@@ -167,20 +167,6 @@ class Carrier {
 
 }  // namespace
 
-std::string nameOf(CarryState state) {
-  switch (state) {
-    case CarryState::carried:
-      return "carried";
-    case CarryState::unsure:
-      return "unsure";
-    case CarryState::gone:
-      return "gone";
-    case CarryState::unseen:
-      break;
-  }
-  return "unseen";
-}
-
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
                                       const RealPoses& real, std::size_t from, std::size_t to,
                                       const ForEach& forEach) {

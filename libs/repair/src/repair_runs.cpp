@@ -88,20 +88,6 @@ void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) 
 
 }  // namespace
 
-const char* nameOf(RepairState state) {
-  switch (state) {
-    case RepairState::mended:
-      return "mended";
-    case RepairState::kept:
-      return "kept";
-    case RepairState::reference:
-      return "reference";
-    case RepairState::lost:
-      break;
-  }
-  return "lost";
-}
-
 bool isTrusted(const MapError& error) { return error.seen >= kMajority; }
 
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real) {

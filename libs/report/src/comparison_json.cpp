@@ -55,7 +55,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"map_error_low", figure(&RunScore::errorLow)},
                {"map_error_high", figure(&RunScore::errorHigh)},
                {"meaningful", run.score && run.score->isMeaningful},
-               {"certainty", certaintyText(comparison.certaintyOf(run))},
+               {"certainty", nameOf(comparison.certaintyOf(run))},
                {"rank", run.rank ? Json(run.rank) : Json(nullptr)},
                {"reason", run.reason},
                {"shared_walls", figure(&RunScore::share)},

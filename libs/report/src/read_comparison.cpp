@@ -137,11 +137,8 @@ MapBreak mapBreak(const JsonNode& node) {
 }
 
 RoomSighting sighting(const JsonNode& node) {
-  const std::string text = node.text();
-  if (text == "seen") return RoomSighting::seen;
-  if (text == "gone") return RoomSighting::gone;
-  if (text != "unvisited") throw Broken{node.place, "is none of seen, gone and unvisited"};
-  return RoomSighting::unvisited;
+  if (const auto known = valueOfName<RoomSighting>(node.text())) return *known;
+  throw Broken{node.place, "is none of seen, gone and unvisited"};
 }
 
 RoomInRun roomInRun(const JsonNode& node) {

@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -26,10 +28,8 @@ enum class BreakClass {
   apart    ///< it is in another place
 };
 
-/** As all files and lines write it. */
-[[nodiscard]] inline const char* nameOf(BreakClass kind) {
-  if (kind == BreakClass::apart) return "apart";
-  return kind == BreakClass::clear ? "clear" : "slight";
+[[nodiscard]] constexpr std::array<const char*, 3> enumNames(BreakClass) {
+  return {"slight", "clear", "apart"};
 }
 
 /** How far from a break is looked, to tell how much it moves [m]. */

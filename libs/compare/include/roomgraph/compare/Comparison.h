@@ -1,9 +1,11 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/compare/RunScore.h"
 #include "roomgraph/geometry/Transform2D.h"
@@ -23,8 +25,9 @@ constexpr double kMostWalls = 0.6;
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
 
-/** "sure", "likely", "doubtful" or "cannot tell", in JSON and for people. */
-[[nodiscard]] const char* certaintyText(Certainty certainty);
+[[nodiscard]] constexpr std::array<const char*, 4> enumNames(Certainty) {
+  return {"sure", "likely", "doubtful", "cannot tell"};
+}
 
 /** Where the robot was at a key frame, as the run's map has it. */
 struct PathPose {

@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
@@ -14,6 +16,10 @@ enum class RoomSighting {
   gone,       ///< it has looked there, and no area of it is this room
   unvisited,  ///< it has not looked there
 };
+
+[[nodiscard]] constexpr std::array<const char*, 3> enumNames(RoomSighting) {
+  return {"seen", "gone", "unvisited"};
+}
 
 /** What one run says of a room of the site. All figures are against the consensus of the runs that
  *  have seen it. */

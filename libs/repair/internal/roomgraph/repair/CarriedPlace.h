@@ -1,7 +1,9 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -21,8 +23,9 @@ enum class CarryState {
   unseen    ///< the new map has not been there
 };
 
-/** "carried", "unsure", "gone" or "unseen". */
-std::string nameOf(CarryState state);
+constexpr std::array<const char*, 4> enumNames(CarryState) {
+  return {"carried", "unsure", "gone", "unseen"};
+}
 
 /** A place on another map. */
 struct CarriedPlace {

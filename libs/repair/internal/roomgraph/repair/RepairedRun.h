@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/scans/move_poses.h"
 
 namespace roomgraph {
@@ -14,8 +16,9 @@ enum class RepairState {
   lost        ///< left as it was: much of it fits nowhere
 };
 
-/** "mended", "kept", "reference" or "lost". */
-const char* nameOf(RepairState state);
+constexpr std::array<const char*, 4> enumNames(RepairState) {
+  return {"mended", "kept", "reference", "lost"};
+}
 
 /** Successive key frames, by their numbers in the file, both included. */
 struct KeyFrames {

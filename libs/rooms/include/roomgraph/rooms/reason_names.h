@@ -1,16 +1,13 @@
 #pragma once
-#include <optional>
-#include <string>
+#include <array>
 
+#include "roomgraph/base/enum_names.h"
 #include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 
-/** "wall_on_both_sides", "wall_on_one_side", "narrowing", "mouth" or "unseen_side", as in all
- *  files. */
-[[nodiscard]] const char* reasonName(PassageReason reason);
-
-/** The reason of that name; none for any other text. */
-[[nodiscard]] std::optional<PassageReason> reasonOfName(const std::string& name);
+[[nodiscard]] constexpr std::array<const char*, 5> enumNames(PassageReason) {
+  return {"wall_on_both_sides", "wall_on_one_side", "narrowing", "mouth", "unseen_side"};
+}
 
 }  // namespace roomgraph
