@@ -136,7 +136,8 @@ class Writer {
   /** The lower left corner of a box of words, moved by up to ten lines so that it lies over no
    *  others; they keep theirs. */
   Point clearOfOthers(const Box& words) {
-    for (const int line : {0, 1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8, 9, -9, 10}) {
+    for (int i = 0; i < 20; ++i) {
+      const int line = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1);
       const Point up{0, line * kLegendLine * letter_};
       const Box moved{words.low + up, words.high + up};
       if (std::any_of(taken_.begin(), taken_.end(), [&](const Box& other) {
