@@ -7,6 +7,7 @@
 #include "roomgraph/compare/run_score.h"
 #include "roomgraph/consensus/estimate_map_errors.h"
 #include "roomgraph/relate/estimate_scale.h"
+#include "roomgraph/relate/follow_walls.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
@@ -47,7 +48,7 @@ TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
   expectSaid("with width %g if a bend is larger", fitted::kBendAbove);
   expectSaid("width %g for the deviations", fitted::kDeviationWidth);
   expectSaid("(pseudo-Huber, width %g)", fitted::kBendBelow);
-  expectSaid("Errors are at most %g m", fitted::kMostError);
+  expectSaid("Errors are at most %g m", kMaxBend);
   expectSaid("√(%g² · *k* + %g²)", fitted::kErrorSpread, fitted::kLeastErrorSpread);
   expectSaid("Its upper end is at least %g m", fitted::kBendNoise);
 }

@@ -7,6 +7,7 @@
 
 #include "RandomNumbers.h"
 #include "drawn_bends.h"
+#include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
 namespace {
@@ -175,7 +176,7 @@ TEST(EstimateMapErrors, noErrorIsBelowNothingOrBeyondAllMeasure) {
   const auto none = estimateMapErrors(bendsOf({0, 0, 0}), untold(3), {});
   for (const auto& found : none) EXPECT_NEAR(found->error, 0, 0.02);
   const auto huge = estimateMapErrors(bendsOf({1e6, 1e6, 1e6}), untold(3), {});
-  for (const auto& found : huge) EXPECT_LE(found->error, fitted::kMostError + 1e-9);
+  for (const auto& found : huge) EXPECT_LE(found->error, kMaxBend + 1e-9);
 }
 
 }  // namespace

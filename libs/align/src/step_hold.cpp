@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "roomgraph/align/nearest_wall.h"
+
 namespace roomgraph {
 namespace {
 
-constexpr double kNear = 0.2, kAlike = 0.8;  // of walls that are the same [m, cosine]
-constexpr double kInCommon = 0.15;           // of scans that follow each other, at least
+constexpr double kNear = 0.2;       // of walls that are the same [m]
+constexpr double kInCommon = 0.15;  // of scans that follow each other, at least
 
 }  // namespace
 
@@ -14,7 +16,7 @@ double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto isThere = [&](const WallPoint& wall) {
     return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
       return squaredNorm(one.place - wall.place) < kNear * kNear &&
-             dot(one.normal, wall.normal) > kAlike;
+             dot(one.normal, wall.normal) > kFacesAlike;
     });
   };
   const auto count = std::count_if(scan.walls.begin(), scan.walls.end(), isThere);

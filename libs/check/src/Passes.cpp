@@ -10,7 +10,6 @@ namespace {
 
 constexpr std::size_t kMostScans = 12;
 constexpr double kApart = 12;     // least path between a scan and those that it is held against [m]
-constexpr double kRange = 15;     // [m]
 constexpr double kBeside = 4;     // from a scan to the robot's way through a map [m]
 constexpr std::size_t kMaps = 2;  // in which a scan is looked for
 constexpr double kDriftPlace = 0.02, kDriftTurn = 0.003;  // per metre of path
@@ -27,7 +26,7 @@ Passes::Passes(const std::vector<LocalScan>& scans, const std::vector<Transform2
   for (Pass& pass : passes_) {
     std::vector<std::size_t> chosen(pass.end - pass.first);
     std::iota(chosen.begin(), chosen.end(), pass.first);
-    pass.map = scanMap(scans, poses, chosen, kRange);
+    pass.map = scanMap(scans, poses, chosen);
   }
 }
 

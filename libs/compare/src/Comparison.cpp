@@ -5,6 +5,7 @@
 #include <map>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {

@@ -24,7 +24,7 @@ PoseEdge matchEdge(NodeId from, NodeId to, const Transform2D& measured, double s
 }
 
 PoseEdge sameScanEdge(NodeId from, NodeId to) {
-  return {from, to, {}, {fitted::kSameScanPlace, fitted::kSameScanTurn}, {}, 1, true};
+  return {from, to, {}, {fitted::kMatchPlace / 2, fitted::kMatchTurn / 2}, {}, 1, true};
 }
 
 RunId PoseGraph::addRun(bool hasScans) {

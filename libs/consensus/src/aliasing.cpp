@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
@@ -18,20 +18,15 @@ constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on
  *  knows most of that place. */
 std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
                                  const WallMap& map) {
-  const Motion2D forth(fittedPose(motion, patch.middle, kPatchBand, [&](WallFit& fit, int) {
-    for (const std::uint32_t w : patch.around) fit.add(map.walls[w], map);
-  }));
-  double known = 0, found = 0;
-  for (const std::uint32_t w : patch.around) {
-    const Point at = forth(map.walls[w].place);
-    const std::size_t cell = cellIndexAt(map.frame, at);
-    if (!hasSeen(map, cell)) continue;
-    ++known;
-    if (const WallPoint* wall = nearestWall(map, cell, forth.turned(map.walls[w].normal)))
-      found += 1 / (1 + squaredNorm(wall->place - at) / (kWallNoise * kWallNoise));
-  }
-  if (known < 0.6 * double(patch.around.size()) || known < 15) return std::nullopt;
-  return found / known;
+  const auto pointAt = [&](std::size_t i) -> const WallPoint& {
+    return map.walls[patch.around[i]];
+  };
+  const Transform2D pose = fittedPose(motion, patch.middle, kPatchBand, [&](WallFit& fit, int) {
+    for (std::size_t i = 0; i < patch.around.size(); ++i) fit.add(pointAt(i), map);
+  });
+  const WallShare share = wallShare(patch.around.size(), pointAt, map, pose);
+  if (share.known < 0.6 * share.all || share.known < double(kFewestPoints)) return std::nullopt;
+  return share.ofKnown();
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ double beliefOf(double share) {
 }
 
 double costOfGivingUp(const MatchGroup& group) {
-  return fitted::kGivingUp * std::sqrt(double(group.edges.size()) / fitted::kGivingUpMatches) *
+  return fitted::kGivingUp * std::sqrt(double(group.edges.size())) *
          std::clamp((fitted::kAlikeTo - group.aliasing) / (fitted::kAlikeTo - fitted::kAlikeFrom),
                     fitted::kLeastCost, 1.0);
 }

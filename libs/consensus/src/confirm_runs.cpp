@@ -8,12 +8,12 @@
 #include "edge_cost.h"
 #include "fitted_consensus.h"
 #include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
+#include "scan_search.h"
 
 namespace roomgraph {
 namespace {
-
-constexpr double kAbout = 0.3;  // how near a wall must lie where maps bend [m]
 
 /** What the others know of the places of one run's scans. */
 class OtherRuns {
@@ -32,8 +32,8 @@ class OtherRuns {
     for (const std::size_t j : others_) {
       const WallShare share = wallShare(
           scan.walls.size(), [&](std::size_t w) -> const WallPoint& { return scan.walls[w]; },
-          site_.mapOf(j), poseIn(j, k) * scan.pose.inverse(), kAbout);
-      if (share.known <= fitted::kLeastKnown * share.all) continue;
+          site_.mapOf(j), poseIn(j, k) * scan.pose.inverse(), kRoughNear);
+      if (share.known <= kMajority * share.all) continue;
       if (share.ofKnown() >= fitted::kLeastQuality) return false;
       isKnown = true;
     }

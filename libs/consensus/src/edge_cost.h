@@ -34,9 +34,8 @@ inline EdgeTerm linkTerm(const PoseEdge& link, double slack) {
 
 /** A match lays its nodes on each other as far as its group is believed. */
 inline EdgeTerm matchTerm(const PoseEdge& match, double belief) {
-  return {
-      match.noise, fitted::kMatchWidth,
-      belief * match.share * (match.isSameScan ? fitted::kSameScanWeight : fitted::kMatchWeight)};
+  return {match.noise, fitted::kMatchWidth,
+          belief * match.share * (match.isSameScan ? 2 : 1) * fitted::kMatchWeight};
 }
 
 /** Either, in a graph that is trusted so far. */

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/relate/follow_walls.h"
 #include "roomgraph/relate/most_share.h"
 
 namespace roomgraph {
@@ -83,7 +84,7 @@ class Problem {
   }
 
   VectorXd clamped(VectorXd x) const {
-    const double low = std::log(fitted::kLeastError), high = std::log(fitted::kMostError);
+    const double low = std::log(fitted::kLeastError), high = std::log(kMaxBend);
     for (Eigen::Index i = 0; i < n_; ++i) x[i] = std::clamp(x[i], low, high);
     if (truth_) x[Eigen::Index(*truth_)] = low;
     return x;

@@ -4,17 +4,15 @@
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_share.h"
 #include "scan_search.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr NarrowingBand kScanBand{0.6, 0.15, 7};
 constexpr double kLeastRough = 0.3;     // quality of a pose that is worth a closer look
 constexpr std::size_t kFirstLook = 10;  // walls that tell most poses apart
-constexpr double kStep = 0.3;           // of the search [m]
-constexpr double kTurnStep = 0.05;      // [rad]
+constexpr double kTurnStep = 0.05;      // of the search [rad]
 
 /** The share of walls found, of a part of them and in the rough. */
 double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
@@ -23,13 +21,8 @@ double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
   double sum = 0, known = 0;
   for (std::size_t i = 0; i < walls.size(); ++i) {
     if (i == kFirstLook && sum < kLeastRough / 2 * double(kFirstLook)) return 0;
-    const WallPoint& point = walls[i];
-    const Point at = forth(point.place);
-    const std::size_t cell = cellIndexAt(in.frame, at);
-    if (!hasSeen(in, cell)) continue;
-    ++known;
-    if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
-      sum += 1 / (1 + squaredNorm(wall->place - at) / (kRoughNear * kRoughNear));
+    const WallLookUp there = lookUp(walls[i], in, forth);
+    known += there.isKnown, sum += there.found(kRoughNear);
   }
   return known * 3 > double(walls.size()) ? sum / (known + kDoubt / 3) : 0;
 }
@@ -49,15 +42,10 @@ ScanFit fitAt(const LocalScan& scan, const WallMap& in, const Transform2D& pose)
   const Motion2D forth(pose);
   double sum = 0, known = 0, xx = 0, xy = 0, yy = 0;
   for (const WallPoint& point : scan.walls) {
-    const Point at = forth(point.place);
-    const std::size_t cell = cellIndexAt(in.frame, at);
-    if (!hasSeen(in, cell)) continue;
-    ++known;
-    const Point normal = forth.turned(point.normal);
-    const WallPoint* wall = nearestWall(in, cell, normal);
-    if (!wall) continue;
-    const double found = 1 / (1 + squaredNorm(wall->place - at) / (kHalfNear * kHalfNear));
-    sum += found;
+    const WallLookUp there = lookUp(point, in, forth);
+    const double found = there.found(kHalfNear);
+    const Point normal = there.normal;
+    known += there.isKnown, sum += found;
     xx += found * normal.x * normal.x, xy += found * normal.x * normal.y;
     yy += found * normal.y * normal.y;
   }
@@ -82,11 +70,11 @@ std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Tr
   const std::vector<WallPoint> some = someOf(scan.walls);
   std::vector<std::pair<double, Transform2D>> tries;
   const int turns = int(std::ceil(std::min(window.turn, M_PI) / kTurnStep));
-  const int steps = int(std::ceil(window.place / kStep));
+  const int steps = int(std::ceil(window.place / kRoughNear));
   for (int t = -turns; t <= turns; ++t)
     for (int x = -steps; x <= steps; ++x)
       for (int y = -steps; y <= steps; ++y) {
-        const Transform2D pose{around.x + x * kStep, around.y + y * kStep,
+        const Transform2D pose{around.x + x * kRoughNear, around.y + y * kRoughNear,
                                wrappedAngle(around.phi + t * kTurnStep)};
         const double quality = roughQuality(some, in, pose);
         if (quality > kLeastRough) tries.emplace_back(quality, pose);

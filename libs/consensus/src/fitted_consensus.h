@@ -11,32 +11,27 @@ namespace roomgraph::fitted {
 // walls.
 constexpr double kSure = 0.75;          // from which on no other pose is tried
 constexpr double kWell = 0.6;           // a scan found less well is looked for at any turn
-constexpr double kLeastQuality = 0.45;  // of a scan that is found; what a lost one is worth
+constexpr double kLeastQuality = 0.45;  // of a scan or node that is found; what a lost one is worth
 constexpr double kJumpCost = 2;         // of a jump where the robot goes on from where it was
 constexpr double kFarCost = 20;         // of a jump to another place
 constexpr double kScanStride = 2.5;     // longest way from scan to scan [m]
 constexpr std::size_t kMemory = 8;      // scans that may be lost between two that are found
-constexpr std::size_t kCandidates = 4;  // poses of a scan
-
-// A node is matched where so much of its walls was found.
-constexpr double kLeastFound = 0.45;
+constexpr std::size_t kCandidates = 4;  // poses of a scan, or of a stretch looked for again
 
 // Links: standard deviations [m, rad], the second for the root of a metre, the third of a radian.
 constexpr double kLinkPlace = 0.02, kLinkPlacePerRootMetre = 0.03;
 constexpr double kLinkTurn = 0.003, kLinkTurnPerRootMetre = 0.004, kLinkTurnPerRootRadian = 0.01;
-// Matches, and what both runs have scanned as one.
-constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01;
-constexpr double kSameScanPlace = 0.03, kSameScanTurn = 0.005;
-constexpr double kMatchWeight = 0.25, kSameScanWeight = 0.5;
+// Matches. What both runs have scanned as one is twice as sure, and counts twice.
+constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01, kMatchWeight = 0.25;
 // Walls of a node along the axes of the building [rad].
 constexpr double kAxesTurn = 0.03;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
 
-// Belief: what it costs to give up a group of so many matches; half the robust squared residual of
-// a link that is 20 m off.
-constexpr double kGivingUp = 45, kGivingUpMatches = 25;
+// Belief: what it costs to give up a group, for the root of its matches. With 25 of them it is half
+// the robust squared residual of a link that is 20 m off.
+constexpr double kGivingUp = 9;
 // Aliasing from which on it costs less, and least: this share.
 constexpr double kAlikeFrom = 0.4, kAlikeTo = 0.8;
 constexpr double kLeastCost = 0.2;
@@ -50,9 +45,8 @@ constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
 constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
 constexpr double kLostBy = 1;  // what a lost scan counts as; about as far as it is looked for [m]
 constexpr std::size_t kLeastWalls = 10;  // of a scan that can be told from others
-constexpr double kLeastKnown = 0.5;      // of its walls, where a place counts as known
 constexpr long kLeastKnowing = 3;       // runs that know its place; in fewer, furniture may hide it
-constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass
+constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass, or at a break
 constexpr double kUsualJitter = 0.03;   // of scans of a sound run, by what their walls scatter [m]
 constexpr double kJitterFactor = 1.25;  // to either side, of what is more than that
 constexpr std::size_t kLongScans = 12;  // that others have to bear out, and do not

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "confirmed_nodes.h"
+#include "fitted_consensus.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/scan_map.h"
 #include "roomgraph/align/step_hold.h"
@@ -11,13 +12,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMostPoses = 4;  // that are tried of each stretch
-constexpr std::size_t kNearBreak = 3;  // scans that may still be found behind a break
-
 /** Whether the scans of a run part within a few steps of the one to scan k. */
 bool partNear(const std::vector<ScanWalls>& scans, std::size_t k) {
-  const std::size_t last = std::min(scans.size(), k + kNearBreak + 1);
-  for (std::size_t i = std::max(k, kNearBreak + 1) - kNearBreak; i < last; ++i)
+  constexpr auto near = std::size_t(fitted::kLeastLostOnEnd);
+  const std::size_t last = std::min(scans.size(), k + near + 1);
+  for (std::size_t i = std::max(k, near + 1) - near; i < last; ++i)
     if (stepHold(scans, i) < kMajority) return true;
   return false;
 }
@@ -36,7 +35,7 @@ std::vector<Transform2D> lookAgain(const std::vector<ScanWalls>& scans,
     const WallMap drawn = stretchMap(scans, gap.first, gap.end);
     const std::vector<Transform2D> found = alignMaps(in, drawn, kQuickSearch).poses;
     poses.insert(poses.end(), found.begin(),
-                 found.begin() + std::ptrdiff_t(std::min(kMostPoses, found.size())));
+                 found.begin() + std::ptrdiff_t(std::min(fitted::kCandidates, found.size())));
   }
   return poses;
 }

@@ -4,6 +4,7 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
@@ -14,7 +15,7 @@ bool knows(const WallMap& map, const ScanWalls& scan, const Transform2D& pose) {
                                    [&, forth = Motion2D(pose)](const WallPoint& wall) {
                                      return hasSeen(map, cellIndexAt(map.frame, forth(wall.place)));
                                    });
-  return double(known) > fitted::kLeastKnown * double(scan.walls.size());
+  return double(known) > kMajority * double(scan.walls.size());
 }
 
 /** Leaves only stretches that are long enough. */

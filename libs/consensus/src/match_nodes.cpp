@@ -54,7 +54,7 @@ class Meeting {
 void addMatch(const PoseGraph& graph, NodeId node, const Transform2D& pose, const Meeting& meeting,
               std::vector<PoseEdge>& matches) {
   const NodeId from = meeting.mostMet();
-  if (!from || meeting.share() < fitted::kLeastFound) return;
+  if (!from || meeting.share() < fitted::kLeastQuality) return;
   const Transform2D measured = graph.nodes[from].pose.inverse() * pose * graph.nodes[node].pose;
   matches.push_back(matchEdge(from, node, measured, meeting.share()));
 }

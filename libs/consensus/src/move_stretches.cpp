@@ -6,13 +6,13 @@
 
 #include "TurnedPose.h"
 #include "edge_cost.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kGaveWay = 10;   // half the robust squared residual of a link from which on it did
-constexpr double kDoubted = 0.5;  // belief under which a group is asked where it would have its run
+constexpr double kGaveWay = 10;  // half the robust squared residual of a link from which on it did
 constexpr int kRounds = 8;
 constexpr double kLenient = 4;  // times the noise of matches: what is left over the solver mends
 constexpr double kBetter = 1;   // by which the cost must fall, so that rounding decides nothing
@@ -112,7 +112,7 @@ class Mover {
     for (const MatchGroupId id : graph_.groups.ids()) {
       const MatchGroup& group = graph_.groups[id];
       const double share = sums_[id].inliers / double(group.edges.size());
-      if (!isMovable(group.to) || beliefOf(share) >= kDoubted) continue;
+      if (!isMovable(group.to) || beliefOf(share) >= kMajority) continue;
       addCuts({group.to, graph_.edges[group.edges.front()].to, graph_.edges[group.edges.back()].to},
               all);
     }

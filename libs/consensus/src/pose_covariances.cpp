@@ -11,9 +11,9 @@ namespace roomgraph {
 namespace {
 
 constexpr Eigen::Index kAsked = 60;  // nodes that are worked out, about
-// Information [1/m^2, 1/rad^2] that fixes the first node, or all of the reference, and that
+// Information [1/m^2, 1/rad^2] that fixes the first node, or all of the reference. Its inverse
 // leaves all others as good as free, but puts each part of the graph somewhere.
-constexpr double kFixed = 1e6, kAnywhere = 1e-6;
+constexpr double kFixed = 1e6;
 
 using Eigen::Matrix3d;
 using Blocks = std::vector<Eigen::Triplet<double>>;
@@ -50,7 +50,7 @@ void decompose(const PoseGraph& graph, const GraphTrust& trust, const NodePoses&
   for (const PoseEdge& edge : graph.edges)
     if (edge.from != edge.to) addEdge(graph, edge, trust, poses, blocks);
   for (const NodeId node : poses.ids())
-    addBlock(node, node, kAnywhere * Matrix3d::Identity(), blocks);
+    addBlock(node, node, 1 / kFixed * Matrix3d::Identity(), blocks);
   for (const NodeId node : graph.reference ? graph.runs[graph.reference].nodes : poses.ids()) {
     addBlock(node, node, kFixed * Matrix3d::Identity(), blocks);
     if (!graph.reference) break;
@@ -101,7 +101,7 @@ class RunCovariances {
       const Matrix3d motion = motionOf(node);
       square += motion.transpose() * places * motion;
     }
-    square(2, 2) += kAnywhere;  // of a run that stands still
+    square(2, 2) += 1 / kFixed;  // of a run that stands still
     const Matrix3d inverse = square.inverse();
     Eigen::MatrixXd fit = Eigen::MatrixXd::Zero(size_, 3);
     for (const NodeId node : nodes_)

@@ -7,17 +7,16 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/relate/PairBend.h"
+#include "scan_search.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kAlike = 0.8;                 // cosine, of walls that are the same
 constexpr double kGapOfWalls = 2 * kSameWall;  // between walls of one scan, along them [m]
-constexpr NarrowingBand kStepBand{0.6, kSameWall, 7};
-constexpr std::size_t kLeastMeeting = 15;  // walls of a scan that lie on some of another
-constexpr double kMostSquared = 0.25;      // of one scan; beyond, it is a break [m^2]
-constexpr double kLeastAlike = 10;         // scans that lie on those before and behind them
+constexpr double kMostSquared = 0.25;          // of one scan; beyond, it is a break [m^2]
 
 using Walls = std::vector<WallPoint>;
 using Correction = std::optional<Transform2D>;
@@ -30,7 +29,7 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
   for (const WallPoint& other : onto) {
     const Point off = wall.place - other.place;
     if (squaredNorm(off) >= WallMap::kReach * WallMap::kReach) continue;
-    if (dot(other.normal, wall.normal) < kAlike) continue;
+    if (dot(other.normal, wall.normal) < kFacesAlike) continue;
     const Point side{-other.normal.y, other.normal.x};
     const WallPoint there{
         other.place + std::clamp(dot(off, side), -kGapOfWalls, kGapOfWalls) * side, other.normal};
@@ -45,7 +44,7 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
   const auto moved = [&](const WallPoint& wall, const Motion2D& by) {
     return WallPoint{by(wall.place), by.turned(wall.normal)};
   };
-  const Transform2D found = fittedPose({}, robot, kStepBand, [&](WallFit& fit, int) {
+  const Transform2D found = fittedPose({}, robot, kScanBand, [&](WallFit& fit, int) {
     for (const WallPoint& wall : scan) {
       const WallPoint at = moved(wall, fit.forth());
       if (const auto same = sameWall(at, onto)) fit.add(at.place, *same);
@@ -57,7 +56,7 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
         const auto same = sameWall(at, onto);
         return same && distance(same->place, at.place) < kSameWall;
       }));
-  if (met < kLeastMeeting || double(met) < kMajority * double(scan.size())) return std::nullopt;
+  if (met < kFewestPoints || double(met) < kMajority * double(scan.size())) return std::nullopt;
   return found;
 }
 
@@ -101,7 +100,7 @@ ScanJitter scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Tra
     drawn += alone, ++count;
     left += alone - squaredAlone(scans[k].walls, taken(k), taken(k + 1));
   }
-  if (count < kLeastAlike) return {};
+  if (count < kFewestThings) return {};
   return {std::sqrt(std::max(0.0, drawn / count)), std::sqrt(std::max(0.0, left / count))};
 }
 

@@ -13,7 +13,7 @@ namespace roomgraph {
 namespace {
 
 // From stage to stage the kernels are halved.
-constexpr int kStages = 6, kStageSteps = 3, kLastSteps = 18;
+constexpr int kStages = 6, kStageSteps = 3;
 
 /** The pose of one node in another is as it was measured. */
 class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
@@ -99,7 +99,7 @@ class Solver {
     double widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
     for (int stage = startIs == StartIs::good ? kStages - 1 : 0; stage < kStages; ++stage) {
       const bool isLast = stage + 1 == kStages;
-      options.max_num_iterations = isLast ? kLastSteps : kStageSteps;
+      options.max_num_iterations = (isLast ? kStages : 1) * kStageSteps;
       widenKernels(isLast ? 1 : widening);
       ceres::Solve(options, &problem_, &summary);
       widening = std::max(1.0, widening / 2);

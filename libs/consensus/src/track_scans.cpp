@@ -6,8 +6,9 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/step_hold.h"
+#include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/majority.h"
 #include "scan_search.h"
 
 namespace roomgraph {
@@ -21,7 +22,6 @@ constexpr std::size_t kMinWalls = 20;
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
-constexpr std::size_t kRoughStride = 3;
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 /** Says 0 where it is less than `least`, as soon as that is sure. */
@@ -35,16 +35,12 @@ double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& po
   for (std::size_t i = 0; i < scan.walls.size(); i += stride) {
     if (sum + left < least * (known + left + doubt)) return 0;
     --left;
-    const WallPoint& point = scan.walls[i];
-    const Point at = forth(point.place);
-    const std::size_t cell = cellIndexAt(in.frame, at);
-    if (!hasSeen(in, cell)) continue;
-    ++known;
-    if (const WallPoint* wall = nearestWall(in, cell, forth.turned(point.normal)))
-      sum += 1 / (1 + squaredNorm(wall->place - at) / (near * near));
+    const WallLookUp there = lookUp(scan.walls[i], in, forth);
+    known += there.isKnown, sum += there.found(near);
   }
-  return known * double(stride) >= double(kMinWalls) && known > 0.5 * all ? sum / (known + doubt)
-                                                                          : 0;
+  return known * double(stride) >= double(kMinWalls) && known > kMajority * all
+             ? sum / (known + doubt)
+             : 0;
 }
 
 /** A pose that a scan may have, and the best way that leads there. */
@@ -165,7 +161,7 @@ class Tracker {
         return fit;
     TrackedFit fit;
     fit.start = start;
-    fit.rough = fitted(scans_[k], start, kRoughFit, kRoughStride);
+    fit.rough = fitted(scans_[k], start, kRoughFit, kQuickStride);
     fit.roughQuality = roughQualityAt(k, fit.rough, fitted::kLeastQuality);
     fits_[k].push_back(fit);
     return fits_[k].back();

@@ -18,7 +18,6 @@ constexpr double kLeastOverlap = 0.1;  // below which a fit is none
 constexpr std::size_t kMostAreas = 3;  // that a room may be
 
 // Which area is which room.
-constexpr double kMostSurprise = 3.0;    // that a room lies from where it should be [m]
 constexpr double kFewDoors = 3;          // that tell a room apart, whatever its overlap
 constexpr double kNeighbourBonus = 0.2;  // added to the overlap where all neighbours match, too
 constexpr double kOtherKindCost = 0.05;  // taken off where one is a room and the other a corridor
@@ -34,7 +33,7 @@ constexpr double kNarrow = 0.7;        // mean width of a gap [m]
 constexpr double kLeastPower = 0.06;   // of the runs of a left area, in that of the second best
 
 // What is a door.
-constexpr double kSameDoor = 0.8, kSameDoorTo = 1.5;  // one that leads to the same room [m]
+constexpr double kSameDoor = 0.8;  // one that leads to the same room may lie off as rooms do [m]
 
 // What each run has of a room.
 constexpr double kBare = 0.7;           // share of a room, in no area, that is there all the same

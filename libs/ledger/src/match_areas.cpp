@@ -9,6 +9,9 @@
 namespace roomgraph {
 namespace {
 
+// From where a room should be: as far as it is looked for, and its neighbours the same.
+constexpr double kMostSurprise = 2 * kWideSearch.reach;
+
 class Matching {
  public:
   Matching(const RoomSet& rooms, const RoomFits& fits, const GridFrame& frame, const RunAreas& run)
@@ -62,8 +65,8 @@ class Matching {
         double value = fit.overlap + fitted::kNeighbourBonus * near.share();
         if (run_.shapes[area].isCorridor != rooms_.shapes[s].isCorridor)
           value -= fitted::kOtherKindCost;
-        value -= fitted::kSurpriseCost *
-                 std::min(fitted::kMostSurprise, distance(fit.move.shift, expected));
+        value -=
+            fitted::kSurpriseCost * std::min(kMostSurprise, distance(fit.move.shift, expected));
         offers.emplace_back(-value, s, area);
       }
     }
@@ -105,7 +108,7 @@ class Matching {
       if (!areaOf_[n]) continue;
       for (const AreaDoor& door : run_.doors[*areaOf_[n]]) {
         const Point middle = run_.shapes[door.to].middle;
-        if (isTaken_[door.to] || distance(middle, expected) > fitted::kMostSurprise) continue;
+        if (isTaken_[door.to] || distance(middle, expected) > kMostSurprise) continue;
         starts.push_back({middle - rooms_.shapes[s].middle, guess.turn});
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "fit_shape.h"
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"
 
@@ -64,8 +65,7 @@ void join(const std::vector<RoomDoors::Door>& doors, std::size_t run, std::size_
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const double far = distance(doors[d].place, groups[g].door.place);
       const bool isSameTo = doors[d].to && doors[d].to == groups[g].door.to;
-      if (far <= (isSameTo ? fitted::kSameDoorTo : fitted::kSameDoor))
-        offers.emplace_back(far, d, g);
+      if (far <= (isSameTo ? kWideSearch.reach : fitted::kSameDoor)) offers.emplace_back(far, d, g);
     }
   std::sort(offers.begin(), offers.end());
   std::vector<bool> isJoined(doors.size());

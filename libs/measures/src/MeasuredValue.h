@@ -3,8 +3,6 @@
 
 namespace roomgraph {
 
-constexpr double kFewestThings = 10;  ///< vertices, paths, or scans, to tell by
-
 /** What a measure comes to; its kind says what it is. */
 struct MeasuredValue {
   std::optional<double> value{};  ///< none where nothing supports it

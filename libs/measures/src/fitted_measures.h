@@ -7,10 +7,9 @@ namespace roomgraph::fitted {
 
 // Matching of vertices: what speaks against a pair, in metres of distance.
 constexpr double kOtherKind = 0.3, kPerMetre = 0.5;
-constexpr double kUnlike = 1.0, kGrown = -0.3;
 constexpr int kMostExits = 3;
 constexpr double kFollowReach = 5;   // of a patch whose pose places a vertex [m]
-constexpr double kMaxSeed = 1;       // of vertices that are matched by their place [m]
+constexpr double kMaxSeed = 1;       // of vertices matched by their place; unlike ones cost it [m]
 constexpr double kMaxGrown = 1.5;    // of neighbours of matched vertices [m]
 constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
 

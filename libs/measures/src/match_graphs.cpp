@@ -121,7 +121,7 @@ class Matcher {
         const auto unlike = unlikeness(i, j);
         if (!unlike || apart > fitted::kMaxSeed) continue;
         const bool isSeed = lookAlike(i, j);
-        queue_.push({apart + *unlike + (isSeed ? 0 : fitted::kUnlike), i, j, apart, isSeed});
+        queue_.push({apart + *unlike + (isSeed ? 0 : fitted::kMaxSeed), i, j, apart, isSeed});
       }
   }
 
@@ -139,8 +139,9 @@ class Matcher {
                                         [&](const auto& one) { return one.first == j; });
         const auto unlike = unlikeness(i, j);
         if (found == near_[i].end() || !unlike) continue;
+        // The way from a matched vertex makes up for another kind.
         const double cost =
-            found->second + *unlike + fitted::kPerMetre * std::abs(ofA - ofB) + fitted::kGrown;
+            found->second + *unlike + fitted::kPerMetre * std::abs(ofA - ofB) - fitted::kOtherKind;
         queue_.push({cost, i, j, found->second, true});
       }
     }

@@ -10,6 +10,7 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {

@@ -15,6 +15,7 @@
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/page/site_pictures.h"
+#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {

@@ -25,7 +25,7 @@ double contradictedShare(const WallMap& of, const WallMap& in, const FollowedWal
 }  // namespace
 
 bool areStoreys(const MapPair& pair, const WallMap& a, const WallMap& b) {
-  if (pair.areEdits || pair.alignment.confidence < kSurePose) return false;
+  if (pair.areEdits || pair.alignment.confidence < kSureConfidence) return false;
   if (std::max(pair.bInA.bend, pair.aInB.bend) > fitted::kHardlyBent) return false;
   return contradictedShare(b, a, pair.bInA) >= fitted::kOtherWalls &&
          contradictedShare(a, b, pair.aInB) >= fitted::kOtherWalls;

@@ -7,14 +7,10 @@
 namespace roomgraph::fitted {
 
 // Following walls from patch to patch.
-constexpr std::size_t kMinPoints = 15;  // of a patch that are left, for a pose of its own
-constexpr double kMinKnown = 0.4;       // share of them that lies where the other map has looked
-constexpr double kDoubt = 5;            // points that speak against each patch beforehand
-constexpr double kSureShare = 0.7;      // a patch found this well is not looked for again
-constexpr int kQuickStride = 3;         // of the points that are looked up to compare poses
+constexpr double kMinKnown = 0.4;   // share of them that lies where the other map has looked
+constexpr double kSureShare = 0.7;  // a patch found this well is not looked for again
 constexpr int kTwinRounds = 2;
 constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
-constexpr double kMaxBend = 60;          // of a piece away from the first pose, at a patch [m]
 constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
 constexpr int kMaxPieces = 6;
 constexpr std::size_t kMaxCandidates = 40;  // poses that are tried for a piece

@@ -82,14 +82,14 @@ class Follower {
     const std::vector<std::uint32_t>& left = left_[patch];
     const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[left[i]]; };
     const WallShare share = wallShare(left.size(), pointAt, in_, pose, kWallNoise, stride);
-    const bool isEnough = share.known * double(stride) >= double(fitted::kMinPoints) &&
+    const bool isEnough = share.known * double(stride) >= double(kFewestPoints) &&
                           share.known > fitted::kMinKnown * share.all;
-    return isEnough ? share.ofKnown(fitted::kDoubt / double(stride)) : 0;
+    return isEnough ? share.ofKnown(kDoubt / double(stride)) : 0;
   }
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
-    if (left_[patch].size() < fitted::kMinPoints || queued_[patch] >= fitted::kSureShare) return;
+    if (left_[patch].size() < kFewestPoints || queued_[patch] >= fitted::kSureShare) return;
     const Transform2D at = refined(patch, pose);
     if (isStep && !areNear(at, pose, patches_[patch].middle, kNextPatch)) return;
     const double quality = qualityAt(patch, at);
@@ -164,9 +164,9 @@ class Follower {
     std::uint32_t seed = 0;
     for (std::uint32_t i = 0; i < patches_.size(); ++i) {
       const WallPatch& patch = patches_[i];
-      if (left_[i].size() < fitted::kMinPoints) continue;
-      if (distance(pose(patch.middle), first(patch.middle)) > fitted::kMaxBend) continue;
-      const double quality = qualityAt(i, pose, fitted::kQuickStride);
+      if (left_[i].size() < kFewestPoints) continue;
+      if (distance(pose(patch.middle), first(patch.middle)) > kMaxBend) continue;
+      const double quality = qualityAt(i, pose, kQuickStride);
       if (quality >= fitted::kFairQuality)
         sum += quality * double(patch.own.size() * left_[i].size()) / double(patch.around.size());
       if (quality > best) best = quality, seed = i;

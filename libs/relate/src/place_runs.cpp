@@ -32,7 +32,7 @@ class JoinedPairs {
   bool operator()(std::size_t a, std::size_t b) const {
     const MapPair& pair = related_(a, b);
     if (!isJoined(pair)) return false;
-    if (pair.alignment.confidence >= kSurePose) return true;
+    if (pair.alignment.confidence >= kSureConfidence) return true;
     int votes = 0;
     for (const std::size_t third : related_.othersOf(a)) {
       if (third == b || !related_.has(third, b)) continue;
@@ -45,7 +45,7 @@ class JoinedPairs {
 
  private:
   bool isSure(std::size_t a, std::size_t b) const {
-    return isJoined(related_(a, b)) && related_(a, b).alignment.confidence >= kSurePose;
+    return isJoined(related_(a, b)) && related_(a, b).alignment.confidence >= kSureConfidence;
   }
   bool isStranger(std::size_t a, std::size_t b) const {
     return related_(a, b).alignment.isMirrored || related_(a, b).areStoreys;

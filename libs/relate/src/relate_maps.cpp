@@ -35,7 +35,7 @@ bool isSure(const MapPair& pair) {
 /** Whether b fits better as its own mirror image. One that surely fits as it is is not asked, so
  *  that only pairs in doubt cost a second search. */
 bool isMirrored(const WallMap& a, const WallMap& b, const Alignment& alignment) {
-  if (alignment.isSameSite && alignment.confidence >= kSurePose) return false;
+  if (alignment.isSameSite && alignment.confidence >= kSureConfidence) return false;
   const Alignment image = alignMaps(a, mirrored(b));
   return image.isSameSite && image.best->score >= alignment.best->score + fitted::kClearlyMirrored;
 }

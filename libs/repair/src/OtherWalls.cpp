@@ -25,7 +25,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
   }
   std::vector<std::size_t> all(scans.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
-  if (!all.empty()) map_ = scanMap(scans, poses, all, fitted::kRange);
+  if (!all.empty()) map_ = scanMap(scans, poses, all);
 }
 
 }  // namespace roomgraph

@@ -7,8 +7,8 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/compare/Comparison.h"
 #include "roomgraph/consensus/find_scan.h"
+#include "roomgraph/relate/relate_maps.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/view_from.h"
 

@@ -10,18 +10,15 @@
 namespace roomgraph::fitted {
 
 // The frame of a mended run.
-constexpr double kDrawsAt = 5;               // [m]
-constexpr std::size_t kMostCandidates = 60;  // frames that are tried
-constexpr std::size_t kPieceProbes = 12;     // scans of a piece that are looked up, evenly
-constexpr double kPerMedian = 1.4826;        // standard deviation of normal errors
-constexpr double kWithin = 2.5;              // standard deviations
+constexpr double kDrawsAt = 5;            // [m]
+constexpr std::size_t kPieceProbes = 12;  // scans of a piece that are looked up, evenly
+constexpr double kWithin = 2.5 * 1.4826;  // medians: 2.5 standard deviations of normal errors
 
 // Whether a run gets better.
-constexpr std::size_t kProbes = 60;  // scans of it by which it is judged, about
+constexpr std::size_t kProbes = 60;  // scans of it by which it and its frame are judged, about
 
 // What others have seen.
 constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
-constexpr double kRange = 15;         // of the walls of those [m]
 
 // One map of several runs.
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall

@@ -41,7 +41,7 @@ double poseDistance(const Transform2D& l, const Transform2D& r) {
 Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real) {
   Transform2D best;
   double least = HUGE_VAL;
-  const std::size_t step = were.size() / fitted::kMostCandidates + 1;
+  const std::size_t step = were.size() / fitted::kProbes + 1;
   for (std::size_t k = 0; k < were.size(); k += step) {
     const Transform2D frame = were[k] * real[k].inverse();
     const double middle = median(distances(were, real, frame));
@@ -49,8 +49,7 @@ Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<T
   }
   for (int round = 0; round < 3 && !were.empty(); ++round) {
     const std::vector<double> apart = distances(were, real, best);
-    best = fitFrame(were, real, apart,
-                    std::max(fitted::kWithin * fitted::kPerMedian * median(apart), 1e-9));
+    best = fitFrame(were, real, apart, std::max(fitted::kWithin * median(apart), 1e-9));
   }
   return best;
 }

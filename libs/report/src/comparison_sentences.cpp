@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {

@@ -6,6 +6,9 @@ namespace roomgraph {
 /** A wall that lies this near to another has been found [m]. */
 constexpr double kSameWall = 0.15;
 
+/** Cosine between the normals of one wall in two scans. */
+constexpr double kFacesAlike = 0.8;
+
 /** How far apart the same wall lies in two maps, as a rule [m]. */
 constexpr double kWallNoise = 0.12;
 

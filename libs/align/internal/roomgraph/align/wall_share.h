@@ -4,6 +4,36 @@
 
 namespace roomgraph {
 
+/** Wall points that speak against each pose beforehand, so that few found ones prove little. */
+constexpr double kDoubt = 5;
+/** Fewer tell no pose of their own. */
+constexpr std::size_t kFewestPoints = 15;
+/** Of every so manyth point are poses told by that are only compared. */
+constexpr std::size_t kQuickStride = 3;
+
+/** Where a wall point lies in a map. */
+struct WallLookUp {
+  Point place, normal;              ///< [frame of the map]
+  bool isKnown = false;             ///< the map has looked there
+  const WallPoint* wall = nullptr;  ///< the nearest that faces alike; null where none is in reach
+
+  /** 1 on that wall, a half where it is `near` away, and 0 without one. */
+  double found(double near) const {
+    return wall ? 1 / (1 + squaredNorm(wall->place - place) / (near * near)) : 0;
+  }
+};
+
+/** Looks up a point where `forth` brings it. O(1). */
+inline WallLookUp lookUp(const WallPoint& point, const WallMap& map, const Motion2D& forth) {
+  WallLookUp there{forth(point.place), {}};
+  const std::size_t cell = cellIndexAt(map.frame, there.place);
+  if (!hasSeen(map, cell)) return there;
+  there.isKnown = true;
+  there.normal = forth.turned(point.normal);
+  there.wall = nearestWall(map, cell, there.normal);
+  return there;
+}
+
 /** Of some wall points, how many lie where a map has looked, and how many of these on walls there:
  *  each counts by its distance to the nearest, half at `near`. */
 struct WallShare {
@@ -20,13 +50,8 @@ WallShare wallShare(std::size_t count, const PointAt& pointAt, const WallMap& ma
   const Motion2D forth(pose);
   WallShare share;
   for (std::size_t i = 0; i < count; i += stride, ++share.all) {
-    const WallPoint& point = pointAt(i);
-    const Point at = forth(point.place);
-    const std::size_t cell = cellIndexAt(map.frame, at);
-    if (!hasSeen(map, cell)) continue;
-    ++share.known;
-    if (const WallPoint* wall = nearestWall(map, cell, forth.turned(point.normal)))
-      share.found += 1 / (1 + squaredNorm(wall->place - at) / (near * near));
+    const WallLookUp there = lookUp(pointAt(i), map, forth);
+    share.known += there.isKnown, share.found += there.found(near);
   }
   return share;
 }

@@ -16,8 +16,6 @@ namespace roomgraph {
 
 /** A run of less coverage is no map of the whole site. */
 constexpr double kPartialCoverage = 0.7;
-/** Pairs of less confidence are worth a look. */
-constexpr double kSureConfidence = 0.9;
 
 /** Of its walls, so many were found in other maps of a run that is told for sure. */
 constexpr double kMostWalls = 0.6;

@@ -26,7 +26,6 @@ constexpr double kDeviationPower = 1.6;    ///< of the deviation in the error
 constexpr double kDeviationNoise = 0.003;  ///< of a deviation that is 0 [rad]
 constexpr double kErrorNoise = 0.03;       ///< of an error that is 0, as the deviation tells it [m]
 constexpr double kLeastError = 0.0025;     ///< errors below this are none [m]
-constexpr double kMostError = 60;          ///< as far as walls are followed [m]
 constexpr double kErrorSpread = 0.25;      ///< standard deviation of a residual's log
 constexpr double kLeastErrorSpread = 0.15;  ///< of an error's log, however many pairs there are
 

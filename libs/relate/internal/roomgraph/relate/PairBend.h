@@ -6,6 +6,9 @@ namespace roomgraph {
 /** Wall points below which what two maps have in common tells nothing for sure. */
 constexpr double kFewestWalls = 300;
 
+/** Fewer vertices, paths or scans tell nothing for sure. */
+constexpr double kFewestThings = 10;
+
 /** Fewer other runs can not outvote one that is wrong. */
 constexpr std::size_t kFewestOthers = 2;
 

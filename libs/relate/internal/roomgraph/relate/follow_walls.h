@@ -35,6 +35,9 @@ struct FollowedWalls {
 /** Around a wall, of what counts in the fit of a patch. */
 constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 
+/** Walls are followed up to so far away from where the first pose has them [m]. */
+constexpr double kMaxBend = 60;
+
 /** Looks for each patch of `of` in `in`, starting where the first of `poses` (in <- of) fits and
  *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
  *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
