@@ -16,10 +16,6 @@
 
 namespace roomgraph {
 
-std::size_t hubOf(const std::vector<Run>& runs) {
-  return runs.empty() ? 0 : byStraightness(runs).front();
-}
-
 namespace {
 
 /** Relates runs in sets that may be sites: each to a hub, and to a choice of the others. */

@@ -33,9 +33,9 @@ Grid rescaled(Grid grid, double resolution);
  *  run and picture, give a range of scales, widened to hold the first guess, which is
  *  picture.frame.resolution. All over that range the picture is aligned with a run; the best few
  *  scales are fitted to its walls, and the best of them must stand out from all others. The run is
- *  the straightest of the large ones (see hubOf), or the next where that shows another site. Then
- *  the straightest runs that the picture fits at this scale have their say: the median counts,
- *  weighted by how well each fits, as bent runs look too small.
+ *  the first byStraightness, or the next where that shows another site. Then the straightest runs
+ *  that the picture fits at this scale have their say: the median counts, weighted by how well each
+ *  fits, as bent runs look too small.
  *
  *  Nothing where no scale stands out: another site, a picture without walls, no run. The error of
  *  the runs' own scale is part of the result; beside it about 0.3 %. A picture that repeats itself

@@ -22,12 +22,9 @@ struct RelateRunsOptions {
   bool areOneSite = false;               ///< all maps are said to show one site, see relateMaps
 };
 
-/** The run through which all others are related: of those that have seen at least half as much as
- *  the largest, the one with the straightest walls; of equal ones the first. 0 for no runs. */
-std::size_t hubOf(const std::vector<Run>& runs);
-
-/** What relateMaps gives for each two runs: first those with the hub, then the others by
- *  relateMapsOver, which saves nearly all of the search. With `areAligned` by relateAlignedMaps.
+/** What relateMaps gives for each two runs: first those with the hub, the first byStraightness,
+ *  then the others by relateMapsOver, which saves nearly all of the search. With `areAligned` by
+ *  relateAlignedMaps.
  *
  *  Of more than `core` runs, those that lie in the hub have a core, see chooseCore, in which each
  *  is related to each; every other one is related to the hub and a choice of the core, see
