@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 #include "square_rooms.h"
 
 namespace roomgraph::test {
@@ -16,7 +16,7 @@ TEST(CutPaths, putsABorderVertexAtEveryCrossing) {
   EXPECT_EQ(countOf(cut, VertexKind::border), 2u);
   EXPECT_NEAR(distance(cut.vertices()[2].at, {0, 2}), 0, 1e-12);
   EXPECT_EQ(cut.vertices()[2].room, RoomId(0));
-  EXPECT_TRUE(brokenInvariants(cut, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(cut, 0).empty());
 }
 
 TEST(CutPaths, aBorderBetweenTwoRoomsGetsTheSmallerId) {
@@ -48,7 +48,7 @@ TEST(CutPaths, thePiecesAreAsLongAsThePath) {
   double sum = 0;
   for (const Edge& edge : cut.edges()) sum += edge.path.length;
   EXPECT_NEAR(sum, graph.edges()[0].path.length, 1e-9);
-  EXPECT_TRUE(brokenInvariants(cut, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(cut, 0).empty());
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 #include "square_rooms.h"
 
 namespace roomgraph::test {
@@ -94,7 +94,7 @@ TEST(InnerWays, aNarrowWayStaysWhereNothingElseLeadsOn) {
 TEST(WithRoomVertex, cutsTheWayNearestToTheMiddle) {
   const TopologyGraph ways = withRoomVertex(waysOf(roundAShelf(0.6)), {9, 1}, 0.5);
   EXPECT_EQ(countOf(ways, VertexKind::room), 1u);
-  EXPECT_TRUE(brokenInvariants(ways, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(ways, 0).empty());
 }
 
 TEST(WithRoomVertex, takesAJunctionThatLiesThere) {

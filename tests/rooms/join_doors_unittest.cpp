@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cut_graph.h"
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 namespace roomgraph::test {
 namespace {
@@ -22,7 +22,7 @@ TEST(JoinDoors, makesOneBorderVertexOfAShallowDoor) {
   ASSERT_EQ(joined.edges().size(), 2u);
   for (const Vertex& v : joined.vertices())
     EXPECT_TRUE(v.kind != VertexKind::border || distance(v.at, {4.2, 2}) < 1e-12);
-  EXPECT_TRUE(brokenInvariants(joined, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(joined, 0).empty());
   EXPECT_EQ(countOf(joinDoors(throughADoor(0.6), options), VertexKind::border), 2u);
   options.maxDepth = 0;
   EXPECT_EQ(countOf(joinDoors(throughADoor(0.4), options), VertexKind::border), 2u);

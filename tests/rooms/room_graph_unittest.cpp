@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "cut_graph.h"
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 namespace roomgraph::test {
 namespace {
@@ -46,7 +46,7 @@ TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
   EXPECT_EQ(countOf(result.graph, VertexKind::junction), 0u) << "it lay inside";
   EXPECT_EQ(result.graph.edges().size(), 4u) << "two in the room, two corridors";
   EXPECT_NEAR(distance(result.rooms[0].center, {2, 2}), 0, 1e-12) << "the centroid";
-  EXPECT_TRUE(brokenInvariants(result.graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(result.graph, 0).empty());
 }
 
 TEST(RoomGraph, aRoomWithoutAWayOutIsAVertexWithoutEdges) {
@@ -137,7 +137,7 @@ TEST(RoomGraph, theWayBetweenTwoRoomsIsKept) {
   EXPECT_NEAR(corridor, 2, 1e-9);
   EXPECT_EQ(countOf(result.graph, VertexKind::room), 2u);
   EXPECT_EQ(countOf(result.graph, VertexKind::border), 2u);
-  EXPECT_TRUE(brokenInvariants(result.graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(result.graph, 0).empty());
 }
 
 TEST(RoomGraph, ofNothingThereIsNothing) {

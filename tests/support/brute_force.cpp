@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "blocked.h"
+#include "invariants.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/topology/invariants.h"
 
 namespace roomgraph::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hand_built.h"
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 namespace roomgraph::test {
 namespace {
@@ -28,7 +28,7 @@ TEST(TopologyGraph, aSelfLoopLeavesTwice) {
       {{VertexId(0), VertexId(0), straight({{0, 0}, {4, 0}, {4, 4}, {0, 0}}), {}}});
   EXPECT_EQ(graph.degree(VertexId(0)), 2u);
   EXPECT_FALSE(graph.isDeadEnd(EdgeId(0)));
-  EXPECT_TRUE(brokenInvariants(graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(graph, 0).empty());
 }
 
 TEST(DissolveThrough, makesOneEdgeOfTwo) {
@@ -39,7 +39,7 @@ TEST(DissolveThrough, makesOneEdgeOfTwo) {
   ASSERT_EQ(graph.edges().size(), 1u);
   EXPECT_EQ(graph.vertices().size(), 2u);
   EXPECT_DOUBLE_EQ(graph.edges()[0].path.length, 5);
-  EXPECT_TRUE(brokenInvariants(graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(graph, 0).empty());
 }
 
 TEST(DissolveThrough, keepsTheWidestOfACycle) {

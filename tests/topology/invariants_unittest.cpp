@@ -1,4 +1,4 @@
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,8 @@ TEST(Invariants, nameWhatIsWrong) {
   std::vector<Vertex> vertices{{{0, 0}, 1, kDeadEnd, {}}, {{4, 0}, 1, kDeadEnd, {}}};
   const Path good = straight({{0, 0}, {4, 0}});
   const auto broken = [&](const Path& path, double clearance) {
-    return brokenInvariants({vertices, {{VertexId(0), VertexId(1), path, {}}}}, clearance).size();
+    return test::brokenInvariants({vertices, {{VertexId(0), VertexId(1), path, {}}}}, clearance)
+        .size();
   };
   EXPECT_EQ(broken(good, 0.5), 0u);
   EXPECT_EQ(broken(good, 1.5), 1u);
@@ -38,18 +39,18 @@ TEST(Invariants, seePathsThatCross) {
                              {{4, 0}, 1, kDeadEnd, {}}},
                             {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 4}}), {}},
                              {VertexId(2), VertexId(3), straight({{0, 4}, {4, 0}}), {}}});
-  EXPECT_EQ(brokenInvariants(graph, 0).size(), 1u);
+  EXPECT_EQ(test::brokenInvariants(graph, 0).size(), 1u);
 }
 
 TEST(Invariants, pathsMayMeetInAVertexOrTouch) {
-  EXPECT_TRUE(brokenInvariants(star({2, 3, 4}), 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(star({2, 3, 4}), 0).empty());
   const TopologyGraph touching({{{0, 0}, 1, kDeadEnd, {}},
                                 {{4, 0}, 1, kDeadEnd, {}},
                                 {{2, 0}, 1, kDeadEnd, {}},
                                 {{2, 4}, 1, kDeadEnd, {}}},
                                {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}}), {}},
                                 {VertexId(2), VertexId(3), straight({{2, 0}, {2, 4}}), {}}});
-  EXPECT_TRUE(brokenInvariants(touching, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(touching, 0).empty());
 }
 
 TEST(Invariants, seeADeadEndWithTwoWays) {
@@ -57,8 +58,8 @@ TEST(Invariants, seeADeadEndWithTwoWays) {
       {{{0, 0}, 1, kDeadEnd, {}}, {{4, 0}, 1, kDeadEnd, {}}, {{8, 0}, 1, kDeadEnd, {}}},
       {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}}), {}},
        {VertexId(1), VertexId(2), straight({{4, 0}, {8, 0}}), {}}});
-  ASSERT_EQ(brokenInvariants(graph, 0).size(), 1u);
-  EXPECT_NE(brokenInvariants(graph, 0)[0].find("1"), std::string::npos) << "which one";
+  ASSERT_EQ(test::brokenInvariants(graph, 0).size(), 1u);
+  EXPECT_NE(test::brokenInvariants(graph, 0)[0].find("1"), std::string::npos) << "which one";
 }
 
 }  // namespace

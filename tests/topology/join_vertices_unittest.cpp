@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hand_built.h"
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 namespace roomgraph::test {
 namespace {
@@ -32,7 +32,7 @@ TEST(JoinVertices, makesOneOfTwoThatAreNear) {
   const TopologyGraph near = joinVertices(twoStars(0.15), options, 0.1);
   EXPECT_EQ(near.vertices().size(), 5u);
   EXPECT_EQ(near.edges().size(), 4u);
-  EXPECT_TRUE(brokenInvariants(near, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(near, 0).empty());
   EXPECT_EQ(joinVertices(twoStars(0.25), options, 0.1).vertices().size(), 6u);
 }
 
@@ -64,7 +64,7 @@ TEST(JoinVertices, makesASelfLoopOfAWayRoundAnObstacle) {
   EXPECT_EQ(graph.vertices().size(), 3u);
   ASSERT_EQ(graph.edges().size(), 3u);
   EXPECT_EQ(graph.edges()[0].source, graph.edges()[0].target);
-  EXPECT_TRUE(brokenInvariants(graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(graph, 0).empty());
 }
 
 TEST(JoinVertices, joinsAWholeGroupIntoTheOneNearestToItsMean) {
@@ -91,7 +91,7 @@ TEST(JoinVertices, joinsAWholeGroupIntoTheOneNearestToItsMean) {
     const Vertex& junction = a.kind == kJunction ? a : b;
     EXPECT_NEAR(distance(junction.at, {0.1, 0}), 0, 1e-12);
   }
-  EXPECT_TRUE(brokenInvariants(graph, 0).empty());
+  EXPECT_TRUE(test::brokenInvariants(graph, 0).empty());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "roomgraph/topology/invariants.h"
+#include "invariants.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace roomgraph {
+namespace roomgraph::test {
 namespace {
 
 constexpr double kTolerance = 1e-9;  // [m], for sums that were rounded along different ways
@@ -101,4 +101,4 @@ std::vector<std::string> brokenInvariants(const TopologyGraph& graph, double cle
   return Checker(graph, clearance).run();
 }
 
-}  // namespace roomgraph
+}  // namespace roomgraph::test
