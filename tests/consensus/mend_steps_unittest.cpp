@@ -52,6 +52,29 @@ TEST(MendSteps, twoTearsAreMendedEachByItself) {
   EXPECT_EQ(contradictions(steps), 2);
 }
 
+TEST(MendSteps, aScanThatLiesWrongOnItsOwnIsMendedByItself) {
+  for (const double turn : {0.2, -0.25}) {
+    std::vector<Keyframe> frames = test::driveOnce();
+    frames[18].pose.phi += turn;
+    const MendedSteps steps = mended(frames);
+    EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.15) << turn;
+    EXPECT_EQ(steps.evidence[18], StepEvidence::contradicts) << turn;
+    EXPECT_EQ(steps.evidence[19], StepEvidence::contradicts) << turn;
+    EXPECT_EQ(contradictions(steps), 2) << turn;
+    const MendedSteps bySeveral =
+        mendSteps(localScans(test::runOf(frames).scans), test::posesOf(frames),
+                  std::vector<bool>(frames.size(), true));
+    EXPECT_EQ(contradictions(bySeveral), 0) << turn;  // those before it do not tell
+  }
+}
+
+TEST(MendSteps, aSlipIsMendedForAllThatComesBehindIt) {
+  const auto slipped = test::broken(test::driveOnce(), 18, 0.15, {0.4, 0.3});
+  const MendedSteps steps = mended(slipped);
+  EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.15);
+  EXPECT_EQ(contradictions(steps), 1);
+}
+
 /** What a scanner of 80 degrees that is turned by `bearing` sees, as if the robot were so. */
 Keyframe lookingTo(Keyframe frame, double bearing) {
   std::vector<Point> ends;

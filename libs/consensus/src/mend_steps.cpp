@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "fitted_consensus.h"
@@ -30,6 +31,9 @@ constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear
 constexpr double kMaySpeak = 0.05;     // share of the walls of a scan that can speak against a step
 constexpr double kUnusual = 6;         // walls that an unusual step costs
 constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer, of a slip
+// Of one scan in what those behind it have drawn, where that shows a slip: how well it fits there,
+// and how much better than as it was drawn.
+constexpr double kLeastBehind = 0.5, kClearerBehind = 0.25, kGainBehind = 8;
 
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
@@ -76,13 +80,16 @@ struct Gait {
 class Mender {
  public:
   Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-         const std::vector<bool>& asked)
-      : scans_(scans), drawn_(drawn), asked_(asked), gait_(scans, drawn) {}
+         const std::vector<bool>& asked, bool looksBack)
+      : scans_(scans), drawn_(drawn), asked_(asked), looksBack_(looksBack), gait_(scans, drawn) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
     result_.evidence.assign(drawn_.size(), StepEvidence::none);
-    for (std::size_t k = 1; k < drawn_.size(); ++k) mend(k);
+    for (std::size_t k = 1; k < drawn_.size(); ++k) {
+      mend(k);
+      if (looksBack_ && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
+    }
     return std::move(result_);
   }
 
@@ -140,12 +147,76 @@ class Mender {
     return all;
   }
 
-  StepEvidence judge(std::size_t k) {
+  /** Where the scans lie of which that at `k` is the first, seen from it. */
+  std::vector<Transform2D> posesFrom(std::size_t k) const {
     std::vector<Transform2D> fromHere(scans_.size());
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = k; i < std::min(k + kScansBehind, scans_.size()); ++i)
-      chosen.push_back(i), fromHere[i] = step(k, i);
-    const WallMap behind = scanMap(scans_, fromHere, chosen, range());
+    for (std::size_t i = k; i < endBehind(k); ++i) fromHere[i] = step(k, i);
+    return fromHere;
+  }
+
+  std::size_t endBehind(std::size_t k) const { return std::min(k + kScansBehind, scans_.size()); }
+
+  WallMap drawnBehind(std::size_t k, const std::vector<Transform2D>& fromHere) const {
+    std::vector<std::size_t> chosen(endBehind(k) - k);
+    std::iota(chosen.begin(), chosen.end(), k);
+    return scanMap(scans_, fromHere, chosen, range());
+  }
+
+  /** Holds the one scan before a step against those behind it. A scan that lies wrong on its own
+   *  is not seen by judge(), which takes it together with others that lie right. */
+  void lookBack(std::size_t k) {
+    const LocalScan& scan = scans_[k - 1];
+    if (!scan.isTelling()) return;
+    const WallMap behind = drawnBehind(k, posesFrom(k));
+    if (behind.walls.empty()) return;
+    const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
+    const ScanFit drawn = asDrawn(scan, behind, back);
+    if (drawn.quality + kClearerBehind > 1) return;
+    const std::vector<ScanFit> found = findScan(scan, behind, back, kSlipped, 2);
+    const auto best = bestOf(found);
+    if (best == found.end() || areNear(best->pose, back, {}, kAsDrawn)) return;
+    const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
+    const double gain = best->score - drawn.score;
+    if (!mayBe || best->quality < kLeastBehind || best->quality < drawn.quality + kClearerBehind ||
+        gain < kGainBehind || gain < kUnlikeOthers * (secondOf(found, *best, drawn) - drawn.score))
+      return;
+    mendBack(k, behind, best->pose);
+  }
+
+  /** Either the run slips between the two scans or, if the one before fits to those behind as it
+   *  was drawn, only the scan between lies wrong. `pose`: of scan k - 1 in scan k. */
+  void mendBack(std::size_t k, const WallMap& behind, const Transform2D& pose) {
+    if (k > 1 && result_.evidence[k - 1] != StepEvidence::contradicts) {
+      const Transform2D before = result_.poses[k - 1].inverse() * result_.poses[k - 2];
+      const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
+      const ScanFit drawn = asDrawn(scans_[k - 2], behind, back * before);
+      if (drawn.score >= asDrawn(scans_[k - 2], behind, pose * before).score) {
+        mendTo(k - 1, result_.poses[k] * pose);
+        result_.evidence[k - 1] = result_.evidence[k] = StepEvidence::contradicts;
+        ahead_.walls.clear();  // that scan may be in it
+        return;
+      }
+    }
+    result_.evidence[k] = mendTo(k, result_.poses[k - 1] * pose.inverse());
+  }
+
+  static std::vector<ScanFit>::const_iterator bestOf(const std::vector<ScanFit>& found) {
+    return std::max_element(found.begin(), found.end(),
+                            [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+  }
+
+  /** The score of the next best pose, or of that which was drawn. */
+  static double secondOf(const std::vector<ScanFit>& found, const ScanFit& best,
+                         const ScanFit& drawn) {
+    double second = drawn.score;
+    for (const ScanFit& fit : found)
+      if (!areNear(fit.pose, best.pose, {}, kSameScanStart)) second = std::max(second, fit.score);
+    return second;
+  }
+
+  StepEvidence judge(std::size_t k) {
+    const std::vector<Transform2D> fromHere = posesFrom(k);
+    const WallMap behind = drawnBehind(k, fromHere);
     const LocalScan before = together(k - std::min(k, kTogether), k, result_.poses);
     const LocalScan after = together(k, std::min(k + kTogether, scans_.size()), fromHere);
     const auto weighed = [&](ScanFit fit) {
@@ -176,16 +247,12 @@ class Mender {
 
   StepEvidence decide(std::size_t k, const ScanFit& drawn, const std::vector<ScanFit>& found) {
     const bool isImpossible = !isPossible(k, step(k - 1, k)) && drawn.quality < kSlip.mostAsDrawn;
-    const auto best =
-        std::max_element(found.begin(), found.end(),
-                         [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+    const auto best = bestOf(found);
     const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
     const StepEvidence unmended = isRefuted ? StepEvidence::lost : StepEvidence::none;
     if (best == found.end()) return isImpossible ? mendTo(k, result_.poses[k - 1]) : unmended;
     if (areNear(best->pose, result_.poses[k], {}, kAsDrawn)) return StepEvidence::none;
-    double second = drawn.score;
-    for (const ScanFit& fit : found)
-      if (!areNear(fit.pose, best->pose, {}, kSameScanStart)) second = std::max(second, fit.score);
+    const double second = secondOf(found, *best, drawn);
     const bool isSlip = areNear(best->pose, result_.poses[k], {}, kSlipped) &&
                         (kSlip.holds(drawn, *best) || kClearSlip.holds(drawn, *best)) &&
                         best->score - drawn.score > kUnlikeOthers * (second - drawn.score);
@@ -205,6 +272,7 @@ class Mender {
   const std::vector<LocalScan>& scans_;
   const std::vector<Transform2D>& drawn_;
   const std::vector<bool>& asked_;
+  const bool looksBack_;
   Gait gait_;
   MendedSteps result_;
   bool isMended_ = false;
@@ -215,12 +283,12 @@ class Mender {
 }  // namespace
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn) {
-  return mendSteps(scans, drawn, std::vector<bool>(scans.size(), true));
+  return Mender(scans, drawn, std::vector<bool>(scans.size(), true), true).mended();
 }
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {
-  return Mender(scans, drawn, asked).mended();
+  return Mender(scans, drawn, asked, false).mended();
 }
 
 }  // namespace roomgraph
