@@ -53,6 +53,12 @@ TEST(ConsensusDocument, saysHowFarMatchGroupsAreBelieved) {
       100 * kLeastCost, 100 * kAlikeFrom, 100 * kAlikeTo);
 }
 
+TEST(ConsensusDocument, saysWhichStepsAreHeld) {
+  expectSaid("changes by more than %g m or %g rad", kInlier.place, kInlier.turn);
+  expectSaid("its weight becomes %g. The graph is then solved again, up to %d times", kHeldShare,
+             kHoldRounds);
+}
+
 TEST(ConsensusDocument, saysHowFarLinksGiveWay) {
   EXPECT_DOUBLE_EQ(1 - kCountedLinks, 0.1);
   expectSaid("without the worst tenth");

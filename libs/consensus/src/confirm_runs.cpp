@@ -10,7 +10,7 @@
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
-#include "scan_search.h"
+#include "roomgraph/align/scan_search.h"
 
 namespace roomgraph {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "fitted_consensus.h"
-#include "roomgraph/base/statistics.h"
+#include "gait.h"
 
 namespace roomgraph {
 namespace {
@@ -15,6 +15,7 @@ constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next 
 constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
 constexpr std::size_t kOneMap = 3;       // scans for which one map of those ahead will do
 constexpr std::size_t kTogether = 3;     // scans that are looked for as one
+constexpr double kAgrees = 0.5;          // share of the walls of both sides of a step that fit
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
@@ -29,53 +30,10 @@ struct Contradiction {
 };
 constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
 constexpr double kMaySpeak = 0.05;     // share of the walls of a scan that can speak against a step
-constexpr double kUnusual = 6;         // walls that an unusual step costs
 constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer, of a slip
 // Of one scan in what those behind it have drawn, where that shows a slip: how well it fits there,
 // and how much better than as it was drawn.
 constexpr double kLeastBehind = 0.5, kClearerBehind = 0.25, kGainBehind = 8;
-
-/** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
-struct Gait {
-  double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
-  double back = 0;           ///< no step leads farther back [m]; at most 0
-  PoseTolerance longest;     ///< no step is longer
-  double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
-
-  Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses) {
-    std::vector<double> ways{0}, ahead{0}, turns{0}, speeds{0};
-    for (std::size_t k = 1; k < poses.size(); ++k) {
-      const Transform2D step = poses[k - 1].inverse() * poses[k];
-      ways.push_back(norm(step.shift()));
-      ahead.push_back(step.x);
-      turns.push_back(std::abs(step.phi));
-      if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
-    }
-    way = median(ways), turn = quantile(turns, 0.9) + 0.2;
-    back = std::min(0.0, quantile(ahead, 0.02) - 0.5);
-    longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
-    speed = 1.3 * quantile(speeds, 0.98);
-  }
-
-  /** From the scan before; 0 where that is not known. */
-  static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k) {
-    if (!scans[k].time || !scans[k - 1].time) return 0;
-    return std::max(0.0, *scans[k].time - *scans[k - 1].time);
-  }
-
-  bool isPossible(const Transform2D& step, double seconds) const {
-    const double most = std::max(longest.place, seconds * speed);
-    return norm(step.shift()) < most && step.x > std::min(back, longest.place - most) &&
-           std::abs(step.phi) < longest.turn;
-  }
-
-  /** What an unusual step costs, in walls: a robot that stands still, or turns round. */
-  double costOf(const Transform2D& step) const {
-    const double length = std::min(2.0, std::abs(norm(step.shift()) - way) / std::max(0.1, way));
-    const double bend = std::min(2.0, std::abs(step.phi) / turn);
-    return kUnusual * (length * length + bend * bend);
-  }
-};
 
 class Mender {
  public:
@@ -91,6 +49,17 @@ class Mender {
       if (looksBack_ && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
     }
     return std::move(result_);
+  }
+
+  bool refutes(std::size_t k, const Transform2D& other) {
+    result_.poses = drawn_;
+    drawAhead(k);
+    if (ahead_.walls.empty() || !scans_[k].isTelling()) return false;
+    const StepView view = viewOf(k);
+    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
+    const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
+    return drawn.quality >= kAgrees &&
+           (drawn.score - fit.score > kClearSlip.leastGain || !isPossible(k, other));
   }
 
  private:
@@ -214,26 +183,38 @@ class Mender {
     return second;
   }
 
-  StepEvidence judge(std::size_t k) {
+  /** What the scans about a step to `k` see of each other. */
+  struct StepView {
+    WallMap behind;
+    LocalScan before, after;
+  };
+
+  StepView viewOf(std::size_t k) const {
     const std::vector<Transform2D> fromHere = posesFrom(k);
-    const WallMap behind = drawnBehind(k, fromHere);
-    const LocalScan before = together(k - std::min(k, kTogether), k, result_.poses);
-    const LocalScan after = together(k, std::min(k + kTogether, scans_.size()), fromHere);
-    const auto weighed = [&](ScanFit fit) {
-      const ScanFit back = fitAt(before, behind, fit.pose.inverse());
-      const double known = std::max(1e-9, fit.known + back.known);
-      fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
-      fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
-      fit.known = known / 2;
-      return fit;
-    };
-    const ScanFit drawn = weighed(asDrawn(after, ahead_, result_.poses[k]));
+    return {drawnBehind(k, fromHere), together(k - std::min(k, kTogether), k, result_.poses),
+            together(k, std::min(k + kTogether, scans_.size()), fromHere)};
+  }
+
+  /** A fit by the walls of both sides. */
+  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) const {
+    const ScanFit back = fitAt(view.before, view.behind, fit.pose.inverse());
+    const double known = std::max(1e-9, fit.known + back.known);
+    fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
+    fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
+    fit.known = known / 2;
+    return fit;
+  }
+
+  StepEvidence judge(std::size_t k) {
+    const StepView view = viewOf(k);
+    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
     const bool isPossibleAsDrawn = isPossible(k, step(k - 1, k));
     if (isPossibleAsDrawn && drawn.quality >= kSlip.mostAsDrawn)
-      return drawn.quality >= 0.5 ? StepEvidence::agrees : StepEvidence::none;
+      return drawn.quality >= kAgrees ? StepEvidence::agrees : StepEvidence::none;
     const bool mayBeTorn = !isPossibleAsDrawn || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
-    for (const ScanFit& fit : candidates(k, after, mayBeTorn)) found.push_back(weighed(fit));
+    for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
+      found.push_back(weighed(k, view, fit));
     return decide(k, drawn, found);
   }
 
@@ -289,6 +270,11 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {
   return Mender(scans, drawn, asked, false).mended();
+}
+
+bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+               std::size_t k, const Transform2D& step) {
+  return Mender(scans, drawn, {}, false).refutes(k, step);
 }
 
 }  // namespace roomgraph

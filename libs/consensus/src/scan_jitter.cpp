@@ -7,10 +7,10 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/PairBend.h"
-#include "scan_search.h"
 
 namespace roomgraph {
 namespace {

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "confirm_runs.h"
+#include "fitted_consensus.h"
+#include "held_steps.h"
 #include "lost_scans.h"
 #include "match_runs.h"
 #include "own_matches.h"
@@ -162,6 +164,24 @@ void widen(ById<RunId, MapError>& errors, const ById<RunId, MapError>& others) {
   }
 }
 
+/** What all runs agree on: those of the core first, then the others. */
+void agree(Consensus& consensus, std::size_t core, const ForEach& forEach) {
+  const PoseGraph& graph = consensus.graph;
+  std::vector<Agreement> agreements = agreementsOf(coreOf(graph, core), forEach);
+  for (Agreement& one : agreements) addOthers(one, graph, forEach);
+  Agreement& best = agreements.front();
+  for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
+  consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
+  consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
+}
+
+/** Makes the links firm that runs hold against their consensus; whether there are any. */
+bool holdSteps(Consensus& consensus, const Site& site, const ForEach& forEach) {
+  const std::vector<PoseEdgeId> held = heldSteps(site, consensus, forEach);
+  for (const PoseEdgeId link : held) consensus.graph.edges[link].share = fitted::kHeldShare;
+  return !held.empty();
+}
+
 }  // namespace
 
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
@@ -176,12 +196,9 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   PoseGraph& graph = consensus.graph;
   addRuns(consensus, site, counted, runs.order);
   addMatches(consensus, site, pairs, forEach);
-  std::vector<Agreement> agreements = agreementsOf(coreOf(graph, runs.core), forEach);
-  for (Agreement& one : agreements) addOthers(one, graph, forEach);
-  Agreement& best = agreements.front();
-  for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
-  consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
-  consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
+  agree(consensus, runs.core, forEach);
+  for (int round = 0; round < fitted::kHoldRounds && holdSteps(consensus, site, forEach); ++round)
+    agree(consensus, runs.core, forEach);
   if (graph.runs.size() == 1 && site.runs.size() > 1)
     consensus.errors[RunId(0)].seen = 1;  // by its copies
   const auto lost = lostScans(site, pairs, consensus);

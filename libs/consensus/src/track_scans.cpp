@@ -6,10 +6,10 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/step_hold.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
-#include "scan_search.h"
 
 namespace roomgraph {
 namespace {

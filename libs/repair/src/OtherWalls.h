@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/find_scan.h"
+#include "roomgraph/align/find_scan.h"
 #include "roomgraph/consensus/solve_site.h"
 
 namespace roomgraph {

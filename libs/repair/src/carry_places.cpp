@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "fitted_repair.h"
+#include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/consensus/find_scan.h"
 #include "roomgraph/relate/relate_maps.h"
 #include "roomgraph/repair/BendField.h"
 #include "roomgraph/repair/view_from.h"

@@ -5,8 +5,8 @@
 
 #include "OtherWalls.h"
 #include "fitted_repair.h"
+#include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/find_scan.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {

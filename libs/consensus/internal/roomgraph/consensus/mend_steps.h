@@ -2,14 +2,14 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/consensus/find_scan.h"
+#include "roomgraph/align/find_scan.h"
 
 namespace roomgraph {
 
 // Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  MendedSteps
-// Next: findRevisits, ownMatches
+// Next: findRevisits, ownMatches, heldSteps
 
 /** What a scan and those before it, which see the same walls, say of the step between them. */
 enum class StepEvidence {
@@ -37,5 +37,12 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
  *  alone; of all others there is no evidence. O(scans + asked * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked);
+
+/** Whether the scans on both sides of the step to scan `k`, of at least 1, agree with it as it was
+ *  drawn, and either clearly less with `step` (scan k - 1 <- scan k), where walls stand in a place
+ *  that they see as free, or the robot makes no such steps. False where either is a guess.
+ *  O(scans + cells around a few scans). */
+bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+               std::size_t k, const Transform2D& step);
 
 }  // namespace roomgraph

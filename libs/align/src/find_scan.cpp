@@ -1,11 +1,11 @@
-#include "roomgraph/consensus/find_scan.h"
+#include "roomgraph/align/find_scan.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
+#include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/wall_share.h"
-#include "scan_search.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,4 @@
-#include "roomgraph/consensus/find_scan.h"
+#include "roomgraph/align/find_scan.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@ namespace roomgraph {
 // Ours; the search over all poses in a window after Olson (2009), "correlative scan matching"
 // In:   a scan, and the map that other scans have drawn
 // Out:  where it lies there
-// Next: mendSteps, findRevisits
+// Next: followWalls, mendSteps, findRevisits
 
 /** Of the score of one fit, from which on another one is about as good. */
 constexpr double kRivalScore = 0.85;

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/near_poses.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and where the run has drawn them
+// Out:  Gait
+// Next: mendSteps
+
+/** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
+struct Gait {
+  double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
+  double back = 0;           ///< no step leads farther back [m]; at most 0
+  PoseTolerance longest;     ///< no step is longer
+  double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
+
+  Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses);
+
+  /** From the scan before; 0 where that is not known. */
+  static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k);
+
+  /** Whether the robot may go so in so many seconds. */
+  bool isPossible(const Transform2D& step, double seconds) const;
+
+  /** What an unusual step costs, in walls: a robot that stands still, or turns round. */
+  double costOf(const Transform2D& step) const;
+};
+
+}  // namespace roomgraph
