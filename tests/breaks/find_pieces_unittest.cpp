@@ -45,6 +45,15 @@ TEST(FindPieces, aTurnedHalfBreaksAtTheCentreOfTheTurn) {
   }
 }
 
+TEST(FindPieces, aShortEndThatIsTurnedBreaksWhereItIsTorn) {
+  const Torn torn;
+  const Point about{6, 5};
+  const auto found = torn.breakOf(test::withTornEnd(torn.drawing, about, 0.7), {});
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->rotation, 0.7, 0.03);
+  EXPECT_LT(distance(found->place, about), 0.5);
+}
+
 TEST(FindPieces, aMovedHalfBreaksByItsShift) {
   const Torn torn;
   Grid moved = torn.drawing;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
@@ -111,6 +113,49 @@ TEST(FollowWalls, whatTheOtherHasNotSeenIsNoPieceOfItWhereItLooksAlike) {
   EXPECT_NEAR(found().share, 0.5, 0.05) << "the other map has none";
   one.hasScans = true;
   EXPECT_GT(found().share, 0.9) << "a torn run has come back";
+}
+
+/** The turns by which walls were found torn off, and how many of them. */
+std::vector<std::pair<double, double>> tornOff(const FollowedWalls& found) {
+  std::vector<std::pair<double, double>> torn;
+  for (const FollowedPatch& patch : found.patches)
+    if (patch.layer == kTornLayer) torn.emplace_back(patch.pose.phi, patch.walls);
+  return torn;
+}
+
+TEST(FollowWalls, aShortEndThatIsTurnedIsFoundWhereItBelongs) {
+  const Grid drawing = drawnBuilding(4, {});
+  for (const double turn : {0.7, -1.9}) {
+    WallMap whole = mapOf(drawing), torn = mapOf(test::withTornEnd(drawing, {6, 5}, turn));
+    const FollowedWalls found = followWalls(torn, whole, {{}});
+    double walls = 0;
+    for (const auto& [phi, count] : tornOff(found)) {
+      EXPECT_NEAR(wrappedAngle(phi + turn), 0, 0.03);
+      walls += count;
+    }
+    EXPECT_GT(walls, 60) << turn;
+    EXPECT_GT(found.bend, 0.1);
+    whole.hasScans = torn.hasScans = true;
+    EXPECT_TRUE(tornOff(followWalls(torn, whole, {{}})).empty()) << "scans tell it better";
+  }
+}
+
+/** The map with boxes of a metre in rows, as desks stand. */
+Grid withDesks(Grid grid, Point first, Point step) {
+  for (int k = 0; k < 4; ++k)
+    for (double x = -0.5; x < 0.5; x += grid.frame.resolution)
+      for (double y = -0.3; y < 0.3; y += grid.frame.resolution) {
+        const Point at = first + double(k) * step + Point{x, y};
+        if (grid.isFree(at)) grid.cells[grid.frame.index(grid.frame.cellAt(at))] = State::occupied;
+      }
+  return grid;
+}
+
+TEST(FollowWalls, furnitureThatIsNewIsNotTornOff) {
+  const Grid drawing = drawnBuilding(4, {});
+  const WallMap desks = mapOf(withDesks(drawing, {4, 8}, {3, 0}));
+  EXPECT_GT(desks.walls.size(), mapOf(drawing).walls.size() + 60);
+  EXPECT_TRUE(tornOff(followWalls(desks, mapOf(drawing), {{}})).empty());
 }
 
 TEST(FollowWalls, theMisfitIsThatOfAllWallsWhetherFollowedOrNot) {

@@ -105,6 +105,19 @@ Grid bent(const Grid& grid, double angle) {
   return result;
 }
 
+Grid withTornEnd(const Grid& grid, Point about, double turn) {
+  Grid result = grid;
+  const Transform2D back = carrying(about, about, -turn);
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x) {
+      const Point at = grid.frame.center({x, y});
+      if (distance(at, about) > 3) continue;
+      if (grid.atOrUnknown(grid.frame.cellAt(back(at))) == State::occupied)
+        result.cells[grid.frame.index({x, y})] = State::occupied;
+    }
+  return result;
+}
+
 MapPairs related(const std::vector<Run>& runs, const KeptPairs& kept) {
   return relateRuns(runs, {}, oneByOne, kept);
 }

@@ -24,6 +24,10 @@ Grid squareHall(const Transform2D& pose);
  */
 Grid bent(const Grid& grid, double angle);
 
+/** The map with the walls within 3 m of a place drawn once more, turned about it, as a run whose
+ *  last scans are turned does. */
+Grid withTornEnd(const Grid& grid, Point about, double turn);
+
 /** relateRuns, one pair after the other. */
 MapPairs related(const std::vector<Run>& runs, const KeptPairs& kept = {});
 

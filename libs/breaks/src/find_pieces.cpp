@@ -53,8 +53,9 @@ class PieceFinder {
       for (std::size_t j = 0; j < i; ++j)
         if (auto pieces = grown(seeds[i], seeds[j]); pieces && isBetter(*pieces, best))
           best = std::move(pieces);
-    if (!best || best->turnBend > kLeastPieceTurn) return std::nullopt;
-    return breakOf(*best);
+    if (!best || best->turnBend > kLeastPieceTurn) return tornOff();
+    const auto found = breakOf(*best);
+    return found ? found : tornOff();
   }
 
  private:
@@ -96,6 +97,16 @@ class PieceFinder {
     measure(pieces);
     if (std::min(pieces.walls[0], pieces.walls[1]) < kSmallestPiece * all_) return std::nullopt;
     return pieces;
+  }
+
+  /** A short stretch that the other map contradicts where it was drawn, beside all the rest. */
+  std::optional<PieceBreak> tornOff() const {
+    Pieces pieces;
+    for (const FollowedPatch& f : followed_.patches)
+      pieces.members.push_back(f.layer == kTornLayer ? 1 : f.layer == 0 ? 0 : -1);
+    if (std::count(pieces.members.begin(), pieces.members.end(), 1) == 0) return std::nullopt;
+    fit(pieces), measure(pieces);
+    return breakOf(pieces);
   }
 
   void fit(Pieces& pieces) const {

@@ -1,5 +1,8 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
+
+#include "roomgraph/align/near_poses.h"
 
 /** What the relation of runs was set by. What finds a map in another is judged by
  *  `benchmarks/alignment_accuracy --data DIR`, the choice of a core by `benchmarks/core_accuracy
@@ -13,7 +16,14 @@ constexpr int kTwinRounds = 2;
 constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
 constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
 constexpr int kMaxPieces = 6;
-constexpr std::size_t kMaxCandidates = 40;  // poses that are tried for a piece
+constexpr std::size_t kMaxCandidates = 40;       // poses that are tried for a piece
+constexpr std::size_t kFewestContradicted = 60;  // walls that may be a stretch that is torn off
+constexpr PoseTolerance kTornAway{8, M_PI};      // how far off it is looked for
+constexpr std::size_t kTornPlaces = 4;           // places that are held against each other
+constexpr double kTornHold = 0.15;               // in both directions, unlike walls of one corridor
+// Share of them that another part of the map has drawn, too: 0.21 to 0.55 of torn ends; of walls
+// that a torn end has erased in the other map at most 0.11.
+constexpr double kDrawnTwice = 0.2;
 
 // Two maps.
 constexpr double kUnlikely = 0.2;       // confidence below which an answer counts for nothing

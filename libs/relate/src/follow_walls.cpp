@@ -12,6 +12,8 @@
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
+#include "roomgraph/relate/sight_walls.h"
+#include "torn_end.h"
 
 namespace roomgraph {
 namespace {
@@ -62,6 +64,7 @@ class Follower {
       if (!followPiece(poses.front(), others)) break;
     for (int round = 0; round < fitted::kTwinRounds; ++round) followTwins();
     fit();
+    if (!(of_.hasScans && in_.hasScans) && followTornEnd()) fit();
     return std::move(result_);
   }
 
@@ -230,6 +233,24 @@ class Follower {
       offerAround(f.patch, f.pose, fitted::kFairQuality);
     }
     grow(fitted::kFairQuality);
+  }
+
+  /** Takes the end of a run that is torn off, if it draws what is there already, unlike walls of a
+   *  sound map over which the other one has drawn. Whether it does. Maps that bend by more than
+   *  walls may be off contradict each other all along. */
+  bool followTornEnd() {
+    if (result_.bend > kSameWhereBent) return false;
+    std::vector<bool> isFound;
+    for (const int layer : foundIn_) isFound.push_back(layer != kNone);
+    const auto end = findTornEnd(of_, in_, result_, isFound);
+    if (!end) return false;
+    layer_ = kTornLayer, twice_ = 0;
+    const std::size_t before = result_.patches.size();
+    double sum = 0;
+    for (const std::uint32_t patch : end->patches) sum += take({1, patch, end->pose});
+    const bool isDrawnTwice = twice_ > fitted::kDrawnTwice * sum;
+    if (!isDrawnTwice) giveBack(before);
+    return isDrawnTwice;
   }
 
   /** The pose that carries all patches as near to their places as one pose can, and what is left.

@@ -44,9 +44,8 @@ WallSighting sightingAt(const WallMap& in, Point at, Point normal) {
   const std::size_t cell = cellIndexAt(in.frame, at);
   if (cell >= in.states.size()) return WallSighting::unknown;
   const WallPoint* wall = nearestWall(in, cell, normal);
-  const double near = 2 * kSameWall;
-  if (wall && distance(wall->place, at) < near) return WallSighting::found;
-  return in.depths[cell] > near ? WallSighting::free : WallSighting::unknown;
+  if (wall && distance(wall->place, at) < kSameWhereBent) return WallSighting::found;
+  return in.depths[cell] > kSameWhereBent ? WallSighting::free : WallSighting::unknown;
 }
 
 }  // namespace

@@ -13,6 +13,9 @@ namespace roomgraph {
 // Out:  FollowedWalls
 // Next: scoreRuns, findBreaks
 
+/** The layer of walls that lie where the other map shows free space, and were found elsewhere. */
+constexpr int kTornLayer = 100;
+
 /** A patch of walls that was found in the other map. */
 struct FollowedPatch {
   std::uint32_t patch = 0;  ///< of WallMap::patches
@@ -42,10 +45,11 @@ constexpr double kMaxBend = 60;
  *  growing from patch to patch, surest first, so that the pose can change along the way as the maps
  *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
  *  and next to what was found, as walls can be there twice. A place that looks alike may be found
- *  so, too. Nothing is found where there is no pose. A map followed in itself from where it lies
- *  hardly bends.
+ *  so, too. Of maps without scans, a short end that is torn off is looked for as a whole where the
+ *  other map contradicts it, and has the layer kTornLayer. Nothing is found where there is no pose.
+ *  A map followed in itself from where it lies hardly bends.
  *
- *  Deterministic. O(patches * points of a patch). */
+ *  Deterministic. O(patches * points of a patch), and 0.1 s where walls are contradicted. */
 FollowedWalls followWalls(const WallMap& of, const WallMap& in,
                           const std::vector<Transform2D>& poses);
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/WallMap.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
@@ -14,6 +15,9 @@ namespace roomgraph {
 
 /** What another map has where a wall of this one is. */
 enum class WallSighting : std::uint8_t { unknown, found, free };
+
+/** Walls of two maps that bend are one within this distance [m]. */
+constexpr double kSameWhereBent = 2 * kSameWall;
 
 /** Of each wall point of `of`, what `in` has there. Each is looked for where the patch of walls
  *  next to it was followed to, so that bends are no missing walls; where nothing was followed, all

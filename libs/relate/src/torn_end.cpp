@@ -1,0 +1,71 @@
+#include "torn_end.h"
+
+#include <algorithm>
+
+#include "fitted_relate.h"
+#include "roomgraph/align/find_scan.h"
+#include "roomgraph/base/majority.h"
+#include "roomgraph/relate/sight_walls.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<std::uint32_t> contradicted(const WallMap& of, const WallMap& in,
+                                        const FollowedWalls& followed,
+                                        const std::vector<bool>& isFound) {
+  const std::vector<WallSighting> seen = sightWalls(of, in, followed);
+  std::vector<std::uint32_t> walls;
+  for (std::uint32_t k = 0; k < seen.size(); ++k)
+    if (seen[k] == WallSighting::free && !isFound[k]) walls.push_back(k);
+  return walls;
+}
+
+/** The patches that have one of some walls, which are ascending, as their own. */
+std::vector<std::uint32_t> patchesWith(const std::vector<std::uint32_t>& walls,
+                                       const WallPatches& patches) {
+  const auto isOne = [&](std::uint32_t k) {
+    return std::binary_search(walls.begin(), walls.end(), k);
+  };
+  std::vector<std::uint32_t> with;
+  for (std::uint32_t patch = 0; patch < patches.size(); ++patch)
+    if (std::any_of(patches[patch].own.begin(), patches[patch].own.end(), isOne))
+      with.push_back(patch);
+  return with;
+}
+
+/** Where a scan fits, if in one place only. */
+std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& in,
+                                   const Transform2D& drawn) {
+  const auto fits = findScan(scan, in, drawn, fitted::kTornAway, fitted::kTornPlaces);
+  const auto best =
+      std::max_element(fits.begin(), fits.end(),
+                       [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+  if (best == fits.end() || best->quality < kMajority || best->known < fitted::kSureShare ||
+      best->hold < fitted::kTornHold)
+    return std::nullopt;
+  const bool isAmbiguous = std::any_of(fits.begin(), fits.end(), [&](const ScanFit& fit) {
+    return fit.score > kRivalScore * best->score && !areNear(fit.pose, best->pose, {}, kSameAnswer);
+  });
+  return isAmbiguous ? std::nullopt : std::optional(best->pose);
+}
+
+}  // namespace
+
+std::optional<TornEnd> findTornEnd(const WallMap& of, const WallMap& in,
+                                   const FollowedWalls& followed,
+                                   const std::vector<bool>& isFound) {
+  const std::vector<std::uint32_t> walls = contradicted(of, in, followed, isFound);
+  if (walls.size() < fitted::kFewestContradicted) return std::nullopt;
+  Point sum;
+  for (const std::uint32_t k : walls) sum = sum + of.walls[k].place;
+  const Point middle = 1 / double(walls.size()) * sum;
+  LocalScan stretch;  // as seen from its middle
+  for (const std::uint32_t k : walls)
+    stretch.walls.push_back({of.walls[k].place - middle, of.walls[k].normal});
+  const Transform2D toMiddle{middle.x, middle.y, 0};
+  const auto place = placeOf(stretch, in, followed.pose * toMiddle);
+  if (!place) return std::nullopt;
+  return TornEnd{patchesWith(walls, of.patches), *place * toMiddle.inverse()};
+}
+
+}  // namespace roomgraph
