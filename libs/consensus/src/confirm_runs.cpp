@@ -7,10 +7,10 @@
 #include "confirmed_nodes.h"
 #include "edge_cost.h"
 #include "fitted_consensus.h"
+#include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
-#include "roomgraph/align/scan_search.h"
 
 namespace roomgraph {
 namespace {
