@@ -53,8 +53,8 @@ class PieceFinder {
       for (std::size_t j = 0; j < i; ++j)
         if (auto pieces = grown(seeds[i], seeds[j]); pieces && isBetter(*pieces, best))
           best = std::move(pieces);
-    if (!best || best->turnBend > kLeastPieceTurn) return tornOff();
-    const auto found = breakOf(*best);
+    std::optional<PieceBreak> found;
+    if (best && best->turnBend <= kLeastPieceTurn) found = breakOf(*best);
     return found ? found : tornOff();
   }
 

@@ -10,13 +10,13 @@ namespace {
 std::vector<PoseEdgeId> heldBy(const Run& run, const GraphRun& nodes, const Consensus& consensus) {
   std::vector<PoseEdgeId> held;
   std::vector<LocalScan> scans;
+  std::vector<Transform2D> drawn;
   for (const PoseEdgeId id : nodes.links) {
     const PoseEdge& link = consensus.graph.edges[id];
     const Transform2D step = consensus.poses[link.from].inverse() * consensus.poses[link.to];
     if (link.share > 1 || isInlier(link, step, kInlier)) continue;
-    if (scans.empty()) scans = localScans(run.scans);
-    if (isRefuted(scans, drawnPoses(run.scans), nodes.nodes.placeOf(link.to), step))
-      held.push_back(id);
+    if (scans.empty()) scans = localScans(run.scans), drawn = drawnPoses(run.scans);
+    if (isRefuted(scans, drawn, nodes.nodes.placeOf(link.to), step)) held.push_back(id);
   }
   return held;
 }

@@ -125,10 +125,14 @@ class Mender {
 
   std::size_t endBehind(std::size_t k) const { return std::min(k + kScansBehind, scans_.size()); }
 
-  WallMap drawnBehind(std::size_t k, const std::vector<Transform2D>& fromHere) const {
+  /** What the scans behind the step to `k` have drawn, seen from the first of them. */
+  const WallMap& drawnBehind(std::size_t k) {
+    if (behindOf_ == k) return behind_;
     std::vector<std::size_t> chosen(endBehind(k) - k);
     std::iota(chosen.begin(), chosen.end(), k);
-    return scanMap(scans_, fromHere, chosen, range());
+    behind_ = scanMap(scans_, posesFrom(k), chosen, range());
+    behindOf_ = k;
+    return behind_;
   }
 
   /** Holds the one scan before a step against those behind it. A scan that lies wrong on its own
@@ -136,7 +140,7 @@ class Mender {
   void lookBack(std::size_t k) {
     const LocalScan& scan = scans_[k - 1];
     if (!scan.isTelling()) return;
-    const WallMap behind = drawnBehind(k, posesFrom(k));
+    const WallMap& behind = drawnBehind(k);
     if (behind.walls.empty()) return;
     const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
     const ScanFit drawn = asDrawn(scan, behind, back);
@@ -169,11 +173,6 @@ class Mender {
     result_.evidence[k] = mendTo(k, result_.poses[k - 1] * pose.inverse());
   }
 
-  static std::vector<ScanFit>::const_iterator bestOf(const std::vector<ScanFit>& found) {
-    return std::max_element(found.begin(), found.end(),
-                            [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
-  }
-
   /** The score of the next best pose, or of that which was drawn. */
   static double secondOf(const std::vector<ScanFit>& found, const ScanFit& best,
                          const ScanFit& drawn) {
@@ -183,21 +182,19 @@ class Mender {
     return second;
   }
 
-  /** What the scans about a step to `k` see of each other. */
+  /** The scans on both sides of a step. */
   struct StepView {
-    WallMap behind;
     LocalScan before, after;
   };
 
   StepView viewOf(std::size_t k) const {
-    const std::vector<Transform2D> fromHere = posesFrom(k);
-    return {drawnBehind(k, fromHere), together(k - std::min(k, kTogether), k, result_.poses),
-            together(k, std::min(k + kTogether, scans_.size()), fromHere)};
+    return {together(k - std::min(k, kTogether), k, result_.poses),
+            together(k, std::min(k + kTogether, scans_.size()), posesFrom(k))};
   }
 
   /** A fit by the walls of both sides. */
-  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) const {
-    const ScanFit back = fitAt(view.before, view.behind, fit.pose.inverse());
+  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) {
+    const ScanFit back = fitAt(view.before, drawnBehind(k), fit.pose.inverse());
     const double known = std::max(1e-9, fit.known + back.known);
     fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
     fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
@@ -259,6 +256,8 @@ class Mender {
   bool isMended_ = false;
   WallMap ahead_;
   std::size_t aheadOf_ = 0;  // the first scan that is not in that map
+  WallMap behind_;
+  std::size_t behindOf_ = 0;  // the first scan in that map; 0 before there is one
 };
 
 }  // namespace

@@ -37,9 +37,7 @@ std::vector<std::uint32_t> patchesWith(const std::vector<std::uint32_t>& walls,
 std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& in,
                                    const Transform2D& drawn) {
   const auto fits = findScan(scan, in, drawn, fitted::kTornAway, fitted::kTornPlaces);
-  const auto best =
-      std::max_element(fits.begin(), fits.end(),
-                       [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+  const auto best = bestOf(fits);
   if (best == fits.end() || best->quality < kMajority || best->known < fitted::kSureShare ||
       best->hold < fitted::kTornHold)
     return std::nullopt;

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -37,5 +38,11 @@ ScanFit fitNear(const LocalScan& scan, const WallMap& in, const Transform2D& sta
  *  to a better one, at most `count`. O(poses in the window * some walls). */
 std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Transform2D& around,
                               const PoseTolerance& window, std::size_t count);
+
+/** The fit of the highest score; the end of none. O(fits). */
+inline std::vector<ScanFit>::const_iterator bestOf(const std::vector<ScanFit>& fits) {
+  return std::max_element(fits.begin(), fits.end(),
+                          [](const ScanFit& l, const ScanFit& r) { return l.score < r.score; });
+}
 
 }  // namespace roomgraph

@@ -31,12 +31,13 @@ constexpr double kPieceContrast = 2.5;
 /** Share of the walls that were found, of the smaller piece. */
 constexpr double kSmallestPiece = 0.15;
 
-/** Whether the patches of a run lie in another map as two pieces, each of which may bend a little.
- *  Each two of the rigid pieces are tried: all patches go to the nearer one of the two, and both
- *  are fitted anew, until nothing changes (k-means); those two count that explain most walls. A
- *  break that turns is where the turn has its centre. Walls do not tell where one is that only
- *  shifts: it is put to where the pieces come nearest. None for a map that is whole, or bends all
- *  along. O(pieces^2 * patches + patches^2). */
+/** Whether the patches of a run lie in another map as two pieces, each of which may bend a
+ *  little. Each two of the rigid pieces are tried: all patches go to the nearer one of the two,
+ *  and both are fitted anew, until nothing changes (k-means); those two count that explain most
+ *  walls. A break that turns is where the turn has its centre. Walls do not tell where one is
+ *  that only shifts: it is put to where the pieces come nearest. An end that is torn off
+ *  (kTornLayer) is the smaller one where there are no such two. None for a map that is whole, or
+ *  bends all along. O(pieces^2 * patches + patches^2). */
 std::optional<PieceBreak> findPieces(const WallPatches& patches, const FollowedWalls& followed,
                                      const FindBreaksOptions& options);
 
