@@ -119,6 +119,8 @@ class Carrier {
       return "one of the maps has the place twice";
     if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
+    if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), fitted::kOwnPlace))
+      return "the old map shows no free space there";
     const LocalScan view = viewFrom(old_, place.pose, fitted::kViewRange);
     if (!view.isTelling()) return doubtUnseen(place, route, carried);
     const Transform2D& at = *carried.pose;
