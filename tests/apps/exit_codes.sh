@@ -69,6 +69,27 @@ printf '# time x y z qx qy qz qw\n1.5 0 0 0 0 0 0 1\n' > run.tum
 opened_by run.tum "is a trajectory"
 printf '1 0 0 0 0 1 0 0 0 0 1 0\n' > run.kitti
 opened_by run.kitti "is a trajectory"
+printf '{"format": "roomgraph/archive", "version": 1}\n' > history.json
+opened_by history.json "is a result of roomgraph" editor
+printf 'rank,name,file\n1,"a",a.pgm\n' > comparison.runs.csv
+opened_by comparison.runs.csv "is a table" spreadsheet
+printf 'PK\003\004\024\000' > comparison.a.evo.zip
+opened_by comparison.a.evo.zip evo_res
+printf 'VERTEX_SE2 0 0 0 0\n' > site.g2o
+opened_by site.g2o g2o_viewer
+printf '<?xml version="1.0"?>\n<testsuites tests="1">\n' > junit.xml
+opened_by junit.xml JUnit
+printf 'version = "1.7.0"\n\n[maps."a.yaml"]\n' > comparison.maps.toml
+opened_by comparison.maps.toml "with 'maps'"
+printf 'translation:\n  x: 0\nroot_frame: site\n' > a.pose.yaml
+opened_by a.pose.yaml "the map beside it"
+printf '{"site":"S","key":"0"}\n' > tasks.jsonl
+opened_by tasks.jsonl "roomgraph task"
+expect 0 "$roomgraph" config
+cp out options.ini
+opened_by options.ini --config
+expect 0 "$roomgraph" archive kept.db add a.pgm
+opened_by kept.db "is an archive" "roomgraph archive"
 printf 'Scene of a play\n' > text.txt
 opened_by text.txt "is not a map of a known kind"
 

@@ -1,5 +1,6 @@
 #include "roomgraph/map_files/load_grid.h"
 
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -33,8 +34,12 @@ constexpr OtherFile kOtherObjects[] = {
     {"Scene", "is a scene, and no map", "open it with SceneViewer3D"},
     {"CActionCollection", "is a log, and no map", "open it with RawLogViewer, or make a map of it"},
 };
-/** By what the first bytes of a text hold. */
-constexpr OtherFile kOtherTexts[] = {
+/** By what the first bytes of a file hold; what holds others' signs comes first. */
+constexpr OtherFile kOtherFiles[] = {
+    {"SQLite format 3", "is an archive of roomgraph, and no map",
+     "open it with 'roomgraph archive'"},
+    {"PK\x03\x04", "is a zip file, and no map",
+     "open it with evo_res where 'roomgraph compare' has written it, or unpack it"},
     {"\"roomgraph/comparison\"", "is a comparison, and no map",
      "open it with 'roomgraph report', 'roomgraph info' or roomgraph-view"},
     {"\"roomgraph/graph\"", "is a graph, and no map",
@@ -43,11 +48,19 @@ constexpr OtherFile kOtherTexts[] = {
      "open the page beside it in a browser, or give the map of the run"},
     {"\"roomgraph/site\"", "is a file of room names, and no map",
      "give it to 'roomgraph compare' as --names"},
+    {"\"roomgraph/", "is a result of roomgraph, and no map",
+     "open it in an editor, or give the map that it is of"},
     {"\"FeatureCollection\"", "is GeoJSON, and no map", "open it with QGIS or nav2's route server"},
     {"<graphml", "is a graph, and no map", "open it with Gephi or networkx"},
     {"<osm ", "is a map of OpenStreetMap's kind", "open it with JOSM"},
     {"<!DOCTYPE html", "is a page, and no map", "open it in a browser"},
     {"<svg ", "is a drawing, and no map", "open it in a browser, or give the map that it is of"},
+    {"<testsuites", "is the verdict of a gate, and no map", "give it to a CI system as JUnit's"},
+    {"VERTEX_SE2 ", "is a graph of poses, and no map", "open it with g2o_viewer"},
+    {"[maps.\"", "is a session of the viewer 'maps', and no map", "open it with 'maps'"},
+    {"root_frame: ", "tells where a map lies in its site, and is none", "give the map beside it"},
+    {"[load_grid]", "is a file of options, and no map", "give it as --config"},
+    {"{\"site\":", "is a list of tasks, and no map", "give its folder to 'roomgraph task'"},
     {"FLASER ", "is a log of CARMEN, and no map", "make a simplemap of it with carmen2simplemap"},
 };
 
@@ -64,6 +77,16 @@ bool isTrajectory(const std::string& text) {
   return numbers.eof() && (count == 8 || count == 12);
 }
 
+/** Whether the first two lines have the same number of commas, and more than one. */
+bool isTable(const std::string& text) {
+  std::istringstream lines(text);
+  std::string heading, row;
+  std::getline(lines, heading);
+  std::getline(lines, row);
+  const auto commas = std::count(heading.begin(), heading.end(), ',');
+  return commas > 1 && std::count(row.begin(), row.end(), ',') == commas;
+}
+
 [[noreturn]] void refuseUnknown(CheckedFile& file) {
   if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
   const auto object = peekObjectHeader(file.head());
@@ -74,12 +97,14 @@ bool isTrajectory(const std::string& text) {
       if (object->className == other.sign) refuse(file.name(), other.problem, other.remedy);
   const std::string remedy = "give an " + mapFormatNames();
   if (isObject) refuse(file.name(), "holds an MRPT object of class " + object->className, remedy);
-  for (const OtherFile& other : kOtherTexts)
+  for (const OtherFile& other : kOtherFiles)
     if (head.find(other.sign) != std::string::npos)
       refuse(file.name(), other.problem, other.remedy);
   if (isTrajectory(head))
     refuse(file.name(), "is a trajectory, which shows no walls",
            "give the simplemap or the map of the run");
+  if (isTable(head))
+    refuse(file.name(), "is a table, and no map", "open it with a spreadsheet program");
   refuse(file.name(), "is not a map of a known kind", remedy);
 }
 

@@ -98,8 +98,12 @@ std::uint8_t greyOfCell(std::uint8_t cell) {
 
 bool isRtabmap(CheckedFile& file) {
   constexpr char magic[] = "SQLite format 3";  // and its zero
-  return file.head().size >= sizeof magic &&
-         std::memcmp(file.head().data, magic, sizeof magic) == 0;
+  constexpr std::size_t idAt = 68;
+  constexpr char archive[] = "rmgr";  // the application id of our archives
+  const ByteView head = file.head();
+  if (head.size < sizeof magic || std::memcmp(head.data, magic, sizeof magic) != 0) return false;
+  return head.size < idAt + sizeof archive ||
+         std::memcmp(head.data + idAt, archive, sizeof archive - 1) != 0;
 }
 
 GreyMap readRtabmap(CheckedFile& file, const LoadGridOptions&) {
