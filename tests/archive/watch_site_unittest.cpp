@@ -81,6 +81,15 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
   EXPECT_FALSE(annaIn(history).isAlarm()) << "one bad night is no trend";
 }
 
+TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
+  SiteHistory history = twelveNights();
+  history.runs.push_back(historyRun("anna", 11, 2.5));
+  history.runs.back().time += 3600;
+  EXPECT_EQ(annaIn(history).advice,
+            "no, the map of 1970-01-12T01:00:00Z is 2.50 m off, with a limit of 0.30 m: keep that "
+            "of 1970-01-12T00:00:00Z");
+}
+
 TEST(WatchSite, mapsThatTellNothingOfTheSiteAreAnAlarmFromTheSecondNightOn) {
   SiteHistory history = twelveNights();
   for (int n = 12; n < 14; ++n) {

@@ -52,13 +52,18 @@ std::string faultOf(const RobotWatch& watch, const HistoryRun& latest,
 
 /** May the latest map be rolled out; if not, which one stays? */
 void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& options) {
-  const auto dayOf = [&](std::size_t run) { return dayText(history.runs[run].time); };
-  const std::string map = "the map of " + dayOf(watch.latest);
+  const auto timeOf = [&](std::size_t run) { return history.runs[run].time; };
+  const bool isOneDay = watch.lastGood && watch.lastGood != watch.latest &&
+                        dayText(timeOf(*watch.lastGood)) == dayText(timeOf(watch.latest));
+  const auto whenOf = [&](std::size_t run) {
+    return isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
+  };
+  const std::string map = "the map of " + whenOf(watch.latest);
   const std::string fault = faultOf(watch, history.runs[watch.latest], options);
   if (!fault.empty()) {
     watch.rollout = Rollout::no;
     watch.advice = "no, " + map + " " + fault +
-                   (watch.lastGood ? ": keep that of " + dayOf(*watch.lastGood)
+                   (watch.lastGood ? ": keep that of " + whenOf(*watch.lastGood)
                                    : ", and no good one is known");
   } else if (watch.lastGood == watch.latest) {
     watch.rollout = Rollout::yes;
