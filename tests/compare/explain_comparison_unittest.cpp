@@ -32,6 +32,10 @@ TEST(ReasonOf, saysHowFarTheWallsLieOff) {
   const Comparison three = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
   EXPECT_EQ(reasonOf(three.runs[1], three),
             "its walls lie 0.20 m RMS from the consensus of 3 runs");
+  Comparison alone = three;
+  alone.runs[1].score->others = 0;
+  EXPECT_NE(reasonOf(alone.runs[1], alone).find("the consensus of 1 run"), std::string::npos);
+  EXPECT_EQ(reasonOf(alone.runs[1], alone).find("1 runs"), std::string::npos);
   Comparison measured = three;
   measured.reference = "plan";
   EXPECT_EQ(reasonOf(measured.runs[0], measured), "its walls lie 0.10 m RMS from the reference");

@@ -17,7 +17,7 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   std::string text = formatted("its walls lie %.2f m RMS from ", score.mapError);
   text += comparison.reference ? "the reference"
           : comparison.core.empty()
-              ? formatted("the consensus of %zu runs", score.others + 1)
+              ? "the consensus of " + counted(score.others + 1, "run", "runs")
               : formatted("the consensus of the core of %zu runs", comparison.core.size());
   if (const std::size_t count = comparison.countBreaks(run.name))
     text += formatted("; it breaks in %zu place%s", count, count == 1 ? "" : "s");
