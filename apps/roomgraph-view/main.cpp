@@ -13,6 +13,7 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/stage_names.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "usage_fault.h"
 
 namespace roomgraph {
@@ -80,7 +81,7 @@ void writeScreenshot(const Arguments& arguments, const View& view) {
   const auto width = unsigned(arguments.size[0]), height = unsigned(arguments.size[1]);
   lookDown(*drawn.scene(), box, view.turn, double(width) / height);
   mrpt::opengl::CFBORender render(width, height);
-  render.setCamera(*drawn.scene(), drawn.scene()->getViewport()->getCamera());
+  useCameraOf(*drawn.scene(), render);
   mrpt::img::CImage picture(width, height, mrpt::img::CH_RGB);
   render.render_RGB(*drawn.scene(), picture);
   if (!picture.saveToFile(arguments.screenshot))

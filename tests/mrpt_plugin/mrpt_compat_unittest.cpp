@@ -38,5 +38,25 @@ TEST(MrptCompat, lightIsEvenInEveryVersion) {
   EXPECT_TRUE(lamps.lights.empty());
 }
 
+// What renders, as it takes its camera in different versions.
+struct Renderer25 {
+  const viz::CCamera* camera = nullptr;
+  void setCamera(const MrptScene&, const viz::CCamera& given) { camera = &given; }
+};
+struct Renderer3 {
+  const viz::CCamera* camera = nullptr;
+  void setCamera(const viz::CCamera& given) { camera = &given; }
+};
+
+TEST(MrptCompat, aSceneIsSeenByItsOwnCameraInEveryVersion) {
+  const auto scene = MrptScene::Create();
+  Renderer25 asks;
+  useCameraOf(*scene, asks);
+  EXPECT_EQ(asks.camera, &scene->getViewport()->getCamera());
+  Renderer3 knows;
+  useCameraOf(*scene, knows);
+  EXPECT_EQ(knows.camera, nullptr);
+}
+
 }  // namespace
 }  // namespace roomgraph

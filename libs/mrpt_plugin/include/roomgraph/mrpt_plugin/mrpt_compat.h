@@ -2,7 +2,7 @@
 
 // The only place that knows what changed between MRPT's versions: MRPT 3 moved the 3D objects from
 // mrpt::opengl to mrpt::viz and calls the scene Scene and what is in it CVisualObject; a viewport's
-// light has been colours, numbers, and a list of lamps.
+// light has been colours, numbers, and a list of lamps; what renders takes the scene's own camera.
 
 #if __has_include(<mrpt/viz/Scene.h>)
 #include <mrpt/viz/CDisk.h>
@@ -62,6 +62,21 @@ void makeEven(Light& light) {
     light.ambient = {1, 1, 1, 1};
     light.diffuse = light.specular = {0, 0, 0, 1};
   }
+}
+
+template <class Renderer, class = void>
+struct AsksForCamera : std::false_type {};
+template <class Renderer>
+struct AsksForCamera<Renderer,
+                     std::void_t<decltype(std::declval<Renderer&>().setCamera(
+                         std::declval<const MrptScene&>(), std::declval<const viz::CCamera&>()))>>
+    : std::true_type {};
+
+/** Makes it see a scene as the camera of its viewport does. MRPT 3 does so by itself. */
+template <class Renderer>
+void useCameraOf(const MrptScene& scene, Renderer& renderer) {
+  if constexpr (AsksForCamera<Renderer>::value)
+    renderer.setCamera(scene, scene.getViewport()->getCamera());
 }
 
 }  // namespace roomgraph
