@@ -1,11 +1,16 @@
 #include "roomgraph/page/comparison_report.h"
 
+#ifdef ROOMGRAPH_DRAWS_REPORT
 #include "page_data.h"
 #include "page_files.h"
 #include "page_tables.h"
+#else
+#include "bare_report.h"
+#endif
 
 namespace roomgraph {
 
+#ifdef ROOMGRAPH_DRAWS_REPORT
 std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs) {
   kainjow::mustache::data page = pageTables(comparison);
   page.set("leafletStyle", page_files::kLeafletCss);
@@ -19,5 +24,10 @@ std::string comparisonReport(const Comparison& comparison, const std::vector<Run
   page.set("data", pageData(comparison, runs));
   return kainjow::mustache::mustache(page_files::kReportHtml).render(page);
 }
+#else
+std::string comparisonReport(const Comparison& comparison, const std::vector<Run>&) {
+  return bareReport(comparison);
+}
+#endif
 
 }  // namespace roomgraph
