@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "join_leftovers.h"
+#include "own_widths.h"
 #include "plan.h"
 
 namespace roomgraph::test {
@@ -30,7 +31,7 @@ class Kinds {
     for (const Point obstacle : inside_.voronoi.obstacles) walls.push_back(isWall(obstacle));
     regions.sumWalls(walls);
     joinLeftovers(regions, options);
-    kinds_ = regionKinds(regions, options);
+    kinds_ = regionKinds(regions, options, ownWidths(regions, walls));
     for (std::uint32_t v = 0; v < kinds_.size(); ++v) kinds_[v] = kinds_[regions.find(v)];
   }
 
@@ -76,6 +77,21 @@ TEST(RegionKinds, aWideWayIsARoomHoweverLongItIs) {
   options.maxCorridorWidth = 4;
   EXPECT_EQ(Kinds(roomsAlong(18), options).at(31, 9), RegionKind::corridor) << "3.6 m";
   EXPECT_EQ(Kinds(roomsAlong(22), options).at(31, 11), RegionKind::room) << "4.4 m";
+}
+
+TEST(RegionKinds, aWayIsNotWideWhereOneBayOfItIs) {
+  // 30 m x 4 m with a bay that holds a disc of 6.6 m, and a room at each end.
+  const auto way = [](int above) {
+    return Plan(192, above + 20)
+        .wall(22, 1, 58, above)
+        .wall(114, 1, 58, above)
+        .wall(21, 1, 1, above + 20)
+        .wall(172, 1, 1, above + 20)
+        .gap(21, above + 8, 1, 4)
+        .gap(172, above + 8, 1, 4);
+  };
+  EXPECT_EQ(Kinds(way(14)).at(97, 17), RegionKind::corridor);
+  EXPECT_EQ(Kinds(way(14)).at(10, 17), RegionKind::room);
 }
 
 TEST(RegionKinds, theLongSpaceBehindOneDoorIsARoom) {

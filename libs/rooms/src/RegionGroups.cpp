@@ -64,29 +64,12 @@ void RegionGroups::sumWalls(const std::vector<std::uint8_t>& isWall) {
   bounded_.assign(voronoi_.vertices.size(), 0);
   walled_.assign(voronoi_.vertices.size(), 0);
   widened_.assign(voronoi_.vertices.size(), 0);
-  const auto placeOf = [&](std::uint32_t v) { return voronoi_.vertices[v].at; };
-  const auto isOutside = [&](std::uint32_t end) {
-    return end == VoronoiEdge::kNoVertex || !isInside_[end];
-  };
-  for (const VoronoiEdge& edge : voronoi_.edges) {
-    if (isOutside(edge.source) && isOutside(edge.target)) continue;
-    // Two areas meet at the narrowest place of an edge. What lies behind the two obstacles is
-    // another space.
-    const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
-    const Point narrowest =
-        edge.isInfinite() ? between
-                          : nearestOnSegment(between, placeOf(edge.source), placeOf(edge.target));
-    for (const std::uint32_t end : {edge.source, edge.target}) {
-      if (isOutside(end)) continue;
-      // Both obstacles bound the same area: the edge runs midway between them.
-      const Point left = voronoi_.obstacles[edge.left];
-      const double area = std::abs(cross(placeOf(end) - left, narrowest - left)) / 2;
-      const std::uint32_t region = find(end);
-      bounded_[region] += 2 * area;
-      widened_[region] += area * (voronoi_.vertices[end].clearance + edge.minClearance);
-      walled_[region] += area * ((isWall[edge.left] ? 1 : 0) + (isWall[edge.right] ? 1 : 0));
-    }
-  }
+  eachStretch([&](const VoronoiEdge& edge, std::uint32_t end, double area) {
+    const std::uint32_t region = find(end);
+    bounded_[region] += 2 * area;
+    widened_[region] += area * (voronoi_.vertices[end].clearance + edge.minClearance);
+    walled_[region] += area * ((isWall[edge.left] ? 1 : 0) + (isWall[edge.right] ? 1 : 0));
+  });
   double walls = 0, shares = 0;
   for (std::size_t v = 0; v < bounded_.size(); ++v)
     if (bounded_[v] > 0) walls += walled_[v], shares += walled_[v] * walled_[v] / bounded_[v];

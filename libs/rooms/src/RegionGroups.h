@@ -1,10 +1,12 @@
 #pragma once
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/VoronoiGraph.h"
 #include "roomgraph/topology/keep_inside.h"
 
@@ -41,6 +43,7 @@ class RegionGroups {
   double clearance(const VoronoiEdge& edge) const {
     return std::max(0.0, edge.minClearance - halfCell_);
   }
+  double halfCell() const { return halfCell_; }
   double radius(std::uint32_t region) const { return radius_[region]; }  // of the largest disc
   double area(std::uint32_t region) const { return area_[region]; }      // after sumAreas()
   /** Its area in squares round its largest disc: 1 for a square, large for a corridor. */
@@ -58,11 +61,33 @@ class RegionGroups {
   /** `isWall`, per obstacle, tells walls from the edge of the unknown. Areas count, not
    *  obstacles: cells make an edge the more ragged the smaller they are. O(n). */
   void sumWalls(const std::vector<std::uint8_t>& isWall);
+  /** Calls `visit(edge, end, area)` for each part of an edge from an end inside to its narrowest
+   *  place. `area` lies between that and one of its two obstacles [m2]: both bound as much.
+   *  O(n). */
+  template <class Visit>
+  void eachStretch(const Visit& visit) const {
+    for (const VoronoiEdge& edge : voronoi_.edges)
+      for (const std::uint32_t end : {edge.source, edge.target}) {
+        if (end == VoronoiEdge::kNoVertex || !isInside_[end]) continue;
+        const Point left = voronoi_.obstacles[edge.left];
+        visit(edge, end,
+              std::abs(cross(voronoi_.vertices[end].at - left, narrowest(edge) - left)) / 2);
+      }
+  }
   /** Who meets whom where, by region. O(passages). */
   std::map<std::uint32_t, Neighbours> neighbours();
 
  private:
   void keepPassages();
+
+  /** Where two areas meet: at the narrowest place of an edge. What lies behind the two obstacles is
+   *  another space. */
+  Point narrowest(const VoronoiEdge& edge) const {
+    const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
+    return edge.isInfinite() ? between
+                             : nearestOnSegment(between, voronoi_.vertices[edge.source].at,
+                                                voronoi_.vertices[edge.target].at);
+  }
 
   double halfCell_;
   const VoronoiGraph& voronoi_;

@@ -49,7 +49,7 @@ bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& option
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around, double leastWidth) {
+                std::uint32_t region, const Neighbours& around, double own, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
   const Neighbours exits = seenOnes(regions, options, around);
@@ -60,15 +60,17 @@ bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
   if (isWayThrough(regions, options, region, exits)) return true;
   int count = 0;
   for (const auto& [other, passage] : exits) count += passage.count;
-  return count > 1 && regions.elongation(region) > options.maxElongation &&
-         width <= options.maxCorridorWidth;
+  return count > 1 && regions.area(region) > options.maxElongation * own * own &&
+         own <= options.maxCorridorWidth;
 }
 
 class KindFinder {
  public:
-  KindFinder(RegionGroups& regions, const SplitAtDoorsOptions& options)
+  KindFinder(RegionGroups& regions, const SplitAtDoorsOptions& options,
+             const std::vector<double>& widths)
       : regions_(regions),
         options_(options),
+        widths_(widths),
         around_(regions.neighbours()),
         kinds_(regions.isInside().size(), RegionKind::corridor) {}
 
@@ -107,7 +109,7 @@ class KindFinder {
 
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
-    return isCorridor(regions_, options_, region, around(region), leastWidth_)
+    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_)
                ? RegionKind::corridor
                : RegionKind::room;
   }
@@ -147,6 +149,7 @@ class KindFinder {
 
   RegionGroups& regions_;
   const SplitAtDoorsOptions& options_;
+  const std::vector<double>& widths_;
   const AllNeighbours around_;
   double leastWidth_ = 0;  // of a room [m]
   std::vector<RegionKind> kinds_;
@@ -154,8 +157,9 @@ class KindFinder {
 
 }  // namespace
 
-std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options) {
-  return KindFinder(regions, options).run();
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                                    const std::vector<double>& widths) {
+  return KindFinder(regions, options, widths).run();
 }
 
 }  // namespace roomgraph

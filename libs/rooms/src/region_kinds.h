@@ -7,7 +7,9 @@
 
 namespace roomgraph {
 
-/** Per vertex that stands for a region, what that is. Needs areas and wall shares. */
-std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options);
+/** Per vertex that stands for a region, what that is; `widths` are its own ones. Needs areas and
+ *  wall shares. */
+std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                                    const std::vector<double>& widths);
 
 }  // namespace roomgraph

@@ -9,6 +9,7 @@
 #include "follow_corridors.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
+#include "own_widths.h"
 #include "region_kinds.h"
 
 namespace roomgraph {
@@ -159,7 +160,7 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   regions.sumAreas();
   regions.sumWalls(isWall);
   joinLeftovers(regions, options);
-  std::vector<RegionKind> kinds = regionKinds(regions, options);
+  std::vector<RegionKind> kinds = regionKinds(regions, options, ownWidths(regions, isWall));
   followCorridors(regions, options, kinds);
   // A joined region goes by the smallest of its parts, all of which are corridors.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };

@@ -25,8 +25,10 @@ namespace roomgraph {
  *  (`isWall`, per obstacle), unless it alone links rooms. It is a corridor where it is too narrow
  *  for a room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
  *  sides; or no wider than a door may be, and open with nearly its whole width on two sides; or
- *  long (its area in squares round its largest disc is its elongation) with two ways out; to half-
- *  seen space is none; or where a corridor goes on through it: it leads on two sides to corridor
+ *  long (its area in squares round its largest disc is its elongation; or in squares of its own
+ *  width, where most of it lies between walls that face each other about as far apart everywhere)
+ *  with two ways out; to half-seen space is none; or where a
+ *  corridor goes on through it: it leads on two sides to corridor
  *  that is about as wide by the mean over its whole length, or that opens into it, if it is longer
  *  than a niche, about as wide as it is. Pieces of corridor without a door between them become
  *  one. All widths are free ones, between the sides of obstacle cells of size `resolution` [m], not
