@@ -177,12 +177,15 @@ class Follower {
     return {sum, seed};
   }
 
+  /** Wall points from which on a piece counts. */
+  double leastPiece() const { return fitted::kMinPieceShare * double(of_.walls.size()); }
+
   /** Finds one more piece by one of the `others`, which is then removed; false where there is
    *  none. */
   bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
     ++layer_;
     nextLayer();
-    double best = fitted::kMinPieceShare * double(of_.walls.size());
+    double best = leastPiece();
     std::optional<std::size_t> chosen;
     std::uint32_t seed = 0;
     for (std::size_t i = 0; i < others.size(); ++i) {
@@ -195,25 +198,25 @@ class Follower {
     const std::size_t before = result_.patches.size();
     twice_ = 0;
     const double walls = grow(kMajority);
-    if (walls < fitted::kMinPieceShare * double(of_.walls.size()))
+    if (walls < leastPiece())
       result_.patches.resize(before);
-    else if (!(of_.hasScans && in_.hasScans) && looksAlike(first, walls))
+    else if (!(of_.hasScans && in_.hasScans) && !speaksForItself(first, walls))
       giveBack(before);
     return true;
   }
 
-  /** Whether the walls that this layer has found lie on what another one explains, and nothing
-   *  speaks against the place that the `first` pose gives them, since the other map does not know
-   *  it: buildings repeat themselves. A torn run that has come back does the same: where there are
-   *  scans, they decide. */
-  bool looksAlike(const Transform2D& first, double walls) const {
-    if (twice_ < fitted::kSureShare * walls) return false;
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t k = 0; k < foundIn_.size(); ++k)
-      if (foundIn_[k] == layer_) found.push_back(k);
-    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[found[i]]; };
+  /** Whether a piece is needed beside the `first` pose: buildings repeat themselves. Walls that lie
+   *  on walls where the first pose has them say nothing; nor do those whose place there the other
+   *  map does not know, if another part explains what they have found. A torn run that has come
+   *  back does the same: where there are scans, they decide. */
+  bool speaksForItself(const Transform2D& first, double walls) const {
+    std::vector<const WallPoint*> found;
+    for (std::size_t k = 0; k < foundIn_.size(); ++k)
+      if (foundIn_[k] == layer_) found.push_back(&of_.walls[k]);
+    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *found[i]; };
     const WallShare share = wallShare(found.size(), pointAt, in_, first);
-    return share.known < fitted::kMinKnown * share.all;
+    if (walls - share.found < leastPiece()) return false;
+    return twice_ < fitted::kSureShare * walls || share.known >= fitted::kMinKnown * share.all;
   }
 
   /** Forgets what this layer has found, from this patch of the result on. */
