@@ -12,8 +12,11 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "drawn_graph.h"
+#include "map_files.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/compare/prepare_run.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/comparison_csv.h"
@@ -311,6 +314,21 @@ TEST(ComparisonJson, theTableHasALineForEachRun) {
   const std::size_t columns =
       std::size_t(std::count(csv.begin(), csv.begin() + long(csv.find('\n')), ','));
   EXPECT_EQ(std::size_t(std::count(csv.begin(), csv.end(), ',')), 5 * columns);
+}
+
+TEST(CompareRuns, aPieceOfASymmetricBuildingHasToBeNeeded) {
+  std::vector<roomgraph::Run> runs;
+  for (const char* name : {"run04", "run08", "run09"}) {
+    const std::string file =
+        test::sharedFile(std::string("sim_runs/office_e/") + name + ".simplemap.gz");
+    if (file.empty()) GTEST_SKIP() << "the simulated runs of office_e are not here";
+    runs.push_back(prepareRun(name, loadGrid(file, {}), {}, {}));
+  }
+  const Comparison result = compared(runs);
+  const auto sound = std::find_if(result.runs.begin(), result.runs.end(),
+                                  [](const ComparedRun& run) { return run.name == "run04"; });
+  ASSERT_NE(sound, result.runs.end());
+  EXPECT_LT(sound->score->mapError, 0.5) << "0.24 m by the true poses";
 }
 
 }  // namespace
