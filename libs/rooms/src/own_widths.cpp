@@ -17,16 +17,25 @@ constexpr double kOneSide = 0.5;
 
 /** What lies beside a part of a way between two walls that face each other. */
 struct Stretch {
-  std::uint32_t region;
   double width, area;
 };
 
-/** Of stretches of one region, from narrow to wide: the mean width of the largest part of them that
- *  is about as wide everywhere; infinity if that is less than half of its area. */
-double mainWidth(const Stretch* first, const Stretch* last, double areaOfRegion) {
+/** All of one region. */
+struct Stretches {
+  std::vector<Stretch> facing;
+  double facingArea = 0, area = 0;
+};
+
+/** The mean width of the largest part of a region's stretches that is about as wide everywhere;
+ *  infinity if that is less than half of its area. */
+double mainWidth(Stretches& of) {
+  double largest = of.area / 2, width = std::numeric_limits<double>::infinity();
+  if (of.facingArea <= largest) return width;
+  std::sort(of.facing.begin(), of.facing.end(), [](const Stretch& p, const Stretch& q) {
+    return std::tie(p.width, p.area) < std::tie(q.width, q.area);
+  });
   double area = 0, sum = 0;  // from low to high
-  double largest = areaOfRegion / 2, width = std::numeric_limits<double>::infinity();
-  for (const Stretch *low = first, *high = first; high < last; ++high) {
+  for (auto low = of.facing.begin(), high = low; high != of.facing.end(); ++high) {
     area += high->area, sum += high->area * high->width;
     for (; low->width * std::sqrt(2.0) < high->width; ++low)
       area -= low->area, sum -= low->area * low->width;
@@ -39,27 +48,20 @@ double mainWidth(const Stretch* first, const Stretch* last, double areaOfRegion)
 
 std::vector<double> ownWidths(RegionGroups& regions, const std::vector<std::uint8_t>& isWall) {
   const VoronoiGraph& voronoi = regions.voronoi();
-  std::vector<double> areas(voronoi.vertices.size()), widths(voronoi.vertices.size());
-  std::vector<Stretch> stretches;
+  std::vector<Stretches> stretches(voronoi.vertices.size());
   regions.eachStretch([&](const VoronoiEdge& edge, std::uint32_t end, double area) {
     const double width = voronoi.vertices[end].clearance + edge.minClearance;
     const double apart = norm(voronoi.obstacles[edge.right] - voronoi.obstacles[edge.left]);
     if (apart < kOneSide * width) return;
-    const std::uint32_t region = regions.find(end);
-    areas[region] += area;
-    if (apart >= kFacing * width && isWall[edge.left] && isWall[edge.right])
-      stretches.push_back({region, std::max(0.0, width - 2 * regions.halfCell()), area});
+    Stretches& of = stretches[regions.find(end)];
+    of.area += area;
+    if (apart < kFacing * width || !isWall[edge.left] || !isWall[edge.right]) return;
+    of.facing.push_back({std::max(0.0, width - 2 * regions.halfCell()), area});
+    of.facingArea += area;
   });
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& p, const Stretch& q) {
-    return std::tie(p.region, p.width, p.area) < std::tie(q.region, q.width, q.area);
-  });
-  for (std::uint32_t v = 0; v < widths.size(); ++v) widths[v] = 2 * regions.radius(v);
-  for (std::size_t i = 0, end = 0; i < stretches.size(); i = end) {
-    const std::uint32_t region = stretches[i].region;
-    while (end < stretches.size() && stretches[end].region == region) ++end;
-    const double width = mainWidth(&stretches[i], stretches.data() + end, areas[region]);
-    widths[region] = std::min(widths[region], width);
-  }
+  std::vector<double> widths(voronoi.vertices.size());
+  for (std::uint32_t v = 0; v < widths.size(); ++v)
+    widths[v] = std::min(2 * regions.radius(v), mainWidth(stretches[v]));
   return widths;
 }
 

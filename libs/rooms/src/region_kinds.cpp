@@ -61,7 +61,7 @@ bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
   int count = 0;
   for (const auto& [other, passage] : exits) count += passage.count;
   return count > 1 && regions.area(region) > options.maxElongation * own * own &&
-         own <= options.maxCorridorWidth;
+         own * (1 + kSameWidth) <= options.maxCorridorWidth;
 }
 
 class KindFinder {
