@@ -41,6 +41,13 @@ TEST(ReasonOf, saysHowFarTheWallsLieOff) {
   EXPECT_EQ(reasonOf(measured.runs[0], measured), "its walls lie 0.10 m RMS from the reference");
 }
 
+TEST(ReasonOf, roundsWhatComparisonJsonHolds) {
+  const Comparison comparison = ofRuns({scored("a", 0.02496), scored("b", 0.2), scored("c", 0.3)});
+  EXPECT_EQ(reasonOf(comparison.runs[0], comparison),
+            "its walls lie 0.03 m RMS from the consensus of 3 runs")
+      << "0.0250, of which the tables and the page make 0.03";
+}
+
 TEST(ReasonOf, saysWhatNobodyBearsOut) {
   Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.2), scored("c", 0.3)});
   RunScore& score = *comparison.runs[0].score;

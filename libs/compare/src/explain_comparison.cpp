@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
@@ -14,7 +15,7 @@ constexpr double kWorthAWord = 0.05;  // share that no other run bears out
 /** What decided the score of a run. */
 std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   const RunScore& score = *run.score;
-  std::string text = formatted("its walls lie %.2f m RMS from ", score.mapError);
+  std::string text = formatted("its walls lie %.2f m RMS from ", rounded(score.mapError));
   text += comparison.reference ? "the reference"
           : comparison.core.empty()
               ? "the consensus of " + counted(score.others + 1, "run", "runs")
@@ -84,10 +85,11 @@ std::string verdictOf(const Comparison& result) {
                      bend && bend->value ? *bend->value : 0.0);
   const bool isDoubtful = result.isPlaceDoubtful(best.name);
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
-  std::string text =
-      best.name + (isBest ? " is the best map" : " has the smallest error") +
-      formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
-                best.score->score, best.score->low, best.score->high, best.score->mapError);
+  std::string text = best.name + (isBest ? " is the best map" : " has the smallest error") +
+                     // Of the figures as comparison.json holds them, from which others are made.
+                     formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
+                               rounded(best.score->score), rounded(best.score->low),
+                               rounded(best.score->high), rounded(best.score->mapError));
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
   if (const auto coverage = best.partialCoverage())
