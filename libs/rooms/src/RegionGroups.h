@@ -66,13 +66,16 @@ class RegionGroups {
    *  O(n). */
   template <class Visit>
   void eachStretch(const Visit& visit) const {
-    for (const VoronoiEdge& edge : voronoi_.edges)
-      for (const std::uint32_t end : {edge.source, edge.target}) {
-        if (end == VoronoiEdge::kNoVertex || !isInside_[end]) continue;
-        const Point left = voronoi_.obstacles[edge.left];
-        visit(edge, end,
-              std::abs(cross(voronoi_.vertices[end].at - left, narrowest(edge) - left)) / 2);
-      }
+    const auto isOutside = [&](std::uint32_t end) {
+      return end == VoronoiEdge::kNoVertex || !isInside_[end];
+    };
+    for (const VoronoiEdge& edge : voronoi_.edges) {
+      if (isOutside(edge.source) && isOutside(edge.target)) continue;
+      const Point left = voronoi_.obstacles[edge.left], across = narrowest(edge) - left;
+      for (const std::uint32_t end : {edge.source, edge.target})
+        if (!isOutside(end))
+          visit(edge, end, std::abs(cross(voronoi_.vertices[end].at - left, across)) / 2);
+    }
   }
   /** Who meets whom where, by region. O(passages). */
   std::map<std::uint32_t, Neighbours> neighbours();
