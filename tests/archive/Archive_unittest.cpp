@@ -13,8 +13,6 @@ namespace {
 
 using test::night;
 
-constexpr auto kOrNew = Archive::Access::orNew;
-
 class ArchiveTest : public testing::Test {
  protected:
   std::string file() const { return folder_.file("site.db"); }
@@ -31,7 +29,7 @@ class ArchiveTest : public testing::Test {
 };
 
 TEST_F(ArchiveTest, aRoomKeepsTheNameThatItWasGiven) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2, {"7"}));
   const auto rooms = [&] { return archive.history("office").ledger.rooms; };
   ASSERT_FALSE(rooms().empty());
@@ -46,7 +44,7 @@ TEST_F(ArchiveTest, aRoomKeepsTheNameThatItWasGiven) {
 
 TEST_F(ArchiveTest, whatIsRecordedComesBack) {
   {
-    Archive archive(file(), kOrNew);
+    Archive archive(file(), test::kOrNew);
     EXPECT_EQ(archive.record(night("office", "anna", 1, 0.2, {"7"})).runs, 1U);
   }
   const Archive archive(file(), Archive::Access::existing);
@@ -69,7 +67,7 @@ TEST_F(ArchiveTest, whatIsRecordedComesBack) {
 }
 
 TEST_F(ArchiveTest, whatIsKnownIsNotDoubled) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2));
   const std::string before = dump();
   EXPECT_EQ(archive.record(night("office", "berta", 1, 0.3)).runs, 0U);
@@ -80,7 +78,7 @@ TEST_F(ArchiveTest, whatIsKnownIsNotDoubled) {
 }
 
 TEST_F(ArchiveTest, aRunGetsFiguresOnceTheyCanBeTrustedAndKeepsThem) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2, {}, false));
   EXPECT_FALSE(trustedFigure(archive.history("office").runs[0], kMapError));
   archive.record(night("office", "anna", 2, 0.3, {"1"}));
@@ -92,7 +90,7 @@ TEST_F(ArchiveTest, aRunGetsFiguresOnceTheyCanBeTrustedAndKeepsThem) {
 }
 
 TEST_F(ArchiveTest, aRunOfAnotherSiteHasNoFiguresAndNoRooms) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2));
   Addition other = night("office", "anna", 2, 0.2, {"1"});
   other.comparison.runs.erase(other.comparison.runs.begin());
@@ -113,7 +111,7 @@ TEST_F(ArchiveTest, aRunOfAnotherSiteHasNoFiguresAndNoRooms) {
 }
 
 TEST_F(ArchiveTest, aMapThatCouldNotBeReadIsNoRun) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   Addition addition = night("office", "anna", 1, 0.2, {"9"});
   addition.comparison.runs.erase(addition.comparison.runs.begin());
   addition.comparison.leftOut = {{"1", "1.simplemap", "is damaged", false}};
@@ -122,7 +120,7 @@ TEST_F(ArchiveTest, aMapThatCouldNotBeReadIsNoRun) {
 }
 
 TEST_F(ArchiveTest, roomsThatCannotBeToldLeaveTheFigures) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2));
   Addition other = night("office", "anna", 2, 0.2, {"1"});
   // One long room instead of three squares lies nowhere in the known ones.
@@ -137,7 +135,7 @@ TEST_F(ArchiveTest, roomsThatCannotBeToldLeaveTheFigures) {
 }
 
 TEST_F(ArchiveTest, idsStayThroughHundredsOfNights) {
-  Archive archive(file(), kOrNew);
+  Archive archive(file(), test::kOrNew);
   for (int n = 1; n <= 200; ++n) {
     const std::vector<std::string> others(n > 1 ? 1 : 0, std::to_string(n - 1));
     Addition addition = night("office", "anna", n, 0.2, others);
@@ -155,7 +153,7 @@ TEST_F(ArchiveTest, severalThreadsAddEachRunOnce) {
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i)
     threads.emplace_back([&] {
-      Archive archive(file(), kOrNew);
+      Archive archive(file(), test::kOrNew);
       for (int n = 1; n <= 20; ++n) archive.record(night("office", "anna", n, 0.2));
     });
   for (std::thread& thread : threads) thread.join();

@@ -15,12 +15,12 @@ namespace roomgraph {
 namespace {
 
 /** Three maps of a building, and the task that they are planned as. */
-struct Fleet {
+struct TaskFleet {
   TestFolder folder;
   PlanFleetOptions options;
   FleetTask task;
 
-  Fleet() {
+  TaskFleet() {
     RunList listed;
     for (const char* name : {"a.pgm", "b.pgm", "c.pgm"}) {
       write(name, 1, {0, listed.size() * 2.0, 0.2 * double(listed.size())});
@@ -36,13 +36,13 @@ struct Fleet {
 };
 
 TEST(DoTask, theRunsOfATaskAreCompared) {
-  const TaskResult result = Fleet().run();
+  const TaskResult result = TaskFleet().run();
   EXPECT_EQ(result.comparison.runs.size(), 3u);
   EXPECT_TRUE(result.failures.empty());
 }
 
 TEST(DoTask, aMapThatIsGoneOrAnotherOneNowIsLeftOutAndNamed) {
-  const Fleet fleet;
+  const TaskFleet fleet;
   fleet.write("b.pgm", 11, {});
   std::filesystem::remove(fleet.folder / "c.pgm");
   const TaskResult result = fleet.run();
@@ -54,13 +54,13 @@ TEST(DoTask, aMapThatIsGoneOrAnotherOneNowIsLeftOutAndNamed) {
 }
 
 TEST(DoTask, withoutAnyOfItsMapsItFails) {
-  const Fleet fleet;
+  const TaskFleet fleet;
   for (const char* name : {"a.pgm", "b.pgm", "c.pgm"}) fleet.write(name, 11, {});
   EXPECT_THROW(fleet.run(), DataError);
 }
 
 TEST(DoTask, itIsDoneWithTheOptionsThatItWasPlannedWith) {
-  Fleet fleet;
+  TaskFleet fleet;
   fleet.options.compare.compare.scoreScale *= 2;
   EXPECT_THROW(fleet.run(), DataError);
 }

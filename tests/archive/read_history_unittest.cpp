@@ -13,11 +13,9 @@ namespace {
 
 using test::night;
 
-constexpr auto kOrNew = Archive::Access::orNew;
-
 TEST(ReadHistory, runsComeByTimeWhateverTheOrderInWhichTheyWereAdded) {
   const test::Folder folder;
-  Archive archive(folder.file("a.db"), kOrNew);
+  Archive archive(folder.file("a.db"), test::kOrNew);
   for (const int n : {5, 1, 9, 3}) archive.record(night("office", "anna", n, 0.1));
   const SiteHistory history = archive.history("office");
   ASSERT_EQ(history.runs.size(), 4u);
@@ -29,7 +27,7 @@ TEST(ReadHistory, runsComeByTimeWhateverTheOrderInWhichTheyWereAdded) {
 
 TEST(ReadHistory, runsOfOneTimeComeByTheirContent) {
   const test::Folder folder;
-  Archive archive(folder.file("a.db"), kOrNew);
+  Archive archive(folder.file("a.db"), test::kOrNew);
   for (const int n : {7, 2, 4}) {
     Addition addition = night("office", "anna", n, 0.1);
     addition.runs[0].time = 1000;
@@ -43,7 +41,7 @@ TEST(ReadHistory, runsOfOneTimeComeByTheirContent) {
 
 TEST(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
   const test::Folder folder;
-  Archive archive(folder.file("a.db"), kOrNew);
+  Archive archive(folder.file("a.db"), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.1));
   archive.record(night("lab", "berta", 2, 0.4));
   Database database(folder.file("a.db"), false);
@@ -61,7 +59,7 @@ TEST(ReadHistory, tablesThatContradictEachOtherAreDamagedAndTheNextSiteIsRead) {
 
 TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
   const test::Folder folder;
-  Archive archive(folder.file("a.db"), kOrNew);
+  Archive archive(folder.file("a.db"), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.1));
   archive.record(night("lab", "berta", 2, 0.4));
   archive.record(night("office", "anna", 3, 0.2));
@@ -80,7 +78,7 @@ TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
 
 TEST(ReadHistory, allOfARunComesBack) {
   const test::Folder folder;
-  Archive archive(folder.file("a.db"), kOrNew);
+  Archive archive(folder.file("a.db"), test::kOrNew);
   Addition addition = night("office", "anna \"2\"", 1, 0.1);
   RoomInRun& gone = addition.comparison.rooms[1].runs[0];
   gone.sighting = RoomSighting::gone, gone.pieces = 0, gone.areaChange.reset();

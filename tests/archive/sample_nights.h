@@ -7,6 +7,8 @@
 
 namespace roomgraph::test {
 
+constexpr auto kOrNew = Archive::Access::orNew;
+
 /** A folder that goes with the test. */
 class Folder {
  public:

@@ -8,7 +8,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kExact = 1e-9;
+constexpr double kRounding = 1e-9;
 
 TEST(TurnedPose, followsOneAnotherAsTransformsDo) {
   test::RandomNumbers random(1);
@@ -16,10 +16,10 @@ TEST(TurnedPose, followsOneAnotherAsTransformsDo) {
     const Transform2D ab = random.pose(50), bc = random.pose(5);
     const Transform2D expected = ab * bc;
     const TurnedPose found = TurnedPose(ab) * TurnedPose(bc);
-    EXPECT_NEAR(distance(found.shift, expected.shift()), 0, kExact);
-    EXPECT_NEAR(wrappedAngle(found.phi - expected.phi), 0, kExact);
-    EXPECT_NEAR(found.cos, std::cos(expected.phi), kExact);
-    EXPECT_NEAR(found.sin, std::sin(expected.phi), kExact);
+    EXPECT_NEAR(distance(found.shift, expected.shift()), 0, kRounding);
+    EXPECT_NEAR(wrappedAngle(found.phi - expected.phi), 0, kRounding);
+    EXPECT_NEAR(found.cos, std::cos(expected.phi), kRounding);
+    EXPECT_NEAR(found.sin, std::sin(expected.phi), kRounding);
   }
 }
 
@@ -30,8 +30,8 @@ TEST(TurnedPose, tellsHowFarAnEdgeIsOffAsTransformsDo) {
     const Transform2D from = random.pose(50), to = random.pose(50);
     const Transform2D found = from.inverse() * to;
     const PoseGap gap = TurnedPose(from).gapOf(edge, TurnedPose(to));
-    EXPECT_NEAR(gap.place, distance(found.shift(), edge.measured.shift()), kExact);
-    EXPECT_NEAR(gap.turn, std::abs(wrappedAngle(found.phi - edge.measured.phi)), kExact);
+    EXPECT_NEAR(gap.place, distance(found.shift(), edge.measured.shift()), kRounding);
+    EXPECT_NEAR(gap.turn, std::abs(wrappedAngle(found.phi - edge.measured.phi)), kRounding);
     const PoseTolerance within{1.5, 50};
     EXPECT_EQ(isInlier(edge, gap, within), isInlier(edge, found, within));
   }

@@ -14,7 +14,7 @@ using test::roundTheBlock;
 using test::Way;
 
 /** Two runs, and one group. */
-struct TwoRuns {
+struct BelievedRuns {
   std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
   PoseGraph graph = test::withMatches(
       test::matchedPoseGraph(truth, truth),
@@ -31,30 +31,30 @@ struct TwoRuns {
   }
 };
 
-TEST(Belief, isFullWhereThePosesAgreeWithAll) { EXPECT_EQ(TwoRuns().belief(), 1); }
+TEST(Belief, isFullWhereThePosesAgreeWithAll) { EXPECT_EQ(BelievedRuns().belief(), 1); }
 
 TEST(Belief, fallsFasterThanTheShareOfInliers) {
-  TwoRuns two;
+  BelievedRuns two;
   two.shift(20, 0.5);
   EXPECT_NEAR(two.belief(), 0.25, 0.02);
 }
 
 TEST(Belief, isNeverNothingSoThatAGroupCanComeBack) {
-  TwoRuns two;
+  BelievedRuns two;
   two.shift(20);
   EXPECT_GT(two.belief(), 0);
   EXPECT_LT(two.belief(), 0.01);
 }
 
 TEST(Belief, allowsMoreBeforeThePosesAreSolved) {
-  TwoRuns two;
+  BelievedRuns two;
   two.shift(2);
   EXPECT_LT(two.belief(kInlier), 0.01);
   EXPECT_EQ(two.belief(kRoughly), 1);
 }
 
 TEST(Belief, isFullOfWhatBothHaveScannedAsOne) {
-  TwoRuns two;
+  BelievedRuns two;
   two.shift(20);
   test::changeMatches(
       two.graph, [](const MatchGroup&, PoseEdge& edge, std::size_t) { edge.isSameScan = true; });
@@ -78,7 +78,7 @@ TEST(CostOfGivingUp, isLessWhereTheBuildingRepeatsItself) {
 }
 
 TEST(CostOfDisbelief, isThatOfWhatIsNotBelieved) {
-  const TwoRuns two;
+  const BelievedRuns two;
   const double full = costOfGivingUp(two.graph.groups[MatchGroupId(0)]);
   const auto believed = [](double belief) { return ById<MatchGroupId, double>(1, belief); };
   EXPECT_EQ(costOfDisbelief(two.graph, believed(1)), 0);

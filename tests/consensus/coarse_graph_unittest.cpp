@@ -14,7 +14,7 @@ using test::roundTheBlock;
 using test::Way;
 
 /** Two runs in frames of their own, and what they find of each other. */
-struct TwoRuns {
+struct CoarseRuns {
   std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
   PoseGraph graph = test::matchedPoseGraph({truth[0], test::moved(truth[1], {7, -3, 2})}, truth);
   NodePoses poses = test::posesOf(truth);
@@ -29,7 +29,7 @@ double farthest(const NodePoses& l, const NodePoses& r) {
 }
 
 TEST(CoarseGraph, hasAboutAQuarterOfTheNodes) {
-  const TwoRuns two;
+  const CoarseRuns two;
   const CoarseGraph coarse = coarseGraph(two.graph);
   for (const RunId run : two.graph.runs.ids()) {
     const std::size_t all = two.graph.runs[run].nodes.size();
@@ -41,7 +41,7 @@ TEST(CoarseGraph, hasAboutAQuarterOfTheNodes) {
 }
 
 TEST(CoarseGraph, whatHoldsOfAllHoldsOfTheCoarseOnes) {
-  const TwoRuns two;
+  const CoarseRuns two;
   const CoarseGraph coarse = coarseGraph(two.graph);
   const NodePoses poses = coarsePoses(coarse, two.poses);
   ASSERT_EQ(coarse.graph.groups.size(), two.graph.groups.size());
@@ -56,7 +56,7 @@ TEST(CoarseGraph, whatHoldsOfAllHoldsOfTheCoarseOnes) {
 }
 
 TEST(CoarseGraph, allNodesGoWhereTheirCoarseOnesGo) {
-  const TwoRuns two;
+  const CoarseRuns two;
   const CoarseGraph coarse = coarseGraph(two.graph);
   EXPECT_LT(farthest(finePoses(coarse, two.poses, coarsePoses(coarse, two.poses)), two.poses),
             1e-9);
@@ -67,7 +67,7 @@ TEST(CoarseGraph, allNodesGoWhereTheirCoarseOnesGo) {
 }
 
 TEST(CoarseGraph, nothingIsJoinedAcrossTheEndOfAGroup) {
-  const TwoRuns two;
+  const CoarseRuns two;
   const NodeId last = two.graph.runs[RunId(0)].nodes[20], next = two.graph.runs[RunId(0)].nodes[21];
   const CoarseGraph coarse = coarseGraph(
       test::withMatches(two.graph, [&](const MatchGroup& group, const PoseEdge& edge, std::size_t) {
@@ -77,7 +77,7 @@ TEST(CoarseGraph, nothingIsJoinedAcrossTheEndOfAGroup) {
 }
 
 TEST(CoarseGraph, patchesStayAsTheyAre) {
-  TwoRuns two;
+  CoarseRuns two;
   two.graph.runs[RunId(1)].hasScans = false;
   const CoarseGraph coarse = coarseGraph(two.graph);
   EXPECT_EQ(coarse.graph.runs[RunId(1)].nodes.size(), two.graph.runs[RunId(1)].nodes.size());

@@ -10,7 +10,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kExact = 1e-9;
+constexpr double kExactCost = 1e-9;
 
 /** A term as wide as it is exact, of an edge that was measured so. */
 struct Edge {
@@ -26,7 +26,7 @@ TEST(EdgeTerm, costsNothingWhereThePosesAreAsMeasured) {
   test::RandomNumbers random(1);
   for (int i = 0; i < 50; ++i) {
     const Transform2D measured = random.pose(5), from = random.pose(50);
-    EXPECT_NEAR(Edge{measured}.cost(from, from * measured), 0, kExact);
+    EXPECT_NEAR(Edge{measured}.cost(from, from * measured), 0, kExactCost);
   }
 }
 
@@ -54,7 +54,7 @@ TEST(EdgeTerm, isHalfTheSquareForWhatIsLittleOff) {
   const Edge t{{1, 0, 0}};
   EXPECT_NEAR(t.cost({}, {1.01, 0, 0}), 0.5 * 0.1 * 0.1, 1e-4);
   EXPECT_NEAR(t.cost({}, {1, 0, 0.004}), 0.5 * 0.2 * 0.2, 1e-3);
-  EXPECT_NEAR(t.cost({}, {1, -0.01, 0}), t.cost({}, {1, 0.01, 0}), kExact);
+  EXPECT_NEAR(t.cost({}, {1, -0.01, 0}), t.cost({}, {1, 0.01, 0}), kExactCost);
 }
 
 TEST(EdgeTerm, letsGoOfWhatIsFarOff) {
@@ -73,7 +73,7 @@ TEST(EdgeTerm, letsGoOfWhatIsFarOff) {
 
 TEST(EdgeTerm, aTurnIsTakenTheShortWayRound) {
   const Edge across{{0, 0, M_PI - 0.01}}, beside{{0, 0, 0.01}};
-  EXPECT_NEAR(across.cost({}, {0, 0, -M_PI + 0.01}), beside.cost({}, {0, 0, -0.01}), kExact);
+  EXPECT_NEAR(across.cost({}, {0, 0, -M_PI + 0.01}), beside.cost({}, {0, 0, -0.01}), kExactCost);
 }
 
 TEST(LinkTerm, aSlackRunGivesWayMoreCheaply) {
@@ -83,7 +83,7 @@ TEST(LinkTerm, aSlackRunGivesWayMoreCheaply) {
   const double stiff = linkTerm(link, 0.5).cost(link.measured, off);
   const double ordinary = linkTerm(link, 1).cost(link.measured, off);
   EXPECT_GT(stiff, ordinary);
-  EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, {1, 0, 0}), 0, kExact);
+  EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, {1, 0, 0}), 0, kExactCost);
 }
 
 TEST(LinkTerm, countsAsFarAsItHolds) {
@@ -92,16 +92,16 @@ TEST(LinkTerm, countsAsFarAsItHolds) {
   const Transform2D off{1.2, 0, 0.05};
   const double full = linkTerm(link, 1).cost(link.measured, off);
   link.share = 0.5;
-  EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, off), 0.5 * full, kExact);
+  EXPECT_NEAR(linkTerm(link, 1).cost(link.measured, off), 0.5 * full, kExactCost);
 }
 
 TEST(MatchTerm, countsAsFarAsItIsBelievedAndItsWallsWereFound) {
   const Transform2D off{0.2, 0.1, 0.02};
   PoseEdge match = matchEdge(NodeId(0), NodeId(1), {}, 0.8);
   const double full = matchTerm(match, 1).cost({}, off);
-  EXPECT_NEAR(matchTerm(match, 0.25).cost({}, off), 0.25 * full, kExact);
+  EXPECT_NEAR(matchTerm(match, 0.25).cost({}, off), 0.25 * full, kExactCost);
   match.share = 0.4;
-  EXPECT_NEAR(matchTerm(match, 1).cost({}, off), 0.5 * full, kExact);
+  EXPECT_NEAR(matchTerm(match, 1).cost({}, off), 0.5 * full, kExactCost);
   EXPECT_EQ(matchTerm(match, 0).cost({}, off), 0);
 }
 

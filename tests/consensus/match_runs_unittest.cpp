@@ -11,18 +11,18 @@
 namespace roomgraph {
 namespace {
 
-const Transform2D kThere{3, -2, 0.4};
+const Transform2D kOfSecond{3, -2, 0.4};
 
 /** Two runs of one building, each in a frame of its own, and how they lie in each other. */
-struct TwoRuns {
+struct MatchedRuns {
   std::vector<roomgraph::Run> runs{2};
   Site site;
   MapPairs pairs{2};
   PoseGraph graph;
 
-  TwoRuns() {
+  MatchedRuns() {
     auto frames = test::drawnDrive(test::drawnBuilding(4, {}));
-    const std::vector<Transform2D> poses{{}, kThere};
+    const std::vector<Transform2D> poses{{}, kOfSecond};
     std::uint64_t scan = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       runs[i].map = wallMap(test::drawnBuilding(4, poses[i]));
@@ -32,9 +32,9 @@ struct TwoRuns {
       site.poses.push_back(poses[i].inverse());
       addRunNodes(runs[i], graph);
     }
-    follow(pairs(0, 1), runs[0].map, runs[1].map, {kThere.inverse()});
+    follow(pairs(0, 1), runs[0].map, runs[1].map, {kOfSecond.inverse()});
   }
-  TwoRuns(const TwoRuns&) = delete;
+  MatchedRuns(const MatchedRuns&) = delete;
 
   std::vector<FoundGroup> matches() const {
     return matchRuns(site, pairs, graph, ById<RunId, std::size_t>(std::vector<std::size_t>{0, 1}),
@@ -43,7 +43,7 @@ struct TwoRuns {
 };
 
 TEST(MatchRuns, eachRunIsFoundInTheOther) {
-  const TwoRuns two;
+  const MatchedRuns two;
   const auto matches = two.matches();
   ASSERT_EQ(matches.size(), 2u);
   EXPECT_EQ(matches[0].group.to, RunId(0));
@@ -56,7 +56,7 @@ TEST(MatchRuns, eachRunIsFoundInTheOther) {
 }
 
 TEST(MatchRuns, inABareMapItIsFoundAsInAFullOne) {
-  TwoRuns two;
+  MatchedRuns two;
   const auto full = two.matches();
   dropLookUp(two.runs[1].map);
   const auto bare = two.matches();
@@ -71,7 +71,7 @@ TEST(MatchRuns, inABareMapItIsFoundAsInAFullOne) {
 }
 
 TEST(MatchRuns, runsThatWereNotRelatedHaveNone) {
-  TwoRuns two;
+  MatchedRuns two;
   two.pairs = MapPairs(2, {});
   EXPECT_TRUE(two.matches().empty());
 }

@@ -17,7 +17,6 @@ namespace roomgraph {
 namespace {
 
 using test::broken;
-using test::drifting;
 using test::moved;
 using test::Way;
 
@@ -117,7 +116,7 @@ TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
   std::vector<std::vector<Keyframe>> drives{drive()};
   for (const int other : {1, 2, 3})
     drives.push_back(
-        otherLog(drifting(drive(), 0.0002 * other), std::uint64_t(1000 + other * 1000)));
+        otherLog(test::drifting(drive(), 0.0002 * other), std::uint64_t(1000 + other * 1000)));
   DrivenSite site(drives, {{}, {}, {}, {}});
   site.runs[0].scans = scanWalls(lostAt(drive(), 4, 9));
   const Consensus result = site.consensus();
@@ -154,8 +153,9 @@ TEST(SiteConsensus, aWingThatNobodyElseHasSeenIsNotConfirmedAndCostsNothing) {
 }
 
 TEST(SiteConsensus, whatOthersKnowOtherwiseIsContradictedAndMayLieAnywhere) {
-  std::vector<std::vector<Keyframe>> drives{drive(), otherLog(drifting(drive(), 0.0002), 2000),
-                                            otherLog(drifting(drive(), 0.0004), 3000)};
+  std::vector<std::vector<Keyframe>> drives{drive(),
+                                            otherLog(test::drifting(drive(), 0.0002), 2000),
+                                            otherLog(test::drifting(drive(), 0.0004), 3000)};
   DrivenSite site(drives, {{}, {}, {}});
   const double before = site.consensus().errorOf(0).high;
   site.runs[0].scans = scanWalls(lostAt(drive(), 10, 13));
@@ -179,7 +179,8 @@ TEST(SiteConsensus, scansThatAreOffOnTheirOwnCostWhatTheyAreOff) {
 
 TEST(SiteConsensus, aTornEndIsToldByItsOwnScansThoughTheyAreFew) {
   const auto torn = otherLog(broken(drive(), drive().size() - 2, 0.8, {}), 2000);
-  const DrivenSite site({drive(), torn, otherLog(drifting(drive(), 0.0002), 3000)}, {{}, {}, {}});
+  const DrivenSite site({drive(), torn, otherLog(test::drifting(drive(), 0.0002), 3000)},
+                        {{}, {}, {}});
   const Consensus result = site.consensus();
   const Way truth = wayOf(drive());
   EXPECT_LT(misplaced(result, {truth, truth, truth}), 0.1);
@@ -190,7 +191,7 @@ TEST(SiteConsensus, aTornEndIsToldByItsOwnScansThoughTheyAreFew) {
 TEST(SiteConsensus, ofTwoRunsTheirOwnScansTellWhichIsTorn) {
   for (const bool isFirstTorn : {true, false}) {
     const auto torn = otherLog(broken(drive(), 20, M_PI / 2, {3, 4}), 2000);
-    const auto whole = otherLog(drifting(drive(), 0.0002), 3000);
+    const auto whole = otherLog(test::drifting(drive(), 0.0002), 3000);
     const DrivenSite site(isFirstTorn ? std::vector{torn, whole} : std::vector{whole, torn},
                           {{}, {}});
     const Consensus result = site.consensus();
@@ -200,19 +201,20 @@ TEST(SiteConsensus, ofTwoRunsTheirOwnScansTellWhichIsTorn) {
 }
 
 TEST(SiteConsensus, copiesOfAMapShareOneResult) {
-  const DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
+  const DrivenSite site({drive(), otherLog(test::drifting(drive(), 0.004), 2000), drive()},
+                        {{}, {}, {}});
   const Consensus result = site.consensus();
   ASSERT_EQ(result.graphRuns.size(), 3u);
   EXPECT_EQ(result.graph.runs.size(), 2u);
   EXPECT_EQ(result.errorOf(0).error, result.errorOf(2).error);
   EXPECT_EQ(result.errorOf(0).high, result.errorOf(2).high);
   EXPECT_EQ(result.nodesOf(0).front(), result.nodesOf(2).front());
-  const DrivenSite two({drive(), otherLog(drifting(drive(), 0.004), 2000)}, {{}, {}});
+  const DrivenSite two({drive(), otherLog(test::drifting(drive(), 0.004), 2000)}, {{}, {}});
   EXPECT_EQ(two.consensus().errorOf(0).error, result.errorOf(0).error) << "a copy has no vote";
 }
 
 TEST(SiteConsensus, ofACopyWithoutScansTheOneWithScansCounts) {
-  DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
+  DrivenSite site({drive(), otherLog(test::drifting(drive(), 0.004), 2000), drive()}, {{}, {}, {}});
   const Consensus before = site.consensus();
   site.runs[0].scans.clear();
   const Consensus after = site.consensus();
@@ -231,17 +233,17 @@ TEST(SiteConsensus, whereAllAreCopiesThereIsNoError) {
 }
 
 TEST(SiteConsensus, aReferenceStaysAsItIsAndTheOthersFollowIt) {
-  DrivenSite site({drive(), otherLog(drifting(drive(), 0.004), 2000)}, {{}, {}});
+  DrivenSite site({drive(), otherLog(test::drifting(drive(), 0.004), 2000)}, {{}, {}});
   site.site.reference = 1;
   const Consensus result = site.consensus();
-  const Way bent = wayOf(drifting(drive(), 0.004));
+  const Way bent = wayOf(test::drifting(drive(), 0.004));
   EXPECT_LT(test::misplaced(wayOf(result, 1), bent), 1e-6);
   EXPECT_NEAR(result.errorOf(1).error, 0, 1e-6);
   EXPECT_LT(misplaced(result, {bent, bent}), 0.1);
 }
 
 TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
-  const auto smeared = drifting(drive(), 0.05);  // its map is no help
+  const auto smeared = test::drifting(drive(), 0.05);  // its map is no help
   DrivenSite bound({drive(), smeared}, {{}, {}}), apart({drive(), otherLog(smeared, 9)}, {{}, {}});
   for (DrivenSite* site : {&bound, &apart}) {
     site->site.reference = 0;
@@ -259,7 +261,7 @@ TEST(SiteConsensus, theSameScansBindRunsWhoseMapsHaveNothingInCommon) {
 
 TEST(SiteConsensus, whoIsNotOfTheCoreIsHeldAgainstIt) {
   const auto torn = otherLog(broken(drive(), 20, M_PI / 2, {3, 4}), 4000);
-  const auto bent = otherLog(drifting(drive(), 0.006), 5000);
+  const auto bent = otherLog(test::drifting(drive(), 0.006), 5000);
   const std::vector<std::vector<Keyframe>> drives{bent, drive(), torn, otherLog(drive(), 2000),
                                                   otherLog(moved(drive(), {3, 2, 1}), 3000)};
   DrivenSite site(drives, {{}, {}, {}, {}, Transform2D{3, 2, 1}.inverse()});

@@ -12,15 +12,15 @@ namespace {
 using test::roundTheBlock;
 using test::Way;
 
-constexpr double kExact = 1e-9;
+constexpr double kAlike = 1e-9;
 
-const Transform2D kThere{7, -3, 2}, kElsewhere{-1, 9, -1};
+const Transform2D kStart{7, -3, 2}, kElsewhere{-1, 9, -1};
 
 void expectSame(const Way& l, const Way& r) {
   ASSERT_EQ(l.size(), r.size());
   for (std::size_t k = 0; k < l.size(); ++k) {
-    EXPECT_LT(distance(l[k].shift(), r[k].shift()), kExact) << k;
-    EXPECT_LT(std::abs(wrappedAngle(l[k].phi - r[k].phi)), kExact) << k;
+    EXPECT_LT(distance(l[k].shift(), r[k].shift()), kAlike) << k;
+    EXPECT_LT(std::abs(wrappedAngle(l[k].phi - r[k].phi)), kAlike) << k;
   }
 }
 
@@ -35,12 +35,12 @@ std::vector<Way> startsFrom(const PoseGraph& graph, std::size_t pivot) {
 /** A run, and the same in another frame. */
 PoseGraph twoAlike() {
   const Way way = roundTheBlock();
-  return test::matchedPoseGraph({way, test::moved(way, kThere)}, {way, way});
+  return test::matchedPoseGraph({way, test::moved(way, kStart)}, {way, way});
 }
 
 TEST(StartPoses, eachNodeLiesWhereItWasFoundInThePivot) {
   const Way way = roundTheBlock(), other = roundTheBlock(0.4);
-  const Way torn = test::torn(test::moved(other, kThere), 30, 1, {4, 5});
+  const Way torn = test::torn(test::moved(other, kStart), 30, 1, {4, 5});
   const auto starts = startsFrom(test::matchedPoseGraph({way, torn}, {way, other}), 0);
   expectSame(starts[0], way);
   expectSame(starts[1], other);
@@ -57,7 +57,7 @@ TEST(StartPoses, aMatchNamedTheOtherWayRoundSaysTheSame) {
 
 TEST(StartPoses, theFrameIsThatOfThePivot) {
   for (const Way& way : startsFrom(twoAlike(), 1))
-    expectSame(way, test::moved(roundTheBlock(), kThere));
+    expectSame(way, test::moved(roundTheBlock(), kStart));
 }
 
 TEST(StartPoses, whatWasNotFoundGoesWithTheNearestThatWas) {
@@ -68,14 +68,14 @@ TEST(StartPoses, whatWasNotFoundGoesWithTheNearestThatWas) {
   const Way spread = startsFrom(graph, 0)[1];
   for (std::size_t k = 0; k < way.size(); ++k) {
     if (k == 30) continue;  // as near to the one as to the other
-    EXPECT_LT(distance(spread[k].shift(), way[k].shift()), kExact) << k;
+    EXPECT_LT(distance(spread[k].shift(), way[k].shift()), kAlike) << k;
   }
 }
 
 TEST(StartPoses, aRunIsPlacedThroughAnother) {
   const Way way = roundTheBlock();
   const PoseGraph graph = test::withMatches(
-      test::matchedPoseGraph({way, test::moved(way, kThere), test::moved(way, kElsewhere)},
+      test::matchedPoseGraph({way, test::moved(way, kStart), test::moved(way, kElsewhere)},
                              {way, way, way}),
       [](const MatchGroup& group, const PoseEdge&, std::size_t) {
         return !test::joins(group, 0, 2);  // they never met
@@ -84,7 +84,7 @@ TEST(StartPoses, aRunIsPlacedThroughAnother) {
 }
 
 TEST(StartPoses, aRunThatWasFoundNowhereKeepsItsPoses) {
-  const Way way = roundTheBlock(), there = test::moved(way, kThere);
+  const Way way = roundTheBlock(), there = test::moved(way, kStart);
   const auto starts = startsFrom(test::drawnPoseGraph({way, there, {}}), 0);
   expectSame(starts[0], way);
   expectSame(starts[1], there);
@@ -93,12 +93,12 @@ TEST(StartPoses, aRunThatWasFoundNowhereKeepsItsPoses) {
 
 TEST(StartPoses, eachPivotBringsSoundRunsTogetherAlike) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
-  const std::vector<Way> drawn{truth[0], test::moved(truth[1], kThere),
+  const std::vector<Way> drawn{truth[0], test::moved(truth[1], kStart),
                                test::moved(truth[2], kElsewhere)};
   const PoseGraph graph = test::matchedPoseGraph(drawn, truth);
   for (const std::size_t pivot : {0u, 1u, 2u}) {
     const NodePoses poses = startPoses(graph, RunId(pivot));
-    EXPECT_LT(test::misplaced(poses, truth), kExact);
+    EXPECT_LT(test::misplaced(poses, truth), kAlike);
     const Way own = test::wayOf(graph, poses, pivot);
     for (std::size_t k = 0; k < own.size(); ++k)
       EXPECT_EQ(own[k].shift(), drawn[pivot][k].shift()) << "in its frame";
@@ -130,7 +130,7 @@ TEST(StartPoses, ofTwoMatchesOfANodeTheFirstCounts) {
 }
 
 TEST(StartPoses, aPartThatNoLinkJoinsGoesWithTheFirstThatWasFound) {
-  const Way way = roundTheBlock(), there = test::moved(way, kThere);
+  const Way way = roundTheBlock(), there = test::moved(way, kStart);
   PoseGraph graph = test::drawnPoseGraph({way});
   graph.addRun(true);
   NodeId last;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/geometry/MotionFit.h"
-
 namespace roomgraph {
 namespace {
 
@@ -39,24 +37,6 @@ TEST(Transform2D, anglesAreWrappedToAHalfTurn) {
   EXPECT_EQ(wrappedAngle(-M_PI), M_PI);
   for (double angle = -25; angle < 25; angle += 0.01)
     EXPECT_EQ(wrappedAngle(angle), std::remainder(angle, 2 * M_PI)) << angle;
-}
-
-TEST(MotionFit, findsTheMotionBehindThePlaces) {
-  const Transform2D motion{3, -2, 2.5};
-  MotionFit fit;
-  for (const Point p : {Point{0, 0}, Point{4, 1}, Point{-2, 5}, Point{1, 1}}) fit.add(p, motion(p));
-  const Transform2D found = fit.motion();
-  EXPECT_NEAR(found.x, motion.x, 1e-9);
-  EXPECT_NEAR(found.y, motion.y, 1e-9);
-  EXPECT_NEAR(found.phi, motion.phi, 1e-9);
-}
-
-TEST(MotionFit, weighsThePlaces) {
-  MotionFit fit;
-  fit.add({0, 0}, {0, 0}, 3);
-  fit.add({0, 0}, {4, 0}, 1);
-  EXPECT_EQ(fit.motion().x, 1);
-  EXPECT_EQ(MotionFit().motion().x, 0);
 }
 
 }  // namespace

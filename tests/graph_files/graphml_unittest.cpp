@@ -15,7 +15,7 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-Tree parsed(const std::string& xml) {
+Tree parsedGraphml(const std::string& xml) {
   std::istringstream stream(xml);
   Tree tree;
   boost::property_tree::read_xml(stream, tree);
@@ -39,7 +39,7 @@ std::vector<Tree> elements(const Tree& top, const std::string& wanted) {
 
 TEST(Graphml, holdsAllVerticesAndEdgesWithTheirIds) {
   const RoomGraph graph = sampleStages().result;
-  const Tree top = parsed(graphml(graph));
+  const Tree top = parsedGraphml(graphml(graph));
   const auto nodes = elements(top, "node"), edges = elements(top, "edge");
   ASSERT_EQ(nodes.size(), graph.graph.vertices().size());
   ASSERT_EQ(edges.size(), graph.graph.edges().size());
@@ -51,7 +51,7 @@ TEST(Graphml, holdsAllVerticesAndEdgesWithTheirIds) {
 }
 
 TEST(Graphml, saysWhatAThingIs) {
-  const Tree top = parsed(graphml(sampleStages().result));
+  const Tree top = parsedGraphml(graphml(sampleStages().result));
   auto room = dataOf(elements(top, "node")[0]), deadEnd = dataOf(elements(top, "node")[5]);
   EXPECT_EQ(room["kind"], "room");
   EXPECT_EQ(room["x"], "1.45");
@@ -69,7 +69,7 @@ TEST(Graphml, saysWhatAThingIs) {
 }
 
 TEST(Graphml, declaresEveryKeyThatItUsesOnce) {
-  const Tree top = parsed(graphml(sampleStages().result));
+  const Tree top = parsedGraphml(graphml(sampleStages().result));
   std::map<std::string, std::string> keys;
   for (const auto& [name, child] : top.get_child("graphml")) {
     if (name != "key") continue;
@@ -87,12 +87,12 @@ TEST(Graphml, leavesOutWhatIsUnbounded) {
   auto edges = stages.result.graph.edges();
   edges[0].path.minClearance = std::numeric_limits<double>::infinity();
   stages.result.graph = TopologyGraph(stages.result.graph.vertices(), edges);
-  const Tree top = parsed(graphml(stages.result));
+  const Tree top = parsedGraphml(graphml(stages.result));
   EXPECT_EQ(dataOf(elements(top, "edge")[0]).count("min_clearance"), 0u);
 }
 
 TEST(Graphml, ofAnEmptyGraphIsAnEmptyGraph) {
-  EXPECT_TRUE(elements(parsed(graphml({})), "node").empty());
+  EXPECT_TRUE(elements(parsedGraphml(graphml({})), "node").empty());
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace roomgraph {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /** The message for a text that must be refused; "" where it is not. */
 std::string refusal(const std::string& text) {
@@ -104,7 +104,7 @@ TEST(ReadGraphJson, givesAreasAndPassagesBack) {
 }
 
 TEST(ReadGraphJson, readsFilesOfAnOlderProgramWithoutAreas) {
-  Json json = Json::parse(graphJson(sampleStages()));
+  OrderedJson json = OrderedJson::parse(graphJson(sampleStages()));
   json.erase("areas");
   expectOneLine(refusal(json.dump()));
   json.erase("passages");
@@ -131,8 +131,8 @@ TEST(ReadGraphJson, givesTheOptionsBackAsAnIniFile) {
 
 TEST(ReadGraphJson, skipsFieldsItDoesNotKnow) {
   const std::string text = graphJson(sampleStages());
-  Json json = Json::parse(text);
-  json["furniture"] = Json::array({1, 2});
+  OrderedJson json = OrderedJson::parse(text);
+  json["furniture"] = OrderedJson::array({1, 2});
   json["vertices"][0]["name"] = "kitchen";
   EXPECT_EQ(graphJson(parseGraphJson(json.dump(), "x.json")), text);
 }
@@ -147,16 +147,16 @@ TEST(ReadGraphJson, everyTruncationIsRefusedInOneLine) {
 }
 
 /** Places of the file, and what must not stand there. */
-const std::pair<const char*, Json> kWrong[] = {
+const std::pair<const char*, OrderedJson> kWrong[] = {
     {"/format", "geojson"},
     {"/version", 2},
     {"/program", 1},
-    {"/input/size", Json::array({1, 2, 3})},
-    {"/input/size", Json::array({-1, 2})},
+    {"/input/size", OrderedJson::array({1, 2, 3})},
+    {"/input/size", OrderedJson::array({-1, 2})},
     {"/input/origin", "here"},
-    {"/options", Json::array()},
+    {"/options", OrderedJson::array()},
     {"/options/find_rooms", 1},
-    {"/options/find_rooms/min_width", Json::array()},
+    {"/options/find_rooms/min_width", OrderedJson::array()},
     {"/vertices", 3},
     {"/vertices/1/id", 0},
     {"/vertices/0/kind", "door"},
@@ -165,8 +165,8 @@ const std::pair<const char*, Json> kWrong[] = {
     {"/edges/0/source", 7},
     {"/edges/0/target", -1},
     {"/edges/0/target", 1.5},
-    {"/edges/0/path", Json::array()},
-    {"/edges/0/path/0", Json::array({1, 2, 3})},
+    {"/edges/0/path", OrderedJson::array()},
+    {"/edges/0/path/0", OrderedJson::array({1, 2, 3})},
     {"/rooms/0/vertex", 99},
     {"/rooms/0/border_vertices/0", nullptr},
     {"/rooms/0/polygon", 4},
@@ -177,13 +177,13 @@ const std::pair<const char*, Json> kWrong[] = {
     {"/areas/0/kind", "corridor"},
     {"/areas/2/kind", "room"},
     {"/areas/0/passages/0", 2},
-    {"/areas/0/polygon/0", Json::array({1})},
+    {"/areas/0/polygon/0", OrderedJson::array({1})},
     {"/areas/0/inscribed_radius", "1"},
     {"/passages", 1},
     {"/passages/1/id", 2},
     {"/passages/0/areas/1", 3},
-    {"/passages/0/areas", Json::array({0, 1, 2})},
-    {"/passages/0/ends", Json::array({Json::array({1, 2})})},
+    {"/passages/0/areas", OrderedJson::array({0, 1, 2})},
+    {"/passages/0/ends", OrderedJson::array({OrderedJson::array({1, 2})})},
     {"/passages/0/width", nullptr},
     {"/passages/0/confidence", 1.1},
     {"/passages/0/confidence", nullptr},
@@ -192,10 +192,10 @@ const std::pair<const char*, Json> kWrong[] = {
 };
 
 TEST(ReadGraphJson, everyWrongValueIsRefusedInOneLine) {
-  const Json good = Json::parse(graphJson(sampleStages()));
+  const OrderedJson good = OrderedJson::parse(graphJson(sampleStages()));
   for (const auto& [place, value] : kWrong) {
-    Json broken = good;
-    broken[Json::json_pointer(place)] = value;
+    OrderedJson broken = good;
+    broken[OrderedJson::json_pointer(place)] = value;
     SCOPED_TRACE(place);
     expectOneLine(refusal(broken.dump()));
   }

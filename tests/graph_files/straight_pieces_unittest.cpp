@@ -17,9 +17,11 @@ Path pathOf(Polyline points, double minClearance) {
   return path;
 }
 
-const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
+const ObstacleCells kNothingInTheWay{{1, 1, 1, {}}, {}};
 
-Places piecesOf(const Path& path) { return straightPieces(path, ObstacleRows(kNoObstacle), 0.01); }
+Places piecesOf(const Path& path) {
+  return straightPieces(path, ObstacleRows(kNothingInTheWay), 0.01);
+}
 
 TEST(StraightPieces, aStraightWayIsOnePiece) {
   EXPECT_EQ(piecesOf(pathOf({{0, 0}, {1, 0.01}, {2, 0}, {3, 0}}, 0.5)), (Places{0, 3}));

@@ -54,7 +54,7 @@ std::string written(RawPng raw) {
   return out;
 }
 
-std::string errorOf(const std::string& file) {
+std::string labelsError(const std::string& file) {
   try {
     readLabels(file);
     return {};
@@ -70,7 +70,7 @@ class ReadLabels : public testing::Test {
   }
   /** One line "FILE: problem: remedy" with `part` in it. */
   void expectRefused(const std::string& bytes, const std::string& part) const {
-    const std::string file = dir_.write("labels", bytes), text = errorOf(file);
+    const std::string file = dir_.write("labels", bytes), text = labelsError(file);
     EXPECT_EQ(text.compare(0, file.size() + 2, file + ": "), 0) << text;
     EXPECT_NE(text.find(": ", file.size() + 2), std::string::npos) << text;
     EXPECT_NE(text.find(part), std::string::npos) << text;
@@ -142,7 +142,7 @@ TEST_F(ReadLabels, pgmValuesAreNotScaled) {
 }
 
 TEST_F(ReadLabels, badFilesAreRefusedInOneLine) {
-  EXPECT_NE(errorOf(dir_.path("none.png")).find("there is no such file"), std::string::npos);
+  EXPECT_NE(labelsError(dir_.path("none.png")).find("there is no such file"), std::string::npos);
   expectRefused("", "is empty");
   expectRefused("Dear map", "is not a label picture");
   expectRefused("P5 60000 60000 255\n", "60000 x 60000 pixels");
@@ -162,7 +162,7 @@ TEST_F(ReadLabels, picturesCutAnywhereAreRefused) {
   const std::string bytes = written(png);
   ASSERT_EQ(labels(bytes).size(), 63u);
   for (std::size_t size = bytes.size() - 1; size > 0; --size)
-    ASSERT_NE(errorOf(dir_.write("cut", bytes.substr(0, size))), "") << size << " bytes";
+    ASSERT_NE(labelsError(dir_.write("cut", bytes.substr(0, size))), "") << size << " bytes";
 }
 
 /** Their colours do not fit into a label, and two that are rounded to one would join two rooms. */

@@ -22,13 +22,13 @@ std::vector<SiteRoom> roomsOf(const House& drawn, const Transform2D& pose) {
   return siteRooms({{&a, &b}, {{}, pose}, {0, 1}, {}}, {1, 1});
 }
 
-const SiteRoom* roomAt(const std::vector<SiteRoom>& rooms, Point p) {
+const SiteRoom* foundAt(const std::vector<SiteRoom>& rooms, Point p) {
   for (const SiteRoom& room : rooms)
     if (sideOf(room.polygon, p) == Side::inside) return &room;
   return nullptr;
 }
 
-const Transform2D kOther{3, -7, 1.1};
+const Transform2D kLater{3, -7, 1.1};
 const std::vector<Point> kPlaces{{10, 5},  {1.5, 2}, {5, 2},   {9, 2},  {14, 2}, {18, 2},
                                  {2.5, 9}, {6, 9},   {9.5, 9}, {13, 9}, {18, 9}};
 
@@ -63,7 +63,7 @@ TEST(NameRooms, aNewFileGetsAllRooms) {
 }
 
 TEST(NameRooms, idsAndNamesStayInAnotherFrame) {
-  auto before = roomsOf(house(), {}), after = roomsOf(house(), kOther);
+  auto before = roomsOf(house(), {}), after = roomsOf(house(), kLater);
   SiteFile file;
   name(before, file);
   file.rooms[3].name = "Kitchen";
@@ -72,10 +72,10 @@ TEST(NameRooms, idsAndNamesStayInAnotherFrame) {
   EXPECT_EQ(siteJson(file), text) << "nothing is new";
   int kitchens = 0;
   for (const Point p : kPlaces) {
-    ASSERT_TRUE(roomAt(before, p) && roomAt(after, kOther(p)));
-    EXPECT_EQ(roomAt(before, p)->id, roomAt(after, kOther(p))->id);
-    const bool isKitchen = roomAt(after, kOther(p))->name == "Kitchen";
-    EXPECT_EQ(isKitchen, roomAt(before, p)->id == file.rooms[3].id);
+    ASSERT_TRUE(foundAt(before, p) && foundAt(after, kLater(p)));
+    EXPECT_EQ(foundAt(before, p)->id, foundAt(after, kLater(p))->id);
+    const bool isKitchen = foundAt(after, kLater(p))->name == "Kitchen";
+    EXPECT_EQ(isKitchen, foundAt(before, p)->id == file.rooms[3].id);
     kitchens += isKitchen;
   }
   EXPECT_EQ(kitchens, 1);
@@ -89,22 +89,22 @@ TEST(NameRooms, whatIsGoneStaysAndWhatIsNewGetsANewId) {
   SiteFile file;
   auto rooms = roomsOf(house(), {});
   name(rooms, file);
-  const std::string gone = roomAt(rooms, {18, 9})->id, text = siteJson(file);
-  rooms = roomsOf(less, kOther);
+  const std::string gone = foundAt(rooms, {18, 9})->id, text = siteJson(file);
+  rooms = roomsOf(less, kLater);
   name(rooms, file);
   EXPECT_EQ(siteJson(file), text);
-  EXPECT_FALSE(roomAt(rooms, kOther({18, 9})));
-  rooms = roomsOf(more, kOther);
+  EXPECT_FALSE(foundAt(rooms, kLater({18, 9})));
+  rooms = roomsOf(more, kLater);
   name(rooms, file);
   EXPECT_EQ(file.rooms.size(), 12u);
-  EXPECT_EQ(roomAt(rooms, kOther({22, 2}))->id, "R11");
-  EXPECT_EQ(roomAt(rooms, kOther({18, 9}))->id, gone) << "seen again";
+  EXPECT_EQ(foundAt(rooms, kLater({22, 2}))->id, "R11");
+  EXPECT_EQ(foundAt(rooms, kLater({18, 9}))->id, gone) << "seen again";
   // Its place in the file is that of the file's frame, and its door leads to a room of the file.
   const KnownRoom& added = *std::find_if(file.rooms.begin(), file.rooms.end(),
                                          [](const KnownRoom& room) { return room.id == "R11"; });
   EXPECT_LT(distance(added.center, {22.1, 1.9}), 0.2);
   ASSERT_EQ(added.doors.size(), 1u);
-  EXPECT_EQ(added.doors[0].to, roomAt(rooms, kOther({18, 2}))->id);
+  EXPECT_EQ(added.doors[0].to, foundAt(rooms, kLater({18, 2}))->id);
 }
 
 TEST(NameRooms, idsAreNotUsedAgain) {
@@ -138,7 +138,7 @@ TEST(NameRooms, aSymmetricSiteIsFoundInItsOldFrameOnly) {
   auto again = roomsOf(symmetricHouse(), {});
   name(again, file);
   EXPECT_EQ(file.rooms.size(), 11u);
-  auto turnedRooms = roomsOf(symmetricHouse(), kOther);
+  auto turnedRooms = roomsOf(symmetricHouse(), kLater);
   EXPECT_THROW(name(turnedRooms, file), DataError);
 }
 

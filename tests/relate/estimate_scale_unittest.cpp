@@ -15,7 +15,7 @@ using test::drawnBuilding;
 constexpr double kCell = 0.05;  // of drawnBuilding [m]
 const test::Seen kWest{-1e9, 15};
 
-roomgraph::Run run(const Grid& grid) {
+roomgraph::Run scaledRun(const Grid& grid) {
   roomgraph::Run run;
   run.map = wallMap(grid);
   return run;
@@ -38,7 +38,7 @@ void expectScale(const std::optional<ScaleEstimate>& found, double resolution, d
 }
 
 TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}))};
+  const std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {3, -4, 0.4}))};
   const Transform2D expected = Transform2D{3, -4, 0.4} * Transform2D{0, 0, 1.1}.inverse();
   const Point middle = Transform2D{0, 0, 1.1}({12, 8});
   std::vector<double> scales;
@@ -56,34 +56,34 @@ TEST(EstimateScale, findsTheScaleAndThePoseFromAnyGuess) {
 TEST(EstimateScale, theRunsTellHowLargeTheBuildingIs) {
   const double factor = 0.65;
   const std::vector<roomgraph::Run> runs{
-      run(rescaled(drawnBuilding(2, {3, -4, 0.4}), factor * kCell))};
+      scaledRun(rescaled(drawnBuilding(2, {3, -4, 0.4}), factor * kCell))};
   expectScale(estimated(pictureOf(2, kCell), runs), factor * kCell, 0.005);
 }
 
 TEST(EstimateScale, aRunThatHasSeenAPartIsEnough) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(4, {3, -4, 0.4}, kWest))};
+  const std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(4, {3, -4, 0.4}, kWest))};
   expectScale(estimated(pictureOf(4, 0.03), runs), kCell, 0.007);
 }
 
 TEST(EstimateScale, aDrawingMayBeFreeAllRound) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {3, -4, 0.4}, kWest))};
+  const std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {3, -4, 0.4}, kWest))};
   Grid picture = pictureOf(1, 0.03, kWest);
   std::replace(picture.cells.begin(), picture.cells.end(), State::unknown, State::free);
   expectScale(estimated(picture, runs), kCell, 0.005);
 }
 
 TEST(EstimateScale, anotherBuildingFitsAtNoScale) {
-  EXPECT_FALSE(estimated(pictureOf(8, kCell), {run(drawnBuilding(1, {}))}));
+  EXPECT_FALSE(estimated(pictureOf(8, kCell), {scaledRun(drawnBuilding(1, {}))}));
 }
 
 TEST(EstimateScale, aPictureOfTooSmallAPartTellsNothing) {
-  const std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {}))};
+  const std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {}))};
   EXPECT_FALSE(estimated(pictureOf(1, kCell, {-1e9, 4}), runs));
 }
 
 TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
-  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {0, 0, 2}, kWest)),
-                                   run(drawnBuilding(11, {}, kWest))};
+  std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {0, 0, 2}, kWest)),
+                                   scaledRun(drawnBuilding(11, {}, kWest))};
   runs[1].map.axisDeviation = 0;  // it is looked in first
   const auto found = estimated(pictureOf(1, 0.04, kWest), runs);
   expectScale(found, kCell, 0.005);
@@ -93,9 +93,9 @@ TEST(EstimateScale, looksInAnotherRunWhereTheFirstIsOfAnotherSite) {
 }
 
 TEST(EstimateScale, oneStretchedRunIsOutvoted) {
-  std::vector<roomgraph::Run> runs{run(rescaled(drawnBuilding(1, {1, 2, 0.1}), 1.02 * kCell)),
-                                   run(drawnBuilding(1, {0, 1, -1.2})),
-                                   run(drawnBuilding(1, {3, -4, 0.4}))};
+  std::vector<roomgraph::Run> runs{scaledRun(rescaled(drawnBuilding(1, {1, 2, 0.1}), 1.02 * kCell)),
+                                   scaledRun(drawnBuilding(1, {0, 1, -1.2})),
+                                   scaledRun(drawnBuilding(1, {3, -4, 0.4}))};
   runs[0].map.axisDeviation = 0;  // it is looked in first
   const auto found = estimated(pictureOf(1, 0.05), runs);
   expectScale(found, kCell, 0.005);
@@ -105,8 +105,8 @@ TEST(EstimateScale, oneStretchedRunIsOutvoted) {
 }
 
 TEST(EstimateScale, theOrderOfRunsAndJobsChangesNothing) {
-  std::vector<roomgraph::Run> runs{run(drawnBuilding(1, {1, 2, 0.1}, kWest)),
-                                   run(drawnBuilding(1, {0, 1, -1.2}, kWest))};
+  std::vector<roomgraph::Run> runs{scaledRun(drawnBuilding(1, {1, 2, 0.1}, kWest)),
+                                   scaledRun(drawnBuilding(1, {0, 1, -1.2}, kWest))};
   const Grid picture = pictureOf(1, 0.03, kWest);
   const auto one = estimated(picture, runs);
   std::swap(runs[0], runs[1]);
@@ -123,9 +123,9 @@ TEST(EstimateScale, whatHasNoWallsHasNoScale) {
   Grid blank = picture;
   std::fill(blank.cells.begin(), blank.cells.end(), State::free);
   EXPECT_FALSE(estimated(picture, {}));
-  EXPECT_FALSE(estimated(picture, {run(blank)}));
-  EXPECT_FALSE(estimated(blank, {run(picture)}));
-  EXPECT_FALSE(estimated(rescaled({{0, 0, 0.05, {}}, {}}, 0.1), {run(picture)}));
+  EXPECT_FALSE(estimated(picture, {scaledRun(blank)}));
+  EXPECT_FALSE(estimated(blank, {scaledRun(picture)}));
+  EXPECT_FALSE(estimated(rescaled({{0, 0, 0.05, {}}, {}}, 0.1), {scaledRun(picture)}));
 }
 
 TEST(UsualScale, doesNotDependOnWhatThePicturesClaim) {

@@ -30,7 +30,7 @@ std::vector<roomgraph::Run> fourRuns() {
           run(drawnBuilding(1, {0, 1, -1.2})), run(drawnBuilding(11, {}))};
 }
 
-bool areAlike(const Transform2D& l, const Transform2D& r) {
+bool arePosesAlike(const Transform2D& l, const Transform2D& r) {
   return distance(l.shift(), r.shift()) < 0.1 && std::abs(wrappedAngle(l.phi - r.phi)) < 0.01;
 }
 
@@ -52,7 +52,7 @@ TEST(RelateRuns, overTheHubComesOutWhatASearchFinds) {
     EXPECT_EQ(over.alignment.isSameSite, searched.alignment.isSameSite) << a << ' ' << b;
     EXPECT_EQ(over.alignment.isSameSite, b < 3);
     if (b == 3) continue;
-    EXPECT_TRUE(areAlike(over.alignment.pose, searched.alignment.pose)) << a << ' ' << b;
+    EXPECT_TRUE(arePosesAlike(over.alignment.pose, searched.alignment.pose)) << a << ' ' << b;
     EXPECT_NEAR(over.bInA.bend, searched.bInA.bend, 0.03);
     EXPECT_NEAR(over.aInB.bend, searched.aInB.bend, 0.03);
   }
@@ -140,7 +140,7 @@ TEST(RelateRuns, ofManyRunsEachIsRelatedToSomeOfTheCore) {
     const Alignment& alignment = related(a, b).alignment;
     EXPECT_EQ(alignment.isSameSite, (a < 7) == (b < 7)) << a << ' ' << b;
     const Transform2D truth = ten.poses[a] * ten.poses[b].inverse();
-    EXPECT_TRUE(!alignment.isSameSite || areAlike(alignment.pose, truth)) << a << ' ' << b;
+    EXPECT_TRUE(!alignment.isSameSite || arePosesAlike(alignment.pose, truth)) << a << ' ' << b;
   }
 }
 

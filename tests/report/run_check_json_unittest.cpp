@@ -11,7 +11,7 @@
 namespace roomgraph {
 namespace {
 
-RunCheck sample() {
+RunCheck sampleCheck() {
   RunCheck check;
   check.name = "a", check.file = "there/a.simplemap", check.sha256 = std::string(64, '0');
   check.selfError = 0.51234, check.low = 0.3, check.high = 0.7, check.seenTwice = 0.75;
@@ -30,7 +30,7 @@ RunCheck sample() {
 }
 
 TEST(RunCheckJson, holdsWhatWasTold) {
-  const auto json = nlohmann::json::parse(runCheckJson(sample()));
+  const auto json = nlohmann::json::parse(runCheckJson(sampleCheck()));
   EXPECT_EQ(json["file"], "a.simplemap");
   EXPECT_EQ(json["self_error_m"], 0.5123);
   EXPECT_EQ(json["seen_twice"], 0.75);
@@ -53,7 +53,7 @@ TEST(RunCheckJson, holdsWhatWasTold) {
 }
 
 TEST(RunCheckJson, whatCannotBeToldIsNull) {
-  RunCheck check = sample();
+  RunCheck check = sampleCheck();
   check.selfError.reset();
   const auto json = nlohmann::json::parse(runCheckJson(check));
   for (const char* name : {"self_error_m", "self_error_low_m", "self_error_high_m"})
@@ -67,11 +67,11 @@ TEST(RunCheckJson, followsItsSchema) {
   schemaText.Parse(schemaFile.str().c_str());
   ASSERT_FALSE(schemaText.HasParseError());
   const rapidjson::SchemaDocument schema(schemaText);
-  RunCheck silent = sample();
+  RunCheck silent = sampleCheck();
   silent.selfError.reset(), silent.breaks.clear(), silent.path.clear();
-  RunCheck unsized = sample();
+  RunCheck unsized = sampleCheck();
   unsized.breaks.front().torn.reset();
-  for (const RunCheck& check : {sample(), silent, unsized}) {
+  for (const RunCheck& check : {sampleCheck(), silent, unsized}) {
     document.Parse(runCheckJson(check).c_str());
     ASSERT_FALSE(document.HasParseError());
     rapidjson::SchemaValidator validator(schema);
@@ -81,7 +81,7 @@ TEST(RunCheckJson, followsItsSchema) {
 
 TEST(RunCheckText, isOneLineWithTheLargestBreak) {
   EXPECT_EQ(
-      runCheckText(sample()),
+      runCheckText(sampleCheck()),
       "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17, "
       "45.0 degrees and -0.50 m; 1 place drawn twice, the worst at (3.0, 4.0) by key frames 12 "
       "to 30 and, 0.80 m beside, at (3.0, 4.8) by key frames 210 to 228; 1 place laid over "
@@ -90,7 +90,7 @@ TEST(RunCheckText, isOneLineWithTheLargestBreak) {
 }
 
 TEST(RunCheckText, aBreakOfUnknownSizeIsCounted) {
-  RunCheck check = sample();
+  RunCheck check = sampleCheck();
   check.breaks.front().torn.reset(), check.doubled.clear(), check.welded.clear();
   EXPECT_EQ(runCheckText(check), "a: agrees with itself within 0.51 m; 1 break\n");
   EXPECT_EQ(selfBreakText(check.breaks.front()),

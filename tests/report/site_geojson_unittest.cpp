@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-Comparison sample() {
+Comparison sampleSite() {
   Comparison comparison = test::sampleComparison().comparison;
   comparison.rooms[0].doors = {{{3.5, 5}, 1, "C1", {"a"}, {"b"}}, {{0.2, 2}, 0.9, ""}};
   comparison.rooms[4].polygon.holes = {{{2, 6}, {3, 6}, {3, 6.5}}};
@@ -19,7 +19,7 @@ Comparison sample() {
 }
 
 TEST(SiteGeojson, roomsSayWhichRunsHaveThem) {
-  const Comparison comparison = sample();
+  const Comparison comparison = sampleSite();
   const Json json = Json::parse(siteGeojson(comparison));
   EXPECT_EQ(json["type"], "FeatureCollection");
   std::vector<Json> rooms;
@@ -38,7 +38,7 @@ TEST(SiteGeojson, roomsSayWhichRunsHaveThem) {
 }
 
 TEST(SiteGeojson, doorsFollowTheirRoom) {
-  const Json json = Json::parse(siteGeojson(sample()));
+  const Json json = Json::parse(siteGeojson(sampleSite()));
   const Json &inner = json["features"][1], &outer = json["features"][2];
   EXPECT_EQ(inner["geometry"]["coordinates"], Json({3.5, 5.0}));
   EXPECT_EQ(inner["properties"]["room"], "R1");

@@ -6,6 +6,9 @@
 
 namespace roomgraph::test {
 
+constexpr auto kJunction = VertexKind::junction;
+constexpr auto kDeadEnd = VertexKind::deadEnd;
+
 /** A path along the points, with an obstacle 1 m to the left of the middle of each segment. */
 inline Path straight(const Polyline& points) {
   std::vector<Point> obstacles;

@@ -8,9 +8,6 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr auto kJunction = VertexKind::junction;
-constexpr auto kDeadEnd = VertexKind::deadEnd;
-
 TEST(TopologyGraph, twinsRunBackwards) {
   const TopologyGraph graph = star({2, 3, 4});
   for (std::size_t h = 0; h < 6; ++h) {

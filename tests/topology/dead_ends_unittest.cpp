@@ -7,9 +7,6 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr auto kJunction = VertexKind::junction;
-constexpr auto kDeadEnd = VertexKind::deadEnd;
-
 TEST(RemoveDeadEnds, removesThemLayerByLayer) {
   // A twig with two short tips goes as a whole: first its tips, then itself.
   const TopologyGraph tree({{{0, 0}, 0.5, kJunction, {}},

@@ -9,8 +9,6 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr auto kDeadEnd = VertexKind::deadEnd;
-
 TEST(Invariants, nameWhatIsWrong) {
   std::vector<Vertex> vertices{{{0, 0}, 1, kDeadEnd, {}}, {{4, 0}, 1, kDeadEnd, {}}};
   const Path good = straight({{0, 0}, {4, 0}});

@@ -8,9 +8,6 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr auto kJunction = VertexKind::junction;
-constexpr auto kDeadEnd = VertexKind::deadEnd;
-
 /** Two stars whose centres are `gap` apart. */
 TopologyGraph twoStars(double gap) {
   return {{{{0, 0}, 1, kJunction, {}},

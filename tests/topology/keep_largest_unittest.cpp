@@ -7,9 +7,6 @@
 namespace roomgraph::test {
 namespace {
 
-constexpr auto kJunction = VertexKind::junction;
-constexpr auto kDeadEnd = VertexKind::deadEnd;
-
 /** Three lines that are not connected, 5, 2 and 0.5 m long. */
 TopologyGraph threeLines() {
   std::vector<Vertex> vertices;

@@ -7,11 +7,10 @@
 #include <vector>
 
 #include "RandomNumbers.h"
+#include "hand_built.h"
 
 namespace roomgraph::test {
 namespace {
-
-constexpr auto kDeadEnd = VertexKind::deadEnd;
 
 TEST(MakeTopologyGraph, ofAVoronoiRingHasOneVertex) {
   VoronoiGraph voronoi;
