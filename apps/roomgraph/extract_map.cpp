@@ -1,5 +1,6 @@
 #include "extract_map.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "Laps.h"
@@ -31,6 +32,14 @@ std::string verboseLine(const std::string& mapFile, const Stages& stages) {
                              "%g m clear, %zu pieces of clutter do not split rooms",
                              frame.width, frame.height, frame.resolution, frame.origin.x,
                              frame.origin.y, stages.clearance, stages.cleared.clutter.size()));
+}
+
+/** Whether maps of this kind are made of scans, by which their quality can be estimated. */
+bool isMadeOfScans(const std::string& kind) {
+  const std::vector<MapFormat>& formats = mapFormats();
+  return std::any_of(formats.begin(), formats.end(), [&](const MapFormat& format) {
+    return format.kind == kind && format.readRecording;
+  });
 }
 
 /** One map on its way from file to files. */
@@ -106,6 +115,8 @@ class Extraction {
     report_.err += noteLines(notes, task_.running.isVerbose);
     report_.out += summaryLine(mapFile_, stages.result);
     for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
+    if (isMadeOfScans(stages.source.kind))
+      report_.out += "  'roomgraph check' estimates from its scans how good the map is\n";
   }
 
   const std::string& mapFile_;

@@ -19,6 +19,10 @@ expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz "$maps"/office_run2
 [ ! -s out ] || fail "quiet is not quiet"
 diff -r results again || fail "another result"
 
+# Who extracts a graph from scans is told that they say how good the map is.
+expect 0 "$roomgraph" extract "$maps"/office_run1.simplemap.gz "$maps"/office.gridmap.gz -o graphs --format json
+[ "$(grep -c "'roomgraph check'" out)" -eq 1 ] || { cat out; fail "one of the two maps has scans"; }
+
 # A map without scans tells nothing, which is no error but for a gate.
 expect 0 "$roomgraph" check "$maps"/office.gridmap.gz -o grid
 grep -q 'cannot tell: it has no scans, and its map alone says little' out || fail "more is told of a grid than is known"
