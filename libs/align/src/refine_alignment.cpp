@@ -1,14 +1,14 @@
 #include "roomgraph/align/refine_alignment.h"
 
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/nearest_wall.h"
 
 namespace roomgraph {
 
 Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                            const NarrowingBand& band, int maxPoints) {
+                            const Look& look) {
   if (a.walls.empty() || b.walls.empty()) return pose;
-  const std::size_t strideA = strideOf(a, maxPoints), strideB = strideOf(b, maxPoints);
+  const std::size_t strideA = strideOf(a, look.refinePoints);
+  const std::size_t strideB = strideOf(b, look.refinePoints);
   const auto addWalls = [&](WallFit& fit, int) {
     for (std::size_t i = 0; i < b.walls.size(); i += strideB) fit.add(b.walls[i], a);
     const Motion2D& forth = fit.forth();
@@ -20,7 +20,7 @@ Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2
       if (wall) fit.add(forth(wall->place), {a.walls[i].place, forth.turned(wall->normal)});
     }
   };
-  return fittedPose(pose, b.middle(), band, addWalls, kShiftHold);
+  return fittedPose(pose, b.middle(), look.band, addWalls, kShiftHold);
 }
 
 }  // namespace roomgraph

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/align/nearest_wall.h"
-
 namespace roomgraph {
 namespace {
 
@@ -42,15 +40,16 @@ struct Sums {
   }
 };
 
-void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose, double noise,
-               int maxPoints, double turn, Sums& sums) {
-  const std::size_t stride = strideOf(of, maxPoints);
+void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose, const Look& look,
+               double turn, Sums& sums) {
+  const std::size_t stride = strideOf(of, look.verifyPoints);
   if (stride == 0) return;
   const double length = double(stride) * of.wallSpacing();
   const Motion2D motion(pose);
   Sums part;
   for (std::size_t i = 0; i < of.walls.size(); i += stride)
-    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, noise);
+    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length,
+                look.noise);
   // n nT in the frame of a, whichever map was looked up
   const double ct = std::cos(turn), st = std::sin(turn);
   const double xx = part.xx, xy = part.xy, yy = part.yy;
@@ -90,18 +89,18 @@ double commonArea(const WallMap& of, const FreeCount& count) {
 }  // namespace
 
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                                  double noise, int maxPoints) {
+                                  const Look& look) {
   const Transform2D back = pose.inverse();
   Sums sums;
-  lookUpAll(b, a, pose, noise, maxPoints, 0, sums);
-  lookUpAll(a, b, back, noise, maxPoints, pose.phi, sums);
+  lookUpAll(b, a, pose, look, 0, sums);
+  lookUpAll(a, b, back, look, pose.phi, sums);
   AlignmentEvidence e;
   e.close = sums.close, e.loose = sums.loose, e.contradicted = sums.contradicted;
   e.slightly = sums.slightly;
   e.known = sums.known, e.all = sums.all;
   const double half = 0.5 * (sums.xx + sums.yy);
   e.weakest = half - std::hypot(0.5 * (sums.xx - sums.yy), sums.xy);
-  const std::size_t most = 2 * std::size_t(maxPoints);
+  const std::size_t most = 2 * std::size_t(look.verifyPoints);
   const FreeCount inA = countFree(b, a, pose, most), inB = countFree(a, b, back, most);
   const FreeCount& smaller = b.freeArea <= a.freeArea ? inA : inB;
   if (smaller.all > 0) e.overlap = double(smaller.free) / double(smaller.all);
