@@ -10,7 +10,7 @@ namespace roomgraph::fitted {
 // The track of a run's scans through another map. Quality: share of a scan's walls that lie on
 // walls.
 constexpr double kSure = 0.75;          // from which on no other pose is tried
-constexpr double kWell = 0.6;           // a scan found less well is looked for at any turn
+constexpr double kWell = 0.6;           // found well; else a scan is looked for at any turn
 constexpr double kLeastQuality = 0.45;  // of a scan or node that is found; what a lost one is worth
 constexpr double kJumpCost = 2;         // of a jump where the robot goes on from where it was
 constexpr double kFarCost = 20;         // of a jump to another place

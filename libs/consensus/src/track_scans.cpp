@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fitted_consensus.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/scan_search.h"
@@ -18,7 +19,6 @@ namespace {
 constexpr NarrowingBand kRoughFit{0.6, 0.387, 3}, kFit{0.31, 0.2, 3};
 constexpr double kNearPatch = 6;                      // patches within this give poses to try [m]
 constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
-constexpr std::size_t kMinWalls = 20;
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
@@ -38,7 +38,7 @@ double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& po
     const WallLookUp there = lookUp(scan.walls[i], in, forth);
     known += there.isKnown, sum += there.found(near);
   }
-  return known * double(stride) >= double(kMinWalls) && known > kMajority * all
+  return known * double(stride) >= double(LocalScan::kTelling) && known > kMajority * all
              ? sum / (known + doubt)
              : 0;
 }
@@ -93,7 +93,7 @@ class Tracker {
   /** Finds candidates of a scan: near those of the scans before it on the way, near what was
    *  followed, and, where all that fails, at any turn where the robot has just been. */
   void propose(std::size_t k, Way way) {
-    if (scans_[k].walls.size() < kMinWalls) return;
+    if (scans_[k].walls.size() < LocalScan::kTelling) return;
     const std::vector<Candidate>* before = lastFound(k, way);
     if (before)
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);

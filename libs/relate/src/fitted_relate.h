@@ -10,8 +10,7 @@
 namespace roomgraph::fitted {
 
 // Following walls from patch to patch.
-constexpr double kMinKnown = 0.4;   // share of them that lies where the other map has looked
-constexpr double kSureShare = 0.7;  // a patch found this well is not looked for again
+constexpr double kMinKnown = 0.4;  // share of them that lies where the other map has looked
 constexpr int kTwinRounds = 2;
 constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
 constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts

@@ -92,7 +92,7 @@ class Follower {
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
-    if (left_[patch].size() < kFewestPoints || queued_[patch] >= fitted::kSureShare) return;
+    if (left_[patch].size() < kFewestPoints || queued_[patch] >= kSureQuality) return;
     const Transform2D at = refined(patch, pose);
     if (isStep && !areNear(at, pose, patches_[patch].middle, kNextPatch)) return;
     const double quality = qualityAt(patch, at);
@@ -216,7 +216,7 @@ class Follower {
     const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *found[i]; };
     const WallShare share = wallShare(found.size(), pointAt, in_, first);
     if (walls - share.found < leastPiece()) return false;
-    return twice_ < fitted::kSureShare * walls || share.known >= fitted::kMinKnown * share.all;
+    return twice_ < kSureQuality * walls || share.known >= fitted::kMinKnown * share.all;
   }
 
   /** Forgets what this layer has found, from this patch of the result on. */

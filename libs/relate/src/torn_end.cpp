@@ -4,6 +4,7 @@
 
 #include "fitted_relate.h"
 #include "roomgraph/align/find_scan.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/sight_walls.h"
 
@@ -38,7 +39,7 @@ std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& in,
                                    const Transform2D& drawn) {
   const auto fits = findScan(scan, in, drawn, fitted::kTornAway, fitted::kTornPlaces);
   const auto best = bestOf(fits);
-  if (best == fits.end() || best->quality < kMajority || best->known < fitted::kSureShare ||
+  if (best == fits.end() || best->quality < kMajority || best->known < kSureQuality ||
       best->hold < fitted::kTornHold)
     return std::nullopt;
   const bool isAmbiguous = std::any_of(fits.begin(), fits.end(), [&](const ScanFit& fit) {
