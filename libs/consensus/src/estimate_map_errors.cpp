@@ -11,9 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMostSteps = 200;
-constexpr double kConverged = 1e-9;
-
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -167,7 +164,7 @@ struct Solution {
 Solution solve(const Problem& problem, VectorXd x) {
   Problem::Linearised here = problem.at(x);
   double damping = 1e-3;
-  for (int i = 0; i < kMostSteps && damping < 1e6; ++i) {
+  for (int i = 0; i < 200 && damping < 1e6; ++i) {
     MatrixXd h = here.h;
     h.diagonal().array() += damping;
     const VectorXd next = problem.clamped(x - h.ldlt().solve(here.g));
@@ -179,7 +176,7 @@ Solution solve(const Problem& problem, VectorXd x) {
     const double moved = (next - x).cwiseAbs().maxCoeff();
     x = next, here = there;
     damping = std::max(1e-6, damping / 4);
-    if (moved < kConverged) break;
+    if (moved < 1e-9) break;
   }
   return {x, here.cost};
 }

@@ -15,8 +15,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kGapOfWalls = 2 * kSameWall;  // between walls of one scan, along them [m]
-constexpr double kMostSquared = 0.25;          // of one scan; beyond, it is a break [m^2]
+constexpr double kMostSquared = 0.25;  // of one scan; beyond, it is a break [m^2]
 
 using Walls = std::vector<WallPoint>;
 using Correction = std::optional<Transform2D>;
@@ -24,6 +23,7 @@ using Correction = std::optional<Transform2D>;
 /** Where a wall belongs that the scan `onto` has, too: the nearest that faces alike, moved along
  *  itself as far as there is none between it and the next. */
 std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
+  constexpr double gap = 2 * kSameWall;  // between walls of one scan, along them
   std::optional<WallPoint> nearest;
   double least = WallMap::kReach * WallMap::kReach;
   for (const WallPoint& other : onto) {
@@ -31,8 +31,7 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
     if (squaredNorm(off) >= WallMap::kReach * WallMap::kReach) continue;
     if (dot(other.normal, wall.normal) < kFacesAlike) continue;
     const Point side{-other.normal.y, other.normal.x};
-    const WallPoint there{
-        other.place + std::clamp(dot(off, side), -kGapOfWalls, kGapOfWalls) * side, other.normal};
+    const WallPoint there{other.place + std::clamp(dot(off, side), -gap, gap) * side, other.normal};
     const double far = squaredNorm(wall.place - there.place);
     if (far < least) least = far, nearest = there;
   }

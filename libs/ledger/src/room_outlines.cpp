@@ -11,9 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kIterations = 15;
-constexpr double kStill = 1e-4;  // a step below which nothing moves any more [m]
-
 /** The corners between `from` and `to` that a line cannot leave out, by halves. */
 void keepFar(const Ring& ring, std::size_t from, std::size_t to, double tolerance,
              std::vector<bool>& isKept) {
@@ -104,9 +101,9 @@ const Point* RoomOutline::nearest(Point p) const {
 
 RoomMove refinedMove(const RoomOutline& room, const RoomOutline& inRun, RoomMove move,
                      Point middle) {
-  for (int i = 0; i < kIterations; ++i) {
+  for (int i = 0; i < 15; ++i) {
     const Eigen::Vector3d step = stepOf(room, inRun, move, middle);
-    if (!(step.head<2>().norm() + std::abs(step.z()) > kStill)) break;
+    if (!(step.head<2>().norm() + std::abs(step.z()) > 1e-4)) break;  // by less, nothing moves
     move.shift = move.shift + Point{step.x(), step.y()};
     move.turn += step.z();
   }

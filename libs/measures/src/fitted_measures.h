@@ -19,8 +19,7 @@ constexpr double kMaxPathLength = 20;  // of a way through vertices that are not
 
 // Distance of two paths.
 constexpr double kPathStep = 0.25;  // [m]
-constexpr int kFewestPathSteps = 8, kMostPathSteps = 64;
-constexpr double kLoop = 0.3;  // share of the length below which the ends give no direction
+constexpr double kLoop = 0.3;       // share of the length below which the ends give no direction
 
 // Scans of one place at two times.
 constexpr double kSameFacing = 0.5;     // cosine

@@ -35,7 +35,6 @@ constexpr double kHardlyBent = 1;     // bend; storeys of one building lie withi
 constexpr double kOtherWalls = 0.15;  // share of straight walls; of 88 pairs of one storey 0.07
 
 // Runs of one drive, joined by their scans.
-constexpr int kFitRounds = 10;      // of the fit
 constexpr double kBendWidth = 1;    // how far off a scan counts half [m]
 constexpr std::size_t kStarts = 8;  // scans along the drive whose walls are looked for
 

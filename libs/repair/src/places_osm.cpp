@@ -20,7 +20,6 @@ namespace roomgraph {
 namespace {
 
 constexpr const char* kSaveInJosm = "save it in JOSM as .osm";
-constexpr double kMostOff = 1e5;  // from the root, as far as the Earth is flat [m]
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
@@ -194,7 +193,7 @@ class OsmFile {
 
   void addNode(const Element& node, const std::string& file) {
     const Point place = origin_.placeAt(degrees(node, "lat", file), degrees(node, "lon", file));
-    if (norm(place) > kMostOff)
+    if (norm(place) > 1e5)  // so far the Earth is flat
       refuse(file, formatted("the node in line %zu is more than 100 km from its root", node.line),
              "put the root where the map lies");
     nodes_[node.attribute("id")] = {&node, places_.size()};

@@ -22,9 +22,7 @@ std::optional<std::string> textIfAny(const JsonNode& node) {
   return node.json.is_null() ? std::nullopt : std::optional(node.text());
 }
 
-constexpr std::size_t kMostCounted = 1'000'000'000;
-
-std::size_t count(const JsonNode& node) { return node.countBelow(kMostCounted); }
+std::size_t count(const JsonNode& node) { return node.countBelow(1'000'000'000); }
 
 Transform2D pose(const JsonNode& node) {
   const std::vector<JsonNode> numbers = node.list();
