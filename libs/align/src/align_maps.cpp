@@ -35,10 +35,7 @@ std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
   std::vector<AlignmentCandidate> found;
   for (const AlignmentCandidate& c : candidates) {
     if (int(seen.size()) == count) break;
-    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
-      return areNear(pose, c.pose, middle, kSameStart);
-    });
-    if (isSeen) continue;
+    if (isNearAny(seen, c.pose, middle, kSameStart)) continue;
     seen.push_back(c.pose);
     found.push_back(candidateNear(a, b, c.pose, look));
   }

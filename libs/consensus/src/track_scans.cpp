@@ -205,10 +205,7 @@ class Tracker {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
       if (distance(patches_[f.patch].middle, at) > kNearPatch) continue;
-      const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
-        return areNear(pose, f.pose, at, kSameScanStart);
-      });
-      if (!isKnown) poses.push_back(f.pose);
+      if (!isNearAny(poses, f.pose, at, kSameScanStart)) poses.push_back(f.pose);
     }
     return poses;
   }
