@@ -32,8 +32,8 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
     if (dot(other.normal, wall.normal) < kFacesAlike) continue;
     const Point side{-other.normal.y, other.normal.x};
     const WallPoint there{other.place + std::clamp(dot(off, side), -gap, gap) * side, other.normal};
-    const double far = squaredNorm(wall.place - there.place);
-    if (far < least) least = far, nearest = there;
+    const double apart = squaredNorm(wall.place - there.place);
+    if (apart < least) least = apart, nearest = there;
   }
   return nearest;
 }
@@ -45,15 +45,15 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
   };
   const Transform2D found = fittedPose({}, robot, kScanBand, [&](WallFit& fit, int) {
     for (const WallPoint& wall : scan) {
-      const WallPoint at = moved(wall, fit.forth());
-      if (const auto same = sameWall(at, onto)) fit.add(at.place, *same);
+      const WallPoint there = moved(wall, fit.forth());
+      if (const auto same = sameWall(there, onto)) fit.add(there.place, *same);
     }
   });
   const auto met = std::size_t(
       std::count_if(scan.begin(), scan.end(), [&, by = Motion2D(found)](const WallPoint& wall) {
-        const WallPoint at = moved(wall, by);
-        const auto same = sameWall(at, onto);
-        return same && distance(same->place, at.place) < kSameWall;
+        const WallPoint there = moved(wall, by);
+        const auto same = sameWall(there, onto);
+        return same && distance(same->place, there.place) < kSameWall;
       }));
   if (met < kFewestPoints || double(met) < kMajority * double(scan.size())) return std::nullopt;
   return found;
