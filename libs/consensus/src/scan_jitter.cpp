@@ -62,14 +62,14 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
 /** How the step to a scan is off by what the two show: the mean of laying either onto the other,
  *  where both come to the same. One alone is drawn to what only one of them shows. */
 Correction correctionOf(const ScanWalls& before, const ScanWalls& scan) {
-  const Correction forth = laidOnto(before.walls, scan.walls, scan.at());
+  const Correction forth = laidOnto(before.walls, scan.walls, scan.robot());
   if (!forth) return std::nullopt;
-  const Correction back = laidOnto(scan.walls, before.walls, before.at());
+  const Correction back = laidOnto(scan.walls, before.walls, before.robot());
   if (!back) return std::nullopt;
   const Transform2D other = back->inverse();
-  if (!areNear(*forth, other, scan.at(), kSameScanAnswer)) return std::nullopt;
-  const Point middle = midpoint((*forth)(scan.at()), other(scan.at()));
-  return carrying(scan.at(), middle, (forth->phi + other.phi) / 2);
+  if (!areNear(*forth, other, scan.robot(), kSameScanAnswer)) return std::nullopt;
+  const Point middle = midpoint((*forth)(scan.robot()), other(scan.robot()));
+  return carrying(scan.robot(), middle, (forth->phi + other.phi) / 2);
 }
 
 /** Squared displacement of a scan on its own, by the corrections of the steps to it and behind it:

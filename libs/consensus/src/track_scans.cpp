@@ -99,7 +99,7 @@ class Tracker {
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     // Other answers are wanted for a scan that fits well, too, but not for each.
     if (way == Way::forth && (bestQuality(k) < fitted::kSure || k % kLookAround == 0)) {
-      for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
+      for (const Transform2D& pose : posesNear(scans_[k].robot())) tryFrom(k, pose);
       for (const Transform2D& pose : wholes_)
         if (!isKnown(k, pose, kSameScanStart) &&
             roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
@@ -138,7 +138,7 @@ class Tracker {
 
   bool isKnown(std::size_t k, const Transform2D& pose, const PoseTolerance& within) const {
     return std::any_of(candidates_[k].begin(), candidates_[k].end(), [&](const Candidate& c) {
-      return areNear(c.pose, pose, scans_[k].at(), within);
+      return areNear(c.pose, pose, scans_[k].robot(), within);
     });
   }
 
@@ -170,12 +170,12 @@ class Tracker {
   /** Tries all turns about the place where the robot was last seen: a map that is torn there goes
    *  on from the same place, but turned and shifted. */
   void spin(std::size_t k, const Candidate& last) {
-    const Point place = last.pose(scans_[last.scan].at());
+    const Point place = last.pose(scans_[last.scan].robot());
     std::vector<std::pair<double, Transform2D>> tries;
     for (int turn = 0; turn < kSpinTurns; ++turn)
       for (const Point off : kSpinOffsets) {
         const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
-        const Transform2D pose = carrying(scans_[k].at(), place + off, phi);
+        const Transform2D pose = carrying(scans_[k].robot(), place + off, phi);
         const double least = tries.size() < kTries ? 0 : tries.back().first;
         const double quality = roughQualityAt(k, pose, least);
         if (tries.size() == kTries && quality <= least) continue;
@@ -195,7 +195,7 @@ class Tracker {
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose, const NarrowingBand& band,
                      std::size_t stride) const {
-    return fittedPose(pose, scan.at(), band, [&](WallFit& fit, int) {
+    return fittedPose(pose, scan.robot(), band, [&](WallFit& fit, int) {
       for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], map_);
     });
   }
@@ -212,12 +212,12 @@ class Tracker {
 
   /** What it costs to go from one candidate to one of a later scan. */
   double stepCost(const Candidate& from, const Candidate& to) const {
-    const Point place = scans_[to.scan].at();
+    const Point place = scans_[to.scan].robot();
     const double moved = distance(from.pose(place), to.pose(place));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
     const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
     if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
-    const double way = distance(from.pose(scans_[from.scan].at()), to.pose(place));
+    const double way = distance(from.pose(scans_[from.scan].robot()), to.pose(place));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
     if (isOnTheWay) return fitted::kJumpCost;
     // Where the run's own scans part, to begin anew costs little more than what a start does.
@@ -257,7 +257,8 @@ class Tracker {
 
   /** A way starts where the maps as a whole fit. */
   double startCost(const Candidate& first) const {
-    const bool isMain = areNear(first.pose, wholes_.front(), scans_[first.scan].at(), kAsMapsBend);
+    const bool isMain =
+        areNear(first.pose, wholes_.front(), scans_[first.scan].robot(), kAsMapsBend);
     return isMain ? 0 : kStartCost;
   }
 

@@ -46,7 +46,7 @@ class Piece {
   void add(const ScanWalls& scan, const Transform2D& siteFromRun) {
     const Motion2D move(siteFromRun);
     for (const WallPoint& wall : scan.walls) walls_.push_back(move(wall.place));
-    way_.push_back(move(scan.at()));
+    way_.push_back(move(scan.robot()));
   }
 
   /** The name is level where all is turned by `turn` [rad]. */
