@@ -5,11 +5,6 @@
 
 namespace roomgraph {
 
-PathOfRun::PathOfRun(const std::vector<ScanWalls>& scans) : path_(scans.size()) {
-  for (std::size_t k = 1; k < scans.size(); ++k)
-    path_[k] = path_[k - 1] + distance(scans[k - 1].robot(), scans[k].robot());
-}
-
 bool PathOfRun::areBeside(std::size_t l, std::size_t r) const {
   return path_[std::max(l, r)] - path_[std::min(l, r)] < Passes::kLength;
 }
