@@ -14,9 +14,9 @@ Transform2D refineAlignment(const WallMap& a, const WallMap& b, const Transform2
     const Motion2D& forth = fit.forth();
     const Motion2D back(fit.pose().inverse());
     for (std::size_t i = 0; i < a.walls.size(); i += strideA) {
-      const Point at = back(a.walls[i].place);
+      const Point place = back(a.walls[i].place);
       const WallPoint* wall =
-          nearestWall(b, cellIndexAt(b.frame, at), back.turned(a.walls[i].normal));
+          nearestWall(b, cellIndexAt(b.frame, place), back.turned(a.walls[i].normal));
       if (wall) fit.add(forth(wall->place), {a.walls[i].place, forth.turned(wall->normal)});
     }
   };

@@ -62,10 +62,10 @@ struct Count {
 Count countIn(const DrawnEdges& in, const std::vector<Cell>& cells, const CellMotion& motion) {
   Count count;
   for (const Cell& cell : cells) {
-    const Cell at = motion(cell);
-    if (!in.frame.contains(at)) continue;
+    const Cell there = motion(cell);
+    if (!in.frame.contains(there)) continue;
     ++count.inside;
-    count.same += in.isEdge[in.frame.index(at)] ? 1 : 0;
+    count.same += in.isEdge[in.frame.index(there)] ? 1 : 0;
   }
   return count;
 }

@@ -23,8 +23,8 @@ std::vector<std::vector<ScanPair>> PathOfRun::grouped(const std::vector<ScanPair
 }
 
 DrawnStretch stretchOf(const Run& run, const std::vector<ScanPair>& pairs,
-                       std::size_t ScanPair::*side, std::size_t at) {
-  const ScanWalls& scan = run.scans[at];
+                       std::size_t ScanPair::*side, std::size_t index) {
+  const ScanWalls& scan = run.scans[index];
   DrawnStretch stretch{scan.keyFrame, scan.keyFrame, scan.keyFrame, scan.time, scan.robot()};
   for (const ScanPair& pair : pairs) {
     const std::size_t keyFrame = run.scans[pair.*side].keyFrame;

@@ -23,11 +23,11 @@ class Meeting {
 
   void add(const WallPoint& point) {
     ++all_;
-    const Point at = forth_(point.place);
+    const Point place = forth_(point.place);
     const WallMap& map = other_.map;
     const WallPoint* wall =
-        nearestWall(map, cellIndexAt(map.frame, at), forth_.turned(point.normal));
-    if (!wall || distance(wall->place, at) > kSameWall) return;
+        nearestWall(map, cellIndexAt(map.frame, place), forth_.turned(point.normal));
+    if (!wall || distance(wall->place, place) > kSameWall) return;
     ++found_;
     const auto first = other_.drawnBy.firsts.begin() + (wall - map.walls.data());
     for (std::uint32_t k = first[0]; k < first[1]; ++k) ++met_[other_.drawnBy.nodes[k]];

@@ -201,9 +201,9 @@ class Mover {
       const Transform2D wanted = poses_[half.other] * half.measured;
       const Transform2D motion = wanted * poses_[half.node].inverse();
       const Point place = motion(middle);
-      const auto isAt = [&](double turn, Point at, const PoseTolerance& within) {
+      const auto isAt = [&](double turn, Point point, const PoseTolerance& within) {
         return std::abs(wrappedAngle(turn - motion.phi)) < within.turn &&
-               distance(at, place) < within.place;
+               distance(point, place) < within.place;
       };
       if (isAt(0, middle, kInlier)) return;
       for (std::size_t i = 0; i < motions.size(); ++i)

@@ -41,9 +41,9 @@ std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Tr
       std::vector<Transform2D> words;
       for (const std::size_t k : neighbours[i])
         words.push_back(before[k] * were[k].inverse() * were[i]);
-      const auto agreeing = [&](const Transform2D& at) {
+      const auto agreeing = [&](const Transform2D& pose) {
         return std::size_t(std::count_if(words.begin(), words.end(), [&](const Transform2D& word) {
-          return distance(word.shift(), at.shift()) < BendField::kSameCopy;
+          return distance(word.shift(), pose.shift()) < BendField::kSameCopy;
         }));
       };
       for (const Transform2D& word : words) {

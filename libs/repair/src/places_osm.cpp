@@ -74,8 +74,8 @@ class OsmParser {
   static void onEnd(void* self, const XML_Char* name) { static_cast<OsmParser*>(self)->end(name); }
 
   Span here() const {
-    const std::size_t at = std::size_t(XML_GetCurrentByteIndex(parser_.get()));
-    return {at, at + std::size_t(XML_GetCurrentByteCount(parser_.get()))};
+    const std::size_t index = std::size_t(XML_GetCurrentByteIndex(parser_.get()));
+    return {index, index + std::size_t(XML_GetCurrentByteCount(parser_.get()))};
   }
 
   void start(const std::string& name, const XML_Char** attributes) {
@@ -134,12 +134,12 @@ class Edits {
 
   std::string applied(const std::string& text) const {
     std::string result;
-    std::size_t at = 0;
+    std::size_t index = 0;
     for (const auto& [begin, edit] : edits_) {
-      result += text.substr(at, begin - at) + edit.second;
-      at = edit.first;
+      result += text.substr(index, begin - index) + edit.second;
+      index = edit.first;
     }
-    return result + text.substr(at);
+    return result + text.substr(index);
   }
 
  private:
