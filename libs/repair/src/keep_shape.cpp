@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
 std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses) {
   const auto neighbours = neighboursOf(were);
   std::vector<bool> hasMoved(were.size());
-  for (int pass = 0; pass < fitted::kPasses; ++pass) {
+  for (int pass = 0; pass < 10; ++pass) {  // shreds are narrow: few are enough
     const std::vector<Transform2D> before = poses;
     bool isDone = true;
     for (std::size_t i = 0; i < were.size(); ++i) {
