@@ -180,8 +180,7 @@ class Follower {
   /** Wall points from which on a piece counts. */
   double leastPiece() const { return fitted::kMinPieceShare * double(map_.walls.size()); }
 
-  /** Finds one more piece by one of the `others`, which is then removed; false where there is
-   *  none. */
+  /** Finds one more piece by one of the `others`, and removes it; false where there is none. */
   bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
     ++layer_;
     nextLayer();

@@ -15,8 +15,8 @@ namespace roomgraph {
 /** The map that a few scans draw: what walls and free space can be looked up in, without patches
  *  and all that a whole map tells of itself. `chosen` are places in `scans`, which lie at `poses`
  *  (map <- robot); walls farther than `range` [m] from the robot, where beams are too far apart
- *  to draw them, are left out. Without walls where the scans have none there. O(walls + cells within
- *  `range`). */
+ *  to draw them, are left out. Without walls where the scans have none there. O(walls + cells
+ *  within `range`). */
 WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses,
                 const std::vector<std::size_t>& chosen, double range = 15);
 

@@ -41,13 +41,13 @@ constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 /** Walls are followed up to so far away from where the first pose has them [m]. */
 constexpr double kMaxBend = 60;
 
-/** Looks for each patch of `map` in `other`, starting where the first of `poses` (other <- map) fits
- *  and growing from patch to patch, surest first, so that the pose can change along the way as the
- *  maps bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
+/** Looks for each patch of `map` in `other`, starting where the first of `poses` (other <- map)
+ *  fits and growing from patch to patch, surest first, so that the pose can change as the maps
+ *  bend. What is left over is looked for again: with the other poses, as a broken map has pieces,
  *  and next to what was found, as walls can be there twice. A place that looks alike may be found
  *  so, too. Of maps without scans, a short end that is torn off is looked for as a whole where the
- *  other map contradicts it, and has the layer kTornLayer. Nothing is found where there is no pose.
- *  A map followed in itself from where it lies hardly bends.
+ *  other map contradicts it, and has the layer kTornLayer. Nothing is found where there is no
+ *  pose. A map followed in itself from where it lies hardly bends.
  *
  *  Deterministic. O(patches * points of a patch), and 0.1 s where walls are contradicted. */
 FollowedWalls followWalls(const WallMap& map, const WallMap& other,
