@@ -15,10 +15,10 @@ constexpr mrpt::img::TColor kRuler{110, 60, 150}, kRead{230, 0, 120}, kSwipeLine
 constexpr float kDot = 0.08f;      // [m]
 constexpr double kDotStep = 0.06;  // along a line [m]
 
-viz::CDisk::Ptr dotAt(Point at, const mrpt::img::TColor& colour) {
+viz::CDisk::Ptr dotAt(Point place, const mrpt::img::TColor& colour) {
   auto dot = viz::CDisk::Create(kDot, 0.0f);
   dot->setColor_u8(colour);
-  dot->setLocation(at.x, at.y, kMarkHeight);
+  dot->setLocation(place.x, place.y, kMarkHeight);
   return dot;
 }
 
@@ -58,8 +58,9 @@ viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const View& view,
   const Motion2D move(run.pose);
   for (std::size_t i = 0; i < walls->size(); ++i) {
     const auto& p = walls->getPoint3Df(i);
-    const Point at = move({double(p.x) + offset.x, double(p.y) + offset.y});
-    if ((view.onScreen()(at).x < line) == isLeft) cloud->insertPoint(float(at.x), float(at.y), 0);
+    const Point place = move({double(p.x) + offset.x, double(p.y) + offset.y});
+    if ((view.onScreen()(place).x < line) == isLeft)
+      cloud->insertPoint(float(place.x), float(place.y), 0);
   }
   return cloud;
 }

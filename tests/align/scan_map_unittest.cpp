@@ -48,7 +48,7 @@ TEST(StretchMap, isAlignedLikeTheMapOfARun) {
   const auto scans = test::runOf(test::driveOnce()).scans;
   const Alignment found = alignMaps(building, stretchMap(scans, 5, 30));
   EXPECT_NEAR(wrappedAngle(found.pose.phi - there.phi), 0, 0.03);
-  EXPECT_LT(distance(found.pose(scans[10].at()), there(scans[10].at())), 0.2);
+  EXPECT_LT(distance(found.pose(scans[10].robot()), there(scans[10].robot())), 0.2);
 }
 
 TEST(StretchMap, ofScansWithoutWallsHasNone) {

@@ -24,7 +24,7 @@ TEST(ScanWalls, wallsLieWhereTheBeamsEndAndFaceTheRobot) {
     EXPECT_NEAR(pose.inverse()(wall.place).x, 3, 1e-9);
     EXPECT_NEAR(dot(wall.normal, turned({-1, 0}, pose.phi)), 1, 1e-9);
   }
-  EXPECT_EQ(scans[0].at().x, 10);
+  EXPECT_EQ(scans[0].robot().x, 10);
 }
 
 TEST(ScanWalls, aScanKeepsWhatItsKeyFrameSays) {

@@ -21,7 +21,7 @@ TEST(AddRunNodes, aScanIsOneAndIsLinkedToTheNext) {
   ASSERT_EQ(graph.edges.size(), run.scans.size() - 1);
   for (std::size_t k = 0; k < run.scans.size(); ++k) {
     const PoseNode& node = graph.nodes[NodeId(k)];
-    EXPECT_EQ(node.pose.shift(), run.scans[k].at());
+    EXPECT_EQ(node.pose.shift(), run.scans[k].robot());
     EXPECT_EQ(node.points.count, run.scans[k].ends.count);
     EXPECT_EQ(node.points.xx, run.scans[k].ends.xx);
     EXPECT_EQ(node.axes.has_value(), run.scans[k].axes.has_value());

@@ -31,14 +31,14 @@ TEST(ConsensusDocument, saysWhatARunTellsOfItself) {
 }
 
 TEST(ConsensusDocument, saysWhatThePosesCost) {
-  expectSaid("√(%g² + %g² · *l*) m", kLinkPlace, kLinkPlacePerRootMetre);
-  expectSaid("√(%g² + %g² · *l* + %g² · *a*) rad", kLinkTurn, kLinkTurnPerRootMetre,
+  expectSaid("√(%g² + %g² · *l*) m", kLinkNoise.place, kLinkNoisePerRootMetre.place);
+  expectSaid("√(%g² + %g² · *l* + %g² · *a*) rad", kLinkNoise.turn, kLinkNoisePerRootMetre.turn,
              kLinkTurnPerRootRadian);
   expectSaid("times the slack | Cauchy, %g | 1 |", kLinkWidth);
-  expectSaid("| match | %g m | %g rad | Cauchy, %g | %g · share", kMatchPlace, kMatchTurn,
-             kMatchWidth, kMatchWeight);
-  expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kMatchPlace / 2,
-             kMatchTurn / 2, kMatchWidth, 2 * kMatchWeight);
+  expectSaid("| match | %g m | %g rad | Cauchy, %g | %g · share", kMatchNoise.place,
+             kMatchNoise.turn, kMatchWidth, kMatchWeight);
+  expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kMatchNoise.place / 2,
+             kMatchNoise.turn / 2, kMatchWidth, 2 * kMatchWeight);
   expectSaid("| | %g rad | Tukey, %g | up to 1 |", kAxesTurn, kAxesWidth);
   expectSaid("They start %g times as wide", kFirstWidening);
 }

@@ -12,17 +12,6 @@
 namespace roomgraph {
 namespace {
 
-/** How closely a pose is looked at. */
-struct Look {
-  NarrowingBand band = kFineBand;
-  int refinePoints = kFinePoints;
-  double noise = kWallNoise;
-  int verifyPoints = kVerifyPoints;
-};
-
-constexpr Look kGlance{{0.6, 0.4, 4}, 100, 0.2, 150};      // at each hypothesis
-constexpr Look kCloserLook{{0.4, 0.3, 3}, 250, 0.2, 400};  // at the best of them
-
 void sortByScore(std::vector<AlignmentCandidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& l, const auto& r) { return l.score > r.score; });
@@ -31,8 +20,8 @@ void sortByScore(std::vector<AlignmentCandidate>& candidates) {
 AlignmentCandidate candidateNear(const WallMap& a, const WallMap& b, const Transform2D& near,
                                  const Look& look) {
   AlignmentCandidate c;
-  c.pose = refineAlignment(a, b, near, look.band, look.refinePoints);
-  c.evidence = verifyAlignment(a, b, c.pose, look.noise, look.verifyPoints);
+  c.pose = refineAlignment(a, b, near, look);
+  c.evidence = verifyAlignment(a, b, c.pose, look);
   c.score = alignmentScore(c.evidence);
   return c;
 }
@@ -46,10 +35,7 @@ std::vector<AlignmentCandidate> lookedAt(const WallMap& a, const WallMap& b,
   std::vector<AlignmentCandidate> found;
   for (const AlignmentCandidate& c : candidates) {
     if (int(seen.size()) == count) break;
-    const bool isSeen = std::any_of(seen.begin(), seen.end(), [&](const Transform2D& pose) {
-      return areNear(pose, c.pose, middle, kSameStart);
-    });
-    if (isSeen) continue;
+    if (isNearAny(seen, c.pose, middle, kSameStart)) continue;
     seen.push_back(c.pose);
     found.push_back(candidateNear(a, b, c.pose, look));
   }
@@ -123,8 +109,8 @@ std::vector<AlignmentCandidate> alignmentCandidates(const WallMap& a, const Wall
   for (const AlignmentHypothesis& h : alignmentHypotheses(a, b, effort))
     found.push_back(candidateNear(a, b, h.pose, kGlance));
   sortByScore(found);
-  found = lookedAt(a, b, found, effort.closer, kCloserLook);
-  return lookedAt(a, b, found, effort.close, Look{});
+  found = lookedAt(a, b, found, effort.closer, kSecondLook);
+  return lookedAt(a, b, found, effort.close, kCloseLook);
 }
 
 Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effort) {
@@ -135,7 +121,7 @@ Alignment alignMaps(const WallMap& a, const WallMap& b, const SearchEffort& effo
 Alignment alignMapsNear(const WallMap& a, const WallMap& b, const std::vector<Transform2D>& poses) {
   std::vector<AlignmentCandidate> found;
   if (!a.walls.empty() && !b.walls.empty())
-    for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, Look{}));
+    for (const Transform2D& pose : poses) found.push_back(candidateNear(a, b, pose, kCloseLook));
   sortByScore(found);
   return alignmentOf(a, b, found);
 }

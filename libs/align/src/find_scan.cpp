@@ -84,10 +84,7 @@ std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Tr
                     [](const auto& l, const auto& r) { return l.first > r.first; });
   std::vector<Transform2D> starts;
   for (std::size_t i = 0; i < wanted && starts.size() < kTries; ++i)
-    if (std::none_of(starts.begin(), starts.end(), [&](const Transform2D& known) {
-          return areNear(known, tries[i].second, {}, kSameScanStart);
-        }))
-      starts.push_back(tries[i].second);
+    if (!isNearAny(starts, tries[i].second, {}, kSameScanStart)) starts.push_back(tries[i].second);
   std::vector<ScanFit> fits;
   for (const Transform2D& start : starts) fits.push_back(fitNear(scan, in, start));
   std::stable_sort(fits.begin(), fits.end(),

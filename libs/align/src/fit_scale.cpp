@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "roomgraph/align/Look.h"
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/verify_alignment.h"
 
 namespace roomgraph {
 namespace {
@@ -37,7 +37,8 @@ struct ScaleStep {
 ScaleStep stepAt(const WallMap& a, const WallMap& b, const ScaledPose& at, double width) {
   const Motion2D forth(at.pose), back(at.pose.inverse());
   ScaleStep step{forth(at.scale * b.middle()), width};
-  const std::size_t strideB = strideOf(b, kVerifyPoints), strideA = strideOf(a, kVerifyPoints);
+  const std::size_t strideA = strideOf(a, kCloseLook.verifyPoints);
+  const std::size_t strideB = strideOf(b, kCloseLook.verifyPoints);
   for (std::size_t i = 0; i < b.walls.size(); i += strideB) {
     const Point moved = forth(at.scale * b.walls[i].place);
     const WallPoint* wall =

@@ -47,9 +47,9 @@ void addNearest(WallMap& map) {
     for (std::uint32_t w = 0; w < map.walls.size(); ++w) {
       if (dot(map.walls[w].normal, axis) <= M_SQRT1_2) continue;
       const Point place = map.walls[w].place;
-      const Cell at = map.frame.cellAt(place);
-      for (int y = at.y - reach; y <= at.y + reach; ++y)
-        for (int x = at.x - reach; x <= at.x + reach; ++x) {
+      const Cell there = map.frame.cellAt(place);
+      for (int y = there.y - reach; y <= there.y + reach; ++y)
+        for (int x = there.x - reach; x <= there.x + reach; ++x) {
           const std::size_t cell = map.frame.index({x, y});
           const auto off = float(squaredNorm(map.frame.center({x, y}) - place));
           if (off < best[cell]) best[cell] = off, nearest[cell] = w;

@@ -42,7 +42,7 @@ std::vector<ScanWalls> scanWalls(const std::vector<Keyframe>& frames, int maxWal
 std::vector<double> drivenWays(const std::vector<ScanWalls>& scans) {
   std::vector<double> ways(scans.size());
   for (std::size_t k = 1; k < scans.size(); ++k)
-    ways[k] = ways[k - 1] + distance(scans[k - 1].at(), scans[k].at());
+    ways[k] = ways[k - 1] + distance(scans[k - 1].robot(), scans[k].robot());
   return ways;
 }
 

@@ -8,13 +8,11 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kTurnBins = 180;
-
 std::vector<double> turnsOf(const std::vector<WallPoint>& sides) {
-  std::vector<double> turns(kTurnBins, 0);
+  std::vector<double> turns(180, 0);
   for (const WallPoint& side : sides) {
     const double turn = std::atan2(side.normal.y, side.normal.x) / (2 * M_PI);
-    turns[std::size_t((turn - std::floor(turn)) * kTurnBins) % kTurnBins] += 1;
+    turns[std::size_t((turn - std::floor(turn)) * double(turns.size())) % turns.size()] += 1;
   }
   return turns;
 }

@@ -32,9 +32,9 @@ void setSize(SearchImages& images, const std::vector<SearchPoint>& points) {
 
 /** Nothing new where one with the same cell and octant was added before. */
 void addWall(SearchImages& images, const SearchPoint& point) {
-  const std::size_t at = std::size_t(point.cell.y - images.low.y) * std::size_t(images.width) +
-                         std::size_t(point.cell.x - images.low.x);
-  if (images.values[std::size_t(point.octant)][at] == kHit) return;
+  const std::size_t index = std::size_t(point.cell.y - images.low.y) * std::size_t(images.width) +
+                            std::size_t(point.cell.x - images.low.x);
+  if (images.values[std::size_t(point.octant)][index] == kHit) return;
   for (int turn = -1; turn <= 1; ++turn) {
     auto& values = images.values[std::size_t(point.octant + turn + kOctants) % kOctants];
     for (int dy = -1; dy <= 1; ++dy)

@@ -11,7 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameCells = 1e-4;   // of the side of a cell: the far end of a map stays in place
 constexpr double kFewestEdges = 100;  // cells below which nothing is told
 
 // Of the edge cells of one and of the other map. Of edits of one picture, one has nearly all that
@@ -63,10 +62,10 @@ struct Count {
 Count countIn(const DrawnEdges& in, const std::vector<Cell>& cells, const CellMotion& motion) {
   Count count;
   for (const Cell& cell : cells) {
-    const Cell at = motion(cell);
-    if (!in.frame.contains(at)) continue;
+    const Cell there = motion(cell);
+    if (!in.frame.contains(there)) continue;
     ++count.inside;
-    count.same += in.isEdge[in.frame.index(at)] ? 1 : 0;
+    count.same += in.isEdge[in.frame.index(there)] ? 1 : 0;
   }
   return count;
 }
@@ -77,7 +76,8 @@ SharedEdges sharedEdges(const DrawnEdges& a, const DrawnEdges& b,
                         const std::vector<Transform2D>& poses) {
   const double cell = a.frame.resolution;
   if (a.isEdge.empty() || b.isEdge.empty()) return {};
-  if (std::abs(b.frame.resolution - cell) > kSameCells * cell) return {};
+  // By less, the far end of a map stays in place.
+  if (std::abs(b.frame.resolution - cell) > 1e-4 * cell) return {};
   const std::vector<Cell> ofA = edgeCells(a), ofB = edgeCells(b);
   const int reach = std::max(1, int(std::ceil(kWallNoise / 2 / cell)));
   std::optional<CellMotion> best;

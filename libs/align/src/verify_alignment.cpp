@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "roomgraph/align/nearest_wall.h"
-
 namespace roomgraph {
 namespace {
 
@@ -18,39 +16,40 @@ struct Sums {
   double close = 0, loose = 0, slightly = 0, contradicted = 0, known = 0, all = 0;
   double xx = 0, xy = 0, yy = 0;
 
-  void lookUp(const WallMap& in, Point at, Point normal, double length, double noise) {
+  void lookUp(const WallMap& other, Point place, Point normal, double length, double noise) {
     all += length;
-    const std::size_t i = cellIndexAt(in.frame, at);
-    if (i == in.states.size()) return;
-    const WallPoint* wall = nearestWall(in, i, normal);
-    double near = 0, far = 0;
+    const std::size_t i = cellIndexAt(other.frame, place);
+    if (i == other.states.size()) return;
+    const WallPoint* wall = nearestWall(other, i, normal);
+    double foundClose = 0, foundLoose = 0;
     if (wall) {
-      const double d2 = squaredNorm(wall->place - at);
+      const double d2 = squaredNorm(wall->place - place);
       const double facing = std::max(0.0, dot(wall->normal, normal));
-      near = facing * std::exp(-0.5 * d2 / (noise * noise));
-      far = facing * std::exp(-0.5 * d2 / (kBentNoise * kBentNoise));
+      foundClose = facing * std::exp(-0.5 * d2 / (noise * noise));
+      foundLoose = facing * std::exp(-0.5 * d2 / (kBentNoise * kBentNoise));
     }
-    close += length * near;
-    loose += length * far;
-    xx += length * far * normal.x * normal.x;
-    xy += length * far * normal.x * normal.y;
-    yy += length * far * normal.y * normal.y;
-    const bool isKnown = in.states[i] != State::unknown;
-    known += length * (isKnown ? 1 : far);
-    if (in.depths[i] > kShallow) slightly += length * (1 - std::min(1.0, 2 * near));
-    if (in.depths[i] > kDeep) contradicted += length * (1 - far);
+    close += length * foundClose;
+    loose += length * foundLoose;
+    xx += length * foundLoose * normal.x * normal.x;
+    xy += length * foundLoose * normal.x * normal.y;
+    yy += length * foundLoose * normal.y * normal.y;
+    const bool isKnown = other.states[i] != State::unknown;
+    known += length * (isKnown ? 1 : foundLoose);
+    if (other.depths[i] > kShallow) slightly += length * (1 - std::min(1.0, 2 * foundClose));
+    if (other.depths[i] > kDeep) contradicted += length * (1 - foundLoose);
   }
 };
 
-void lookUpAll(const WallMap& of, const WallMap& in, const Transform2D& pose, double noise,
-               int maxPoints, double turn, Sums& sums) {
-  const std::size_t stride = strideOf(of, maxPoints);
+void lookUpAll(const WallMap& map, const WallMap& other, const Transform2D& pose, const Look& look,
+               double turn, Sums& sums) {
+  const std::size_t stride = strideOf(map, look.verifyPoints);
   if (stride == 0) return;
-  const double length = double(stride) * of.wallSpacing();
+  const double length = double(stride) * map.wallSpacing();
   const Motion2D motion(pose);
   Sums part;
-  for (std::size_t i = 0; i < of.walls.size(); i += stride)
-    part.lookUp(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal), length, noise);
+  for (std::size_t i = 0; i < map.walls.size(); i += stride)
+    part.lookUp(other, motion(map.walls[i].place), motion.turned(map.walls[i].normal), length,
+                look.noise);
   // n nT in the frame of a, whichever map was looked up
   const double ct = std::cos(turn), st = std::sin(turn);
   const double xx = part.xx, xy = part.xy, yy = part.yy;
@@ -67,42 +66,42 @@ struct FreeCount {
   std::size_t free = 0, wall = 0, all = 0;
 };
 
-FreeCount countFree(const WallMap& of, const WallMap& in, const Transform2D& pose,
+FreeCount countFree(const WallMap& map, const WallMap& other, const Transform2D& pose,
                     std::size_t maxCount) {
-  const std::size_t stride = (of.freeCells.size() + maxCount - 1) / maxCount;
+  const std::size_t stride = (map.freeCells.size() + maxCount - 1) / maxCount;
   const Motion2D motion(pose);
   FreeCount count;
-  for (std::size_t i = 0; i < of.freeCells.size(); i += std::max<std::size_t>(1, stride)) {
+  for (std::size_t i = 0; i < map.freeCells.size(); i += std::max<std::size_t>(1, stride)) {
     ++count.all;
-    const std::size_t at = cellIndexAt(in.frame, motion(of.placeOf(of.freeCells[i])));
-    if (at == in.states.size()) continue;
-    const State state = in.states[at];
+    const std::size_t cell = cellIndexAt(other.frame, motion(map.placeOf(map.freeCells[i])));
+    if (cell == other.states.size()) continue;
+    const State state = other.states[cell];
     if (state == State::free) ++count.free;
     if (state == State::occupied) ++count.wall;
   }
   return count;
 }
 
-double commonArea(const WallMap& of, const FreeCount& count) {
-  return count.all ? of.freeArea * double(count.free + count.wall) / double(count.all) : 0;
+double commonArea(const WallMap& map, const FreeCount& count) {
+  return count.all ? map.freeArea * double(count.free + count.wall) / double(count.all) : 0;
 }
 
 }  // namespace
 
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                                  double noise, int maxPoints) {
+                                  const Look& look) {
   const Transform2D back = pose.inverse();
   Sums sums;
-  lookUpAll(b, a, pose, noise, maxPoints, 0, sums);
-  lookUpAll(a, b, back, noise, maxPoints, pose.phi, sums);
+  lookUpAll(b, a, pose, look, 0, sums);
+  lookUpAll(a, b, back, look, pose.phi, sums);
   AlignmentEvidence e;
   e.close = sums.close, e.loose = sums.loose, e.contradicted = sums.contradicted;
   e.slightly = sums.slightly;
   e.known = sums.known, e.all = sums.all;
   const double half = 0.5 * (sums.xx + sums.yy);
   e.weakest = half - std::hypot(0.5 * (sums.xx - sums.yy), sums.xy);
-  const std::size_t most = 2 * std::size_t(maxPoints);
-  const FreeCount inA = countFree(b, a, pose, most), inB = countFree(a, b, back, most);
+  const std::size_t maxCount = 2 * std::size_t(look.verifyPoints);
+  const FreeCount inA = countFree(b, a, pose, maxCount), inB = countFree(a, b, back, maxCount);
   const FreeCount& smaller = b.freeArea <= a.freeArea ? inA : inB;
   if (smaller.all > 0) e.overlap = double(smaller.free) / double(smaller.all);
   const FreeCount free{inA.free + inB.free, inA.wall + inB.wall, 0};

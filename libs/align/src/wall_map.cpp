@@ -85,13 +85,13 @@ Grid coarser(const Grid& grid, double cell, double margin) {
 }
 
 /** From the occupied cells round a free cell towards it; (0, 0) where they balance. */
-Point normalAt(const Grid& grid, Cell at) {
+Point normalAt(const Grid& grid, Cell cell) {
   const int r = std::max(1, int(kNormalRadius / grid.frame.resolution));
   Point sum;
-  for (int y = std::max(0, at.y - r); y <= std::min(grid.frame.height - 1, at.y + r); ++y)
-    for (int x = std::max(0, at.x - r); x <= std::min(grid.frame.width - 1, at.x + r); ++x)
+  for (int y = std::max(0, cell.y - r); y <= std::min(grid.frame.height - 1, cell.y + r); ++y)
+    for (int x = std::max(0, cell.x - r); x <= std::min(grid.frame.width - 1, cell.x + r); ++x)
       if (grid.at({x, y}) == State::occupied) {
-        const double dx = at.x - x, dy = at.y - y;
+        const double dx = cell.x - x, dy = cell.y - y;
         if (dx * dx + dy * dy > r * r) continue;
         const double weight = 1 / (dx * dx + dy * dy);
         sum = sum + weight * Point{dx, dy};

@@ -30,7 +30,7 @@ std::vector<Jump> stepsOf(const std::vector<ScanWalls>& scans, const ScanTrack& 
       const Transform2D &from = *track[*last], &to = *track[k];
       // The map shows the run's error the other way round.
       steps.push_back({k, *last, wrappedAngle(from.phi - to.phi),
-                       distance(from(scans[k].at()), to(scans[k].at()))});
+                       distance(from(scans[k].robot()), to(scans[k].robot()))});
     }
     last = k;
   }

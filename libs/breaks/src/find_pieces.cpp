@@ -10,7 +10,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMeansRounds = 12;                // of k-means; it hardly ever takes more than four
 constexpr PoseTolerance kSurelyOne{0.02, 0.1};  // patches of one piece
 constexpr PoseTolerance kOfPiece{0.2, 2.4};     // a patch beside its piece; half of both, or one
 constexpr PoseTolerance kHeldAtSeam{0.06,
@@ -83,7 +82,7 @@ class PieceFinder {
     pieces.members.assign(followed_.patches.size(), -1);
     for (const std::size_t k : one) pieces.members[k] = 0;
     for (const std::size_t k : other) pieces.members[k] = 1;
-    for (int round = 0; round < kMeansRounds; ++round) {
+    for (int round = 0; round < 12; ++round) {  // it hardly ever takes more than four
       fit(pieces);
       Members members;
       for (const FollowedPatch& f : followed_.patches) {

@@ -67,8 +67,9 @@ class WideBreaks {
 
   ScanBreak change(std::size_t before, std::size_t behind) const {
     const Transform2D &from = *track_[before], &to = *track_[behind];
-    const Point at = scans_[behind].at();
-    return {behind, before, behind, wrappedAngle(from.phi - to.phi), distance(from(at), to(at))};
+    const Point place = scans_[behind].robot();
+    return {behind, before, behind, wrappedAngle(from.phi - to.phi),
+            distance(from(place), to(place))};
   }
 
   double sizeOf(const ScanBreak& at) const {

@@ -12,7 +12,7 @@ constexpr std::size_t kMostScans = 12;
 constexpr double kApart = 12;     // least path between a scan and those that it is held against [m]
 constexpr double kBeside = 4;     // from a scan to the robot's way through a map [m]
 constexpr std::size_t kMaps = 2;  // in which a scan is looked for
-constexpr double kDriftPlace = 0.02, kDriftTurn = 0.003;  // per metre of path
+constexpr PoseTolerance kDrift{0.003, 0.02};  // per metre of path
 constexpr PoseTolerance kLeastWindow{0.1, 0.6}, kMostWindow{0.5, 3};
 
 }  // namespace
@@ -54,8 +54,8 @@ std::size_t Passes::nearestScan(const Pass& pass, Point place) const {
 
 PoseTolerance Passes::windowOf(std::size_t k, const Pass& pass) const {
   const double path = pathTo(k, pass);
-  return {std::min(kMostWindow.turn, kLeastWindow.turn + kDriftTurn * path),
-          std::min(kMostWindow.place, kLeastWindow.place + kDriftPlace * path)};
+  return {std::min(kMostWindow.turn, kLeastWindow.turn + kDrift.turn * path),
+          std::min(kMostWindow.place, kLeastWindow.place + kDrift.place * path)};
 }
 
 void Passes::chooseFor(std::size_t k) {

@@ -5,11 +5,6 @@
 
 namespace roomgraph {
 
-PathOfRun::PathOfRun(const std::vector<ScanWalls>& scans) : path_(scans.size()) {
-  for (std::size_t k = 1; k < scans.size(); ++k)
-    path_[k] = path_[k - 1] + distance(scans[k - 1].at(), scans[k].at());
-}
-
 bool PathOfRun::areBeside(std::size_t l, std::size_t r) const {
   return path_[std::max(l, r)] - path_[std::min(l, r)] < Passes::kLength;
 }
@@ -28,9 +23,9 @@ std::vector<std::vector<ScanPair>> PathOfRun::grouped(const std::vector<ScanPair
 }
 
 DrawnStretch stretchOf(const Run& run, const std::vector<ScanPair>& pairs,
-                       std::size_t ScanPair::*side, std::size_t at) {
-  const ScanWalls& scan = run.scans[at];
-  DrawnStretch stretch{scan.keyFrame, scan.keyFrame, scan.keyFrame, scan.time, scan.at()};
+                       std::size_t ScanPair::*side, std::size_t index) {
+  const ScanWalls& scan = run.scans[index];
+  DrawnStretch stretch{scan.keyFrame, scan.keyFrame, scan.keyFrame, scan.time, scan.robot()};
   for (const ScanPair& pair : pairs) {
     const std::size_t keyFrame = run.scans[pair.*side].keyFrame;
     stretch.first = std::min(stretch.first, keyFrame);

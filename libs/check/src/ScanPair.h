@@ -19,7 +19,7 @@ inline ScanPair scanPair(std::size_t a, std::size_t b) { return {std::min(a, b),
 /** How far scans lie from each other along the way of the run as drawn. */
 class PathOfRun {
  public:
-  explicit PathOfRun(const std::vector<ScanWalls>& scans);
+  explicit PathOfRun(const std::vector<ScanWalls>& scans) : path_(drivenWays(scans)) {}
 
   /** Whether the scans of two pairs lie within one pass of each other, at both times. */
   [[nodiscard]] bool areBeside(const ScanPair& l, const ScanPair& r) const {

@@ -7,10 +7,10 @@
 namespace roomgraph {
 namespace {
 
-bool isThrough(const WallMap& map, std::size_t cell, Point at, Point normal) {
+bool isThrough(const WallMap& map, std::size_t cell, Point place, Point normal) {
   if (map.states[cell] != State::free) return false;
   const WallPoint* wall = nearestWall(map, cell, normal);
-  return !wall || distance(wall->place, at) > 2 * kSameWall;
+  return !wall || distance(wall->place, place) > 2 * kSameWall;
 }
 
 /** What beams of a pass tell of the walls of one scan, which lies at `pose`. */
@@ -19,11 +19,11 @@ BeamsThroughWalls beamsOf(const LocalScan& scan, const WallMap& map, const Trans
   if (map.walls.empty()) return beams;
   const Motion2D forth(pose);
   for (const WallPoint& wall : scan.walls) {
-    const Point at = forth(wall.place);
-    const std::size_t cell = cellIndexAt(map.frame, at);
+    const Point place = forth(wall.place);
+    const std::size_t cell = cellIndexAt(map.frame, place);
     if (!hasSeen(map, cell)) continue;
     ++beams.walls;
-    beams.through += isThrough(map, cell, at, forth.turned(wall.normal));
+    beams.through += isThrough(map, cell, place, forth.turned(wall.normal));
   }
   return beams;
 }

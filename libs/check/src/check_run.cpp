@@ -35,7 +35,7 @@ std::vector<std::size_t> lostSteps(const std::vector<StepEvidence>& evidence,
 MapBreak lostAt(std::size_t k, const Run& run) {
   MapBreak tear;
   tear.run = run.name;
-  tear.place = run.scans[k - 1].at();
+  tear.place = run.scans[k - 1].robot();
   tear.keyFrame = run.scans[k].keyFrame, tear.time = run.scans[k].time;
   return tear;
 }

@@ -4,12 +4,14 @@
 #include <optional>
 
 #include "Passes.h"
+#include "roomgraph/align/wall_share.h"
+#include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kSureRevisit = 0.7;
-constexpr double kLeastScore = 8, kRevisitQuality = 0.5, kLeastHold = 0.08;
+constexpr double kLeastScore = 8, kLeastHold = 0.08;
+
 class Finder {
  public:
   Finder(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses)
@@ -46,13 +48,13 @@ class Finder {
   }
 
   static bool isGood(const ScanFit& fit) {
-    return fit.score >= kLeastScore && fit.quality >= kRevisitQuality && fit.hold >= kLeastHold;
+    return fit.score >= kLeastScore && fit.quality >= kMajority && fit.hold >= kLeastHold;
   }
 
   std::optional<Transform2D> findIn(std::size_t k, const Pass& pass) const {
     if (pass.map.walls.empty()) return std::nullopt;
     const ScanFit here = fitNear(scans_[k], pass.map, poses_[k]);
-    if (here.quality >= kSureRevisit && isGood(here)) return here.pose;
+    if (here.quality >= kSureQuality && isGood(here)) return here.pose;
     const auto found = findScan(scans_[k], pass.map, poses_[k], passes_.windowOf(k, pass), 2);
     if (isGood(here) && (found.empty() || found.front().score < here.score / kRivalScore))
       return here.pose;

@@ -19,9 +19,6 @@
 namespace roomgraph {
 namespace {
 
-/** Of more runs than these, the others keep bare maps: many would not fit in memory. */
-constexpr std::size_t kMostFullMaps = 64;
-
 /** A file on its way to a run. */
 struct MapFile {
   std::string file, name;
@@ -114,7 +111,8 @@ class Reader {
 
   void prepare(MapFile& file, const GreyMap& map, const std::vector<Keyframe>& scans) const {
     file.run = prepareRun(file.name, map, scans, options_.extract);
-    const bool isOneOfMany = std::size_t(&file - files_.data()) >= kMostFullMaps;
+    // Of many runs, most keep bare maps: all would not fit in memory.
+    const bool isOneOfMany = &file - files_.data() >= 64;
     if (isOneOfMany && !options_.estimatesScale) dropLookUp(file.run->map);
   }
 

@@ -13,8 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kSameError = 1e-6;  // runs whose errors differ by less share a rank [m]
-
 std::vector<ComparedRun> runsOf(const Findings& found) {
   std::vector<ComparedRun> runs;
   for (std::size_t i = 0; i < found.site.runs.size(); ++i) {
@@ -41,8 +39,9 @@ void rank(std::vector<ComparedRun>& runs) {
             [&](const ComparedRun& l, const ComparedRun& r) { return key(l) < key(r); });
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!runs[i].score) continue;
+    // Errors that are equal but for rounding share a rank.
     const bool isSame = i > 0 && runs[i].score->isMeaningful == runs[i - 1].score->isMeaningful &&
-                        runs[i].score->mapError - runs[i - 1].score->mapError < kSameError;
+                        runs[i].score->mapError - runs[i - 1].score->mapError < 1e-6;
     runs[i].rank = isSame ? runs[i - 1].rank : i + 1;
   }
 }

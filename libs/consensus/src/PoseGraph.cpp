@@ -12,19 +12,21 @@ PoseNoise linkNoise(const Transform2D& step) {
   const double way = norm(step.shift());
   const double turned = std::abs(step.phi);
   const auto squared = [](double x) { return x * x; };
-  return {std::sqrt(squared(fitted::kLinkPlace) + squared(fitted::kLinkPlacePerRootMetre) * way),
-          std::sqrt(squared(fitted::kLinkTurn) + squared(fitted::kLinkTurnPerRootMetre) * way +
+  const auto& [place, turn] = fitted::kLinkNoise;
+  const auto& [placePerRoot, turnPerRoot] = fitted::kLinkNoisePerRootMetre;
+  return {std::sqrt(squared(place) + squared(placePerRoot) * way),
+          std::sqrt(squared(turn) + squared(turnPerRoot) * way +
                     squared(fitted::kLinkTurnPerRootRadian) * turned)};
 }
 
 }  // namespace
 
 PoseEdge matchEdge(NodeId from, NodeId to, const Transform2D& measured, double share) {
-  return {from, to, measured, {fitted::kMatchPlace, fitted::kMatchTurn}, {}, share};
+  return {from, to, measured, fitted::kMatchNoise, {}, share};
 }
 
 PoseEdge sameScanEdge(NodeId from, NodeId to) {
-  return {from, to, {}, {fitted::kMatchPlace / 2, fitted::kMatchTurn / 2}, {}, 1, true};
+  return {from, to, {}, fitted::kMatchNoise.times(0.5), {}, 1, true};
 }
 
 RunId PoseGraph::addRun(bool hasScans) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "fitted_consensus.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/relate/follow_walls.h"
@@ -11,7 +12,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kLookedAt = 80;   // patches
-constexpr double kPatchFound = 0.6;     // share of its walls from which on a patch looks alike
 constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on what is known
 
 /** The share of the walls around a patch that lie on walls once it was fitted there, if the map
@@ -36,7 +36,7 @@ double aliasingUnder(const Transform2D& motion, const WallMap& map) {
   double all = 0, known = 0, alike = 0;
   for (std::size_t p = 0; p < map.patches.size(); p += stride, ++all)
     if (const auto share = shareFound(map.patches[p], motion, map))
-      ++known, alike += *share > kPatchFound;
+      ++known, alike += *share > fitted::kWell;
   return known > kLeastLookedAt * all ? alike / known : 0;
 }
 

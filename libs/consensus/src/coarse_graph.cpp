@@ -22,8 +22,8 @@ class NodeStarts {
     startAt(edgeAt(group, 0).to), startBehind(edgeAt(group, group.edges.size() - 1).to);
     for (std::size_t m = 1; m < group.edges.size(); ++m) {
       const PoseEdge &before = edgeAt(group, m - 1), &now = edgeAt(group, m);
-      const Point at = graph_.nodes[now.to].pose.shift();
-      if (areNear(placeBy(before), placeBy(now), at, kSameNode)) continue;
+      const Point place = graph_.nodes[now.to].pose.shift();
+      if (areNear(placeBy(before), placeBy(now), place, kSameNode)) continue;
       startBehind(before.to), startAt(now.to);
       // Other groups are found both ways, each by itself.
       if (now.isSameScan) startBehind(before.from), startAt(now.from);

@@ -75,9 +75,9 @@ class Extent {
     for (std::size_t k = scans.first; k < scans.end; ++k) {
       const PoseNode& drawn = node(k);
       const PointSums& p = drawn.points;
-      const Point at = drawn.pose.shift() - joint, sum = turned({p.x, p.y}, drawn.pose.phi);
+      const Point place = drawn.pose.shift() - joint, sum = turned({p.x, p.y}, drawn.pose.phi);
       points_ += p.count;
-      squares_ += p.xx + p.yy + 2 * dot(at, sum) + p.count * squaredNorm(at);
+      squares_ += p.xx + p.yy + 2 * dot(place, sum) + p.count * squaredNorm(place);
     }
   }
 

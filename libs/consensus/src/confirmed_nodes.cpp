@@ -11,7 +11,7 @@ namespace {
 double wayAlong(const std::vector<ScanWalls>& scans, const ScanStretch& stretch) {
   double way = 0;
   for (std::size_t k = stretch.first + 1; k < stretch.end; ++k)
-    way += distance(scans[k - 1].at(), scans[k].at());
+    way += distance(scans[k - 1].robot(), scans[k].robot());
   return way;
 }
 

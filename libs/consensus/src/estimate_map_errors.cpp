@@ -11,9 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kMostSteps = 200;
-constexpr double kConverged = 1e-9;
-
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -56,7 +53,7 @@ class Problem {
     MatrixXd h;
   };
 
-  Linearised at(const VectorXd& x) const {
+  Linearised linearise(const VectorXd& x) const {
     Linearised out{0, VectorXd::Zero(n_ + 1), MatrixXd::Zero(n_ + 1, n_ + 1)};
     for (Eigen::Index i = 0; i < n_; ++i) {
       addDeviation(out, x, i);
@@ -101,7 +98,7 @@ class Problem {
   double medianBend(Eigen::Index i) const {
     std::vector<double> all;
     for (const std::size_t j : bends_.othersOf(std::size_t(i)))
-      if (of(i, Eigen::Index(j)).share > 0) all.push_back(of(i, Eigen::Index(j)).bend);
+      if (bendOf(i, Eigen::Index(j)).share > 0) all.push_back(bendOf(i, Eigen::Index(j)).bend);
     return all.empty() ? 0 : median(all);
   }
 
@@ -115,12 +112,12 @@ class Problem {
     return x;
   }
 
-  const PairBend& of(Eigen::Index i, Eigen::Index j) const {
+  const PairBend& bendOf(Eigen::Index i, Eigen::Index j) const {
     return bends_(std::size_t(i), std::size_t(j));
   }
 
   void addPair(Linearised& out, const VectorXd& x, Eigen::Index i, Eigen::Index j) const {
-    const PairBend& pair = of(i, j);
+    const PairBend& pair = bendOf(i, j);
     if (pair.share <= 0) return;
     const double vi = std::exp(2 * x[i]), vj = std::exp(2 * x[j]), both = std::sqrt(vi + vj);
     const double r = std::log((pair.bend + fitted::kBendNoise) / (both + fitted::kBendNoise));
@@ -165,13 +162,13 @@ struct Solution {
 
 /** Levenberg and Marquardt. */
 Solution solve(const Problem& problem, VectorXd x) {
-  Problem::Linearised here = problem.at(x);
+  Problem::Linearised here = problem.linearise(x);
   double damping = 1e-3;
-  for (int i = 0; i < kMostSteps && damping < 1e6; ++i) {
+  for (int i = 0; i < 200 && damping < 1e6; ++i) {
     MatrixXd h = here.h;
     h.diagonal().array() += damping;
     const VectorXd next = problem.clamped(x - h.ldlt().solve(here.g));
-    const Problem::Linearised there = problem.at(next);
+    const Problem::Linearised there = problem.linearise(next);
     if (there.cost > here.cost) {
       damping *= 4;
       continue;
@@ -179,7 +176,7 @@ Solution solve(const Problem& problem, VectorXd x) {
     const double moved = (next - x).cwiseAbs().maxCoeff();
     x = next, here = there;
     damping = std::max(1e-6, damping / 4);
-    if (moved < kConverged) break;
+    if (moved < 1e-9) break;
   }
   return {x, here.cost};
 }
@@ -209,7 +206,7 @@ std::vector<std::optional<MapError>> estimateMapErrors(
   Solution best = solve(problem, problem.startFromBends());
   const Solution other = solve(problem, problem.startFromDeviations());
   if (other.cost < best.cost) best = other;
-  MatrixXd h = problem.at(best.x).h;
+  MatrixXd h = problem.linearise(best.x).h;
   h.diagonal().array() += 1e-3;  // for what nothing tells
   const MatrixXd covariance = h.inverse();
   for (std::size_t i = 0; i < bends.things(); ++i) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <cstddef>
 
-/** The figures of the consensus. docs/scoring.md tells all of them, under the same headings, and a
+#include "roomgraph/consensus/PoseGraph.h"
+
+/** The figures of the consensus. docs/method.md tells all of them, under the same headings, and a
  *  test holds it to these. They are round numbers, set so that the map errors and their intervals
  *  come out right where the truth is known: `benchmarks/score_accuracy --data DIR` shows what a
  *  change does. */
@@ -10,7 +12,7 @@ namespace roomgraph::fitted {
 // The track of a run's scans through another map. Quality: share of a scan's walls that lie on
 // walls.
 constexpr double kSure = 0.75;          // from which on no other pose is tried
-constexpr double kWell = 0.6;           // a scan found less well is looked for at any turn
+constexpr double kWell = 0.6;           // found well; else a scan is looked for at any turn
 constexpr double kLeastQuality = 0.45;  // of a scan or node that is found; what a lost one is worth
 constexpr double kJumpCost = 2;         // of a jump where the robot goes on from where it was
 constexpr double kFarCost = 20;         // of a jump to another place
@@ -18,11 +20,12 @@ constexpr double kScanStride = 2.5;     // longest way from scan to scan [m]
 constexpr std::size_t kMemory = 8;      // scans that may be lost between two that are found
 constexpr std::size_t kCandidates = 4;  // poses of a scan, or of a stretch looked for again
 
-// Links: standard deviations [m, rad], the second for the root of a metre, the third of a radian.
-constexpr double kLinkPlace = 0.02, kLinkPlacePerRootMetre = 0.03;
-constexpr double kLinkTurn = 0.003, kLinkTurnPerRootMetre = 0.004, kLinkTurnPerRootRadian = 0.01;
+// Links: some for each key frame, and more for the root of a metre, and of a radian [rad].
+constexpr PoseNoise kLinkNoise{0.02, 0.003}, kLinkNoisePerRootMetre{0.03, 0.004};
+constexpr double kLinkTurnPerRootRadian = 0.01;
 // Matches. What both runs have scanned as one is twice as sure, and counts twice.
-constexpr double kMatchPlace = 0.06, kMatchTurn = 0.01, kMatchWeight = 0.25;
+constexpr PoseNoise kMatchNoise{0.06, 0.01};
+constexpr double kMatchWeight = 0.25;
 // Walls of a node along the axes of the building [rad].
 constexpr double kAxesTurn = 0.03;
 // Of the kernels, in standard deviations.

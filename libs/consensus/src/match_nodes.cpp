@@ -23,11 +23,11 @@ class Meeting {
 
   void add(const WallPoint& point) {
     ++all_;
-    const Point at = forth_(point.place);
+    const Point place = forth_(point.place);
     const WallMap& map = other_.map;
     const WallPoint* wall =
-        nearestWall(map, cellIndexAt(map.frame, at), forth_.turned(point.normal));
-    if (!wall || distance(wall->place, at) > kSameWall) return;
+        nearestWall(map, cellIndexAt(map.frame, place), forth_.turned(point.normal));
+    if (!wall || distance(wall->place, place) > kSameWall) return;
     ++found_;
     const auto first = other_.drawnBy.firsts.begin() + (wall - map.walls.data());
     for (std::uint32_t k = first[0]; k < first[1]; ++k) ++met_[other_.drawnBy.nodes[k]];
@@ -82,7 +82,7 @@ std::vector<FoundGroup> matchTrack(const PoseGraph& graph, IdRange<NodeId> nodes
   for (std::size_t k = 0; k < track.size(); ++k) {
     if (!track[k]) continue;
     const ScanWalls& scan = run.scans[k];
-    if (!last || !areNear(*track[*last], *track[k], scan.at(), kSteadyTrack))
+    if (!last || !areNear(*track[*last], *track[k], scan.robot(), kSteadyTrack))
       groups.emplace_back();  // the track jumps
     last = k;
     Meeting meeting(other, *track[k]);
@@ -114,7 +114,7 @@ void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const 
       if (groups[a].matches.empty() || groups[b].matches.empty()) continue;
       const std::size_t k = middleOf(groups[a]);
       const Transform2D &here = *track[k], &there = *track[middleOf(groups[b])];
-      if (areNear(here, there, run.scans[k].at(), kBesideItself)) continue;
+      if (areNear(here, there, run.scans[k].robot(), kBesideItself)) continue;
       const bool isSecondSmaller = groups[b].matches.size() <= groups[a].matches.size();
       MatchGroup& smaller = groups[isSecondSmaller ? b : a].group;
       smaller.aliasing = std::max(smaller.aliasing, aliasingUnder(there * here.inverse(), map));

@@ -13,8 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kMostWholes = 12;
-
 /** Where a run may lie in the site as a whole, site <- run, the likeliest first: as it does, and
  *  where the search for its pairs found that it fits as well. A stretch of it may lie there. */
 std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::size_t run) {
@@ -29,13 +27,10 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
       byPair.back().push_back(site.poses[j] * (isFirst ? pose : pose.inverse()));
     most = std::max(most, byPair.back().size());
   }
-  for (std::size_t rank = 0; rank < most; ++rank)
+  for (std::size_t rank = 0; rank < most; ++rank)  // up to a dozen: each costs a look at each scan
     for (const std::vector<Transform2D>& poses : byPair) {
-      if (rank >= poses.size() || wholes.size() >= kMostWholes) continue;
-      if (std::none_of(wholes.begin(), wholes.end(), [&](const Transform2D& known) {
-            return areNear(known, poses[rank], middle, kBesideItself);
-          }))
-        wholes.push_back(poses[rank]);
+      if (rank >= poses.size() || wholes.size() >= 12) continue;
+      if (!isNearAny(wholes, poses[rank], middle, kBesideItself)) wholes.push_back(poses[rank]);
     }
   return wholes;
 }

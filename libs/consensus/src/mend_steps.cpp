@@ -7,15 +7,14 @@
 
 #include "fitted_consensus.h"
 #include "gait.h"
+#include "roomgraph/base/majority.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next is looked for
 constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
-constexpr std::size_t kOneMap = 3;       // scans for which one map of those ahead will do
-constexpr std::size_t kTogether = 3;     // scans that are looked for as one
-constexpr double kAgrees = 0.5;          // share of the walls of both sides of a step that fit
+constexpr std::size_t kTogether = 3;     // scans that are looked for as one, or in one map
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
@@ -31,9 +30,9 @@ struct Contradiction {
 constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
 constexpr double kMaySpeak = 0.05;     // share of the walls of a scan that can speak against a step
 constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer, of a slip
-// Of one scan in what those behind it have drawn, where that shows a slip: how well it fits there,
-// and how much better than as it was drawn.
-constexpr double kLeastBehind = 0.5, kClearerBehind = 0.25, kGainBehind = 8;
+// Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
+// there than as it was drawn.
+constexpr double kClearerBehind = 0.25, kGainBehind = 8;
 
 class Mender {
  public:
@@ -58,7 +57,7 @@ class Mender {
     const StepView view = viewOf(k);
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
     const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
-    return drawn.quality >= kAgrees &&
+    return drawn.quality >= kMajority &&
            (drawn.score - fit.score > kClearSlip.leastGain || !isPossible(k, other));
   }
 
@@ -78,7 +77,7 @@ class Mender {
     // As drawn to the last bit, up to the first contradiction.
     result_.poses[k] = isMended_ ? result_.poses[k - 1] * step(k - 1, k) : drawn_[k];
     if (!asked_[k] || !scans_[k].isTelling()) return;
-    if (ahead_.walls.empty() || k >= aheadOf_ + kOneMap) drawAhead(k);
+    if (ahead_.walls.empty() || k >= aheadOf_ + kTogether) drawAhead(k);
     if (ahead_.walls.empty()) return;
     const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
     if (fit.quality >= fitted::kWell) {
@@ -150,7 +149,7 @@ class Mender {
     if (best == found.end() || areNear(best->pose, back, {}, kAsDrawn)) return;
     const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
     const double gain = best->score - drawn.score;
-    if (!mayBe || best->quality < kLeastBehind || best->quality < drawn.quality + kClearerBehind ||
+    if (!mayBe || best->quality < kMajority || best->quality < drawn.quality + kClearerBehind ||
         gain < kGainBehind || gain < kUnlikeOthers * (secondOf(found, *best, drawn) - drawn.score))
       return;
     mendBack(k, behind, best->pose);
@@ -207,7 +206,7 @@ class Mender {
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
     const bool isPossibleAsDrawn = isPossible(k, step(k - 1, k));
     if (isPossibleAsDrawn && drawn.quality >= kSlip.mostAsDrawn)
-      return drawn.quality >= kAgrees ? StepEvidence::agrees : StepEvidence::none;
+      return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
     const bool mayBeTorn = !isPossibleAsDrawn || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
     for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))

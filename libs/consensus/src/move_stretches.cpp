@@ -13,10 +13,8 @@ namespace roomgraph {
 namespace {
 
 constexpr double kGaveWay = 10;  // half the robust squared residual of a link from which on it did
-constexpr int kRounds = 8;
-constexpr double kLenient = 4;  // times the noise of matches: what is left over the solver mends
-constexpr double kBetter = 1;   // by which the cost must fall, so that rounding decides nothing
-constexpr std::size_t kMostPlaces = 24;  // that are tried for a stretch
+constexpr double kLenient = 4;   // times the noise of matches: what is left over the solver mends
+constexpr double kBetter = 1;    // by which the cost must fall, so that rounding decides nothing
 
 /** Nodes first to last of a run. */
 struct Stretch {
@@ -65,7 +63,7 @@ class Mover {
   }
 
   void move() {
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < 8; ++round) {
       bool hasMoved = false;
       for (const Stretch& stretch : stretches()) hasMoved |= place(stretch);
       if (!hasMoved) return;
@@ -199,13 +197,13 @@ class Mover {
     std::vector<Point> places;  // where each brings the middle
     const Point middle = poses_[stretch.middle()].shift();
     const auto offer = [&](const HalfEdge& half) {
-      if (motions.size() == kMostPlaces) return;
+      if (motions.size() == 24) return;  // where much is found, the cost has a bound
       const Transform2D wanted = poses_[half.other] * half.measured;
       const Transform2D motion = wanted * poses_[half.node].inverse();
       const Point place = motion(middle);
-      const auto isAt = [&](double turn, Point at, const PoseTolerance& within) {
+      const auto isAt = [&](double turn, Point point, const PoseTolerance& within) {
         return std::abs(wrappedAngle(turn - motion.phi)) < within.turn &&
-               distance(at, place) < within.place;
+               distance(point, place) < within.place;
       };
       if (isAt(0, middle, kInlier)) return;
       for (std::size_t i = 0; i < motions.size(); ++i)

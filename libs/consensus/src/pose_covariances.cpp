@@ -10,7 +10,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr Eigen::Index kAsked = 60;  // nodes that are worked out, about
 // Information [1/m^2, 1/rad^2] that fixes the first node, or all of the reference. Its inverse
 // leaves all others as good as free, but puts each part of the graph somewhere.
 constexpr double kFixed = 1e6;
@@ -125,7 +124,8 @@ PlanarCovariance planar(const Matrix3d& c) {
 
 std::vector<PlanarCovariance> covariancesOf(IdRange<NodeId> nodes,
                                             const RunCovariances& covariances) {
-  const std::size_t step = nodes.size() / kAsked + 1, last = nodes.size() - 1;
+  // About 60 are worked out.
+  const std::size_t step = nodes.size() / 60 + 1, last = nodes.size() - 1;
   Matrix3d before = covariances.of(nodes.front());
   std::vector<PlanarCovariance> all{planar(before)};
   for (std::size_t from = 0; from < last; from += step) {

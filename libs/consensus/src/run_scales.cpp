@@ -5,13 +5,13 @@
 #include <optional>
 
 #include "roomgraph/base/majority.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kLeastApart = 0.005;  // of two sets of scales; bends make less
 constexpr double kOfTheGap = 1.0 / 3;  // that the scales of a set may differ by
-constexpr std::size_t kFewest = 3;     // runs
 constexpr double kMostBent = 0.01;     // of the reach of a run, by more than its scale
 
 /** How a run has drawn what lies at its nodes: the scale, and how far it reaches [m]. */
@@ -54,7 +54,7 @@ std::optional<DrawnScale> scaleOf(const Consensus& consensus, RunId run) {
 
 /** Where the scales, ascending, fall into two sets: the place of the first of the larger ones. */
 std::optional<std::size_t> splitOf(const std::vector<DrawnScale>& scales) {
-  if (scales.size() < kFewest) return std::nullopt;
+  if (scales.size() <= kFewestOthers) return std::nullopt;
   const auto gapBefore = [&](std::size_t i) { return scales[i].scale - scales[i - 1].scale; };
   std::size_t split = 1;
   for (std::size_t i = 2; i < scales.size(); ++i)
@@ -64,7 +64,7 @@ std::optional<std::size_t> splitOf(const std::vector<DrawnScale>& scales) {
                                  scales.back().scale - scales[split].scale);
   const std::size_t smaller = std::min(split, scales.size() - split);
   if (gap < kLeastApart || within > kOfTheGap * gap) return std::nullopt;
-  if (smaller == 1 && scales.size() > kFewest) return std::nullopt;
+  if (smaller == 1 && scales.size() > kFewestOthers + 1) return std::nullopt;
   return split;
 }
 

@@ -15,8 +15,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kGapOfWalls = 2 * kSameWall;  // between walls of one scan, along them [m]
-constexpr double kMostSquared = 0.25;          // of one scan; beyond, it is a break [m^2]
+constexpr double kMostSquared = 0.25;  // of one scan; beyond, it is a break [m^2]
 
 using Walls = std::vector<WallPoint>;
 using Correction = std::optional<Transform2D>;
@@ -24,6 +23,7 @@ using Correction = std::optional<Transform2D>;
 /** Where a wall belongs that the scan `onto` has, too: the nearest that faces alike, moved along
  *  itself as far as there is none between it and the next. */
 std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
+  constexpr double gap = 2 * kSameWall;  // between walls of one scan, along them
   std::optional<WallPoint> nearest;
   double least = WallMap::kReach * WallMap::kReach;
   for (const WallPoint& other : onto) {
@@ -31,10 +31,9 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
     if (squaredNorm(off) >= WallMap::kReach * WallMap::kReach) continue;
     if (dot(other.normal, wall.normal) < kFacesAlike) continue;
     const Point side{-other.normal.y, other.normal.x};
-    const WallPoint there{
-        other.place + std::clamp(dot(off, side), -kGapOfWalls, kGapOfWalls) * side, other.normal};
-    const double far = squaredNorm(wall.place - there.place);
-    if (far < least) least = far, nearest = there;
+    const WallPoint there{other.place + std::clamp(dot(off, side), -gap, gap) * side, other.normal};
+    const double apart = squaredNorm(wall.place - there.place);
+    if (apart < least) least = apart, nearest = there;
   }
   return nearest;
 }
@@ -46,15 +45,15 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
   };
   const Transform2D found = fittedPose({}, robot, kScanBand, [&](WallFit& fit, int) {
     for (const WallPoint& wall : scan) {
-      const WallPoint at = moved(wall, fit.forth());
-      if (const auto same = sameWall(at, onto)) fit.add(at.place, *same);
+      const WallPoint there = moved(wall, fit.forth());
+      if (const auto same = sameWall(there, onto)) fit.add(there.place, *same);
     }
   });
   const auto met = std::size_t(
       std::count_if(scan.begin(), scan.end(), [&, by = Motion2D(found)](const WallPoint& wall) {
-        const WallPoint at = moved(wall, by);
-        const auto same = sameWall(at, onto);
-        return same && distance(same->place, at.place) < kSameWall;
+        const WallPoint there = moved(wall, by);
+        const auto same = sameWall(there, onto);
+        return same && distance(same->place, there.place) < kSameWall;
       }));
   if (met < kFewestPoints || double(met) < kMajority * double(scan.size())) return std::nullopt;
   return found;
@@ -63,14 +62,14 @@ Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
 /** How the step to a scan is off by what the two show: the mean of laying either onto the other,
  *  where both come to the same. One alone is drawn to what only one of them shows. */
 Correction correctionOf(const ScanWalls& before, const ScanWalls& scan) {
-  const Correction forth = laidOnto(before.walls, scan.walls, scan.at());
+  const Correction forth = laidOnto(before.walls, scan.walls, scan.robot());
   if (!forth) return std::nullopt;
-  const Correction back = laidOnto(scan.walls, before.walls, before.at());
+  const Correction back = laidOnto(scan.walls, before.walls, before.robot());
   if (!back) return std::nullopt;
   const Transform2D other = back->inverse();
-  if (!areNear(*forth, other, scan.at(), kSameScanAnswer)) return std::nullopt;
-  const Point middle = midpoint((*forth)(scan.at()), other(scan.at()));
-  return carrying(scan.at(), middle, (forth->phi + other.phi) / 2);
+  if (!areNear(*forth, other, scan.robot(), kSameScanAnswer)) return std::nullopt;
+  const Point middle = midpoint((*forth)(scan.robot()), other(scan.robot()));
+  return carrying(scan.robot(), middle, (forth->phi + other.phi) / 2);
 }
 
 /** Squared displacement of a scan on its own, by the corrections of the steps to it and behind it:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fitted_consensus.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/scan_search.h"
@@ -18,15 +19,14 @@ namespace {
 constexpr NarrowingBand kRoughFit{0.6, 0.387, 3}, kFit{0.31, 0.2, 3};
 constexpr double kNearPatch = 6;                      // patches within this give poses to try [m]
 constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
-constexpr std::size_t kMinWalls = 20;
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
 /** Says 0 where it is less than `least`, as soon as that is sure. */
-double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& pose, double least,
-                 double near = kHalfNear, std::size_t stride = 1) {
+double qualityAt(const ScanWalls& scan, const WallMap& map, const Transform2D& pose, double least,
+                 double half = kHalfNear, std::size_t stride = 1) {
   const Motion2D forth(pose);
   const std::size_t count = (scan.walls.size() + stride - 1) / stride;
   const auto all = double(count);
@@ -35,10 +35,10 @@ double qualityAt(const ScanWalls& scan, const WallMap& in, const Transform2D& po
   for (std::size_t i = 0; i < scan.walls.size(); i += stride) {
     if (sum + left < least * (known + left + doubt)) return 0;
     --left;
-    const WallLookUp there = lookUp(scan.walls[i], in, forth);
-    known += there.isKnown, sum += there.found(near);
+    const WallLookUp there = lookUp(scan.walls[i], map, forth);
+    known += there.isKnown, sum += there.found(half);
   }
-  return known * double(stride) >= double(kMinWalls) && known > kMajority * all
+  return known * double(stride) >= double(LocalScan::kTelling) && known > kMajority * all
              ? sum / (known + doubt)
              : 0;
 }
@@ -57,13 +57,13 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& in,
+          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& map,
           TrackedFits& fits)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
         wholes_(wholes),
-        in_(in),
+        map_(map),
         fits_(fits),
         candidates_(scans.size()),
         holds_(scans.size()) {
@@ -93,13 +93,13 @@ class Tracker {
   /** Finds candidates of a scan: near those of the scans before it on the way, near what was
    *  followed, and, where all that fails, at any turn where the robot has just been. */
   void propose(std::size_t k, Way way) {
-    if (scans_[k].walls.size() < kMinWalls) return;
+    if (scans_[k].walls.size() < LocalScan::kTelling) return;
     const std::vector<Candidate>* before = lastFound(k, way);
     if (before)
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     // Other answers are wanted for a scan that fits well, too, but not for each.
     if (way == Way::forth && (bestQuality(k) < fitted::kSure || k % kLookAround == 0)) {
-      for (const Transform2D& pose : posesNear(scans_[k].at())) tryFrom(k, pose);
+      for (const Transform2D& pose : posesNear(scans_[k].robot())) tryFrom(k, pose);
       for (const Transform2D& pose : wholes_)
         if (!isKnown(k, pose, kSameScanStart) &&
             roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
@@ -138,7 +138,7 @@ class Tracker {
 
   bool isKnown(std::size_t k, const Transform2D& pose, const PoseTolerance& within) const {
     return std::any_of(candidates_[k].begin(), candidates_[k].end(), [&](const Candidate& c) {
-      return areNear(c.pose, pose, scans_[k].at(), within);
+      return areNear(c.pose, pose, scans_[k].robot(), within);
     });
   }
 
@@ -148,7 +148,7 @@ class Tracker {
     if (fit.roughQuality < fitted::kLeastQuality || isKnown(k, fit.rough, kSameScanAnswer)) return;
     if (!fit.quality) {
       fit.pose = fitted(scans_[k], fit.rough, kFit, 1);
-      fit.quality = qualityAt(scans_[k], in_, fit.pose, fitted::kLeastQuality);
+      fit.quality = qualityAt(scans_[k], map_, fit.pose, fitted::kLeastQuality);
     }
     if (*fit.quality < fitted::kLeastQuality || isKnown(k, fit.pose, kSameScanAnswer)) return;
     candidates_[k].push_back({fit.pose, *fit.quality, 0, nullptr, k});
@@ -170,12 +170,12 @@ class Tracker {
   /** Tries all turns about the place where the robot was last seen: a map that is torn there goes
    *  on from the same place, but turned and shifted. */
   void spin(std::size_t k, const Candidate& last) {
-    const Point at = last.pose(scans_[last.scan].at());
+    const Point place = last.pose(scans_[last.scan].robot());
     std::vector<std::pair<double, Transform2D>> tries;
     for (int turn = 0; turn < kSpinTurns; ++turn)
       for (const Point off : kSpinOffsets) {
         const double phi = last.pose.phi + turn * 2 * M_PI / kSpinTurns;
-        const Transform2D pose = carrying(scans_[k].at(), at + off, phi);
+        const Transform2D pose = carrying(scans_[k].robot(), place + off, phi);
         const double least = tries.size() < kTries ? 0 : tries.back().first;
         const double quality = roughQualityAt(k, pose, least);
         if (tries.size() == kTries && quality <= least) continue;
@@ -190,37 +190,34 @@ class Tracker {
   /** What a pose that is some decimetres off may come to, by a part of the walls. */
   double roughQualityAt(std::size_t k, const Transform2D& pose, double least) const {
     const std::size_t stride = std::max<std::size_t>(1, scans_[k].walls.size() / kRoughWalls);
-    return qualityAt(scans_[k], in_, pose, least, kRoughNear, stride);
+    return qualityAt(scans_[k], map_, pose, least, kRoughNear, stride);
   }
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose, const NarrowingBand& band,
                      std::size_t stride) const {
-    return fittedPose(pose, scan.at(), band, [&](WallFit& fit, int) {
-      for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], in_);
+    return fittedPose(pose, scan.robot(), band, [&](WallFit& fit, int) {
+      for (std::size_t w = 0; w < scan.walls.size(); w += stride) fit.add(scan.walls[w], map_);
     });
   }
 
   /** What was followed near a place, alike poses once. */
-  std::vector<Transform2D> posesNear(Point at) const {
+  std::vector<Transform2D> posesNear(Point place) const {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
-      if (distance(patches_[f.patch].middle, at) > kNearPatch) continue;
-      const bool isKnown = std::any_of(poses.begin(), poses.end(), [&](const Transform2D& pose) {
-        return areNear(pose, f.pose, at, kSameScanStart);
-      });
-      if (!isKnown) poses.push_back(f.pose);
+      if (distance(patches_[f.patch].middle, place) > kNearPatch) continue;
+      if (!isNearAny(poses, f.pose, place, kSameScanStart)) poses.push_back(f.pose);
     }
     return poses;
   }
 
   /** What it costs to go from one candidate to one of a later scan. */
   double stepCost(const Candidate& from, const Candidate& to) const {
-    const Point at = scans_[to.scan].at();
-    const double moved = distance(from.pose(at), to.pose(at));
+    const Point place = scans_[to.scan].robot();
+    const double moved = distance(from.pose(place), to.pose(place));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
     const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
     if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
-    const double way = distance(from.pose(scans_[from.scan].at()), to.pose(at));
+    const double way = distance(from.pose(scans_[from.scan].robot()), to.pose(place));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
     if (isOnTheWay) return fitted::kJumpCost;
     // Where the run's own scans part, to begin anew costs little more than what a start does.
@@ -259,8 +256,9 @@ class Tracker {
   }
 
   /** A way starts where the maps as a whole fit. */
-  double startCost(const Candidate& at) const {
-    const bool isMain = areNear(at.pose, wholes_.front(), scans_[at.scan].at(), kAsMapsBend);
+  double startCost(const Candidate& first) const {
+    const bool isMain =
+        areNear(first.pose, wholes_.front(), scans_[first.scan].robot(), kAsMapsBend);
     return isMain ? 0 : kStartCost;
   }
 
@@ -268,7 +266,7 @@ class Tracker {
   const WallPatches& patches_;
   const FollowedWalls& followed_;
   const std::vector<Transform2D>& wholes_;
-  const WallMap& in_;
+  const WallMap& map_;
   TrackedFits& fits_;
   std::vector<std::vector<Candidate>> candidates_;
   mutable std::vector<std::optional<double>> holds_;  // of the step to each scan, once it was asked
@@ -281,8 +279,8 @@ std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>&
                                                    const WallPatches& patches,
                                                    const FollowedWalls& followed,
                                                    const std::vector<Transform2D>& wholes,
-                                                   const WallMap& in, TrackedFits& fits) {
-  return Tracker(scans, patches, followed, wholes, in, fits).track();
+                                                   const WallMap& map, TrackedFits& fits) {
+  return Tracker(scans, patches, followed, wholes, map, fits).track();
 }
 
 }  // namespace roomgraph

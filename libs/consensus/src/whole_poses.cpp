@@ -6,8 +6,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kVotes = 4;
-
 class Voting {
  public:
   explicit Voting(const PoseGraph& graph)
@@ -20,7 +18,7 @@ class Voting {
     isPlaced_[first] = true;
     while (placeNext()) {
     }
-    for (int round = 0; round < kVotes; ++round) {
+    for (int round = 0; round < 4; ++round) {
       bool hasMoved = false;
       for (const RunId run : graph_.runs.ids()) hasMoved |= run != first && improve(run);
       if (!hasMoved) break;

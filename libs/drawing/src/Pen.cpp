@@ -99,10 +99,11 @@ double Pen::textWidth(const std::string& line, double sizePx, bool isBold) const
   return extents.x_advance;
 }
 
-void Pen::text(const std::string& line, Point at, double sizePx, bool isBold, Align align) const {
+void Pen::text(const std::string& line, Point place, double sizePx, bool isBold,
+               Align align) const {
   const double width = align == Align::left ? 0 : textWidth(line, sizePx, isBold);
   font(sizePx, isBold);
-  cairo_move_to(cairo_, at.x - (align == Align::centre ? width / 2 : width), at.y);
+  cairo_move_to(cairo_, place.x - (align == Align::centre ? width / 2 : width), place.y);
   cairo_show_text(cairo_, printable(line).c_str());
 }
 

@@ -56,20 +56,20 @@ std::string metresText(double metres) {
   return text.str();
 }
 
-void drawScaleBar(const Pen& pen, Point at) {
+void drawScaleBar(const Pen& pen, Point place) {
   const double metres = scaleBarLength(pen.view());
   const double width = metres * pen.view().pxPerMetre(), large = enlarged(pen.view());
   cairo_t* cairo = pen.cairo();
   pen.ink(ink::text);
-  cairo_move_to(cairo, at.x, at.y - 4);
-  cairo_line_to(cairo, at.x, at.y + 4);
-  cairo_move_to(cairo, at.x, at.y);
-  cairo_line_to(cairo, at.x + width, at.y);
-  cairo_move_to(cairo, at.x + width, at.y - 4);
-  cairo_line_to(cairo, at.x + width, at.y + 4);
+  cairo_move_to(cairo, place.x, place.y - 4);
+  cairo_line_to(cairo, place.x, place.y + 4);
+  cairo_move_to(cairo, place.x, place.y);
+  cairo_line_to(cairo, place.x + width, place.y);
+  cairo_move_to(cairo, place.x + width, place.y - 4);
+  cairo_line_to(cairo, place.x + width, place.y + 4);
   pen.stroke(1.6);
-  pen.text(metresText(metres), {at.x + width + 8 * large, at.y + 4.5 * large}, kLegendPx * large,
-           true, Pen::Align::left);
+  pen.text(metresText(metres), {place.x + width + 8 * large, place.y + 4.5 * large},
+           kLegendPx * large, true, Pen::Align::left);
 }
 
 void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
@@ -86,11 +86,11 @@ void drawTitle(const Pen& pen, const Scene& scene, const Layout& layout) {
 }
 
 /** The symbol is drawn for words as small as said above. */
-void drawLegendItem(const Pen& pen, const LegendItem& item, Point at) {
+void drawLegendItem(const Pen& pen, const LegendItem& item, Point place) {
   const double large = enlarged(pen.view());
   cairo_t* cairo = pen.cairo();
   cairo_save(cairo);
-  cairo_translate(cairo, at.x, at.y);
+  cairo_translate(cairo, place.x, place.y);
   cairo_scale(cairo, large, large);
   item.symbol(pen, {});
   pen.ink(ink::text);

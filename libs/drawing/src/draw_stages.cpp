@@ -104,7 +104,7 @@ Picture borderPicture(const Stages& stages) {
   picture.scene.legend = {
       roomLegend(stages.rooms.size()),
       {groupedCount(places.size(), "crossing", "crossings"),
-       [](const Pen& pen, Point at) { pen.mark(VertexKind::border, at); }},
+       [](const Pen& pen, Point place) { pen.mark(VertexKind::border, place); }},
       lineLegend(groupedCount(stages.largest.edges().size(), "path", "paths"), ink::blue, 2)};
   return picture;
 }

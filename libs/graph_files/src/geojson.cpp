@@ -79,7 +79,7 @@ class Writer {
     const auto loneWays = addLoneWays();
     for (std::size_t e = 0; e < chains_.size(); ++e) addPieces(e);
     for (const auto& [from, to] : loneWays)
-      addBothWays(from, to, Members().quoted("class", "room"), distance(from.at, to.at));
+      addBothWays(from, to, Members().quoted("class", "room"), distance(from.place, to.place));
     return "{\n\"type\": \"FeatureCollection\",\n\"name\": \"roomgraph\",\n\"crs\": {\"type\": "
            "\"name\", \"properties\": {\"name\": \"urn:ogc:def:crs:EPSG::3857\"}},\n"
            "\"features\": [" +
@@ -89,7 +89,7 @@ class Writer {
  private:
   struct Node {
     std::size_t id;
-    Point at;
+    Point place;
   };
 
   void addFeature(const Members& properties, const char* type, const std::string& coordinates) {
@@ -125,10 +125,10 @@ class Writer {
                "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }
 
-  std::size_t addNode(Point at, const Members& metadata) {
+  std::size_t addNode(Point place, const Members& metadata) {
     addFeature(
         Members().add("id", nextId_).quoted("frame", "map").add("metadata", metadata.object()),
-        "Point", pointText(at));
+        "Point", pointText(place));
     return nextId_++;
   }
 
@@ -138,8 +138,8 @@ class Writer {
       std::vector<Node> chain{{edge.source.index(), edge.path.points.front()}};
       const auto kept = straightPieces(edge.path, obstacles_, clearance_);
       for (std::size_t i = 1; i + 1 < kept.size(); ++i) {
-        const Point at = edge.path.points[kept[i]];
-        chain.push_back({addNode(at, Members().quoted("class", "bend").room(edge.room)), at});
+        const Point point = edge.path.points[kept[i]];
+        chain.push_back({addNode(point, Members().quoted("class", "bend").room(edge.room)), point});
       }
       chain.push_back({edge.target.index(), edge.path.points.back()});
       chains_.push_back(std::move(chain));
@@ -155,7 +155,8 @@ class Writer {
                                  .number("length", edge.path.length);
     for (std::size_t i = 0; i + 1 < chains_[e].size(); ++i) {
       const Node &from = chains_[e][i], &to = chains_[e][i + 1];
-      addBothWays(from, to, metadata, obstacles_.clearance(from.at, to.at, edge.path.minClearance));
+      addBothWays(from, to, metadata,
+                  obstacles_.clearance(from.place, to.place, edge.path.minClearance));
     }
   }
 
@@ -177,7 +178,7 @@ class Writer {
     const double speed = speedPercent(clearance);
     metadata.number("min_clearance", clearance)
         .number("speed_limit", speed)
-        .number("penalty", distance(a.at, b.at) * (100 / speed - 1));
+        .number("penalty", distance(a.place, b.place) * (100 / speed - 1));
     addPiece(a, b, metadata);
     addPiece(b, a, metadata);
   }
@@ -187,10 +188,10 @@ class Writer {
                    .add("id", nextId_++)
                    .add("startid", from.id)
                    .add("endid", to.id)
-                   .number("cost", distance(from.at, to.at))
+                   .number("cost", distance(from.place, to.place))
                    .add("overridable", "true")
                    .add("metadata", metadata.object()),
-               "MultiLineString", "[[" + pointText(from.at) + "," + pointText(to.at) + "]]");
+               "MultiLineString", "[[" + pointText(from.place) + "," + pointText(to.place) + "]]");
   }
 
   const RoomGraph& graph_;

@@ -113,8 +113,8 @@ class ClutterFinder {
     const GridFrame& frame = grid_.frame;
     int gap = 0;  // cells behind the rim
     for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
-      const Point at = middle + double(step) * direction;
-      const Cell c{int(std::lround(at.x)), int(std::lround(at.y))};
+      const Point place = middle + double(step) * direction;
+      const Cell c{int(std::lround(place.x)), int(std::lround(place.y))};
       if (!frame.contains(c)) return false;
       if (grid_.at(c) == State::free)
         ++gap;

@@ -80,7 +80,8 @@ GridFrame frameRound(const std::vector<const Polygon*>& polygons) {
   if (box.isEmpty()) return {0, 0, kWallCell, {}};
   box = box.widened(fitted::kMargin);
   const Point size = box.size();
-  const double cell = std::max(kWallCell, std::sqrt(size.x * size.y / fitted::kMaxCells));
+  // A site has a million cells at most; a larger one has larger ones.
+  const double cell = std::max(kWallCell, std::sqrt(size.x * size.y / 1e6));
   return {int(size.x / cell) + 1, int(size.y / cell) + 1, cell, box.low};
 }
 

@@ -6,8 +6,7 @@
 namespace roomgraph::fitted {
 
 // Areas of all runs in one frame.
-constexpr double kMargin = 0.5;    // of the frame round all areas [m]
-constexpr double kMaxCells = 1e6;  // of a site; a larger one has larger cells
+constexpr double kMargin = 0.5;  // of the frame round all areas [m]
 constexpr double kLeastWeight = 0.1;
 
 // A room in a run.

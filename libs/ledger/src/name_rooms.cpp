@@ -154,7 +154,7 @@ std::vector<std::optional<std::size_t>> knownRooms(const std::vector<AreaMatch>&
   std::vector<std::optional<std::size_t>> result(matches.size());
   OneToOne pairing(matches.size(), known);
   for (const auto& [overlap, s] : order)
-    if (const std::size_t at = matches[s].areas[0]; pairing.take(s, at)) result[s] = at;
+    if (const std::size_t area = matches[s].areas[0]; pairing.take(s, area)) result[s] = area;
   return result;
 }
 

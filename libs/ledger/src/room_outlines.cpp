@@ -11,9 +11,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr int kIterations = 15;
-constexpr double kStill = 1e-4;  // a step below which nothing moves any more [m]
-
 /** The corners between `from` and `to` that a line cannot leave out, by halves. */
 void keepFar(const Ring& ring, std::size_t from, std::size_t to, double tolerance,
              std::vector<bool>& isKept) {
@@ -22,14 +19,14 @@ void keepFar(const Ring& ring, std::size_t from, std::size_t to, double toleranc
     const auto [low, high] = spans.back();
     spans.pop_back();
     double most = tolerance;
-    std::size_t at = low;
+    std::size_t corner = low;
     for (std::size_t i = low + 1; i < high; ++i) {
-      const double far = distanceToSegment(ring[i], ring[low], ring[high % ring.size()]);
-      if (far > most) most = far, at = i;
+      const double length = distanceToSegment(ring[i], ring[low], ring[high % ring.size()]);
+      if (length > most) most = length, corner = i;
     }
-    if (at == low) continue;
-    isKept[at] = true;
-    spans.push_back({low, at}), spans.push_back({at, high});
+    if (corner == low) continue;
+    isKept[corner] = true;
+    spans.push_back({low, corner}), spans.push_back({corner, high});
   }
 }
 
@@ -48,9 +45,9 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
     if (!nearest) continue;
     const Point normal = inRun.normal(nearest);
     const double off = dot(*nearest - p, normal);
-    const double far = squaredNorm(*nearest - p) / (kWallCell * kWallCell);
+    const double off2 = squaredNorm(*nearest - p) / (kWallCell * kWallCell);
     const Eigen::Vector3d row(normal.x, normal.y, cross(arm, normal));
-    const double weight = 1 / ((1 + far) * (1 + far));
+    const double weight = 1 / ((1 + off2) * (1 + off2));
     a += weight * row * row.transpose();
     b += weight * off * row;
   }
@@ -92,9 +89,9 @@ void RoomOutline::addRing(const Ring& ring) {
 const Point* RoomOutline::nearest(Point p) const {
   const Point* best = nullptr;
   double least = kReach * kReach;
-  const Cell at = frame_.cellAt(p);
-  for (int y = at.y - 1; y <= at.y + 1; ++y)
-    for (int x = at.x - 1; x <= at.x + 1; ++x) {
+  const Cell cell = frame_.cellAt(p);
+  for (int y = cell.y - 1; y <= cell.y + 1; ++y)
+    for (int x = cell.x - 1; x <= cell.x + 1; ++x) {
       if (!frame_.contains({x, y})) continue;
       for (const std::uint32_t i : buckets_[frame_.index({x, y})])
         if (const double d = squaredNorm(places_[i] - p); d < least) least = d, best = &places_[i];
@@ -104,9 +101,9 @@ const Point* RoomOutline::nearest(Point p) const {
 
 RoomMove refinedMove(const RoomOutline& room, const RoomOutline& inRun, RoomMove move,
                      Point middle) {
-  for (int i = 0; i < kIterations; ++i) {
+  for (int i = 0; i < 15; ++i) {
     const Eigen::Vector3d step = stepOf(room, inRun, move, middle);
-    if (!(step.head<2>().norm() + std::abs(step.z()) > kStill)) break;
+    if (!(step.head<2>().norm() + std::abs(step.z()) > 1e-4)) break;  // by less, nothing moves
     move.shift = move.shift + Point{step.x(), step.y()};
     move.turn += step.z();
   }
@@ -115,11 +112,11 @@ RoomMove refinedMove(const RoomOutline& room, const RoomOutline& inRun, RoomMove
 
 double outlineAgreement(const RoomOutline& a, const RoomOutline& b, const Transform2D& toB,
                         double near) {
-  const auto count = [&](const RoomOutline& of, const RoomOutline& in, const Motion2D& motion) {
+  const auto count = [&](const RoomOutline& from, const RoomOutline& to, const Motion2D& motion) {
     double close = 0;
-    for (const Point& place : of.places()) {
+    for (const Point& place : from.places()) {
       const Point p = motion(place);
-      const Point* nearest = in.nearest(p);
+      const Point* nearest = to.nearest(p);
       if (nearest && squaredNorm(*nearest - p) <= near * near) ++close;
     }
     return close;

@@ -19,15 +19,13 @@ constexpr double kMaxPathLength = 20;  // of a way through vertices that are not
 
 // Distance of two paths.
 constexpr double kPathStep = 0.25;  // [m]
-constexpr int kFewestPathSteps = 8, kMostPathSteps = 64;
-constexpr double kLoop = 0.3;  // share of the length below which the ends give no direction
+constexpr double kLoop = 0.3;       // share of the length below which the ends give no direction
 
 // Scans of one place at two times.
-constexpr double kSameFacing = 0.5;     // cosine
-constexpr std::size_t kWallStride = 2;  // every second wall of a scan is looked for
-constexpr double kMinApart = 5;         // path between two scans that are compared [m]
-constexpr double kSameView = 2;         // between the places of two scans that see the same [m]
-constexpr std::size_t kMaxVisits = 8;   // scans that one is compared with, nearest first
+constexpr double kSameFacing = 0.5;    // cosine
+constexpr double kMinApart = 5;        // path between two scans that are compared [m]
+constexpr double kSameView = 2;        // between the places of two scans that see the same [m]
+constexpr std::size_t kMaxVisits = 8;  // scans that one is compared with, nearest first
 
 // Coverage: a run that is trusted less than this share of the second best is so torn or bent that
 // it tells of places that are not there.

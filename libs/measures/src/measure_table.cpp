@@ -29,6 +29,13 @@ MeasureRow ofSightings(const MeasureKind& kind,
           {}};
 }
 
+MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
+  return {
+      kind,
+      [figure](const SiteEvidence& all, std::size_t run) { return figure(*all.site.runs[run]); },
+      {}};
+}
+
 std::vector<MeasureRow> wallRows() {
   return {
       {{"coverage", "Coverage", "1", fitted::kArea,
@@ -48,12 +55,9 @@ std::vector<MeasureRow> wallRows() {
        [](const SiteEvidence& all, std::size_t a, std::size_t b) {
          return followedOfPair(all.bends(a, b));
        }},
-      {{"axis_deviation", "Walls off right angles, median", "deg", 0,
-        "Median angle between its walls and the nearer of its two main directions."},
-       [](const SiteEvidence& all, std::size_t run) {
-         return axisDeviationOf(*all.site.runs[run]);
-       },
-       {}},
+      ofMap({"axis_deviation", "Walls off right angles, median", "deg", 0,
+             "Median angle between its walls and the nearer of its two main directions."},
+            axisDeviationOf),
       {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
         "Mean distance of the walls of both."},
        {},
@@ -149,13 +153,6 @@ std::vector<MeasureRow> graphRows() {
           ofGraphs({"nearest_vertex", "Nearest vertex, mean", "m", kFewestThings,
                     "Mean distance of its vertices to the nearest vertex of the other."},
                    {[](const Graphs& g, bool isA) { return isA ? g.nearestA : g.nearestB; }})};
-}
-
-MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
-  return {
-      kind,
-      [figure](const SiteEvidence& all, std::size_t run) { return figure(*all.site.runs[run]); },
-      {}};
 }
 
 std::vector<MeasureRow> mapRows() {

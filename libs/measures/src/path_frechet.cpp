@@ -53,8 +53,8 @@ double frechet(const std::vector<Point>& a, const std::vector<Point>& b) {
 std::optional<double> pathFrechet(const Polyline& a, const Polyline& b) {
   const double ofA = length(a), ofB = length(b);
   if (ofA <= 0 || ofB <= 0) return std::nullopt;
-  const int steps = std::clamp(int(std::max(ofA, ofB) / fitted::kPathStep),
-                               fitted::kFewestPathSteps, fitted::kMostPathSteps);
+  // Even a short path has a shape, and a long one costs no more than a bounded time.
+  const int steps = std::clamp(int(std::max(ofA, ofB) / fitted::kPathStep), 8, 64);
   const std::vector<Point> onA = evenly(a, ofA, steps);
   std::vector<Point> onB = evenly(b, ofB, steps);
   const bool isLoop = distance(a.front(), a.back()) < fitted::kLoop * ofA ||

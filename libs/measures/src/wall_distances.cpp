@@ -37,11 +37,11 @@ WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transfor
   // The table holds the wall that is nearest to the middle of a cell, which may be another one.
   const bool isItself = isNothing(pose) && areIdentical(of, in);
   for (const WallPoint& wall : of.walls) {
-    const Point at = pose(wall.place), normal = turned(wall.normal, pose.phi);
-    const std::size_t cell = cellIndexAt(in.frame, at);
+    const Point place = pose(wall.place), normal = turned(wall.normal, pose.phi);
+    const std::size_t cell = cellIndexAt(in.frame, place);
     if (!hasSeen(in, cell)) continue;
     const WallPoint* found = isItself ? &wall : nearestWall(in, cell, normal);
-    const double far = found ? distance(found->place, at) : WallMap::kReach;
+    const double far = found ? distance(found->place, place) : WallMap::kReach;
     const double d = isItself ? 0 : std::min(far, WallMap::kReach);
     result.sum += d;
     result.count += 1;

@@ -46,7 +46,7 @@ class Piece {
   void add(const ScanWalls& scan, const Transform2D& siteFromRun) {
     const Motion2D move(siteFromRun);
     for (const WallPoint& wall : scan.walls) walls_.push_back(move(wall.place));
-    way_.push_back(move(scan.at()));
+    way_.push_back(move(scan.robot()));
   }
 
   /** The name is level where all is turned by `turn` [rad]. */
@@ -78,8 +78,9 @@ class Piece {
     auto text = viz::CText3D::Create(name_, "sans", kLetterHeight, viz::FILL);
     text->setColor_u8(colour_);
     const Transform2D level{0, 0, -turn};
-    const Point at = way_.back() + level(Point{kRobotMark, labelAbove_});
-    text->setPose(mrpt::poses::CPose3D(at.x, at.y, height_ + kLayerStep / 2, level.phi, 0, 0));
+    const Point place = way_.back() + level(Point{kRobotMark, labelAbove_});
+    text->setPose(
+        mrpt::poses::CPose3D(place.x, place.y, height_ + kLayerStep / 2, level.phi, 0, 0));
     return text;
   }
 

@@ -154,7 +154,8 @@ viz::CSetOfTriangles::Ptr drawVertices(const RoomGraph& graph, const Sheet& shee
   return discs;
 }
 
-viz::CText3D::Ptr drawNumber(std::size_t number, Point at, double discRadius, const Sheet& sheet) {
+viz::CText3D::Ptr drawNumber(std::size_t number, Point point, double discRadius,
+                             const Sheet& sheet) {
   auto text = viz::CText3D::Create(std::to_string(number), "sans", 1.0F, viz::FILL);
   text->setColor_u8(mrptColour(kRimColour));
   // The text's box tells how large it is at scale 1, and where its middle lies.
@@ -162,7 +163,7 @@ viz::CText3D::Ptr drawNumber(std::size_t number, Point at, double discRadius, co
   const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
   const double scale = 1.5 * discRadius / std::max(1e-6, std::hypot(width, height));
   const Point middle{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
-  const auto place = sheet.at(at - scale * middle, kNumberLayer);
+  const auto place = sheet.at(point - scale * middle, kNumberLayer);
   text->setScale(float(scale));
   text->setLocation(place.x, place.y, place.z);
   return text;

@@ -30,11 +30,11 @@ std::array<COccupancyGridMap2D::cellType, 256> cellsOf(State state) {
 /** Writes the frame's corners into the object: MRPT itself would move them to multiples of the
  *  resolution. They follow the class's name, its version, the bits per cell and the size. */
 void placeAt(const GridFrame& frame, std::string& object) {
-  const std::size_t at = 1 + std::size_t(object[0] & 0x7f) + 1 + 1 + 4 + 4;
+  const std::size_t index = 1 + std::size_t(object[0] & 0x7f) + 1 + 1 + 4 + 4;
   const double width = frame.width * frame.resolution, height = frame.height * frame.resolution;
   const std::array<float, 4> corners{float(frame.origin.x), float(frame.origin.x + width),
                                      float(frame.origin.y), float(frame.origin.y + height)};
-  std::memcpy(object.data() + at, corners.data(), sizeof corners);
+  std::memcpy(object.data() + index, corners.data(), sizeof corners);
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ struct Drawing {
 };
 
 Point pixelOf(const Transform2D& upright, Point place) {
-  const Point at = upright(place);
-  return {at.x / kPixel, -at.y / kPixel};
+  const Point point = upright(place);
+  return {point.x / kPixel, -point.y / kPixel};
 }
 
 Drawing drawingOf(const Run& run, const std::vector<Transform2D>& poses,
@@ -44,8 +44,8 @@ Drawing drawingOf(const Run& run, const std::vector<Transform2D>& poses,
     const ScanWalls& scan = run.scans[k];
     const Transform2D motion = upright * (poses[k] * scan.pose.inverse());
     for (const WallPoint& wall : scan.walls) {
-      const Point at = pixelOf(motion, wall.place);
-      drawing.walls.insert({int(std::floor(at.y)), int(std::floor(at.x))});
+      const Point place = pixelOf(motion, wall.place);
+      drawing.walls.insert({int(std::floor(place.y)), int(std::floor(place.x))});
     }
     drawing.path.push_back(pixelOf(upright, poses[k].shift()));
   }

@@ -46,19 +46,19 @@ void noteNarrowRegions(const Stages& s, Notes& notes) {
 void noteHalfSeen(const Stages& s, Notes& notes) {
   double largest = s.options.splitAtDoors.maxLeftoverArea;
   std::size_t count = 0;
-  Point at;
+  Point place;
   for (const Room& region : s.outlines.halfSeen()) {
     const double size = area(region.polygon);
     if (size < s.options.splitAtDoors.maxLeftoverArea) continue;
     ++count;
-    if (size >= largest) largest = size, at = region.widestPlace;
+    if (size >= largest) largest = size, place = region.widestPlace;
   }
   if (count == 0) return;
   notes.push_back(
       {"half_seen",
        formatted("%zu region%s that beams saw in part, up to %.1f m2, %s neither room nor corridor",
                  count, count == 1 ? "" : "s", largest, count == 1 ? "is" : "are"),
-       std::array<double, 2>{at.x, at.y}});
+       std::array<double, 2>{place.x, place.y}});
 }
 
 }  // namespace

@@ -10,8 +10,7 @@
 namespace roomgraph::fitted {
 
 // Following walls from patch to patch.
-constexpr double kMinKnown = 0.4;   // share of them that lies where the other map has looked
-constexpr double kSureShare = 0.7;  // a patch found this well is not looked for again
+constexpr double kMinKnown = 0.4;  // share of them that lies where the other map has looked
 constexpr int kTwinRounds = 2;
 constexpr double kFairQuality = 0.3;     // of a patch that all around it leads to; else kMajority
 constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
@@ -36,7 +35,6 @@ constexpr double kHardlyBent = 1;     // bend; storeys of one building lie withi
 constexpr double kOtherWalls = 0.15;  // share of straight walls; of 88 pairs of one storey 0.07
 
 // Runs of one drive, joined by their scans.
-constexpr int kFitRounds = 10;      // of the fit
 constexpr double kBendWidth = 1;    // how far off a scan counts half [m]
 constexpr std::size_t kStarts = 8;  // scans along the drive whose walls are looked for
 

@@ -30,15 +30,15 @@ struct Offer {
 };
 
 /** See FollowedWalls::misfit. */
-double misfitAt(const WallMap& of, const WallMap& in, const Transform2D& pose) {
+double misfitAt(const WallMap& map, const WallMap& other, const Transform2D& pose) {
   const Motion2D forth(pose);
   double squares = 0, known = 0;
-  for (const WallPoint& wall : of.walls) {
-    const Point at = forth(wall.place);
-    const std::size_t cell = cellIndexAt(in.frame, at);
-    if (!hasSeen(in, cell)) continue;
-    const WallPoint* there = nearestWall(in, cell, forth.turned(wall.normal));
-    squares += there ? std::min(1.0, squaredNorm(there->place - at)) : 1;
+  for (const WallPoint& wall : map.walls) {
+    const Point place = forth(wall.place);
+    const std::size_t cell = cellIndexAt(other.frame, place);
+    if (!hasSeen(other, cell)) continue;
+    const WallPoint* there = nearestWall(other, cell, forth.turned(wall.normal));
+    squares += there ? std::min(1.0, squaredNorm(there->place - place)) : 1;
     ++known;
   }
   return known > 0 ? std::sqrt(squares / known) : 0;
@@ -46,17 +46,17 @@ double misfitAt(const WallMap& of, const WallMap& in, const Transform2D& pose) {
 
 class Follower {
  public:
-  Follower(const WallMap& of, const WallMap& in)
-      : of_(of),
-        in_(in),
-        patches_(of.patches),
-        foundIn_(of.walls.size(), kNone),
-        explainedIn_(in.walls.size(), kNone) {
+  Follower(const WallMap& map, const WallMap& other)
+      : map_(map),
+        other_(other),
+        patches_(map.patches),
+        foundIn_(map.walls.size(), kNone),
+        explainedIn_(other.walls.size(), kNone) {
     for (const WallPatch& patch : patches_) left_.push_back(patch.around);
   }
 
   FollowedWalls follow(const std::vector<Transform2D>& poses) {
-    if (poses.empty() || of_.walls.empty()) return {};
+    if (poses.empty() || map_.walls.empty()) return {};
     followFirst(poses.front());
     std::vector<Transform2D> others(poses.begin() + 1, poses.end());
     if (others.size() > fitted::kMaxCandidates) others.resize(fitted::kMaxCandidates);
@@ -64,27 +64,27 @@ class Follower {
       if (!followPiece(poses.front(), others)) break;
     for (int round = 0; round < fitted::kTwinRounds; ++round) followTwins();
     fit();
-    if (!(of_.hasScans && in_.hasScans) && followTornEnd()) fit();
+    if (!(map_.hasScans && other_.hasScans) && followTornEnd()) fit();
     return std::move(result_);
   }
 
  private:
-  const WallPoint* wallAt(Point at, Point normal) const {
-    return nearestWall(in_, cellIndexAt(in_.frame, at), normal);
+  const WallPoint* wallAt(Point place, Point normal) const {
+    return nearestWall(other_, cellIndexAt(other_.frame, place), normal);
   }
 
   /** Moves the pose so that what is left around the patch comes to lie on walls. */
   Transform2D refined(std::uint32_t patch, const Transform2D& pose) const {
     return fittedPose(pose, patches_[patch].middle, kPatchBand, [&](WallFit& fit, int) {
-      for (const std::uint32_t k : left_[patch]) fit.add(of_.walls[k], in_);
+      for (const std::uint32_t k : left_[patch]) fit.add(map_.walls[k], other_);
     });
   }
 
   /** The share of what is left around the patch that lies on walls, 0 to 1. */
   double qualityAt(std::uint32_t patch, const Transform2D& pose, std::size_t stride = 1) const {
     const std::vector<std::uint32_t>& left = left_[patch];
-    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return of_.walls[left[i]]; };
-    const WallShare share = wallShare(left.size(), pointAt, in_, pose, kWallNoise, stride);
+    const auto pointAt = [&](std::size_t i) -> const WallPoint& { return map_.walls[left[i]]; };
+    const WallShare share = wallShare(left.size(), pointAt, other_, pose, kWallNoise, stride);
     const bool isEnough = share.known * double(stride) >= double(kFewestPoints) &&
                           share.known > fitted::kMinKnown * share.all;
     return isEnough ? share.ofKnown(kDoubt / double(stride)) : 0;
@@ -92,13 +92,13 @@ class Follower {
 
   /** Queues the patch where it can be found near `pose`; with `isStep` only close to it. */
   void offer(std::uint32_t patch, const Transform2D& pose, double minQuality, bool isStep) {
-    if (left_[patch].size() < kFewestPoints || queued_[patch] >= fitted::kSureShare) return;
-    const Transform2D at = refined(patch, pose);
-    if (isStep && !areNear(at, pose, patches_[patch].middle, kNextPatch)) return;
-    const double quality = qualityAt(patch, at);
+    if (left_[patch].size() < kFewestPoints || queued_[patch] >= kSureQuality) return;
+    const Transform2D found = refined(patch, pose);
+    if (isStep && !areNear(found, pose, patches_[patch].middle, kNextPatch)) return;
+    const double quality = qualityAt(patch, found);
     if (quality < minQuality || quality <= queued_[patch]) return;
     queued_[patch] = quality;
-    queue_.push({quality, patch, at});
+    queue_.push({quality, patch, found});
   }
 
   void offerAround(std::uint32_t patch, const Transform2D& pose, double minQuality) {
@@ -125,11 +125,11 @@ class Follower {
     double count = 0;
     for (const std::uint32_t k : patches_[offer.patch].own) {
       if (foundIn_[k] != kNone) continue;
-      const Point at = forth(of_.walls[k].place);
-      const WallPoint* wall = wallAt(at, forth.turned(of_.walls[k].normal));
-      if (!wall || distance(wall->place, at) > kSameWall) continue;
+      const Point place = forth(map_.walls[k].place);
+      const WallPoint* wall = wallAt(place, forth.turned(map_.walls[k].normal));
+      if (!wall || distance(wall->place, place) > kSameWall) continue;
       foundIn_[k] = layer_;
-      int& explained = explainedIn_[std::size_t(wall - in_.walls.data())];
+      int& explained = explainedIn_[std::size_t(wall - other_.walls.data())];
       if (explained == kNone) explained = layer_;
       twice_ += explained != layer_;
       ++count;
@@ -178,10 +178,9 @@ class Follower {
   }
 
   /** Wall points from which on a piece counts. */
-  double leastPiece() const { return fitted::kMinPieceShare * double(of_.walls.size()); }
+  double leastPiece() const { return fitted::kMinPieceShare * double(map_.walls.size()); }
 
-  /** Finds one more piece by one of the `others`, which is then removed; false where there is
-   *  none. */
+  /** Finds one more piece by one of the `others`, and removes it; false where there is none. */
   bool followPiece(const Transform2D& first, std::vector<Transform2D>& others) {
     ++layer_;
     nextLayer();
@@ -200,7 +199,7 @@ class Follower {
     const double walls = grow(kMajority);
     if (walls < leastPiece())
       result_.patches.resize(before);
-    else if (!(of_.hasScans && in_.hasScans) && !speaksForItself(first, walls))
+    else if (!(map_.hasScans && other_.hasScans) && !speaksForItself(first, walls))
       giveBack(before);
     return true;
   }
@@ -212,11 +211,11 @@ class Follower {
   bool speaksForItself(const Transform2D& first, double walls) const {
     std::vector<const WallPoint*> found;
     for (std::size_t k = 0; k < foundIn_.size(); ++k)
-      if (foundIn_[k] == layer_) found.push_back(&of_.walls[k]);
+      if (foundIn_[k] == layer_) found.push_back(&map_.walls[k]);
     const auto pointAt = [&](std::size_t i) -> const WallPoint& { return *found[i]; };
-    const WallShare share = wallShare(found.size(), pointAt, in_, first);
+    const WallShare share = wallShare(found.size(), pointAt, other_, first);
     if (walls - share.found < leastPiece()) return false;
-    return twice_ < fitted::kSureShare * walls || share.known >= fitted::kMinKnown * share.all;
+    return twice_ < kSureQuality * walls || share.known >= fitted::kMinKnown * share.all;
   }
 
   /** Forgets what this layer has found, from this patch of the result on. */
@@ -245,7 +244,7 @@ class Follower {
     if (result_.bend > kSameWhereBent) return false;
     std::vector<bool> isFound;
     for (const int layer : foundIn_) isFound.push_back(layer != kNone);
-    const auto end = findTornEnd(of_, in_, result_, isFound);
+    const auto end = findTornEnd(map_, other_, result_, isFound);
     if (!end) return false;
     layer_ = kTornLayer, twice_ = 0;
     const std::size_t before = result_.patches.size();
@@ -272,16 +271,17 @@ class Follower {
       squares += f.walls * squaredNorm(result_.pose(middle) - f.pose(middle));
     }
     result_.bend = std::sqrt(squares / fit.weight());
-    result_.share = fit.weight() / double(of_.walls.size());
-    result_.misfit = misfitAt(of_, in_, result_.pose);
+    result_.share = fit.weight() / double(map_.walls.size());
+    result_.misfit = misfitAt(map_, other_, result_.pose);
   }
 
-  const WallMap &of_, &in_;
+  const WallMap &map_, &other_;
   const WallPatches& patches_;
   static constexpr int kNone = -1;
-  std::vector<int> foundIn_;      // the layer that has found a wall point of `of`
-  std::vector<int> explainedIn_;  // the first layer that has found one on this wall point of `in`
-  double twice_ = 0;              // wall points of a layer on what another one explains
+  std::vector<int> foundIn_;  // the layer that has found a wall point of the map
+  std::vector<int>
+      explainedIn_;   // the first layer that has found one on this wall point of the other
+  double twice_ = 0;  // wall points of a layer on what another one explains
   std::vector<std::vector<std::uint32_t>> left_;  // of `around`, per patch
   std::vector<bool> isDone_;
   std::vector<double> queued_;  // best quality that waits, per patch
@@ -292,9 +292,9 @@ class Follower {
 
 }  // namespace
 
-FollowedWalls followWalls(const WallMap& of, const WallMap& in,
+FollowedWalls followWalls(const WallMap& map, const WallMap& other,
                           const std::vector<Transform2D>& poses) {
-  return Follower(of, in).follow(poses);
+  return Follower(map, other).follow(poses);
 }
 
 }  // namespace roomgraph

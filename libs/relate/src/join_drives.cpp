@@ -33,7 +33,7 @@ std::vector<CommonScan> commonScans(const Run& a, const Run& b) {
 /** a <- b that most of the scans agree with: of a torn run, the larger part. */
 Transform2D poseOf(const std::vector<CommonScan>& common) {
   Transform2D pose = common[common.size() / 2].bInA();
-  for (int round = 0; round < fitted::kFitRounds; ++round) {
+  for (int round = 0; round < 10; ++round) {
     MotionFit fit;
     for (const CommonScan& scan : common) {
       const double off = distance(pose(scan.inB.shift()), scan.inA.shift()) / fitted::kBendWidth;

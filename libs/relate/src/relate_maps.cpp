@@ -89,10 +89,7 @@ std::vector<Transform2D> posesInHub(const MapPair& hubAndMap, const WallMap& map
   if (!isSure(hubAndMap))
     for (const Transform2D& pose : hubAndMap.alignment.poses) {
       if (poses.size() > fitted::kMostOthers) break;
-      if (std::none_of(poses.begin(), poses.end(), [&](const Transform2D& known) {
-            return areNear(known, pose, map.middle(), kSameAnswer);
-          }))
-        poses.push_back(pose);
+      if (!isNearAny(poses, pose, map.middle(), kSameAnswer)) poses.push_back(pose);
     }
   for (const Transform2D& pose : piecesInHub(hubAndMap, map)) poses.push_back(pose);
   return poses;

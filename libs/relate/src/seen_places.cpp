@@ -16,8 +16,8 @@ std::int64_t squareAt(double metres) {
 SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose) {
   SeenPlaces places;
   for (const std::uint32_t cell : map.freeCells) {
-    const Point at = pose(map.placeOf(cell));
-    places.push_back(squareAt(at.x) * (std::int64_t(1) << 32) + squareAt(at.y));
+    const Point place = pose(map.placeOf(cell));
+    places.push_back(squareAt(place.x) * (std::int64_t(1) << 32) + squareAt(place.y));
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

@@ -16,8 +16,8 @@ std::vector<Transform2D> posesOfPatches(const WallMap& map, const FollowedWalls&
     double nearest = std::numeric_limits<double>::infinity();
     poses.push_back(followed.pose);
     for (const FollowedPatch& found : followed.patches) {
-      const double far = distance(map.patches[found.patch].middle, patch.middle);
-      if (found.layer == 0 && far < nearest) nearest = far, poses.back() = found.pose;
+      const double apart = distance(map.patches[found.patch].middle, patch.middle);
+      if (found.layer == 0 && apart < nearest) nearest = apart, poses.back() = found.pose;
     }
   }
   return poses;
@@ -30,35 +30,35 @@ bool isStraight(const WallMap& map, const WallPoint& wall) {
   for (const int first : {-steps, -steps / 2, 0}) {
     int gaps = 0;
     for (int step = first; step <= first + steps && 10 * gaps <= steps; ++step) {
-      const Point at = wall.place + double(step) * along;
-      const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, at), wall.normal);
-      gaps += !next || distance(next->place, at) >= kSameWall;
+      const Point place = wall.place + double(step) * along;
+      const WallPoint* next = nearestWall(map, cellIndexAt(map.frame, place), wall.normal);
+      gaps += !next || distance(next->place, place) >= kSameWall;
     }
     if (10 * gaps <= steps) return true;
   }
   return false;
 }
 
-/** What `in` has at a place, where maps bend. */
-WallSighting sightingAt(const WallMap& in, Point at, Point normal) {
-  const std::size_t cell = cellIndexAt(in.frame, at);
-  if (cell >= in.states.size()) return WallSighting::unknown;
-  const WallPoint* wall = nearestWall(in, cell, normal);
-  if (wall && distance(wall->place, at) < kSameWhereBent) return WallSighting::found;
-  return in.depths[cell] > kSameWhereBent ? WallSighting::free : WallSighting::unknown;
+/** What the other map has at a place, where maps bend. */
+WallSighting sightingAt(const WallMap& other, Point place, Point normal) {
+  const std::size_t cell = cellIndexAt(other.frame, place);
+  if (cell >= other.states.size()) return WallSighting::unknown;
+  const WallPoint* wall = nearestWall(other, cell, normal);
+  if (wall && distance(wall->place, place) < kSameWhereBent) return WallSighting::found;
+  return other.depths[cell] > kSameWhereBent ? WallSighting::free : WallSighting::unknown;
 }
 
 }  // namespace
 
-std::vector<WallSighting> sightWalls(const WallMap& of, const WallMap& in,
+std::vector<WallSighting> sightWalls(const WallMap& map, const WallMap& other,
                                      const FollowedWalls& followed) {
-  std::vector<WallSighting> seen(of.walls.size(), WallSighting::unknown);
+  std::vector<WallSighting> seen(map.walls.size(), WallSighting::unknown);
   if (followed.patches.empty()) return seen;
-  const std::vector<Transform2D> poses = posesOfPatches(of, followed);
+  const std::vector<Transform2D> poses = posesOfPatches(map, followed);
   for (std::size_t p = 0; p < poses.size(); ++p) {
     const Motion2D motion(poses[p]);
-    for (const std::uint32_t i : of.patches[p].own)
-      seen[i] = sightingAt(in, motion(of.walls[i].place), motion.turned(of.walls[i].normal));
+    for (const std::uint32_t i : map.patches[p].own)
+      seen[i] = sightingAt(other, motion(map.walls[i].place), motion.turned(map.walls[i].normal));
   }
   return seen;
 }

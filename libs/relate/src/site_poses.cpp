@@ -13,10 +13,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kConverged = 1e-9;
-constexpr int kMaxSteps = 50;
-constexpr std::size_t kSparseFrom = 60;  // runs, whose pairs are few beside what could be
-
 /** The pair's pose as seen from run `from`: from <- other. */
 Transform2D seenFrom(const PairPose& pair, std::size_t from) {
   return pair.a == from ? pair.pose : pair.pose.inverse();
@@ -116,7 +112,7 @@ class NormalEquations {
   }
 
   Eigen::VectorXd solution() const {
-    if (n_ >= 3 * Eigen::Index(kSparseFrom)) {
+    if (n_ >= 3 * 60) {  // the pairs of so many runs are few beside what could be
       Eigen::SparseMatrix<double> h(n_, n_);
       h.setFromTriplets(terms_.begin(), terms_.end());
       return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
@@ -176,8 +172,8 @@ SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::s
   const UsedPairs used = usedPairs(runs, pairs);
   SitePoses out;
   out.runs = tree(pairs, used, reference);
-  for (int i = 0; i < kMaxSteps; ++i)
-    if (step(pairs, used, reference, out.runs) < kConverged) break;
+  for (int i = 0; i < 50; ++i)
+    if (step(pairs, used, reference, out.runs) < 1e-9) break;
   for (const PairPose& pair : pairs) {
     const SitePose &a = out.runs[pair.a], &b = out.runs[pair.b];
     const bool isPlaced = a.isPlaced && b.isPlaced;

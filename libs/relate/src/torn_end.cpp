@@ -4,16 +4,17 @@
 
 #include "fitted_relate.h"
 #include "roomgraph/align/find_scan.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/sight_walls.h"
 
 namespace roomgraph {
 namespace {
 
-std::vector<std::uint32_t> contradicted(const WallMap& of, const WallMap& in,
+std::vector<std::uint32_t> contradicted(const WallMap& map, const WallMap& other,
                                         const FollowedWalls& followed,
                                         const std::vector<bool>& isFound) {
-  const std::vector<WallSighting> seen = sightWalls(of, in, followed);
+  const std::vector<WallSighting> seen = sightWalls(map, other, followed);
   std::vector<std::uint32_t> walls;
   for (std::uint32_t k = 0; k < seen.size(); ++k)
     if (seen[k] == WallSighting::free && !isFound[k]) walls.push_back(k);
@@ -26,19 +27,19 @@ std::vector<std::uint32_t> patchesWith(const std::vector<std::uint32_t>& walls,
   const auto isOne = [&](std::uint32_t k) {
     return std::binary_search(walls.begin(), walls.end(), k);
   };
-  std::vector<std::uint32_t> with;
+  std::vector<std::uint32_t> found;
   for (std::uint32_t patch = 0; patch < patches.size(); ++patch)
     if (std::any_of(patches[patch].own.begin(), patches[patch].own.end(), isOne))
-      with.push_back(patch);
-  return with;
+      found.push_back(patch);
+  return found;
 }
 
 /** Where a scan fits, if in one place only. */
-std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& in,
+std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& other,
                                    const Transform2D& drawn) {
-  const auto fits = findScan(scan, in, drawn, fitted::kTornAway, fitted::kTornPlaces);
+  const auto fits = findScan(scan, other, drawn, fitted::kTornAway, fitted::kTornPlaces);
   const auto best = bestOf(fits);
-  if (best == fits.end() || best->quality < kMajority || best->known < fitted::kSureShare ||
+  if (best == fits.end() || best->quality < kMajority || best->known < kSureQuality ||
       best->hold < fitted::kTornHold)
     return std::nullopt;
   const bool isAmbiguous = std::any_of(fits.begin(), fits.end(), [&](const ScanFit& fit) {
@@ -49,21 +50,21 @@ std::optional<Transform2D> placeOf(const LocalScan& scan, const WallMap& in,
 
 }  // namespace
 
-std::optional<TornEnd> findTornEnd(const WallMap& of, const WallMap& in,
+std::optional<TornEnd> findTornEnd(const WallMap& map, const WallMap& other,
                                    const FollowedWalls& followed,
                                    const std::vector<bool>& isFound) {
-  const std::vector<std::uint32_t> walls = contradicted(of, in, followed, isFound);
+  const std::vector<std::uint32_t> walls = contradicted(map, other, followed, isFound);
   if (walls.size() < fitted::kFewestContradicted) return std::nullopt;
   Point sum;
-  for (const std::uint32_t k : walls) sum = sum + of.walls[k].place;
+  for (const std::uint32_t k : walls) sum = sum + map.walls[k].place;
   const Point middle = 1 / double(walls.size()) * sum;
   LocalScan stretch;  // as seen from its middle
   for (const std::uint32_t k : walls)
-    stretch.walls.push_back({of.walls[k].place - middle, of.walls[k].normal});
+    stretch.walls.push_back({map.walls[k].place - middle, map.walls[k].normal});
   const Transform2D toMiddle{middle.x, middle.y, 0};
-  const auto place = placeOf(stretch, in, followed.pose * toMiddle);
+  const auto place = placeOf(stretch, other, followed.pose * toMiddle);
   if (!place) return std::nullopt;
-  return TornEnd{patchesWith(walls, of.patches), *place * toMiddle.inverse()};
+  return TornEnd{patchesWith(walls, map.patches), *place * toMiddle.inverse()};
 }
 
 }  // namespace roomgraph

@@ -96,7 +96,7 @@ class Carrier {
   }
 
   void judge(const Place& place, const Route& route, CarriedPlace& carried) const {
-    const Point at = carried.pose->shift(), was = place.pose.shift();
+    const Point point = carried.pose->shift(), was = place.pose.shift();
     const auto flag = [&](CarryState state, const std::string& reason) {
       carried.state = state, carried.reason = reason;
     };
@@ -105,9 +105,10 @@ class Carrier {
       return flag(CarryState::unseen,
                   formatted("the new map was made no nearer than %.1f m", route.onward.nearest));
     const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
-    if (wasFree && stateAt(new_, at) == State::occupied && !isFreeNear(new_, at, 3 * carried.error))
+    if (wasFree && stateAt(new_, point) == State::occupied &&
+        !isFreeNear(new_, point, 3 * carried.error))
       return flag(CarryState::gone, "what was free is a wall now");
-    if (wasFree && stateAt(new_, at) == State::occupied)
+    if (wasFree && stateAt(new_, point) == State::occupied)
       return flag(CarryState::unsure, "it lies in a wall, with free space beside it");
     if (const std::string doubt = doubtOf(place, route, carried); !doubt.empty())
       return flag(CarryState::unsure, doubt);
@@ -123,16 +124,16 @@ class Carrier {
       return "the old map shows no free space there";
     const LocalScan view = viewFrom(old_, place.pose, fitted::kViewRange);
     if (!view.isTelling()) return doubtUnseen(place, route, carried);
-    const Transform2D& at = *carried.pose;
-    const ScanFit here = fitNear(view, new_, at);
+    const Transform2D& pose = *carried.pose;
+    const ScanFit here = fitNear(view, new_, pose);
     if (here.known < kMajority) return "the new map has hardly seen what lies around it";
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
-    const double off = distance(here.pose.shift(), at.shift());
+    const double off = distance(here.pose.shift(), pose.shift());
     if (off > fitted::kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
-    for (const ScanFit& other : findScan(view, new_, at, fitted::kRivalWindow, 1))
+    for (const ScanFit& other : findScan(view, new_, pose, fitted::kRivalWindow, 1))
       if (other.score * kRivalScore > here.score)
         return formatted("what lies around it fits better %.1f m beside",
-                         distance(other.pose.shift(), at.shift()));
+                         distance(other.pose.shift(), pose.shift()));
     return isPlaceSure_ || !looksAlikeElsewhere(place, view, here)
                ? ""
                : "the maps may lie in each other otherwise";

@@ -46,7 +46,6 @@ constexpr PoseTolerance kRivalWindow{0.3, 2.5};  // where rivals are looked for
 
 // The shape of what is carried.
 constexpr std::size_t kNeighbours = 8;
-constexpr int kPasses = 10;  // shreds are narrow: few are enough
 
 // Zones of a mask.
 constexpr double kBlock = 0.5;  // side of the squares whose corners are carried [m]

@@ -14,9 +14,9 @@ class PlaceIndex {
  public:
   explicit PlaceIndex(std::vector<Place>& places) : places_(places) {}
 
-  std::size_t operator()(Point at, bool isCorner) {
-    const auto [known, isNew] = known_.emplace(std::make_pair(at, isCorner), places_.size());
-    if (isNew) places_.push_back({"", {at.x, at.y, 0}, isCorner});
+  std::size_t operator()(Point place, bool isCorner) {
+    const auto [known, isNew] = known_.emplace(std::make_pair(place, isCorner), places_.size());
+    if (isNew) places_.push_back({"", {place.x, place.y, 0}, isCorner});
     return known->second;
   }
 

@@ -33,7 +33,7 @@ std::vector<std::vector<std::size_t>> neighboursOf(const std::vector<Transform2D
 std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses) {
   const auto neighbours = neighboursOf(were);
   std::vector<bool> hasMoved(were.size());
-  for (int pass = 0; pass < fitted::kPasses; ++pass) {
+  for (int pass = 0; pass < 10; ++pass) {  // shreds are narrow: few are enough
     const std::vector<Transform2D> before = poses;
     bool isDone = true;
     for (std::size_t i = 0; i < were.size(); ++i) {
@@ -41,9 +41,9 @@ std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Tr
       std::vector<Transform2D> words;
       for (const std::size_t k : neighbours[i])
         words.push_back(before[k] * were[k].inverse() * were[i]);
-      const auto agreeing = [&](const Transform2D& at) {
+      const auto agreeing = [&](const Transform2D& pose) {
         return std::size_t(std::count_if(words.begin(), words.end(), [&](const Transform2D& word) {
-          return distance(word.shift(), at.shift()) < BendField::kSameCopy;
+          return distance(word.shift(), pose.shift()) < BendField::kSameCopy;
         }));
       };
       for (const Transform2D& word : words) {

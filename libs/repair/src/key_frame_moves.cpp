@@ -19,9 +19,9 @@ PlanarCovariance between(const PlanarCovariance& l, const PlanarCovariance& r, d
 Transform2D between(const Transform2D& one, const Transform2D& other, double share,
                     const Transform2D& pose) {
   const Transform2D from = one * pose, to = other * pose;
-  const Point at = (1 - share) * from.shift() + share * to.shift();
+  const Point place = (1 - share) * from.shift() + share * to.shift();
   const double turn = wrappedAngle(to.phi - from.phi);
-  return Transform2D{at.x, at.y, wrappedAngle(from.phi + share * turn)} * pose.inverse();
+  return Transform2D{place.x, place.y, wrappedAngle(from.phi + share * turn)} * pose.inverse();
 }
 
 Transform2D planar(const StoredPose& pose) {

@@ -80,14 +80,14 @@ class Merger {
 
   /** What the runs that have seen a cell well, but this one, say of a beam that ends there: it is
    *  contradicted if most look through all around it. */
-  Word othersOn(std::size_t r, Cell at, const std::vector<CellVotes>& votes) const {
+  Word othersOn(std::size_t r, Cell cell, const std::vector<CellVotes>& votes) const {
     std::size_t free = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
-      if (other == r || votes[other].seen(frame_.index(at)) < fitted::kSureBeams) continue;
+      if (other == r || votes[other].seen(frame_.index(cell)) < fitted::kSureBeams) continue;
       double most = 0;
       for (int x = -2; x <= 2; ++x)
         for (int y = -2; y <= 2; ++y)
-          if (const Cell near{at.x + x, at.y + y}; frame_.contains(near))
+          if (const Cell near{cell.x + x, cell.y + y}; frame_.contains(near))
             most = std::max(most, votes[other].wallShare(frame_.index(near)));
       ++known, free += most <= fitted::kClearlyFree;
     }

@@ -99,8 +99,8 @@ class Mask {
   /** Of a point in cells of the picture. */
   Place placeOf(Point inPicture) const {
     const Transform2D corner{yaml_.origin.x, yaml_.origin.y, yaml_.yaw};
-    const Point at = corner(yaml_.resolution * inPicture);
-    return {"", {at.x, at.y, 0}};
+    const Point place = corner(yaml_.resolution * inPicture);
+    return {"", {place.x, place.y, 0}};
   }
 
   std::pair<int, int> blockOf(Cell cell) const { return {cell.x / block_, cell.y / block_}; }
@@ -185,7 +185,7 @@ class Mask {
         const Cell other{cell.x + side, cell.y + 1};
         if (!std::binary_search(regions_[i].begin(), regions_[i].end(), indexOf(other))) continue;
         passBeam(frame, middleOf(bent, cell), middleOf(bent, other),
-                 [&](std::size_t at) { mark(at, level); });
+                 [&](std::size_t index) { mark(index, level); });
       }
     }
   }
@@ -200,11 +200,11 @@ class Mask {
   }
 
   Json regionJson(std::size_t i, const CarriedThing& carried) const {
-    const Point at =
+    const Point place =
         carried.poses[(carried.poses.size() - cornersOf(regions_[i]).size()) / 2].shift();
     Json json = {
-        {"x", rounded(at.x)},
-        {"y", rounded(at.y)},
+        {"x", rounded(place.x)},
+        {"y", rounded(place.y)},
         {"area_m2", rounded(double(regions_[i].size()) * yaml_.resolution * yaml_.resolution)},
         {"state", nameOf(carried.state)}};
     if (carried.error) json["error_m"] = rounded(*carried.error);

@@ -20,7 +20,6 @@ namespace roomgraph {
 namespace {
 
 constexpr const char* kSaveInJosm = "save it in JOSM as .osm";
-constexpr double kMostOff = 1e5;  // from the root, as far as the Earth is flat [m]
 
 using Attributes = std::vector<std::pair<std::string, std::string>>;
 
@@ -75,8 +74,8 @@ class OsmParser {
   static void onEnd(void* self, const XML_Char* name) { static_cast<OsmParser*>(self)->end(name); }
 
   Span here() const {
-    const std::size_t at = std::size_t(XML_GetCurrentByteIndex(parser_.get()));
-    return {at, at + std::size_t(XML_GetCurrentByteCount(parser_.get()))};
+    const std::size_t index = std::size_t(XML_GetCurrentByteIndex(parser_.get()));
+    return {index, index + std::size_t(XML_GetCurrentByteCount(parser_.get()))};
   }
 
   void start(const std::string& name, const XML_Char** attributes) {
@@ -135,12 +134,12 @@ class Edits {
 
   std::string applied(const std::string& text) const {
     std::string result;
-    std::size_t at = 0;
+    std::size_t index = 0;
     for (const auto& [begin, edit] : edits_) {
-      result += text.substr(at, begin - at) + edit.second;
-      at = edit.first;
+      result += text.substr(index, begin - index) + edit.second;
+      index = edit.first;
     }
-    return result + text.substr(at);
+    return result + text.substr(index);
   }
 
  private:
@@ -194,7 +193,7 @@ class OsmFile {
 
   void addNode(const Element& node, const std::string& file) {
     const Point place = origin_.placeAt(degrees(node, "lat", file), degrees(node, "lon", file));
-    if (norm(place) > kMostOff)
+    if (norm(place) > 1e5)  // so far the Earth is flat
       refuse(file, formatted("the node in line %zu is more than 100 km from its root", node.line),
              "put the root where the map lies");
     nodes_[node.attribute("id")] = {&node, places_.size()};

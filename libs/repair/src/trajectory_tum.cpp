@@ -38,10 +38,10 @@ std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>
   for (std::size_t k = 0; k < stored.frames.size(); ++k) {
     const StoredPose& pose = stored.frames[k];
     const Transform2D& motion = moves[k].motion;
-    const Point at = motion({pose.place[0], pose.place[1]});
+    const Point place = motion({pose.place[0], pose.place[1]});
     const Point xy = turned({pose.turn[0], pose.turn[1]}, motion.phi / 2);
     const Point wz = turned({pose.turn[3], pose.turn[2]}, motion.phi / 2);
-    text += formatted("%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", times[k], at.x, at.y,
+    text += formatted("%.6f %.6f %.6f %.6f %.9f %.9f %.9f %.9f\n", times[k], place.x, place.y,
                       pose.place[2], xy.x, xy.y, wz.y, wz.x);
   }
   return text;

@@ -22,10 +22,10 @@ bool isInSight(const WallMap& map, Point from, Point wall) {
 
 }  // namespace
 
-LocalScan viewFrom(const WallMap& map, const Transform2D& at, double range) {
+LocalScan viewFrom(const WallMap& map, const Transform2D& pose, double range) {
   LocalScan view;
-  const Point eye = at.shift();
-  const Motion2D back(at.inverse());
+  const Point eye = pose.shift();
+  const Motion2D back(pose.inverse());
   for (const WallPoint& wall : map.walls)
     if (squaredNorm(wall.place - eye) < range * range && dot(wall.normal, eye - wall.place) > 0 &&
         isInSight(map, eye, wall.place))

@@ -14,26 +14,33 @@ bool isTrue(const JsonNode& node) {
   return node.json.get<bool>();
 }
 
+/** What `read` makes of the node; none of null. */
+template <class Read>
+auto ifAny(const JsonNode& node, const Read& read) {
+  return node.json.is_null() ? std::nullopt : std::optional(read(node));
+}
+
 std::optional<double> numberIfAny(const JsonNode& node) {
-  return node.json.is_null() ? std::nullopt : std::optional(node.number());
+  return ifAny(node, [](const JsonNode& known) { return known.number(); });
 }
 
-std::optional<std::string> textIfAny(const JsonNode& node) {
-  return node.json.is_null() ? std::nullopt : std::optional(node.text());
+std::vector<std::string> texts(const JsonNode& node) {
+  std::vector<std::string> texts;
+  for (const JsonNode& one : node.list()) texts.push_back(one.text());
+  return texts;
 }
 
-constexpr std::size_t kMostCounted = 1'000'000'000;
+/** Files of an earlier version have none. */
+std::vector<std::string> textsIfAny(const JsonNode& node, const char* key) {
+  return node.contains(key) ? texts(node[key]) : std::vector<std::string>();
+}
 
-std::size_t count(const JsonNode& node) { return node.countBelow(kMostCounted); }
+std::size_t count(const JsonNode& node) { return node.countBelow(1'000'000'000); }
 
 Transform2D pose(const JsonNode& node) {
   const std::vector<JsonNode> numbers = node.list();
   if (numbers.size() != 3) throw Broken{node.place, "is not a pose [x, y, phi]"};
   return {readCoordinate(numbers[0]), readCoordinate(numbers[1]), numbers[2].number()};
-}
-
-std::optional<Transform2D> poseIfAny(const JsonNode& node) {
-  return node.json.is_null() ? std::nullopt : std::optional(pose(node));
 }
 
 /** "name" of each member, in the order of the file. */
@@ -74,10 +81,6 @@ std::optional<RunScore> score(const JsonNode& node) {
   return score;
 }
 
-std::optional<std::size_t> countIfAny(const JsonNode& node) {
-  return node.json.is_null() ? std::nullopt : std::optional(count(node));
-}
-
 PathPose pathPose(const JsonNode& node) {
   return {count(node["key_frame"]),
           numberIfAny(node["time"]),
@@ -105,7 +108,7 @@ ComparedPair pair(const JsonNode& node) {
   ComparedPair pair;
   pair.a = node["a"].text(), pair.b = node["b"].text();
   pair.isSameSite = isTrue(node["same_site"]);
-  pair.transform = poseIfAny(node["transform"]);
+  pair.transform = ifAny(node["transform"], pose);
   pair.confidence = node["confidence"].number(), pair.overlap = node["overlap"].number();
   if (const JsonNode next = node["runner_up"]; !next.json.is_null()) {
     pair.runnerUp = pose(next["transform"]);
@@ -121,19 +124,16 @@ ComparedPair pair(const JsonNode& node) {
   return pair;
 }
 
-std::optional<TornPose> tornPose(const JsonNode& drawn, const JsonNode& untorn) {
-  if (drawn.json.is_null()) return std::nullopt;
-  return TornPose{pose(drawn), pose(untorn)};
-}
-
 MapBreak mapBreak(const JsonNode& node) {
   return {node["run"].text(),
           {readCoordinate(node["x"]), readCoordinate(node["y"])},
           node["rotation_deg"].number() * M_PI / 180,
           node["shift_m"].number(),
-          countIfAny(node["key_frame"]),
+          ifAny(node["key_frame"], count),
           numberIfAny(node["time"]),
-          tornPose(node["pose_drawn"], node["pose_untorn"])};
+          ifAny(node["pose_drawn"], [&](const JsonNode& drawn) {
+            return TornPose{pose(drawn), pose(node["pose_untorn"])};
+          })};
 }
 
 RoomSighting sighting(const JsonNode& node) {
@@ -153,14 +153,6 @@ RoomInRun roomInRun(const JsonNode& node) {
   return in;
 }
 
-/** Files of an earlier version have none. */
-std::vector<std::string> textsIfAny(const JsonNode& node, const char* key) {
-  std::vector<std::string> texts;
-  if (!node.contains(key)) return texts;
-  for (const JsonNode& one : node[key].list()) texts.push_back(one.text());
-  return texts;
-}
-
 SiteRoom room(const JsonNode& node) {
   SiteRoom room;
   room.id = node["id"].text(), room.name = node["name"].text();
@@ -171,7 +163,7 @@ SiteRoom room(const JsonNode& node) {
   for (const JsonNode& door : node["doors"].list())
     room.doors.push_back({{readCoordinate(door["x"]), readCoordinate(door["y"])},
                           door["width"].number(),
-                          textIfAny(door["to"]).value_or(""),
+                          door["to"].json.is_null() ? "" : door["to"].text(),
                           textsIfAny(door, "seen_in"),
                           textsIfAny(door, "lost_in")});
   for (const JsonNode& in : node["runs"].list()) room.runs.push_back(roomInRun(in));
@@ -190,26 +182,20 @@ UsedOption option(const std::string& section, const std::string& name, const Jso
 
 std::optional<GateVerdict> gate(const JsonNode& node) {
   if (node.json.is_null()) return std::nullopt;
-  const auto lines = [&](const char* key) {
-    std::vector<std::string> texts;
-    for (const JsonNode& line : node[key].list()) texts.push_back(line.text());
-    return texts;
-  };
-  // Files of earlier versions have the complaints alone.
-  const bool isWhole = node.contains("candidates") && node.contains("asked");
-  if (!isWhole) return GateVerdict{lines("complaints"), {}, {}};
-  GateVerdict verdict{lines("complaints"), lines("candidates"), lines("asked"), {}};
-  if (node.contains("margins")) verdict.margins = lines("margins");
-  return verdict;
+  const std::vector<std::string> complaints = texts(node["complaints"]);
+  // Files of earlier versions have these alone.
+  if (!node.contains("candidates") || !node.contains("asked"))
+    return GateVerdict{complaints, {}, {}};
+  return GateVerdict{complaints, texts(node["candidates"]), texts(node["asked"]),
+                     textsIfAny(node, "margins")};
 }
 
 Comparison comparison(const JsonNode& top) {
   if (top["version"].json != 1)
     throw Broken{"version", "is not 1, the only one this program reads"};
   Comparison result;
-  result.reference = textIfAny(top["reference"]);
-  if (top.contains("core"))
-    for (const JsonNode& name : top["core"].list()) result.core.push_back(name.text());
+  result.reference = ifAny(top["reference"], [](const JsonNode& name) { return name.text(); });
+  result.core = textsIfAny(top, "core");
   for (const JsonNode& node : top["runs"].list()) result.runs.push_back(run(node));
   for (const JsonNode& node : top["pairs"].list()) result.pairs.push_back(pair(node));
   for (const JsonNode& node : top["left_out"].list())
@@ -221,7 +207,7 @@ Comparison comparison(const JsonNode& top) {
     for (const auto& [name, node] : members(keys))
       result.options.push_back(option(section, name, node));
   result.gate = gate(top["gate"]);
-  for (const JsonNode& file : top["files"].list()) result.files.push_back(file.text());
+  result.files = texts(top["files"]);
   result.verdict = top["verdict"].text();
   return result;
 }

@@ -6,8 +6,8 @@ namespace roomgraph {
 namespace {
 
 Vertex borderVertex(const Path& before, const Stretch& a, const Stretch& b) {
-  const Point at = before.points.back();
-  return {at, distance(at, before.obstacles.back()), VertexKind::border,
+  const Point place = before.points.back();
+  return {place, distance(place, before.obstacles.back()), VertexKind::border,
           std::min(a.room, b.room)};  // none sorts last
 }
 

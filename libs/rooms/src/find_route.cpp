@@ -68,13 +68,13 @@ Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place)
     const Polyline& points = graph.graph.edges()[e].path.points;
     double along = 0;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const Point at = nearestOnSegment(place, points[i], points[i + 1]);
-      const double off = distance(at, place);
+      const Point point = nearestOnSegment(place, points[i], points[i + 1]);
+      const double off = distance(point, place);
       if (off < least.second || least.first) {
-        const bool isElsewhere = best.area && areaAt(areas, at) != best.area;
+        const bool isElsewhere = best.area && areaAt(areas, point) != best.area;
         if (std::pair(isElsewhere, off) < least) {
           least = {isElsewhere, off};
-          best.edge = EdgeId(e), best.along = along + distance(points[i], at), best.on = at;
+          best.edge = EdgeId(e), best.along = along + distance(points[i], point), best.on = point;
         }
       }
       along += distance(points[i], points[i + 1]);

@@ -152,8 +152,8 @@ class Hall {
     frame.height = int((box.high.y - frame.origin.y) / side) + 1;
     std::vector<Place> places;
     for (const Cell cell : cellsIn(room_.polygon, frame)) {
-      const Point at = middle + side * Point{cell.x - left, cell.y - below};
-      if (obstacles_.clearance(at, at, side) >= side) places.push_back({at, {}});
+      const Point point = middle + side * Point{cell.x - left, cell.y - below};
+      if (obstacles_.clearance(point, point, side) >= side) places.push_back({point, {}});
     }
     return places;
   }
@@ -185,16 +185,16 @@ class Hall {
   }
 
   /** Of the place on the ways that is nearest to `at`. */
-  VertexId vertexAt(Point at) {
+  VertexId vertexAt(Point point) {
     PlaceOnPath best;
     double offset = std::numeric_limits<double>::infinity();
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       const Path& path = edges_[e].path;
       double along = 0;
       for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
-        const Point place = nearestOnSegment(at, path.points[i], path.points[i + 1]);
-        if (distance(place, at) < offset) {
-          offset = distance(place, at);
+        const Point place = nearestOnSegment(point, path.points[i], path.points[i + 1]);
+        if (distance(place, point) < offset) {
+          offset = distance(place, point);
           best = {EdgeId(e), std::min(path.length, along + distance(path.points[i], place))};
         }
         along += distance(path.points[i], path.points[i + 1]);

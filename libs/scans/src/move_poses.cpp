@@ -10,7 +10,7 @@ namespace {
 
 /** Numbers one after the other, in the order of a matrix by rows. */
 struct Numbers {
-  std::size_t at = 0;
+  std::size_t begin = 0;
   bool areDouble = true;
 };
 
@@ -60,24 +60,24 @@ class Mover {
 
  private:
   double number(const Numbers& numbers, std::size_t index) const {
-    if (!numbers.areDouble) return double(value<float>(numbers.at + index * sizeof(float)));
-    return value<double>(numbers.at + index * sizeof(double));
+    if (!numbers.areDouble) return double(value<float>(numbers.begin + index * sizeof(float)));
+    return value<double>(numbers.begin + index * sizeof(double));
   }
   void set(const Numbers& numbers, std::size_t index, double to) {
     if (numbers.areDouble)
-      put(numbers.at + index * sizeof(double), to);
+      put(numbers.begin + index * sizeof(double), to);
     else
-      put(numbers.at + index * sizeof(float), float(to));
+      put(numbers.begin + index * sizeof(float), float(to));
   }
   template <class T>
-  T value(std::size_t at) const {
+  T value(std::size_t index) const {
     T result;
-    std::memcpy(&result, content_.data + at, sizeof result);
+    std::memcpy(&result, content_.data + index, sizeof result);
     return result;
   }
   template <class T>
-  void put(std::size_t at, T value) {
-    std::memcpy(bytes_.data() + at, &value, sizeof value);
+  void put(std::size_t index, T value) {
+    std::memcpy(bytes_.data() + index, &value, sizeof value);
   }
 
   /** Turns two numbers that are the x and y of a vector. */

@@ -25,9 +25,8 @@ struct ScanWalls {
   std::optional<double> time;    ///< see Keyframe
   std::uint64_t scanId = 0;      ///< see Keyframe
 
-  [[nodiscard]] Point at() const {
-    return pose.shift();
-  }  ///< where the robot was [m, frame of the run]
+  /** Where it was [m, frame of the run]. */
+  [[nodiscard]] Point robot() const { return pose.shift(); }
 };
 
 /** Ends of neighbouring beams this near to each other are of one wall, up to 4 m away; farther off

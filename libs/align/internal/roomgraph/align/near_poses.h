@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
 
@@ -24,11 +26,18 @@ constexpr PoseTolerance kBesideItself{0.3, 3.0};      ///< what tracking finds, 
 constexpr PoseTolerance kRoughly{0.35, 3.0};          ///< what is right before it is solved for
 constexpr PoseTolerance kAsMapsBend{0.45, 6.0};       ///< a pair beside its poses in the site
 
-/** Whether two poses turn alike, and carry `at` to about the same place. */
-inline bool areNear(const Transform2D& l, const Transform2D& r, Point at,
+/** Whether two poses turn alike, and carry `place` to about the same one. */
+inline bool areNear(const Transform2D& l, const Transform2D& r, Point place,
                     const PoseTolerance& within) {
   return std::abs(wrappedAngle(l.phi - r.phi)) < within.turn &&
-         distance(l(at), r(at)) < within.place;
+         distance(l(place), r(place)) < within.place;
+}
+
+/** Whether this is so of one of several poses. */
+inline bool isNearAny(const std::vector<Transform2D>& poses, const Transform2D& pose, Point place,
+                      const PoseTolerance& within) {
+  return std::any_of(poses.begin(), poses.end(),
+                     [&](const Transform2D& other) { return areNear(other, pose, place, within); });
 }
 
 }  // namespace roomgraph

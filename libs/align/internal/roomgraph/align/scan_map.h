@@ -12,15 +12,13 @@ namespace roomgraph {
 // Out:  WallMap
 // Next: findScan
 
-/** Beyond it beams are too far apart to draw walls [m]. */
-constexpr double kDrawnRange = 15;
-
 /** The map that a few scans draw: what walls and free space can be looked up in, without patches
  *  and all that a whole map tells of itself. `chosen` are places in `scans`, which lie at `poses`
- *  (map <- robot); walls farther than `range` [m] from the robot are left out. Without walls where
- *  the scans have none there. O(walls + cells within `range`). */
+ *  (map <- robot); walls farther than `range` [m] from the robot, where beams are too far apart
+ *  to draw them, are left out. Without walls where the scans have none there. O(walls + cells
+ *  within `range`). */
 WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses,
-                const std::vector<std::size_t>& chosen, double range = kDrawnRange);
+                const std::vector<std::size_t>& chosen, double range = 15);
 
 /** The map that successive scans of a run draw, from `first` to before `end`, in the frame of the
  *  run: with all that alignMaps needs. Cost: that of scanMap and addLookUp. */

@@ -1,5 +1,5 @@
 #pragma once
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/Look.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -23,12 +23,8 @@ struct AlignmentEvidence {
   double freeOnWall = 0;  ///< share of `common` that is wall in the other, 0 to 1
 };
 
-/** Enough for a pose that is to be as good as it can be. */
-constexpr int kVerifyPoints = 1000;
-
-/** Looks up each map's walls in the other, at most `maxPoints` of each, and each map's free space.
- *  `noise`: how far apart the same wall lies in good maps [m]. O(points). */
+/** Looks up each map's walls in the other, and each map's free space. O(points). */
 AlignmentEvidence verifyAlignment(const WallMap& a, const WallMap& b, const Transform2D& pose,
-                                  double noise = kWallNoise, int maxPoints = kVerifyPoints);
+                                  const Look& look = kCloseLook);
 
 }  // namespace roomgraph

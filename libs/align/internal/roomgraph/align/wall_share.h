@@ -8,6 +8,8 @@ namespace roomgraph {
 constexpr double kDoubt = 5;
 /** Fewer tell no pose of their own. */
 constexpr std::size_t kFewestPoints = 15;
+/** Share of them that is found from which on no other pose is looked for. */
+constexpr double kSureQuality = 0.7;
 /** Of every so manyth point are poses told by that are only compared. */
 constexpr std::size_t kQuickStride = 3;
 

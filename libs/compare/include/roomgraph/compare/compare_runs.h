@@ -17,9 +17,6 @@ struct MapPairs;
 // Out:  Comparison
 // Next: comparisonJson, comparisonReport
 
-/** See CompareRunsOptions::core. */
-constexpr int kCoreRuns = 12;
-
 struct CompareRunsOptions {
   bool areAligned = false;                ///< all maps are in one frame already
   std::optional<std::size_t> reference;   ///< the run to measure the others against
@@ -31,7 +28,7 @@ struct CompareRunsOptions {
   ForEach forEach = oneByOne;  ///< changes no number
   /** Up to so many runs are related each to each; of more, so many work out the consensus, and the
    *  others are held against it, see relateRuns. At least 3. */
-  int core = kCoreRuns;
+  int core = 12;
 };
 
 /** Relates the runs, places them in one frame, scores and measures each, and says which is best.
