@@ -18,7 +18,7 @@ struct TornEnd {
   Transform2D pose;                    ///< other <- map
 };
 
-/** Looks together, within 8 m and at any turn, for the walls of `map` that are not found and lie
+/** Looks together, within 3 m and at any turn, for the walls of `map` that are not found and lie
  *  where `other` shows free space: those of a stretch that was drawn in a wrong place fit as one,
  *  unlike furniture that has moved. None where they are few, or fit in several places. O(walls),
  *  and 0.1 s where there are enough. */
