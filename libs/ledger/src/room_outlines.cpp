@@ -21,8 +21,8 @@ void keepFar(const Ring& ring, std::size_t from, std::size_t to, double toleranc
     double most = tolerance;
     std::size_t corner = low;
     for (std::size_t i = low + 1; i < high; ++i) {
-      const double length = distanceToSegment(ring[i], ring[low], ring[high % ring.size()]);
-      if (length > most) most = length, corner = i;
+      const double off = distanceToSegment(ring[i], ring[low], ring[high % ring.size()]);
+      if (off > most) most = off, corner = i;
     }
     if (corner == low) continue;
     isKept[corner] = true;

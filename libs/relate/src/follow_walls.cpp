@@ -278,10 +278,9 @@ class Follower {
   const WallMap &map_, &other_;
   const WallPatches& patches_;
   static constexpr int kNone = -1;
-  std::vector<int> foundIn_;  // the layer that has found a wall point of the map
-  std::vector<int>
-      explainedIn_;   // the first layer that has found one on this wall point of the other
-  double twice_ = 0;  // wall points of a layer on what another one explains
+  std::vector<int> foundIn_;      // the layer that has found a wall point of the map
+  std::vector<int> explainedIn_;  // the first layer to find one on this wall point of the other
+  double twice_ = 0;              // wall points of a layer on what another one explains
   std::vector<std::vector<std::uint32_t>> left_;  // of `around`, per patch
   std::vector<bool> isDone_;
   std::vector<double> queued_;  // best quality that waits, per patch

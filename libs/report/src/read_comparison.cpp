@@ -25,9 +25,9 @@ std::optional<double> numberIfAny(const JsonNode& node) {
 }
 
 std::vector<std::string> texts(const JsonNode& node) {
-  std::vector<std::string> texts;
-  for (const JsonNode& one : node.list()) texts.push_back(one.text());
-  return texts;
+  std::vector<std::string> all;
+  for (const JsonNode& one : node.list()) all.push_back(one.text());
+  return all;
 }
 
 /** Files of an earlier version have none. */

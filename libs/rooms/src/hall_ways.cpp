@@ -184,7 +184,7 @@ class Hall {
     return straightPath(obstacles_, place.way, place.at, 0);
   }
 
-  /** Of the place on the ways that is nearest to `at`. */
+  /** Of the place on the ways that is nearest to a point. */
   VertexId vertexAt(Point point) {
     PlaceOnPath best;
     double offset = std::numeric_limits<double>::infinity();
