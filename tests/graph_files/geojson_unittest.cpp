@@ -102,6 +102,18 @@ TEST(Geojson, roomsAreClosedPolygonsWithTheirHoles) {
   EXPECT_EQ(all.polygons[0]["properties"]["area"], 16.31);
 }
 
+TEST(Geojson, roomsHaveNoStairsOfOneCell) {
+  Stages stages = extractedStages();
+  const double cell = ObstacleRows(stages.obstacles).cellSide();
+  Ring& outer = stages.result.rooms[0].shape.polygon.outer;
+  outer = {{0, 0}, {40 * cell, 0}, {40 * cell, 40 * cell}};
+  for (int step = 39; step > 0; --step) {  // down a slanted wall, back to the first corner
+    outer.push_back({step * cell, (step + 1) * cell});
+    outer.push_back({step * cell, step * cell});
+  }
+  EXPECT_LE(features(geojsonOf(stages)).polygons[0]["geometry"]["coordinates"][0].size(), 6u);
+}
+
 TEST(Geojson, passagesAreLinesFromEndToEnd) {
   const Stages stages = sampleStages();
   const std::vector<Json> lines = features(geojsonOf(stages)).lines;

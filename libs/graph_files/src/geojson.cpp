@@ -103,9 +103,9 @@ class Writer {
 
   void addRoomPolygon(std::size_t r) {
     const Room& room = graph_.rooms[r].shape;
-    const double halfCell = obstacles_.cellSide() / 2;  // that much the map does not tell
-    std::string rings = "[" + closedRing(room.polygon.outer, halfCell);
-    for (const Ring& hole : room.polygon.holes) rings += "," + closedRing(hole, halfCell);
+    const double step = obstacles_.cellSide();  // of the stairs that a slanted or rough wall makes
+    std::string rings = "[" + closedRing(room.polygon.outer, step);
+    for (const Ring& hole : room.polygon.holes) rings += "," + closedRing(hole, step);
     Members properties;
     properties.add("room", r);
     if (!roomNames_.empty()) properties.add("name", lineOf(Json(roomNames_[r])));

@@ -27,7 +27,7 @@ namespace roomgraph {
  *  nearer to an obstacle, but no less than `clearance` [m]; speed_limit: for AdjustSpeedLimit [% of
  *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
- *  Polygons, off by half a cell at most, with room, area, inscribed_radius and, where there are
+ *  Polygons, off by a cell at most, with room, area, inscribed_radius and, where there are
  *  `roomNames` (by RoomId; more may follow), name; `passages` are LineStrings from end to end with
  *  passage (their number), width, confidence and evidence (Passage). nav2 skips both.
  *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
