@@ -17,7 +17,7 @@ TEST(CheckGate, errorsAndBreaksAreComplaints) {
   const auto complaints = complaintsOf(check, {0.3, true});
   ASSERT_EQ(complaints.size(), 2u);
   EXPECT_EQ(complaints[0], "its self error of 0.500 m is above 0.3 m");
-  EXPECT_EQ(complaints[1], "it is torn in 2 places");
+  EXPECT_EQ(complaints[1], "it breaks in 2 places");
   EXPECT_TRUE(complaintsOf(check, {0.5, false}).empty());
 }
 

@@ -137,7 +137,7 @@ TEST(CompareRuns, theBestRunThatHasSeenLittleIsSaidToHaveDoneSo) {
                                       run("b", bent(drawnBuilding(1, {}), 0.1)),
                                       run("c", bent(drawnBuilding(1, {}), 0.2))});
   ASSERT_EQ(result.runs[0].name, "a");
-  EXPECT_NE(result.verdict.find("it has seen"), std::string::npos) << result.verdict;
+  EXPECT_NE(result.verdict.find("But a has seen"), std::string::npos) << result.verdict;
 }
 
 TEST(CompareRuns, aSecondSiteAmongTheRunsIsNamed) {

@@ -72,7 +72,7 @@ TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
   Comparison unconfirmed = comparison, smeared = comparison, disputed = comparison;
   unconfirmed.runs[0].score->confirmed = 0.6;
   EXPECT_EQ(verdictOf(unconfirmed).find("a has the smallest error"), 0u);
-  EXPECT_NE(verdictOf(unconfirmed).find("but only 60 % of what it has drawn is borne out"),
+  EXPECT_NE(verdictOf(unconfirmed).find("But a has only 60 % of what it has drawn borne out"),
             std::string::npos);
   smeared.runs[0].score->jitter = 0.12;
   EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);
@@ -133,8 +133,10 @@ TEST(ReasonOf, saysWherePlacesAreDoubtful) {
   comparison.pairs[0].confidence = 0.7;
   const std::string said = verdictOf(comparison);
   EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(said.find("; but no pair that is sure joins it to most of the others"),
-            std::string::npos);
+  EXPECT_NE(said.find("m; b may be as good. But a is joined to most of the others by no pair that "
+                      "is sure."),
+            std::string::npos)
+      << said;
 }
 
 TEST(VerdictOf, aRunThatMayBeTheWorstIsNotCalledTheBest) {
@@ -148,7 +150,13 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
   partial.runs[0].measures = {{"coverage", 0.42, "1", 5000, {}, {}, true}};
   const std::string said = verdictOf(partial);
   EXPECT_EQ(said.rfind("a has the smallest error", 0), 0u) << said;
-  EXPECT_NE(said.find("it has seen only 42 %"), std::string::npos) << said;
+  EXPECT_NE(said.find(" m. But a has seen only 42 % of what at least two runs have seen."),
+            std::string::npos)
+      << said;
+  partial.runs[0].score->isMeaningful = false;
+  EXPECT_NE(verdictOf(partial).find("two runs have seen and has too little to judge by."),
+            std::string::npos);
+  partial.runs[0].score->isMeaningful = true;
   partial.runs[0].measures[0].isMeaningful = false;
   EXPECT_EQ(verdictOf(partial).rfind("a is the best map", 0), 0u) << "too little to say so";
 }

@@ -12,7 +12,7 @@ std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOpti
     complaints.push_back(
         formatted("its self error of %.3f m is above %g m", *check.selfError, *options.maxError));
   if (options.failsOnBreaks && !check.breaks.empty())
-    complaints.push_back("it is torn in " + counted(check.breaks.size(), "place", "places"));
+    complaints.push_back("it breaks in " + counted(check.breaks.size(), "place", "places"));
   if (options.failsOnDoubled && !check.doubled.empty())
     complaints.push_back("it has drawn " + counted(check.doubled.size(), "place", "places") +
                          " twice");

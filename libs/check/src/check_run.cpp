@@ -96,7 +96,7 @@ std::string sentenceOf(const RunCheck& check) {
         check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
   if (!check.selfError && !check.breaks.empty())
     return formatted(
-        "cannot tell: it is torn before key frame %zu, and by how much its scans do not tell",
+        "cannot tell: it breaks before key frame %zu, and by how much its scans do not tell",
         *check.breaks.back().keyFrame);
   if (!check.selfError)
     return formatted("cannot tell: %.0f %% of its path was seen twice", percent);

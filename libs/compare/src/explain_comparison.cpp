@@ -55,6 +55,21 @@ std::optional<std::string> originalOf(const std::string& run, const Comparison& 
   return {};
 }
 
+/** What the run with the smallest error "has" or "is" that speaks against it. */
+std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& comparison) {
+  std::vector<std::string> doubts;
+  if (const auto coverage = best.partialCoverage())
+    doubts.push_back(
+        formatted("has seen only %.0f %% of what at least two runs have seen", 100 * *coverage));
+  if (comparison.isPlaceDoubtful(best.name))
+    doubts.push_back("is joined to most of the others by no pair that is sure");
+  if (!best.score->isBorneOut())
+    doubts.push_back(formatted("has only %.0f %% of what it has drawn borne out by another run",
+                               std::floor(100 * best.score->confirmed)));
+  if (!best.score->isMeaningful) doubts.push_back("has too little to judge by");
+  return doubts;
+}
+
 }  // namespace
 
 std::string reasonOf(const ComparedRun& run, const Comparison& comparison) {
@@ -83,7 +98,6 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      bend && bend->value ? *bend->value : 0.0);
-  const bool isDoubtful = result.isPlaceDoubtful(best.name);
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text = best.name + (isBest ? " is the best map" : " has the smallest error") +
                      // Of the figures as comparison.json holds them, from which others are made.
@@ -92,15 +106,8 @@ std::string verdictOf(const Comparison& result) {
                                rounded(best.score->high), rounded(best.score->mapError));
   if (next.score && next.score->high >= best.score->low)
     text += "; " + next.name + " may be as good";
-  if (const auto coverage = best.partialCoverage())
-    text += formatted("; but it has seen only %.0f %% of what at least two runs have seen",
-                      100 * *coverage);
-  if (isDoubtful) text += "; but no pair that is sure joins it to most of the others";
-  if (!best.score->isBorneOut())
-    text += formatted("; but only %.0f %% of what it has drawn is borne out by another run",
-                      std::floor(100 * best.score->confirmed));
-  if (!best.score->isMeaningful) text += ", but there is too little to judge by";
-  return text + ".";
+  const std::vector<std::string> doubts = doubtsAbout(best, result);
+  return text + "." + (doubts.empty() ? "" : " But " + best.name + " " + listed(doubts) + ".");
 }
 
 std::string copiesNote(const Comparison& comparison) {
