@@ -223,6 +223,16 @@ def layers_are_switched_by_keyboard(browser):
     check(browser.value(images) == 4, "not all runs come back")
 
 
+def names_of_rooms_do_not_cover_each_other(browser):
+    hidden = "document.querySelectorAll('.room-label.covered').length"
+    check(browser.value(hidden) == 0, "names are hidden though they do not touch")
+    browser.value("document.querySelector('.room-label:nth-child(2) span').textContent = 'long'.repeat(99);0")
+    browser.value("document.querySelector('input[data-layer=rooms]').click();0")
+    browser.value("document.querySelector('input[data-layer=rooms]').click();0")
+    check(browser.value(hidden) > 0, "a name lies over others")
+    browser.value("document.querySelector('.room-label:nth-child(2) span').textContent = 'R2';0")
+
+
 def all_pictures_are_whole(browser):
     browser.wait("Array.from(document.images).every(i => i.complete)")
     check(browser.value("Array.from(document.images).every(i => i.naturalWidth > 10)"),
@@ -534,6 +544,7 @@ def work_with(browser, folder, url):
     the_picture_is_in_the_first_screen(browser)
     it_is_dark_where_that_is_preferred(browser, folder)
     all_pictures_are_whole(browser)
+    names_of_rooms_do_not_cover_each_other(browser)
     names_strike_nothing(browser)
     layers_are_switched_by_keyboard(browser)
     rows_lead_to_the_map(browser)

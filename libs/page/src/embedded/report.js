@@ -299,7 +299,20 @@
 
   let chosen = null;
   const rooms = data.rooms.map(makeRoom);
+
+  /** Hides names of rooms that lie over those of others, until the map is so large that they do not. */
+  function keepNamesApart() {
+    const shown = [];
+    rooms.map((room) => room.label.getElement()).filter((name) => name).forEach((name) => {
+      const box = name.getBoundingClientRect();
+      const isHidden = shown.some((other) => box.left < other.right && other.left < box.right &&
+        box.top < other.bottom && other.top < box.bottom);
+      name.classList.toggle("covered", isHidden);
+      if (!isHidden) shown.push(box);
+    });
+  }
   layers.rooms = L.layerGroup(rooms.map((room) => room.shape).concat(rooms.map((room) => room.label)));
+  layers.rooms.on("add", keepNamesApart);
 
   const untold = "#4a5a78", beforeColour = "#00529b", drawnColour = "#d55e00", untornColour = "#00825a";
 
@@ -723,7 +736,10 @@
       text.textContent = "x " + x.toFixed(1) + "  y " + y.toFixed(1) + " m";
     });
     map.on("mouseout", () => { text.textContent = ""; });
-    map.on("zoomend", () => map.getContainer().classList.toggle("far-out", map.getZoom() < 2.5));
+    map.on("zoomend", () => {
+      map.getContainer().classList.toggle("far-out", map.getZoom() < 2.5);
+      keepNamesApart();
+    });
   }
 
   addControls();
