@@ -12,7 +12,7 @@ echo junk > junk.gridmap
 plain grey.pgm 315
 expect 1 "$roomgraph" compare junk.gridmap missing.gridmap grey.pgm --resolution 0.05 -o o --names o/site.json
 [ "$(wc -l < err)" -eq 4 ] || { cat err; fail "not a line for each map and one more"; }
-grep -q '^roomgraph: compare: no map could be used' err || fail "nothing said of the results"
+grep -q '^roomgraph: no map could be used' err || fail "nothing said of the results"
 [ ! -s out ] || fail "told of results"
 diff -r o before
 # One is enough.

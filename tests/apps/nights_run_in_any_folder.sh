@@ -22,6 +22,7 @@ rm a.db
 printf 'site,file,time\noffice,maps/a.pgm,tonight\noffice,maps/b.pgm,2026-11-02\n' > bad.csv
 expect 1 "$night" bad.csv a.db bad --resolution 0.05
 grep -q "bad.csv: line 2: 'tonight' is not a time" err || { cat err; fail "the bad line is not told"; }
+[ "$(grep -c "not a time" err)" = 1 ] || { cat err; fail "the bad line is told twice"; }
 [ "$(sqlite3 a.db 'SELECT count(*) FROM run')" = 1 ] || fail "the good line is not done"
 echo site,file > empty.csv
 expect 1 "$night" empty.csv a.db empty

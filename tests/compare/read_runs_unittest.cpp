@@ -100,8 +100,8 @@ TEST(ReadRuns, ofNoMapAtAllTheFilesAreNamed) {
     readRuns({none}, maps.options);
     ADD_FAILURE() << "a map that is not there is read";
   } catch (const DataError& error) {
-    EXPECT_EQ(error.what(), "compare: no map could be used (" + none +
-                                ": there is no such file: check the name): earlier results stay");
+    EXPECT_EQ(error.what(),
+              "no map could be used (" + none + ": there is no such file: check the name)");
   }
   EXPECT_THROW(readRuns({}, maps.options), DataError);
 }

@@ -88,11 +88,11 @@ class Reader {
 
   /** Who calls the library without a callback is told why, too. */
   [[noreturn]] void refuseAll() const {
-    std::string text = "compare: no map could be used";
+    const std::string text = "no map could be used";
     for (const MapFile& file : files_)
       if (!file.failure.empty())
-        throw DataError(text + " (" + file.file + ": " + file.failure + "): earlier results stay");
-    throw DataError(text + ": earlier results stay");
+        throw DataError(text + " (" + file.file + ": " + file.failure + ")");
+    throw DataError(text + ": give two or more");
   }
 
   void open(MapFile& file) const {
