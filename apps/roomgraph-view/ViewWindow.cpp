@@ -1,7 +1,6 @@
 #include "ViewWindow.h"
 
 #include <mrpt/gui/CDisplayWindowGUI.h>
-#include <mrpt/math/TLine3D.h>
 #include <nanogui/opengl.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include "nudge_fit.h"
 #include "read_place.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "view_keys.h"
 #include "wait_beside.h"
 
@@ -216,12 +216,11 @@ class Window : public mrpt::gui::CDisplayWindowGUI {
 
   /** The place on the map that lies under the mouse; none where one looks along it. */
   std::optional<Point> placeAt(const nanogui::Vector2i& at) {
-    mrpt::math::TLine3D ray;
-    drawn_.scene()->getViewport()->get3DRayForPixelCoord(float(at.x()) * pixelRatio(),
-                                                         float(at.y()) * pixelRatio(), ray);
-    if (std::abs(ray.director.z) < 1e-9) return std::nullopt;
-    const double along = -ray.pBase.z / ray.director.z;
-    return Point{ray.pBase.x + along * ray.director.x, ray.pBase.y + along * ray.director.y};
+    const auto ray = rayThrough(*drawn_.scene()->getViewport(), float(at.x()) * pixelRatio(),
+                                float(at.y()) * pixelRatio());
+    if (!ray || std::abs(ray->director.z) < 1e-9) return std::nullopt;
+    const double along = -ray->pBase.z / ray->director.z;
+    return Point{ray->pBase.x + along * ray->director.x, ray->pBase.y + along * ray->director.y};
   }
 
   bool isOnLine(const nanogui::Vector2i& at) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace roomgraph {
@@ -56,6 +57,33 @@ TEST(MrptCompat, aSceneIsSeenByItsOwnCameraInEveryVersion) {
   Renderer3 knows;
   useCameraOf(*scene, knows);
   EXPECT_EQ(knows.camera, nullptr);
+}
+
+// A viewport that tells the ray behind a pixel, as in different versions.
+struct Viewport25 {
+  void get3DRayForPixelCoord(double x, double y, mrpt::math::TLine3D& ray) const {
+    ray.pBase = {x, y, 0};
+  }
+};
+struct Pixel {
+  int x, y;
+};
+struct Viewport3 {
+  bool isDrawn = true;
+  std::optional<mrpt::math::TLine3D> get3DRayForPixelCoord(const Pixel& pixel) const {
+    mrpt::math::TLine3D ray;
+    ray.pBase = {double(pixel.x), double(pixel.y), 0};
+    return isDrawn ? std::optional<mrpt::math::TLine3D>(ray) : std::nullopt;
+  }
+};
+
+TEST(MrptCompat, raysAreToldInEveryVersion) {
+  Viewport25 fillsIn;
+  EXPECT_EQ(rayThrough(fillsIn, 3, 4).value().pBase.y, 4);
+  Viewport3 returns;
+  EXPECT_EQ(rayThrough(returns, 3, 4).value().pBase.y, 4);
+  returns.isDrawn = false;
+  EXPECT_FALSE(rayThrough(returns, 3, 4).has_value());
 }
 
 }  // namespace

@@ -2,7 +2,8 @@
 
 // The only place that knows what changed between MRPT's versions: MRPT 3 moved the 3D objects from
 // mrpt::opengl to mrpt::viz and calls the scene Scene and what is in it CVisualObject; a viewport's
-// light has been colours, numbers, and a list of lamps; what renders takes the scene's own camera.
+// light has been colours, numbers, and a list of lamps; what renders takes the scene's own camera; a
+// ray is returned where it was an argument.
 
 #if __has_include(<mrpt/viz/Scene.h>)
 #include <mrpt/viz/CDisk.h>
@@ -37,9 +38,11 @@ using MrptObject = viz::CRenderizable;
 #endif
 
 #include <mrpt/core/Stringifyable.h>
+#include <mrpt/math/TLine3D.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/CSerializable.h>
 
+#include <optional>
 #include <type_traits>
 
 namespace roomgraph {
@@ -61,6 +64,25 @@ void makeEven(Light& light) {
   } else {
     light.ambient = {1, 1, 1, 1};
     light.diffuse = light.specular = {0, 0, 0, 1};
+  }
+}
+
+template <class Viewport, class = void>
+struct FillsInRay : std::false_type {};
+template <class Viewport>
+struct FillsInRay<Viewport, std::void_t<decltype(std::declval<Viewport&>().get3DRayForPixelCoord(
+                                0.0, 0.0, std::declval<mrpt::math::TLine3D&>()))>>
+    : std::true_type {};
+
+/** What lies behind a pixel of the viewport; none where it has not been drawn. */
+template <class Viewport>
+std::optional<mrpt::math::TLine3D> rayThrough(Viewport& viewport, double x, double y) {
+  if constexpr (FillsInRay<Viewport>::value) {
+    mrpt::math::TLine3D ray;
+    viewport.get3DRayForPixelCoord(x, y, ray);
+    return ray;
+  } else {  // MRPT 3
+    return viewport.get3DRayForPixelCoord({int(x), int(y)});
   }
 }
 
