@@ -116,6 +116,9 @@ TEST(VerdictOf, namesTheBestAndThoseThatMayBeAsGood) {
   EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.15), scored("c", 0.5)}))
                 .find("; b may be as good."),
             std::string::npos);
+  EXPECT_NE(verdictOf(ofRuns({scored("a", 0.1), scored("b", 0.12), scored("c", 0.15)}))
+                .find("; b and c may be as good."),
+            std::string::npos);
 }
 
 TEST(ReasonOf, saysWherePlacesAreDoubtful) {

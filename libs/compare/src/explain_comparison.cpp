@@ -55,6 +55,16 @@ std::optional<std::string> originalOf(const std::string& run, const Comparison& 
   return {};
 }
 
+/** The others whose intervals reach up to that of the run with the smallest error. */
+std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& comparison) {
+  std::vector<std::string> rivals;
+  for (const ComparedRun& run : comparison.runs)
+    if (run.name != best.name && run.score && run.score->isMeaningful &&
+        run.score->high >= best.score->low)
+      rivals.push_back(run.name);
+  return rivals;
+}
+
 /** What the run with the smallest error "has" or "is" that speaks against it. */
 std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> doubts;
@@ -90,7 +100,7 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && !copies.empty() && copies[0].size() == result.runs.size())
     return formatted("All %zu runs are copies of one file, which say nothing about each other.",
                      result.runs.size());
-  const ComparedRun &best = result.runs[0], &next = result.runs[1];
+  const ComparedRun& best = result.runs[0];
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
            "can be compared.";
@@ -104,8 +114,8 @@ std::string verdictOf(const Comparison& result) {
                      formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
                                rounded(best.score->score), rounded(best.score->low),
                                rounded(best.score->high), rounded(best.score->mapError));
-  if (next.score && next.score->high >= best.score->low)
-    text += "; " + next.name + " may be as good";
+  const std::vector<std::string> rivals = rivalsOf(best, result);
+  if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
   const std::vector<std::string> doubts = doubtsAbout(best, result);
   return text + "." + (doubts.empty() ? "" : " But " + best.name + " " + listed(doubts) + ".");
 }
