@@ -148,10 +148,12 @@ class Recorder {
     SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database_.file());
     try {
       if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database_.file());
-    } catch (const DataError& error) {
+    } catch (const DataError&) {
       if (!areRoomsOutvoted(database_, site, comparison)) {
         comparison.rooms.clear();
-        return error.what();
+        return database_.file() +
+               ": the rooms of the site cannot be found in these runs, or in several ways: they "
+               "stay as they were";
       }
       ledger = {};
       nameKnownRooms(comparison, ledger, database_.file());
