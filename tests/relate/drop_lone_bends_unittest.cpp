@@ -85,14 +85,6 @@ TEST(DropLoneBends, oneThatNobodyCanBeAskedAboutStays) {
   EXPECT_EQ(three.pairs(0, 1).bInA.bend, 12) << "the third has seen less";
 }
 
-TEST(DropLoneBends, copiesOfARunSayNothing) {
-  SoundSite three(3);
-  three.pairs(0, 1).bInA.bend = 12;
-  three.pairs(0, 2).areEdits = three.pairs(1, 2).areEdits = true;
-  three.drop();
-  EXPECT_EQ(three.pairs(0, 1).bInA.bend, 12);
-}
-
 TEST(DropLoneBends, runsWithScansStay) {
   SoundSite three(3);
   three.pairs(0, 1).bInA.bend = 12;

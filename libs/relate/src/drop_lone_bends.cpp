@@ -1,7 +1,5 @@
 #include "drop_lone_bends.h"
 
-#include <algorithm>
-
 #include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/base/majority.h"
@@ -13,24 +11,18 @@
 namespace roomgraph {
 namespace {
 
-bool areOfOneDrive(const MapPairs& pairs, std::size_t a, std::size_t b) {
-  const MapPair& pair = pairs(std::min(a, b), std::max(a, b));
-  return pair.areIdentical || pair.areEdits;
-}
-
 /** Whether less than half of a bend is told where as much is found. */
 bool denies(const FollowedWalls& asked, const FollowedWalls& told) {
   return asked.bend < kMajority * told.bend && asked.share >= fitted::kAsGood * told.share;
 }
 
 /** Whether the way back denies the bend of a run in another one, and more of the others do than
- *  bear it out: of the run in them, or of them in the other. */
+ *  bear it out: of the run in them, or of them in the other. A copy of a run does both. */
 bool isLone(std::size_t run, std::size_t in, const MapPairs& pairs) {
   const FollowedWalls& told = followedIn(pairs, run, in);
   if (told.bend < kSameWhereBent || !denies(followedIn(pairs, in, run), told)) return false;
   int votes = 0;
   const auto ask = [&](std::size_t other, std::size_t there) {
-    if (areOfOneDrive(pairs, other, there)) return;
     const FollowedWalls& asked = followedIn(pairs, other, there);
     votes += int(denies(asked, told)) - int(asked.bend >= kMajority * told.bend);
   };
