@@ -117,8 +117,8 @@ void declareFormats(std::string& formats, CLI::App& app) {
 }
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
-  const int percent = int(std::lround(100 * kPartialCoverage));
-  const int confirmed = int(std::lround(100 * kLeastConfirmed));
+  const int percent = int(std::lround(100 * kNearlyAll));
+  const int confirmed = int(std::lround(100 * kNearlyAll));
   addOption(app, "--fail-below SCORE", arguments.failBelow,
             "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->check(CLI::Range(0.0, 100.0));

@@ -13,7 +13,7 @@ using test::everywhere;
 using test::patchesOver;
 
 std::size_t countPieces(const WallPatches& patches, const FollowedWalls& followed) {
-  return rigidPieces(patches, followed, kOnePiece).size();
+  return rigidPieces(patches, followed).size();
 }
 
 TEST(RigidPieces, whatLiesAtOnePoseIsOnePiece) {
@@ -38,7 +38,7 @@ TEST(RigidPieces, thoseThatHoldTogetherAreToldLargestFirst) {
   FollowedWalls jump = everywhere(patches, {});
   for (FollowedPatch& f : jump.patches)
     if (patches[f.patch].middle.x < 6) f.pose = {0, 3, 0};
-  const auto pieces = rigidPieces(patches, jump, kOnePiece);
+  const auto pieces = rigidPieces(patches, jump);
   ASSERT_EQ(pieces.size(), 2u);
   EXPECT_GT(pieces[0].size(), pieces[1].size());
   EXPECT_EQ(pieces[0].size() + pieces[1].size(), jump.patches.size());

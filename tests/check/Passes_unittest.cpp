@@ -33,7 +33,7 @@ TEST(Passes, aScanIsHeldAgainstThoseOfAnotherTimeNearBy) {
       const Pass& pass = passes.all()[beside];
       const bool isAhead = k < pass.first;
       EXPECT_GT(isAhead ? passes.pathBetween(k, pass.first) : passes.pathBetween(pass.end - 1, k),
-                12);
+                kWayRound);
     }
 }
 

@@ -85,7 +85,7 @@ TEST(Comparison, coverageIsPartialWhereItIsSmallAndMeaningful) {
   EXPECT_FALSE(run.partialCoverage());
   coverage.isMeaningful = true;
   EXPECT_EQ(run.partialCoverage(), 0.6);
-  coverage.value = kPartialCoverage;
+  coverage.value = kNearlyAll;
   EXPECT_FALSE(run.partialCoverage());
 }
 

@@ -16,10 +16,10 @@ Comparison sample() {
   comparison.runs.resize(3);
   comparison.runs[0].name = "good", comparison.runs[0].score = RunScore{};
   comparison.runs[0].score->score = 90;
-  comparison.runs[0].measures = {{"coverage", kPartialCoverage, "1", 100, {}, {}, true}};
+  comparison.runs[0].measures = {{"coverage", kNearlyAll, "1", 100, {}, {}, true}};
   comparison.runs[1].name = "little";
   comparison.runs[1].measures = {{"bend", 0.1, "m", 100, {}, {}, true},
-                                 {"coverage", kPartialCoverage - 0.01, "1", 100, {}, {}, false}};
+                                 {"coverage", kNearlyAll - 0.01, "1", 100, {}, {}, false}};
   comparison.runs[2].name = "plan";
   comparison.reference = "plan";
   comparison.leftOut = {{"other", "other.gridmap", "is of another site", true},

@@ -24,7 +24,7 @@ std::vector<MapError> errorsOf(const std::vector<double>& values) {
 }
 
 RunScores scored(const PairBends& bends, const std::vector<MapError>& errors,
-                 std::optional<std::size_t> reference, const RunScoreOptions& options) {
+                 std::optional<std::size_t> reference, const CompareRunsOptions& options) {
   return scoreRuns(bends, DistinctMaps(bends), errors, reference, options);
 }
 

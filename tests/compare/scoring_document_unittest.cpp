@@ -1,6 +1,7 @@
 #include "scoring_document.h"
 
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/compare_maps.h"
@@ -20,12 +21,12 @@ TEST(ScoringDocument, saysWhereABreakBegins) {
   expectSaid("that pose turns by %g degrees", degrees(kBreakRotation));
   expectSaid("moves by %g m from one scan to the next", kBreakShift);
   expectSaid("where the pose turns by %g degrees or", degrees(kApartRotation));
-  expectSaid("moves by %g m within four scans", kApartShift);
-  expectSaid("differ by %g degrees or ", degrees(kLeastPieceTurn));
+  expectSaid("moves by %g m within three scans", kApartShift);
+  expectSaid("differ by %g degrees or ", degrees(kBreakRotation));
   expectSaid(" degrees or %g m, and by", kBreakShift);
   expectSaid("and by %g times what they bend themselves", kPieceContrast);
-  expectSaid("turned by %g degrees (root mean square)", degrees(kLeastPieceTurn));
-  expectSaid("runs with %g %% of the votes", 100 * kEnoughVotes);
+  expectSaid("turned by %g degrees (root mean square)", degrees(kBreakRotation));
+  expectSaid("runs with more than %g %% of the votes", 100 * kMajority);
   expectSaid("have %g %% of this one's walls are consulted", 100 * kWitnessShare);
   expectSaid("the smaller fragment holds %g %% of the walls found", 100 * kSmallestPiece);
   expectSaid("(within %g degrees and %g m)", std::round(degrees(kSameAnswer.turn)),
@@ -54,7 +55,7 @@ TEST(ScoringDocument, saysHowErrorsFollowFromBends) {
 }
 
 TEST(ScoringDocument, saysWhatIsMeaningful) {
-  const RunScoreOptions score;
+  const CompareRunsOptions score;
   expectSaid("fewer than %g wall points", kFewestWalls);
   expectSaid("no other run shares %g %% of the walls", 100 * score.leastShare);
   expectSaid("exp(−map error / %g m)", score.scoreScale);
@@ -68,7 +69,7 @@ TEST(ScoringDocument, saysWhenAScaleIsFound) {
 }
 
 TEST(ScoringDocument, saysWhereTheGateFails) {
-  expectSaid("`--fail-on coverage` fails below %g %%", 100 * kPartialCoverage);
+  expectSaid("`--fail-on coverage` fails below %g %%", 100 * kNearlyAll);
 }
 
 }  // namespace

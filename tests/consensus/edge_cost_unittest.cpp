@@ -15,7 +15,7 @@ constexpr double kExactCost = 1e-9;
 /** A term as wide as it is exact, of an edge that was measured so. */
 struct Edge {
   Transform2D measured;
-  EdgeTerm term{{0.1, 0.02}, 3, 1};
+  EdgeTerm term{{0.02, 0.1}, 3, 1};
 
   double cost(const Transform2D& from, const Transform2D& to) const {
     return term.cost(measured, from.inverse() * to);

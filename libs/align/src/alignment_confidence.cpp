@@ -54,7 +54,7 @@ double poseConfidence(double bestLogOdds, double runnerUpLogOdds, double scoreMa
     return std::min(confidence, fitted::kAmbiguousConfidence);
   const bool hasRival =
       runnerUpLogOdds > fitted::kAmbiguousOdds && scoreMargin < fitted::kRivalMargin;
-  return hasRival ? std::min(confidence, fitted::kRivalConfidence) : confidence;
+  return hasRival ? std::min(confidence, kSureConfidence) : confidence;
 }
 
 bool isAmbiguousPose(double runnerUpLogOdds, double scoreMargin) {

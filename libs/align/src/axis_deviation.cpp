@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/geometry/principal_axis.h"
@@ -13,16 +14,15 @@ namespace {
 
 constexpr double kDirectionReach = 1.5;  // of the walls that give a direction [m]
 constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
-constexpr double kSameWallFacing = 0.7;  // cosine between the normals of one wall
-constexpr double kMinLength = 0.42;      // of a straight piece, as a standard deviation [m]
 constexpr double kMaxRoughness = 0.022;  // variance across over variance along
-constexpr std::size_t kMinNear = 8, kMinDirections = 100;
+constexpr std::size_t kMinDirections = 100;
 
-/** The direction in which the places lie [rad]; none where that is no line. */
+/** The direction in which the places lie [rad]; none where that is no line, or one that is shorter
+ *  than their reach: such a line has a twelfth of its square as its variance. */
 std::optional<double> directionOf(const PointSums& places) {
-  if (places.count < double(kMinNear)) return std::nullopt;
   const PrincipalAxis axis = principalAxis(places);
-  if (axis.along < kMinLength * kMinLength || axis.across > kMaxRoughness * axis.along)
+  if (axis.along < kDirectionReach * kDirectionReach / 12 ||
+      axis.across > kMaxRoughness * axis.along)
     return std::nullopt;
   return axis.direction;
 }
@@ -38,7 +38,7 @@ std::optional<double> directionAt(const std::vector<WallPoint>& walls, const Nea
   PointSums near;
   index.forEachNear(wall.place, [&](std::uint32_t i) {
     const Point off = walls[i].place - wall.place;
-    if (dot(walls[i].normal, wall.normal) >= kSameWallFacing && norm(off) <= kDirectionReach &&
+    if (dot(walls[i].normal, wall.normal) >= kFacesAlike && norm(off) <= kDirectionReach &&
         std::abs(dot(off, wall.normal)) <= kThickness)
       near.add(off);
   });

@@ -5,14 +5,11 @@
 
 #include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/scan_search.h"
-#include "roomgraph/align/wall_share.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr double kLeastRough = 0.3;     // quality of a pose that is worth a closer look
 constexpr std::size_t kFirstLook = 10;  // walls that tell most poses apart
-constexpr double kTurnStep = 0.05;      // of the search [rad]
 
 /** The share of walls found, of a part of them and in the rough. */
 double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
@@ -20,7 +17,7 @@ double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
   const Motion2D forth(pose);
   double sum = 0, known = 0;
   for (std::size_t i = 0; i < walls.size(); ++i) {
-    if (i == kFirstLook && sum < kLeastRough / 2 * double(kFirstLook)) return 0;
+    if (i == kFirstLook && sum < kFairQuality / 2 * double(kFirstLook)) return 0;
     const WallLookUp there = lookUp(walls[i], in, forth);
     known += there.isKnown, sum += there.found(kRoughNear);
   }
@@ -29,7 +26,7 @@ double roughQuality(const std::vector<WallPoint>& walls, const WallMap& in,
 
 std::vector<WallPoint> someOf(const std::vector<WallPoint>& walls) {
   std::vector<WallPoint> some;
-  const std::size_t stride = std::max<std::size_t>(1, walls.size() / kRoughWalls);
+  const std::size_t stride = roughStride(walls.size());
   for (std::size_t third = 0; third < 3; ++third)  // so that the first ones are spread
     for (std::size_t i = stride * third; i < walls.size(); i += 3 * stride)
       some.push_back(walls[i]);
@@ -69,15 +66,15 @@ std::vector<ScanFit> findScan(const LocalScan& scan, const WallMap& in, const Tr
                               const PoseTolerance& window, std::size_t count) {
   const std::vector<WallPoint> some = someOf(scan.walls);
   std::vector<std::pair<double, Transform2D>> tries;
-  const int turns = int(std::ceil(std::min(window.turn, M_PI) / kTurnStep));
+  const int turns = int(std::ceil(std::min(window.turn, M_PI) / kSameScanStart.turn));
   const int steps = int(std::ceil(window.place / kRoughNear));
   for (int t = -turns; t <= turns; ++t)
     for (int x = -steps; x <= steps; ++x)
       for (int y = -steps; y <= steps; ++y) {
         const Transform2D pose{around.x + x * kRoughNear, around.y + y * kRoughNear,
-                               wrappedAngle(around.phi + t * kTurnStep)};
+                               wrappedAngle(around.phi + t * kSameScanStart.turn)};
         const double quality = roughQuality(some, in, pose);
-        if (quality > kLeastRough) tries.emplace_back(quality, pose);
+        if (quality > kFairQuality) tries.emplace_back(quality, pose);
       }
   const std::size_t wanted = std::min(tries.size(), 30 * kTries);
   std::partial_sort(tries.begin(), tries.begin() + std::ptrdiff_t(wanted), tries.end(),

@@ -25,8 +25,8 @@ constexpr double kScore[] = {0.7, 0.26, 0.17, 0.2, -2.0, -0.45, -0.37};
 constexpr double kAmbiguousOdds = 2, kAmbiguousMargin = 2.5, kAmbiguousConfidence = 0.6;
 
 /** With a runner-up that could be the same site by itself, even if worse, no answer is more than
- *  just sure: of 18 such answers for simulated grids, all were right. */
-constexpr double kRivalMargin = 4, kRivalConfidence = 0.9;
+ *  kSureConfidence: of 18 such answers for simulated grids, all were right. */
+constexpr double kRivalMargin = 4;
 
 /** Metres of wall that hold a sure pose in its weakest direction, else it may slide: of the four
  *  sure answers held by less than 3 m two were right; all others were held by 8 m or more. */

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "search_data.h"
@@ -12,15 +12,14 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kMapReach = 0.7;  // walls farther away are not looked for [m]
-
-GridFrame frameAround(const std::vector<WallPoint>& walls, const std::vector<Point>& robots) {
+GridFrame frameAround(const std::vector<WallPoint>& walls, const std::vector<Point>& robots,
+                      double reach) {
   Box box;
   for (const Point robot : robots) box.include(robot);
   for (const WallPoint& wall : walls) box.include(wall.place);
-  const Point size = box.size() + Point{2 * kMapReach, 2 * kMapReach};
+  const Point size = box.size() + Point{2 * reach, 2 * reach};
   return {int(std::ceil(size.x / kWallCell)), int(std::ceil(size.y / kWallCell)), kWallCell,
-          box.low - Point{kMapReach, kMapReach}};
+          box.low - Point{reach, reach}};
 }
 
 /** Marks what a beam has crossed as free. */
@@ -34,22 +33,22 @@ void clearBeam(WallMap& map, Point from, Point to) {
   }
 }
 
-/** WallMap::nearest of a map with few walls: each wall is offered to the cells around it, where
- *  addLookUp() goes through all cells. */
-void addNearest(WallMap& map) {
-  const int reach = int(kMapReach / map.frame.resolution);
+/** WallMap::nearest of a map with few walls: each wall is offered to the cells in reach of it,
+ *  where addLookUp() goes through all cells. */
+void addNearest(WallMap& map, double reach) {
+  const int cells = int(reach / map.frame.resolution);
   std::vector<std::uint32_t> nearest(map.frame.cellCount());
   std::vector<float> best(map.frame.cellCount());
   for (int octant = 0; octant < kOctants; ++octant) {
     std::fill(nearest.begin(), nearest.end(), kNoIndex);
-    std::fill(best.begin(), best.end(), float(kMapReach * kMapReach));
+    std::fill(best.begin(), best.end(), float(reach * reach));
     const Point axis{std::cos(octant * M_PI_4), std::sin(octant * M_PI_4)};
     for (std::uint32_t w = 0; w < map.walls.size(); ++w) {
       if (dot(map.walls[w].normal, axis) <= M_SQRT1_2) continue;
       const Point place = map.walls[w].place;
       const Cell there = map.frame.cellAt(place);
-      for (int y = there.y - reach; y <= there.y + reach; ++y)
-        for (int x = there.x - reach; x <= there.x + reach; ++x) {
+      for (int y = there.y - cells; y <= there.y + cells; ++y)
+        for (int x = there.x - cells; x <= there.x + cells; ++x) {
           const std::size_t cell = map.frame.index({x, y});
           const auto off = float(squaredNorm(map.frame.center({x, y}) - place));
           if (off < best[cell]) best[cell] = off, nearest[cell] = w;
@@ -75,7 +74,8 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
     ends.push_back(map.walls.size());
   }
   if (map.walls.empty()) return map;
-  map.frame = frameAround(map.walls, robots);
+  const double reach = kScanBand.first + kWallCell;  // walls farther away are not looked for
+  map.frame = frameAround(map.walls, robots, reach);
   map.states.assign(map.frame.cellCount(), State::unknown);
   for (const WallPoint& wall : map.walls)
     map.states[cellIndexAt(map.frame, wall.place)] = State::occupied;
@@ -91,7 +91,7 @@ WallMap scanMap(const std::vector<LocalScan>& scans, const std::vector<Transform
       for (int step = 1; step * kWallCell < gap; ++step)
         clearBeam(map, robots[i], here + (step * kWallCell / gap) * (next - here));
     }
-  addNearest(map);
+  addNearest(map, reach);
   return map;
 }
 

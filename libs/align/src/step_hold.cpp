@@ -7,7 +7,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kNear = 0.2;       // of walls that are the same [m]
 constexpr double kInCommon = 0.15;  // of scans that follow each other, at least
 
 }  // namespace
@@ -15,7 +14,7 @@ constexpr double kInCommon = 0.15;  // of scans that follow each other, at least
 double commonWalls(const ScanWalls& other, const ScanWalls& scan) {
   const auto isThere = [&](const WallPoint& wall) {
     return std::any_of(other.walls.begin(), other.walls.end(), [&](const WallPoint& one) {
-      return squaredNorm(one.place - wall.place) < kNear * kNear &&
+      return squaredNorm(one.place - wall.place) < kSameWall * kSameWall &&
              dot(one.normal, wall.normal) > kFacesAlike;
     });
   };

@@ -8,14 +8,13 @@ namespace roomgraph {
 namespace {
 
 constexpr double kFarthestCopy = 0.8;  // from one copy to the other [m]
-constexpr double kCopyFacing = 0.94;   // cosine
 
 bool isCopy(const WallPoint& wall, const WallPoint& other) {
   const Point off = other.place - wall.place;
   const double ahead = std::abs(dot(off, wall.normal));
   return ahead >= kSameWall && ahead <= kFarthestCopy &&
          std::abs(cross(wall.normal, off)) <= kWallNoise &&
-         dot(wall.normal, other.normal) >= kCopyFacing;
+         dot(wall.normal, other.normal) >= kFacesAlike;
 }
 
 }  // namespace

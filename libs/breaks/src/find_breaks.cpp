@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
 constexpr double kOutlier = 4;         // times the 95th percentile of the run's other steps
-constexpr double kQuiet = 0.4;         // share of the jump that the steps around it may reach
-constexpr std::size_t kMaxMissed = 3;  // scans from one that was found to the next
 
 /** The change of a run's pose in another map from one scan to the next that was found. */
 struct Jump {
@@ -57,9 +55,9 @@ class JumpFinder {
     if (steps_.size() < kMinSteps) return found;
     const double rotation = std::max(options_.minRotation, kOutlier * usual(steps_, rotationOf));
     const double shift = std::max(options_.minShift, kOutlier * usual(steps_, shiftOf));
-    for (std::size_t i = kSteadySteps; i + kSteadySteps < steps_.size(); ++i) {
+    for (std::size_t i = kFewSteps; i + kFewSteps < steps_.size(); ++i) {
       const Jump& step = steps_[i];
-      if (step.scan - step.before > kMaxMissed) continue;
+      if (step.scan - step.before > kFewSteps) continue;
       const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
       const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
       if (isTurned || isMoved) found.push_back(step);
@@ -72,7 +70,7 @@ class JumpFinder {
     const std::size_t from = i - std::min(i, kFewSteps);
     const std::size_t to = std::min(steps_.size(), i + kFewSteps + 1);
     for (std::size_t k = from; k < to; ++k)
-      if (k != i && size(steps_[k]) > kQuiet * size(steps_[i])) return false;
+      if (k != i && size(steps_[k]) > size(steps_[i]) / 2) return false;
     return true;
   }
 

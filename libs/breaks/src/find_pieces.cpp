@@ -10,11 +10,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr PoseTolerance kSurelyOne{0.02, 0.1};  // patches of one piece
-constexpr PoseTolerance kOfPiece{0.2, 2.4};     // a patch beside its piece; half of both, or one
-constexpr PoseTolerance kHeldAtSeam{0.06,
-                                    0.4};  // near patches of two pieces, as those of a drift do
-constexpr double kMostHeld = 0.02;         // share of near patches of two pieces that may hold
+constexpr PoseTolerance kOfPiece{0.2, 2.4};  // a patch beside its piece; half of both, or one
+constexpr double kMostHeld = 0.02;           // share of near patches of two pieces that may hold
 
 /** The place that `motion` leaves where it is. */
 Point centreOf(const Transform2D& motion) {
@@ -46,14 +43,14 @@ class PieceFinder {
   }
 
   std::optional<PieceBreak> find() const {
-    const auto seeds = rigidPieces(patches_, followed_, kSurelyOne);
+    const auto seeds = rigidPieces(patches_, followed_);
     std::optional<Pieces> best;
     for (std::size_t i = 0; i < seeds.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
         if (auto pieces = grown(seeds[i], seeds[j]); pieces && isBetter(*pieces, best))
           best = std::move(pieces);
     std::optional<PieceBreak> found;
-    if (best && best->turnBend <= kLeastPieceTurn) found = breakOf(*best);
+    if (best && best->turnBend <= options_.minRotation) found = breakOf(*best);
     return found ? found : tornOff();
   }
 
@@ -164,8 +161,8 @@ class PieceFinder {
     const std::size_t larger = pieces.walls[0] >= pieces.walls[1] ? 0 : 1;
     // What the run did too much: from where the smaller piece belongs to where it was drawn.
     const Transform2D motion = pieces.poses[1 - larger].inverse() * pieces.poses[larger];
-    const bool isTurned = std::abs(motion.phi) >= std::max(kLeastPieceTurn, options_.minRotation);
-    PoseTolerance heldWithin = kHeldAtSeam;
+    const bool isTurned = std::abs(motion.phi) >= options_.minRotation;
+    PoseTolerance heldWithin = kSameScanStart;
     if (isTurned) heldWithin.turn = std::min(heldWithin.turn, std::abs(motion.phi) / 2);
     const Seam seam = seamOf(pieces, heldWithin);
     PieceBreak found;

@@ -38,13 +38,13 @@ class WideBreaks {
 
   std::vector<Candidate> candidates() const {
     std::vector<Candidate> all;
-    for (std::size_t from = kSteadySteps; from + kSteadySteps < found_.size(); ++from)
-      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kSteadySteps < found_.size();
+    for (std::size_t from = kFewSteps; from + kFewSteps < found_.size(); ++from)
+      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kFewSteps < found_.size();
            ++to) {
         const ScanBreak at = between(from, to);
         const double size = sizeOf(at);
-        if (size < 1 || sizeOf(between(from, to + kSteadySteps)) < size / 2 ||
-            sizeOf(between(from - kSteadySteps, to)) < size / 2)
+        if (size < 1 || sizeOf(between(from, to + kFewSteps)) < size / 2 ||
+            sizeOf(between(from - kFewSteps, to)) < size / 2)
           continue;
         all.push_back({at, size / std::sqrt(double(to - from))});
       }

@@ -11,10 +11,9 @@ namespace roomgraph {
 // Out:  the breaks that are too wide for noise
 // Next: findBreaks
 
-/** Scans on either side of a break that bear it out. */
-constexpr std::size_t kSteadySteps = 3;
-/** In so many steps a break may come about; as many around a sharp one are quiet. */
-constexpr std::size_t kFewSteps = 4;
+/** In so many steps a break may come about; as many on either side bear it out, and are quiet
+ *  around a sharp one. */
+constexpr std::size_t kFewSteps = 3;
 
 /** Where the poses of a run's scans turn or shift too far for any noise, in one step or in a few,
  *  and stay so: at least kApartRotation or kApartShift. The sharpest first, and of those that are

@@ -8,12 +8,12 @@
 namespace roomgraph {
 
 std::vector<std::vector<std::size_t>> rigidPieces(const WallPatches& patches,
-                                                  const FollowedWalls& followed,
-                                                  const PoseTolerance& onePiece) {
+                                                  const FollowedWalls& followed) {
   const std::vector<FollowedPatch>& found = followed.patches;
   const auto holdTogether = [&](const FollowedPatch& f, const FollowedPatch& g) {
     const Point a = patches[f.patch].middle, b = patches[g.patch].middle;
-    return distance(a, b) <= kPieceReach && areNear(f.pose, g.pose, midpoint(a, b), onePiece);
+    return distance(a, b) <= kPieceReach &&
+           areNear(f.pose, g.pose, midpoint(a, b), kSameScanAnswer);
   };
   UnionFind sets(found.size());
   std::vector<Point> middles;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/place_break.h"
@@ -87,7 +88,7 @@ class BreakSearch {
         continue;
       best = &*told, bestWeight = weight;
     }
-    if (!best || bestWeight < kEnoughVotes * votesOn(*best, found)) return {};
+    if (!best || bestWeight <= kMajority * votesOn(*best, found)) return {};
     return {{site_.runs[run_]->name, site_.poses[run_](best->place), best->rotation, best->shift,
              std::nullopt, std::nullopt}};
   }

@@ -9,11 +9,10 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kMostScans = 12;
-constexpr double kApart = 12;     // least path between a scan and those that it is held against [m]
-constexpr double kBeside = 4;     // from a scan to the robot's way through a map [m]
-constexpr std::size_t kMaps = 2;  // in which a scan is looked for
+constexpr double kBeside = 4;                 // from a scan to the robot's way through a map [m]
+constexpr std::size_t kMaps = 2;              // in which a scan is looked for
 constexpr PoseTolerance kDrift{0.003, 0.02};  // per metre of path
-constexpr PoseTolerance kLeastWindow{0.1, 0.6}, kMostWindow{0.5, 3};
+constexpr PoseTolerance kMostWindow{0.5, 3};
 
 }  // namespace
 
@@ -54,8 +53,8 @@ std::size_t Passes::nearestScan(const Pass& pass, Point place) const {
 
 PoseTolerance Passes::windowOf(std::size_t k, const Pass& pass) const {
   const double path = pathTo(k, pass);
-  return {std::min(kMostWindow.turn, kLeastWindow.turn + kDrift.turn * path),
-          std::min(kMostWindow.place, kLeastWindow.place + kDrift.place * path)};
+  return {std::min(kMostWindow.turn, kSteadyTrack.turn + kDrift.turn * path),
+          std::min(kMostWindow.place, kSteadyTrack.place + kDrift.place * path)};
 }
 
 void Passes::chooseFor(std::size_t k) {
@@ -66,7 +65,7 @@ void Passes::chooseFor(std::size_t k) {
     const Point place = poses_[k].shift();  // from it to the robot's way there
     const double way = distance(poses_[nearestScan(pass, place)].shift(), place);
     const bool isOther = k + kLeastScans < pass.first || k >= pass.end + kLeastScans;
-    if (isOther && pathTo(k, pass) > kApart && way < kBeside + windowOf(k, pass).place)
+    if (isOther && pathTo(k, pass) > kWayRound && way < kBeside + windowOf(k, pass).place)
       near.emplace_back(way, s);
   }
   std::sort(near.begin(), near.end());

@@ -14,8 +14,6 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kTellsTurn = 0.08;  // from which on a step is a break
-
 constexpr std::size_t kSeenBeside = 2;  // scans
 
 /** Of steps that were drawn wrong, by how much nothing tells, the first of each series; without
@@ -57,7 +55,7 @@ void addFaults(const Run& run, const MendedSteps& mended, const SelfConsensus& a
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
     const MapBreak step = breakAt(k, run, agreed.poses);
-    if (std::abs(step.rotation) < kTellsTurn && step.shift < kTellsShift) continue;
+    if (std::abs(step.rotation) < kClearRotation && step.shift < kBreakShift) continue;
     broken.push_back(k);
     check.breaks.push_back(step);
   }
@@ -142,7 +140,7 @@ RunCheck checkRun(const Run& run) {
   check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
   const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
   // It has not parted what cannot be one place, so that nothing says how far it is off.
-  const bool isBlind = !check.welded.empty() && agreed.error.error < kTellsShift;
+  const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
   const bool mayLieAnywhere = (isLost && !check.isConfirmed && agreed.error.low <= 0) || isBlind;
   if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;

@@ -64,7 +64,7 @@ class DoubledPlaces {
 
   bool isTold(const ScanPair& seen) const {
     return std::min(seen.apart, apart(seen, unbroken_)) >
-           std::max(kTellsShift, kMajority * seen.apart);
+           std::max(kBreakShift, kMajority * seen.apart);
   }
 
   /** In a building that repeats itself much is found, and little of it together. */

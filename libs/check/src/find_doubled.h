@@ -13,10 +13,7 @@ namespace roomgraph {
 // Out:  DoubledPlace
 // Next: RunCheck
 
-/** What lies so far from where it should has been drawn wrong, a step or a place [m]. */
-constexpr double kTellsShift = 0.38;
-
-/** The places that the run has drawn at two times kTellsShift or more apart, the farthest apart
+/** The places that the run has drawn at two times kBreakShift or more apart, the farthest apart
  *  first: those that were seen again there, which its self-consensus bears out, and which lie apart
  *  also if the steps before the scans `broken` are put right. What was seen again along both
  *  stretches is one place. O(revisits^2). */

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <map>
 
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/UnionFind.h"
-#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {
@@ -36,7 +36,7 @@ std::vector<Names> setsOf(const std::vector<ComparedPair>& pairs, const IsJoined
 std::optional<double> ComparedRun::partialCoverage() const {
   const Measure* coverage = find(measures, "coverage");
   const bool isPartial =
-      coverage && coverage->isMeaningful && coverage->value.value_or(1) < kPartialCoverage;
+      coverage && coverage->isMeaningful && coverage->value.value_or(1) < kNearlyAll;
   return isPartial ? coverage->value : std::nullopt;
 }
 
@@ -80,7 +80,7 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   const RunScore& score = *run.score;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
   const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !score.isBorneOut();
-  return run.partialCoverage() || isWide || isOdd || score.share < kMostWalls ? Certainty::likely
+  return run.partialCoverage() || isWide || isOdd || score.share < kNearlyAll ? Certainty::likely
                                                                               : Certainty::sure;
 }
 

@@ -26,7 +26,7 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
     text += formatted("; its key frames lie %.2f m off each on its own", score.jitter);
   if (comparison.isPlaceDoubtful(run.name))
     text += "; doubtful, as no pair that is sure joins it to most of the others";
-  if (score.share < kMostWalls)
+  if (score.share < kNearlyAll)
     text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
   if (score.contradicted > 0)
     text += formatted(

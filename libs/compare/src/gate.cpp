@@ -110,8 +110,8 @@ class Judge {
     const Measure* coverage = find(run.measures, "coverage");
     if (!options_.failsOnCoverage || !coverage) return;
     const double value = coverage->value.value_or(0);
-    hold("coverage", run.name, value - kPartialCoverage,
-         shareText("has seen", value, kPartialCoverage, "of what at least two runs have seen"));
+    hold("coverage", run.name, value - kNearlyAll,
+         shareText("has seen", value, kNearlyAll, "of what at least two runs have seen"));
   }
 
   /** A run without a score, of which nothing is borne out, has to be told so by another figure. */
@@ -122,8 +122,8 @@ class Judge {
       return complain(run.name, formatted("%.0f %% of what it has drawn is contradicted by other "
                                           "runs, and was found nowhere else",
                                           std::max(1.0, 100 * score.contradicted)));
-    hold("confirmed", run.name, score.confirmed - kLeastConfirmed,
-         shareText("is borne out by others in", score.confirmed, kLeastConfirmed,
+    hold("confirmed", run.name, score.confirmed - kNearlyAll,
+         shareText("is borne out by others in", score.confirmed, kNearlyAll,
                    "of what it has drawn"));
   }
 
@@ -144,9 +144,9 @@ class Judge {
       hold(name, run.name, left,
            formatted(text, 100 * value, left < 0 ? "more" : "no more", 100 * most));
     };
-    judge("walls_missing", kMostMissing,
+    judge("walls_missing", kMostOther,
           "lacks %.0f %% of the walls that two others have, %s than %.0f %%");
-    judge("walls_added", kMostAdded,
+    judge("walls_added", kMostOther,
           "has %.0f %% of its walls where others have seen free space, %s than %.0f %%");
     judgeSharpness(run);
   }

@@ -11,7 +11,7 @@
 namespace roomgraph {
 namespace {
 
-void grade(RunScore& score, const MapError& error, const RunScoreOptions& options) {
+void grade(RunScore& score, const MapError& error, const CompareRunsOptions& options) {
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
   score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
   score.confirmed = error.confirmed, score.contradicted = error.contradicted;
@@ -23,7 +23,7 @@ void grade(RunScore& score, const MapError& error, const RunScoreOptions& option
 /** Falls with the error; runs that have little in common with any other are not asked. Of edits
  *  of one picture, one is. */
 void setTrust(RunScores& scores, const PairBends& bends, const DistinctMaps& maps,
-              const RunScoreOptions& options) {
+              const CompareRunsOptions& options) {
   const auto isSmall = [&](std::size_t i) { return mostShare(bends, i) < options.leastShare; };
   bool areAllSmall = true;
   for (std::size_t i = 0; i < scores.size(); ++i) areAllSmall = areAllSmall && isSmall(i);
@@ -63,7 +63,7 @@ void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const Dis
 
 RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                     const std::vector<MapError>& errors, std::optional<std::size_t> reference,
-                    const RunScoreOptions& options) {
+                    const CompareRunsOptions& options) {
   if (reference && *reference >= bends.things())
     throw UsageError("run_score: there is no run " + std::to_string(*reference));
   if (errors.size() != bends.things())

@@ -12,11 +12,11 @@ PoseNoise linkNoise(const Transform2D& step) {
   const double way = norm(step.shift());
   const double turned = std::abs(step.phi);
   const auto squared = [](double x) { return x * x; };
-  const auto& [place, turn] = fitted::kLinkNoise;
-  const auto& [placePerRoot, turnPerRoot] = fitted::kLinkNoisePerRootMetre;
-  return {std::sqrt(squared(place) + squared(placePerRoot) * way),
-          std::sqrt(squared(turn) + squared(turnPerRoot) * way +
-                    squared(fitted::kLinkTurnPerRootRadian) * turned)};
+  const auto& [turn, place] = fitted::kLinkNoise;
+  const auto& [turnPerRoot, placePerRoot] = fitted::kLinkNoisePerRootMetre;
+  return {std::sqrt(squared(turn) + squared(turnPerRoot) * way +
+                    squared(fitted::kLinkTurnPerRootRadian) * turned),
+          std::sqrt(squared(place) + squared(placePerRoot) * way)};
 }
 
 }  // namespace

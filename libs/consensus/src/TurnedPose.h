@@ -29,8 +29,8 @@ struct TurnedPose {
   PoseGap gapOf(const PoseEdge& edge, const TurnedPose& to) const {
     const Point d = to.shift - shift;
     const Point found{cos * d.x + sin * d.y, cos * d.y - sin * d.x};
-    return {distance(found, edge.measured.shift()),
-            std::abs(wrappedAngle(to.phi - phi - edge.measured.phi))};
+    return {std::abs(wrappedAngle(to.phi - phi - edge.measured.phi)),
+            distance(found, edge.measured.shift())};
   }
 };
 

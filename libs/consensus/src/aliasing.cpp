@@ -11,8 +11,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kLookedAt = 80;   // patches
-constexpr double kLeastLookedAt = 0.2;  // share of the patches that must lie on what is known
+constexpr std::size_t kLookedAt = 80;  // patches
 
 /** The share of the walls around a patch that lie on walls once it was fitted there, if the map
  *  knows most of that place. */
@@ -33,11 +32,11 @@ std::optional<double> shareFound(const WallPatch& patch, const Transform2D& moti
 
 double aliasingUnder(const Transform2D& motion, const WallMap& map) {
   const std::size_t stride = std::max<std::size_t>(1, map.patches.size() / kLookedAt);
-  double all = 0, known = 0, alike = 0;
-  for (std::size_t p = 0; p < map.patches.size(); p += stride, ++all)
+  double known = 0, alike = 0;
+  for (std::size_t p = 0; p < map.patches.size(); p += stride)
     if (const auto share = shareFound(map.patches[p], motion, map))
       ++known, alike += *share > fitted::kWell;
-  return known > kLeastLookedAt * all ? alike / known : 0;
+  return known > 0 ? alike / known : 0;
 }
 
 }  // namespace roomgraph

@@ -23,7 +23,7 @@ class NodeStarts {
     for (std::size_t m = 1; m < group.edges.size(); ++m) {
       const PoseEdge &before = edgeAt(group, m - 1), &now = edgeAt(group, m);
       const Point place = graph_.nodes[now.to].pose.shift();
-      if (areNear(placeBy(before), placeBy(now), place, kSameNode)) continue;
+      if (areNear(placeBy(before), placeBy(now), place, kSameScanAnswer)) continue;
       startBehind(before.to), startAt(now.to);
       // Other groups are found both ways, each by itself.
       if (now.isSameScan) startBehind(before.from), startAt(now.from);

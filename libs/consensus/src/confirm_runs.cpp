@@ -7,6 +7,7 @@
 #include "confirmed_nodes.h"
 #include "edge_cost.h"
 #include "fitted_consensus.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/scan_search.h"
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
@@ -27,7 +28,7 @@ class OtherRuns {
   /** Whether one of them knows the place of a scan, and none that does has what the scan shows. */
   bool contradict(std::size_t k) const {
     const ScanWalls& scan = site_.runs[run_]->scans[k];
-    if (scan.walls.size() < fitted::kLeastWalls) return false;
+    if (scan.walls.size() < LocalScan::kTelling) return false;
     bool isKnown = false;
     for (const std::size_t j : others_) {
       const WallShare share = wallShare(

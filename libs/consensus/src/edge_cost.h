@@ -17,8 +17,8 @@ struct EdgeTerm {
   /** Half of the robust squared residual, as in Ceres, of nodes that lie to each other as `found`
    *  instead of as `measured`. */
   double cost(const Transform2D& measured, const Transform2D& found) const {
-    return cost(PoseGap{distance(found.shift(), measured.shift()),
-                        std::abs(wrappedAngle(found.phi - measured.phi))});
+    return cost(PoseGap{std::abs(wrappedAngle(found.phi - measured.phi)),
+                        distance(found.shift(), measured.shift())});
   }
   double cost(const PoseGap& gap) const {
     const double place = gap.place / noise.place, turn = gap.turn / noise.turn;
@@ -44,9 +44,9 @@ inline EdgeTerm termOf(const PoseGraph& graph, const PoseEdge& edge, const Graph
                     : linkTerm(edge, trust.slack[graph.runOf(edge.from)]);
 }
 
-/** The information of a measured pose, the inverse of its variances [1/m^2, 1/rad^2]. */
+/** The information of a measured pose, the inverse of its variances [1/rad^2, 1/m^2]. */
 struct PoseInformation {
-  double place = 0, turn = 0;
+  double turn = 0, place = 0;
 };
 
 /** What an edge still says at `poses`, as the last step of the solution weighs it: next to nothing
@@ -59,8 +59,8 @@ inline PoseInformation informationOf(const PoseGraph& graph, const PoseEdge& edg
   const double turn = wrappedAngle(found.phi - edge.measured.phi) / term.noise.turn;
   const double left = 1 / (1 + (place * place + turn * turn) / (term.width * term.width));
   const double weight = term.weight * left;
-  return {weight / (term.noise.place * term.noise.place),
-          weight / (term.noise.turn * term.noise.turn)};
+  return {weight / (term.noise.turn * term.noise.turn),
+          weight / (term.noise.place * term.noise.place)};
 }
 
 }  // namespace roomgraph

@@ -17,7 +17,6 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kFewRuns = 5;
-constexpr std::size_t kPivots = 3;  // runs from whose frame the consensus of few is looked for
 
 /** The coarse form of a graph of many runs. With few runs each key frame tells. */
 std::optional<CoarseGraph> coarseOfMany(const PoseGraph& graph) {
@@ -54,16 +53,15 @@ Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& co
   return solution;
 }
 
-/** Where the search begins: where no run is torn, and in the frames of some runs, the pivots. Of
- *  many runs one is enough: most of them are not torn where it is. */
+/** Where the search begins: where no run is torn, and in the frame of each run, the pivots. Of many
+ *  runs one is enough: most of them are not torn where it is. */
 std::vector<NodePoses> startsOf(const PoseGraph& graph) {
   std::vector<NodePoses> starts{wholePoses(graph)};
   if (graph.reference) {
     starts.push_back(startPoses(graph, graph.reference));
     return starts;
   }
-  const std::size_t pivots =
-      graph.runs.size() > kFewRuns ? 1 : std::min(kPivots, graph.runs.size());
+  const std::size_t pivots = graph.runs.size() > kFewRuns ? 1 : graph.runs.size();
   for (std::size_t pivot = 0; pivot < pivots; ++pivot)
     starts.push_back(startPoses(graph, RunId(pivot)));
   return starts;

@@ -21,10 +21,10 @@ constexpr std::size_t kMemory = 8;      // scans that may be lost between two th
 constexpr std::size_t kCandidates = 4;  // poses of a scan, or of a stretch looked for again
 
 // Links: some for each key frame, and more for the root of a metre, and of a radian [rad].
-constexpr PoseNoise kLinkNoise{0.02, 0.003}, kLinkNoisePerRootMetre{0.03, 0.004};
+constexpr PoseNoise kLinkNoise{0.003, 0.02}, kLinkNoisePerRootMetre{0.004, 0.03};
 constexpr double kLinkTurnPerRootRadian = 0.01;
 // Matches. What both runs have scanned as one is twice as sure, and counts twice.
-constexpr PoseNoise kMatchNoise{0.06, 0.01};
+constexpr PoseNoise kMatchNoise{0.01, 0.06};
 constexpr double kMatchWeight = 0.25;
 // Walls of a node along the axes of the building [rad].
 constexpr double kAxesTurn = 0.03;
@@ -32,10 +32,8 @@ constexpr double kAxesTurn = 0.03;
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
 
-// A link that gives way though the run's own scans refute that: the weight that it gets, and how
-// often this is asked.
+// A link that gives way though the run's own scans refute that: the weight that it gets.
 constexpr double kHeldShare = 10;
-constexpr int kHoldRounds = 3;
 
 // Belief: what it costs to give up a group, for the root of its matches. With 25 of them it is half
 // the robust squared residual of a link that is 20 m off.
@@ -52,7 +50,6 @@ constexpr double kCountedLinks = 0.9;  // share of the links that count, those t
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
 constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
 constexpr double kLostBy = 1;  // what a lost scan counts as; about as far as it is looked for [m]
-constexpr std::size_t kLeastWalls = 10;  // of a scan that can be told from others
 constexpr long kLeastKnowing = 3;       // runs that know its place; in fewer, furniture may hide it
 constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass, or at a break
 constexpr double kUsualJitter = 0.03;   // of scans of a sound run, by what their walls scatter [m]

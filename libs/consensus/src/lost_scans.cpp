@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fitted_consensus.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 
@@ -39,7 +40,7 @@ ById<RunId, std::vector<bool>> lostScans(const Site& site, const MapPairs& pairs
     std::vector<bool>& isLost = lost[lost.add(std::vector<bool>(scans.size()))];
     if (run == consensus.graph.reference) continue;
     for (std::size_t k = 0; k < scans.size(); ++k) {
-      if (consensus.errors[run].isSeen[k] || scans[k].walls.size() < fitted::kLeastWalls) continue;
+      if (consensus.errors[run].isSeen[k] || scans[k].walls.size() < LocalScan::kTelling) continue;
       const NodeId node = consensus.graph.runs[run].nodes[k];
       const Transform2D there = consensus.poses[node] * scans[k].pose.inverse();
       const auto& others = pairs.othersOf(i);

@@ -114,7 +114,7 @@ void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const 
       if (groups[a].matches.empty() || groups[b].matches.empty()) continue;
       const std::size_t k = middleOf(groups[a]);
       const Transform2D &here = *track[k], &there = *track[middleOf(groups[b])];
-      if (areNear(here, there, run.scans[k].robot(), kBesideItself)) continue;
+      if (areNear(here, there, run.scans[k].robot(), kRoughly)) continue;
       const bool isSecondSmaller = groups[b].matches.size() <= groups[a].matches.size();
       MatchGroup& smaller = groups[isSecondSmaller ? b : a].group;
       smaller.aliasing = std::max(smaller.aliasing, aliasingUnder(there * here.inverse(), map));

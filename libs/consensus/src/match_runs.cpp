@@ -30,7 +30,7 @@ std::vector<Transform2D> wholesOf(const Site& site, const MapPairs& pairs, std::
   for (std::size_t rank = 0; rank < most; ++rank)  // up to a dozen: each costs a look at each scan
     for (const std::vector<Transform2D>& poses : byPair) {
       if (rank >= poses.size() || wholes.size() >= 12) continue;
-      if (!isNearAny(wholes, poses[rank], middle, kBesideItself)) wholes.push_back(poses[rank]);
+      if (!isNearAny(wholes, poses[rank], middle, kRoughly)) wholes.push_back(poses[rank]);
     }
   return wholes;
 }

@@ -28,8 +28,7 @@ struct Contradiction {
   }
 };
 constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
-constexpr double kMaySpeak = 0.05;     // share of the walls of a scan that can speak against a step
-constexpr double kUnlikeOthers = 1.2;  // times the gain of the next best answer, of a slip
+constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
 // Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
 // there than as it was drawn.
 constexpr double kClearerBehind = 0.25, kGainBehind = 8;
@@ -150,7 +149,7 @@ class Mender {
     const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
     const double gain = best->score - drawn.score;
     if (!mayBe || best->quality < kMajority || best->quality < drawn.quality + kClearerBehind ||
-        gain < kGainBehind || gain < kUnlikeOthers * (secondOf(found, *best, drawn) - drawn.score))
+        gain < kGainBehind || secondOf(found, *best, drawn) - drawn.score > kRivalScore * gain)
       return;
     mendBack(k, behind, best->pose);
   }
@@ -232,7 +231,7 @@ class Mender {
     const double second = secondOf(found, *best, drawn);
     const bool isSlip = areNear(best->pose, result_.poses[k], {}, kSlipped) &&
                         (kSlip.holds(drawn, *best) || kClearSlip.holds(drawn, *best)) &&
-                        best->score - drawn.score > kUnlikeOthers * (second - drawn.score);
+                        second - drawn.score < kRivalScore * (best->score - drawn.score);
     // Where a scan shows what none before it has seen, nothing speaks against the step, however
     // well it fits elsewhere: buildings repeat themselves.
     const bool isTear = drawn.known >= kMaySpeak && kTear.holds(drawn, *best);

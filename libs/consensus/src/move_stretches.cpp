@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kGaveWay = 10;  // half the robust squared residual of a link from which on it did
 constexpr double kLenient = 4;   // times the noise of matches: what is left over the solver mends
-constexpr double kBetter = 1;    // by which the cost must fall, so that rounding decides nothing
 
 /** Nodes first to last of a run. */
 struct Stretch {
@@ -218,7 +217,7 @@ class Mover {
   }
 
   bool place(const Stretch& stretch) {
-    double best = -kBetter;
+    double best = -1;  // so that rounding decides nothing
     std::optional<Transform2D> chosen;
     for (const Transform2D& motion : motionsOf(stretch))
       if (const double change = changeBy(stretch, TurnedPose(motion)); change < best)

@@ -12,8 +12,7 @@
 namespace roomgraph {
 namespace {
 
-// From stage to stage the kernels are halved.
-constexpr int kStages = 6, kStageSteps = 3;
+constexpr int kStageSteps = 3;  // until the kernels are halved
 
 /** The pose of one node in another is as it was measured. */
 class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
@@ -97,12 +96,10 @@ class Solver {
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
     double widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
-    for (int stage = startIs == StartIs::good ? kStages - 1 : 0; stage < kStages; ++stage) {
-      const bool isLast = stage + 1 == kStages;
-      options.max_num_iterations = (isLast ? kStages : 1) * kStageSteps;
-      widenKernels(isLast ? 1 : widening);
+    for (; widening >= 1; widening /= 2) {
+      options.max_num_iterations = (widening > 1 ? 1 : 8) * kStageSteps;
+      widenKernels(widening);
       ceres::Solve(options, &problem_, &summary);
-      widening = std::max(1.0, widening / 2);
     }
     return {poses(), summary.final_cost};
   }

@@ -15,10 +15,9 @@
 namespace roomgraph {
 namespace {
 
-// Around a wall, of what counts in the fit of a scan: a part of its walls will do to come near.
-constexpr NarrowingBand kRoughFit{0.6, 0.387, 3}, kFit{0.31, 0.2, 3};
-constexpr double kNearPatch = 6;                      // patches within this give poses to try [m]
-constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
+// Around a wall, of what counts in the fit of a scan. For the first half a part of its walls will
+// do.
+constexpr NarrowingBand kFit{0.6, 0.2, 6};
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
@@ -88,6 +87,9 @@ class Tracker {
   }
 
  private:
+  /** Of a way that begins far from where the maps as a whole fit. */
+  static constexpr double kStartCost = 2 * fitted::kJumpCost;
+
   enum class Way { forth, back };
 
   /** Finds candidates of a scan: near those of the scans before it on the way, near what was
@@ -147,7 +149,7 @@ class Tracker {
     TrackedFit& fit = fitFrom(k, start);
     if (fit.roughQuality < fitted::kLeastQuality || isKnown(k, fit.rough, kSameScanAnswer)) return;
     if (!fit.quality) {
-      fit.pose = fitted(scans_[k], fit.rough, kFit, 1);
+      fit.pose = fitted(scans_[k], fit.rough, kFit.half(1), 1);
       fit.quality = qualityAt(scans_[k], map_, fit.pose, fitted::kLeastQuality);
     }
     if (*fit.quality < fitted::kLeastQuality || isKnown(k, fit.pose, kSameScanAnswer)) return;
@@ -161,7 +163,7 @@ class Tracker {
         return fit;
     TrackedFit fit;
     fit.start = start;
-    fit.rough = fitted(scans_[k], start, kRoughFit, kQuickStride);
+    fit.rough = fitted(scans_[k], start, kFit.half(0), kQuickStride);
     fit.roughQuality = roughQualityAt(k, fit.rough, fitted::kLeastQuality);
     fits_[k].push_back(fit);
     return fits_[k].back();
@@ -189,8 +191,7 @@ class Tracker {
 
   /** What a pose that is some decimetres off may come to, by a part of the walls. */
   double roughQualityAt(std::size_t k, const Transform2D& pose, double least) const {
-    const std::size_t stride = std::max<std::size_t>(1, scans_[k].walls.size() / kRoughWalls);
-    return qualityAt(scans_[k], map_, pose, least, kRoughNear, stride);
+    return qualityAt(scans_[k], map_, pose, least, kRoughNear, roughStride(scans_[k].walls.size()));
   }
 
   Transform2D fitted(const ScanWalls& scan, const Transform2D& pose, const NarrowingBand& band,
@@ -204,7 +205,7 @@ class Tracker {
   std::vector<Transform2D> posesNear(Point place) const {
     std::vector<Transform2D> poses;
     for (const FollowedPatch& f : followed_.patches) {
-      if (distance(patches_[f.patch].middle, place) > kNearPatch) continue;
+      if (distance(patches_[f.patch].middle, place) > kPatchReach) continue;
       if (!isNearAny(poses, f.pose, place, kSameScanStart)) poses.push_back(f.pose);
     }
     return poses;

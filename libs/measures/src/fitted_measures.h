@@ -7,8 +7,6 @@ namespace roomgraph::fitted {
 
 // Matching of vertices: what speaks against a pair, in metres of distance.
 constexpr double kOtherKind = 0.3, kPerMetre = 0.5;
-constexpr int kMostExits = 3;
-constexpr double kFollowReach = 5;   // of a patch whose pose places a vertex [m]
 constexpr double kMaxSeed = 1;       // of vertices matched by their place; unlike ones cost it [m]
 constexpr double kMaxGrown = 1.5;    // of neighbours of matched vertices [m]
 constexpr double kAlikeWidth = 0.3;  // by which clearances of vertices differ that look alike [m]
@@ -22,16 +20,11 @@ constexpr double kPathStep = 0.25;  // [m]
 constexpr double kLoop = 0.3;       // share of the length below which the ends give no direction
 
 // Scans of one place at two times.
-constexpr double kSameFacing = 0.5;    // cosine
-constexpr double kMinApart = 5;        // path between two scans that are compared [m]
 constexpr double kSameView = 2;        // between the places of two scans that see the same [m]
 constexpr std::size_t kMaxVisits = 8;  // scans that one is compared with, nearest first
 
 // Coverage: a run that is trusted less than this share of the second best is so torn or bent that
 // it tells of places that are not there.
 constexpr double kLeastTrust = 1e-3;
-
-// Least support.
-constexpr double kArea = 10;  // of the site [m2]
 
 }  // namespace roomgraph::fitted

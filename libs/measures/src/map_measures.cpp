@@ -37,8 +37,7 @@ std::vector<Witness> witnessesOf(const Site& site, const MapPairs& pairs, const 
   for (std::size_t j = 0; j < site.runs.size(); ++j) {
     if (!canTell(pairs, trust, run, j)) continue;
     const FollowedWalls& followed = followedIn(pairs, run, j);
-    witnesses[j].pieces =
-        double(rigidPieces(site.runs[run]->map.patches, followed, kOnePiece).size());
+    witnesses[j].pieces = double(rigidPieces(site.runs[run]->map.patches, followed).size());
     witnesses[j].trust = trust[j];
     for (const FollowedPatch& f : followed.patches) witnesses[j].walls += f.walls;
   }

@@ -48,7 +48,7 @@ double nearestOf(const std::vector<Point>& places, Point to) {
 using Near = std::vector<std::vector<std::pair<std::uint32_t, double>>>;
 
 Near nearVertices(const FollowedGraph& a, const FollowedGraph& b) {
-  const auto ofA = placesOf(a, fitted::kFollowReach), ofB = placesOf(b, fitted::kFollowReach);
+  const auto ofA = placesOf(a, kPatchReach), ofB = placesOf(b, kPatchReach);
   Near near(ofA.size());
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j) {
@@ -104,8 +104,7 @@ class Matcher {
     const Vertex &v = a_.vertices()[i], &w = b_.vertices()[j];
     if ((v.kind == VertexKind::room) != (w.kind == VertexKind::room)) return std::nullopt;
     const int exits = std::abs(int(a_.degree(VertexId(i))) - int(b_.degree(VertexId(j))));
-    return (v.kind == w.kind ? 0 : fitted::kOtherKind) +
-           fitted::kOtherKind / 2 * std::min(exits, fitted::kMostExits) +
+    return (v.kind == w.kind ? 0 : fitted::kOtherKind) + fitted::kOtherKind / 2 * exits +
            fitted::kPerMetre * std::min(1.0, std::abs(v.clearance - w.clearance));
   }
 

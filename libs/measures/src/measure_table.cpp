@@ -38,7 +38,7 @@ MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
 
 std::vector<MeasureRow> wallRows() {
   return {
-      {{"coverage", "Coverage", "1", fitted::kArea,
+      {{"coverage", "Coverage", "1", kFewestThings,
         "Of what two runs have seen free, the share it has seen."},
        [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
        {}},
@@ -88,7 +88,7 @@ std::vector<MeasureRow> roomRows() {
              return roomsMatchedOf(all.rooms, all.trust, run);
            },
            {}},
-          {{"room_coverage", "Room area of the others that it has", "1", fitted::kArea,
+          {{"room_coverage", "Room area of the others that it has", "1", kFewestThings,
             "Of the area of all rooms of the others, the share in rooms that it has, too."},
            [](const SiteEvidence& all, std::size_t run) {
              return roomCoverageOf(all.rooms, all.trust, run);

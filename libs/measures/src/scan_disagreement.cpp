@@ -7,6 +7,7 @@
 
 #include "MeasuredValue.h"
 #include "fitted_measures.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
@@ -21,7 +22,7 @@ std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>
   std::vector<std::pair<double, std::size_t>> others;
   for (std::size_t j = 0; j < scans.size(); ++j) {
     const double far = distance(scans[scan].robot(), scans[j].robot());
-    if (far <= fitted::kSameView && std::abs(paths[scan] - paths[j]) >= fitted::kMinApart)
+    if (far <= fitted::kSameView && std::abs(paths[scan] - paths[j]) >= kWayRound)
       others.push_back({far, j});
   }
   std::sort(others.begin(), others.end());
@@ -36,7 +37,7 @@ void searchIn(const ScanWalls& scan, const WallPoint& wall, std::optional<double
   for (const WallPoint& other : scan.walls) {
     const Point off = other.place - wall.place;
     if (squaredNorm(off) > WallMap::kReach * WallMap::kReach) continue;
-    if (dot(other.normal, wall.normal) < fitted::kSameFacing) continue;
+    if (dot(other.normal, wall.normal) < kFacesAlike) continue;
     const double across = dot(off, other.normal);
     const double along = std::max(0.0, std::abs(cross(off, other.normal)) - kSameWall);
     const double far = across * across + along * along;

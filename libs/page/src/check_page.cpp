@@ -26,12 +26,6 @@ struct FrameRange {
   std::size_t first = 0, end = 0;
 };
 
-constexpr const char* kCheckStyle =
-    "svg.map{width:100%;max-height:80vh;background:#fff;border:1px solid var(--line)} "
-    ".pair{display:flex;gap:16px;flex-wrap:wrap} .pair figure{margin:0;flex:1 1 320px} "
-    ".pair svg{width:100%;background:#fff;border:1px solid var(--line)} "
-    ".dots{fill:none;stroke-linecap:round}";
-
 /** Places as dots of a path; y is up in maps and down in pictures. */
 std::string dots(const std::vector<Point>& places, const char* colour, double size) {
   std::string path;
@@ -238,7 +232,11 @@ std::string checkPage(const RunCheck& check, const Run& run) {
   SimplePage page;
   page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
   page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
-  page.style = kCheckStyle;
+  page.style =
+      "svg.map{width:100%;max-height:80vh;background:#fff;border:1px solid var(--line)} "
+      ".pair{display:flex;gap:16px;flex-wrap:wrap} .pair figure{margin:0;flex:1 1 320px} "
+      ".pair svg{width:100%;background:#fff;border:1px solid var(--line)} "
+      ".dots{fill:none;stroke-linecap:round}";
   page.body = run.scans.empty()
                   ? mapHtml(check, run)
                   : figuresHtml(check) + mapHtml(check, run) + breaksHtml(check, run) +

@@ -9,13 +9,13 @@
 #include "page_summary.h"
 #include "page_values.h"
 #include "room_rows.h"
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/page/site_pictures.h"
-#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {

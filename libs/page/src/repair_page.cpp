@@ -17,14 +17,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kPixel = 0.1;  // [m]
-// The picture before lies over the one after; its right edge can be drawn.
-constexpr const char* kRepairStyle =
-    ".swipe{position:relative;container-type:inline-size;border:1px solid var(--line);"
-    "background:#fff} .swipe svg{display:block;width:100cqw} "
-    ".swipe .before{position:absolute;inset:0 auto 0 0;width:50%;max-width:100%;overflow:hidden;"
-    "resize:horizontal;background:#fff;border-right:2px solid #0a4f8f} "
-    ".swipe p{position:absolute;top:0;margin:4px;padding:0 6px;background:#fff;color:#17202e} "
-    ".swipe>p{right:0} ";
 
 /** Where the scans of a run and what they have met lie in its picture, in pixels, y down. */
 struct Drawing {
@@ -149,7 +141,14 @@ std::string repairPage(const std::vector<ShownRepair>& repairs) {
   SimplePage page;
   page.title = page.heading = "Repaired runs", page.subject = "runs before and after their repair";
   page.counts = formatted("%zu of %zu mended.", std::size_t(mended), repairs.size());
-  page.style = kRepairStyle;
+  // The picture before lies over the one after; its right edge can be drawn.
+  page.style =
+      ".swipe{position:relative;container-type:inline-size;border:1px solid var(--line);"
+      "background:#fff} .swipe svg{display:block;width:100cqw} "
+      ".swipe .before{position:absolute;inset:0 auto 0 0;width:50%;max-width:100%;overflow:hidden;"
+      "resize:horizontal;background:#fff;border-right:2px solid #0a4f8f} "
+      ".swipe p{position:absolute;top:0;margin:4px;padding:0 6px;background:#fff;color:#17202e} "
+      ".swipe>p{right:0} ";
   page.body =
       "<p class=\"hint\">Drag the lower right corner of the picture on top to see more or less of "
       "the one below it. The path is grey where only the links from key frame to key frame tell "

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fitted_relate.h"
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 

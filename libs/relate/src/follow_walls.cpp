@@ -12,7 +12,6 @@
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/relate/sight_walls.h"
 #include "torn_end.h"
 
 namespace roomgraph {
@@ -59,9 +58,8 @@ class Follower {
     if (poses.empty() || map_.walls.empty()) return {};
     followFirst(poses.front());
     std::vector<Transform2D> others(poses.begin() + 1, poses.end());
-    if (others.size() > fitted::kMaxCandidates) others.resize(fitted::kMaxCandidates);
-    for (int piece = 1; piece < fitted::kMaxPieces; ++piece)
-      if (!followPiece(poses.front(), others)) break;
+    while (followPiece(poses.front(), others)) {
+    }
     for (int round = 0; round < fitted::kTwinRounds; ++round) followTwins();
     fit();
     if (!(map_.hasScans && other_.hasScans) && followTornEnd()) fit();
@@ -170,7 +168,7 @@ class Follower {
       if (left_[i].size() < kFewestPoints) continue;
       if (distance(pose(patch.middle), first(patch.middle)) > kMaxBend) continue;
       const double quality = qualityAt(i, pose, kQuickStride);
-      if (quality >= fitted::kFairQuality)
+      if (quality >= kFairQuality)
         sum += quality * double(patch.own.size() * left_[i].size()) / double(patch.around.size());
       if (quality > best) best = quality, seed = i;
     }
@@ -231,17 +229,17 @@ class Follower {
     nextLayer();
     const std::vector<FollowedPatch> found = result_.patches;
     for (const FollowedPatch& f : found) {
-      offer(f.patch, f.pose, fitted::kFairQuality, true);
-      offerAround(f.patch, f.pose, fitted::kFairQuality);
+      offer(f.patch, f.pose, kFairQuality, true);
+      offerAround(f.patch, f.pose, kFairQuality);
     }
-    grow(fitted::kFairQuality);
+    grow(kFairQuality);
   }
 
   /** Takes the end of a run that is torn off, if it draws what is there already, unlike walls of a
    *  sound map over which the other one has drawn. Whether it does. Maps that bend by more than
    *  walls may be off contradict each other all along. */
   bool followTornEnd() {
-    if (result_.bend > kSameWhereBent) return false;
+    if (result_.bend > 2 * kSameWall) return false;
     std::vector<bool> isFound;
     for (const int layer : foundIn_) isFound.push_back(layer != kNone);
     const auto end = findTornEnd(map_, other_, result_, isFound);

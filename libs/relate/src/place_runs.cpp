@@ -8,6 +8,7 @@
 #include "drop_lone_bends.h"
 #include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"

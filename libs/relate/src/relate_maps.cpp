@@ -67,7 +67,7 @@ std::vector<Transform2D> piecesInHub(const MapPair& hubAndMap, const WallMap& ma
   for (const FollowedPatch& f : hubAndMap.bInA.patches) {
     const Point middle = map.patches[f.patch].middle;
     const auto same = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
-      return areNear(piece.pose, f.pose, middle, kSamePiece);
+      return areNear(piece.pose, f.pose, middle, kSameScanStart);
     });
     if (same == pieces.end())
       pieces.push_back({f.pose, f.walls});

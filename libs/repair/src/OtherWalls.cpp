@@ -16,7 +16,7 @@ OtherWalls::OtherWalls(const SolvedSite& solved, std::size_t but,
     const std::vector<Transform2D> real = solved.posesOf(i);
     for (std::size_t k = 0; k < local.size(); ++k) {
       if (std::none_of(places.begin(), places.end(), [&](Point place) {
-            return distance(place, real[k].shift()) < fitted::kTellsOfPlace;
+            return distance(place, real[k].shift()) < fitted::kEarshot;
           }))
         continue;
       scans.push_back(local[k]);

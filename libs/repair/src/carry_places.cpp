@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fitted_repair.h"
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
@@ -81,7 +82,7 @@ class Carrier {
     }
     carried.pose = route->onward.pose;
     carried.error =
-        std::hypot(fitted::kLeastCarried, std::hypot(route->there.spread, route->onward.spread));
+        std::hypot(fitted::kLeastSpread, std::hypot(route->there.spread, route->onward.spread));
     judge(place, *route, carried);
     return carried;
   }
@@ -130,7 +131,7 @@ class Carrier {
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), pose.shift());
     if (off > fitted::kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
-    for (const ScanFit& other : findScan(view, new_, pose, fitted::kRivalWindow, 1))
+    for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)
         return formatted("what lies around it fits better %.1f m beside",
                          distance(other.pose.shift(), pose.shift()));

@@ -2,23 +2,16 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "roomgraph/align/near_poses.h"
-
 /** What repair was set by: the runs that `benchmarks/score_accuracy --data DIR` compares, with what
  *  is left of their true errors once they are mended; see "Repair" and "Carry" in
  *  benchmarks/README.md. */
 namespace roomgraph::fitted {
 
 // The frame of a mended run.
-constexpr double kDrawsAt = 5;            // [m]
-constexpr std::size_t kPieceProbes = 12;  // scans of a piece that are looked up, evenly
 constexpr double kWithin = 2.5 * 1.4826;  // medians: 2.5 standard deviations of normal errors
 
 // Whether a run gets better.
-constexpr std::size_t kProbes = 60;  // scans of it by which it and its frame are judged, about
-
-// What others have seen.
-constexpr double kTellsOfPlace = 10;  // from a place to the scans that tell of it [m]
+constexpr std::size_t kProbes = 60;  // scans of it, or of a piece, by which it is judged, about
 
 // One map of several runs.
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
@@ -28,7 +21,7 @@ constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is loo
 constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well
 
 // How a map bends round a place.
-constexpr double kEarshot = 12;   // a node says nothing of places farther away [m]
+constexpr double kEarshot = 12;   // a node, or scan, says nothing of places farther away [m]
 constexpr double kBlend = 1;      // over so much the word passes from node to node [m]
 constexpr double kUnseen = 0.01;  // what a node's word is worth through a wall
 // Who marks a place may mean what a node this near has drawn, or one twice as far off that sees it
@@ -37,12 +30,11 @@ constexpr double kMeant = 3;
 constexpr double kOtherPiece = 3;  // a piece lies elsewhere that bends so far on average [m]
 
 // Places on another map.
-constexpr double kBeenThere = 5;        // the robot was at a place that it has passed this near [m]
-constexpr double kLeastCarried = 0.03;  // of the consensus where it is best [m]
-constexpr double kLargeError = 0.2;     // from which on a place is worth a look [m]
-constexpr double kViewRange = 6;        // of what lies around a place [m]
-constexpr double kOwnPlace = 0.3;       // farther off they belong to another place [m]
-constexpr PoseTolerance kRivalWindow{0.3, 2.5};  // where rivals are looked for
+constexpr double kBeenThere = 5;       // the robot was at a place that it has passed this near [m]
+constexpr double kLeastSpread = 0.03;  // of the consensus where it is best [m]
+constexpr double kLargeError = 0.2;    // from which on a place is worth a look [m]
+constexpr double kViewRange = 6;       // of what lies around a place [m]
+constexpr double kOwnPlace = 0.3;      // farther off they belong to another place [m]
 
 // The shape of what is carried.
 constexpr std::size_t kNeighbours = 8;
@@ -51,8 +43,6 @@ constexpr std::size_t kNeighbours = 8;
 constexpr double kBlock = 0.5;  // side of the squares whose corners are carried [m]
 
 // Constraints for other programs.
-constexpr double kSameSpot = 1;       // farther apart, key frames are at two places [m]
-constexpr double kPathBetween = 10;   // less path between two is no way round [m]
-constexpr double kLeastSigma = 0.05;  // of where a consensus has key frames [m]
+constexpr double kSameSpot = 1;  // farther apart, key frames are at two places [m]
 
 }  // namespace roomgraph::fitted

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "fitted_repair.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/geometry/NearPlaces.h"
 
@@ -18,9 +19,8 @@ std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Tr
   for (std::size_t k = 0; k < places.size(); ++k)
     near.forEachNear(places[k], [&](std::uint32_t other) {
       const double apart = distance(places[k], places[other]);
-      if (other > k && apart <= fitted::kSameSpot &&
-          path[other] - path[k] >= fitted::kPathBetween && run.scans[k].time &&
-          run.scans[other].time)
+      if (other > k && apart <= fitted::kSameSpot && path[other] - path[k] >= kWayRound &&
+          run.scans[k].time && run.scans[other].time)
         pairs.emplace_back(apart, k, other);
     });
   std::sort(pairs.begin(), pairs.end());
@@ -30,7 +30,7 @@ std::vector<LoopConstraint> loopConstraints(const Run& run, const std::vector<Tr
     if (isTaken[from] || isTaken[to]) continue;
     isTaken[from] = isTaken[to] = true;
     constraints.push_back({from, to, *run.scans[from].time, *run.scans[to].time,
-                           std::hypot(fitted::kLeastSigma, apart)});
+                           std::hypot(fitted::kLeastSpread, apart)});
   }
   std::sort(constraints.begin(), constraints.end(),
             [](const LoopConstraint& l, const LoopConstraint& r) { return l.from < r.from; });

@@ -37,7 +37,7 @@ class Rejoiner {
   Transform2D offAt(std::size_t k) const { return (poses_[k - 1] * step(k)).inverse() * poses_[k]; }
 
   /** So far that it may lie in a look-alike place: of what is nearer the consensus knows best. */
-  bool isTorn(std::size_t k) const { return !areNear(offAt(k), {}, {}, kBesideItself); }
+  bool isTorn(std::size_t k) const { return !areNear(offAt(k), {}, {}, kRoughly); }
 
   /** Moves the smaller part beside a tear to where its links have it, unless that fits worse. The
    *  parts reach to the larger tears that are confirmed. */
@@ -61,8 +61,8 @@ class Rejoiner {
   bool isConfirmed(std::size_t first, std::size_t end, const Transform2D& motion) const {
     std::vector<std::size_t> probes;
     std::vector<Point> places;
-    for (std::size_t i = 0; i < std::min(fitted::kPieceProbes, end - first); ++i) {
-      probes.push_back(first + i * (end - first) / std::min(fitted::kPieceProbes, end - first));
+    for (std::size_t i = 0; i < std::min(fitted::kProbes, end - first); ++i) {
+      probes.push_back(first + i * (end - first) / std::min(fitted::kProbes, end - first));
       places.push_back(poses_[probes.back()].shift());
       places.push_back(motion(places.back()));
     }

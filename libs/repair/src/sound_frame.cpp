@@ -6,6 +6,7 @@
 #include "fitted_repair.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
+#include "roomgraph/relate/turn_lever.h"
 
 namespace roomgraph {
 namespace {
@@ -24,8 +25,8 @@ Transform2D fitFrame(const std::vector<Transform2D>& were, const std::vector<Tra
   MotionFit fit;
   for (std::size_t k = 0; k < were.size(); ++k) {
     if (apart[k] > most) continue;
-    for (const Point round : {Point{fitted::kDrawsAt, 0}, Point{-fitted::kDrawsAt, 0},
-                              Point{0, fitted::kDrawsAt}, Point{0, -fitted::kDrawsAt}})
+    for (const Point round :
+         {Point{kTurnLever, 0}, Point{-kTurnLever, 0}, Point{0, kTurnLever}, Point{0, -kTurnLever}})
       fit.add(real[k](round), were[k](round));
   }
   return fit.motion();
@@ -34,8 +35,7 @@ Transform2D fitFrame(const std::vector<Transform2D>& were, const std::vector<Tra
 }  // namespace
 
 double poseDistance(const Transform2D& l, const Transform2D& r) {
-  return std::hypot(distance(l.shift(), r.shift()),
-                    fitted::kDrawsAt * 2 * std::sin((l.phi - r.phi) / 2));
+  return std::hypot(distance(l.shift(), r.shift()), kTurnLever * 2 * std::sin((l.phi - r.phi) / 2));
 }
 
 Transform2D soundFrame(const std::vector<Transform2D>& were, const std::vector<Transform2D>& real) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/relate/relate_maps.h"
 
 namespace roomgraph {
 namespace {

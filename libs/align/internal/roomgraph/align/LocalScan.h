@@ -6,6 +6,9 @@
 
 namespace roomgraph {
 
+/** A run that has gone less far between two scans has not come back [m]. */
+constexpr double kWayRound = 10;
+
 /** The walls of a scan as the robot saw them: what its run has made of its pose is left out. */
 struct LocalScan {
   std::vector<WallPoint> walls;  ///< [m, robot frame], in the order of the beams

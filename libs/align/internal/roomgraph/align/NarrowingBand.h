@@ -13,6 +13,12 @@ struct NarrowingBand {
     const double share = steps > 1 ? double(step) / (steps - 1) : 1;
     return first * std::pow(last / first, share);
   }
+
+  /** The first half of the steps (0), or the second (1); of an even number. */
+  NarrowingBand half(int which) const {
+    const int from = which * steps / 2;
+    return {widthAt(from), widthAt(from + steps / 2 - 1), steps / 2};
+  }
 };
 
 }  // namespace roomgraph

@@ -8,6 +8,9 @@ namespace roomgraph {
 // Out:  how much it is worth
 // Next: alignMaps
 
+/** Confidence of an alignment from which on nothing else is asked; less is worth a look. */
+constexpr double kSureConfidence = 0.9;
+
 /** Ranks the poses of one pair: grows with the length of wall that is found again, and falls with
  *  the shares of it that are contradicted. Differences are about log odds; the number alone says
  *  nothing. */

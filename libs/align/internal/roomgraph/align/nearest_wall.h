@@ -6,7 +6,7 @@ namespace roomgraph {
 /** A wall that lies this near to another has been found [m]. */
 constexpr double kSameWall = 0.15;
 
-/** Cosine between the normals of one wall in two scans. */
+/** Cosine between the normals of one wall, in two scans or drawn twice. */
 constexpr double kFacesAlike = 0.8;
 
 /** How far apart the same wall lies in two maps, as a rule [m]. */

@@ -8,7 +8,9 @@ namespace roomgraph {
 constexpr double kDoubt = 5;
 /** Fewer tell no pose of their own. */
 constexpr std::size_t kFewestPoints = 15;
-/** Share of them that is found from which on no other pose is looked for. */
+/** Share of them that is found from which on a pose that others lead to is worth a look. */
+constexpr double kFairQuality = 0.3;
+/** The same from which on no other pose is looked for. */
 constexpr double kSureQuality = 0.7;
 /** Of every so manyth point are poses told by that are only compared. */
 constexpr std::size_t kQuickStride = 3;

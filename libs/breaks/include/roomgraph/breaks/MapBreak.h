@@ -6,6 +6,7 @@
 
 #include "roomgraph/base/enum_names.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/relate/turn_lever.h"
 
 namespace roomgraph {
 
@@ -32,9 +33,6 @@ enum class BreakClass {
   return {"slight", "clear", "apart"};
 }
 
-/** How far from a break is looked, to tell how much it moves [m]. */
-constexpr double kBreakLever = 10;
-
 /** Where the first key frame behind a break lies, site <- robot. What `drawn` says is wrong from
  *  there on by the motion mend(). */
 struct TornPose {
@@ -58,8 +56,8 @@ struct MapBreak {
   std::optional<double> time;
   std::optional<TornPose> torn{};  ///< none of a run without scans
 
-  /** By how much it moves what lies kBreakLever behind it, at most [m]. */
-  [[nodiscard]] double size() const { return std::abs(shift) + kBreakLever * std::abs(rotation); }
+  /** By how much it moves what lies kTurnLever behind it, at most [m]. */
+  [[nodiscard]] double size() const { return std::abs(shift) + kTurnLever * std::abs(rotation); }
   [[nodiscard]] BreakClass kind() const {
     const double turn = std::abs(rotation), far = std::abs(shift);
     if (turn >= kApartRotation || far >= kApartShift) return BreakClass::apart;

@@ -23,9 +23,6 @@ struct PieceBreak {
   std::array<std::vector<std::size_t>, 2> pieces;  ///< their patches, the larger piece first
 };
 
-/** A smaller turn between pieces could be a drift, and a piece that bends by more does drift
- *  [rad]. */
-constexpr double kLeastPieceTurn = 0.044;
 /** By how much the break must be more than what the pieces themselves bend. */
 constexpr double kPieceContrast = 2.5;
 /** Share of the walls that were found, of the smaller piece. */

@@ -16,8 +16,6 @@ namespace roomgraph {
 
 /** Share of a run's walls that another run must have, to tell where it breaks. */
 constexpr double kWitnessShare = 0.3;
-/** Share of the votes that must tell of the break of a run without scans. */
-constexpr double kEnoughVotes = 0.6;
 
 /** The breaks of each run of the site, along it. Of a run with scans: where the consensus has
  *  torn it from one scan to the next. Of one without: where it has the same two pieces in

@@ -14,12 +14,6 @@
 
 namespace roomgraph {
 
-/** A run of less coverage is no map of the whole site. */
-constexpr double kPartialCoverage = 0.7;
-
-/** Of its walls, so many were found in other maps of a run that is told for sure. */
-constexpr double kMostWalls = 0.6;
-
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
 
@@ -51,7 +45,7 @@ struct ComparedRun {
   bool isScaleEstimated = false;  ///< `resolution` was estimated from the other runs
   std::vector<PathPose> path;     ///< by key frame; empty for a run without scans
 
-  /** The measure `coverage`, where it is meaningful, and is less than kPartialCoverage. */
+  /** The measure `coverage`, where it is meaningful, and is less than kNearlyAll. */
   [[nodiscard]] std::optional<double> partialCoverage() const;
 };
 
@@ -122,7 +116,7 @@ struct Comparison {
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
-   *  shows less than kPartialCoverage of the site, where the others have less than kMostWalls of
+   *  shows less than kNearlyAll of the site, where the others have less than kNearlyAll of
    *  its walls or do not bear it out, where it is smeared or its scale disputed, or where the
    *  interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;

@@ -3,12 +3,9 @@
 
 namespace roomgraph {
 
-/** Error at which the score is 100 / e [m]. */
-constexpr double kScoreScale = 0.5;
-/** The least share of walls in common with another run, for a score that is meaningful. */
-constexpr double kLeastShare = 0.2;
-/** The least share of a map that other runs have to bear out, for a word on all of it. */
-constexpr double kLeastConfirmed = 0.7;
+/** The least share of the site that a run must have seen to be a map of all of it, of its map that
+ *  others must bear out for a word on all of it, and of its walls that they must have. */
+constexpr double kNearlyAll = 0.7;
 /** A run whose key frames lie off each on its own by so much, RMS, is smeared: it breaks at each of
  *  them [m]. */
 constexpr double kSmeared = 0.1;
@@ -31,9 +28,7 @@ struct RunScore {
   bool isMeaningful = false;  ///< see scoreRuns
 
   /** Whether others bear out so much that it can be spoken of as a whole. */
-  [[nodiscard]] bool isBorneOut() const {
-    return confirmed >= kLeastConfirmed && contradicted <= 0;
-  }
+  [[nodiscard]] bool isBorneOut() const { return confirmed >= kNearlyAll && contradicted <= 0; }
 };
 
 }  // namespace roomgraph

@@ -20,8 +20,8 @@ struct MapPairs;
 struct CompareRunsOptions {
   bool areAligned = false;                ///< all maps are in one frame already
   std::optional<std::size_t> reference;   ///< the run to measure the others against
-  double scoreScale = kScoreScale;        ///< map error at which the score is 100 / e [m]
-  double leastShare = kLeastShare;        ///< of walls in common, for a score that is meaningful
+  double scoreScale = 0.5;                ///< map error at which the score is 100 / e [m]
+  double leastShare = 0.2;                ///< of walls in common, for a score that is meaningful
   double breakShift = kBreakShift;        ///< from which on a jump of a run is a break [m]
   double breakRotation = kBreakRotation;  ///< the same for one that turns its map [rad]
   KeptPairs kept;              ///< where pairs are kept from call to call; changes nothing

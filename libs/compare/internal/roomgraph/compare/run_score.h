@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "roomgraph/compare/RunScore.h"
+#include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/consensus/map_errors.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/PairBend.h"
@@ -18,12 +18,6 @@ namespace roomgraph {
 /** Error below which all runs are trusted alike [m]. */
 constexpr double kTrustFloor = 0.05;
 
-/** How an error becomes a score. */
-struct RunScoreOptions {
-  double scoreScale = kScoreScale;  ///< error at which the score is 100 / e [m]
-  double leastShare = kLeastShare;  ///< of walls in common with another run, to be meaningful
-};
-
 /** Of each run of a site; none for a reference, and where no wall could be compared. */
 using RunScores = std::vector<std::optional<RunScore>>;
 
@@ -36,7 +30,7 @@ using RunScores = std::vector<std::optional<RunScore>>;
  *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
 RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                     const std::vector<MapError>& errors, std::optional<std::size_t> reference,
-                    const RunScoreOptions& options);
+                    const CompareRunsOptions& options);
 
 /** Whom to trust: the runs as they are scored, or a reference alone. */
 Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference);

@@ -9,16 +9,16 @@
 
 namespace roomgraph {
 
-/** Standard deviations of a measured pose [m, rad]. */
+/** Standard deviations of a measured pose [rad, m]. */
 struct PoseNoise {
-  double place = 0, turn = 0;
+  double turn = 0, place = 0;
 
-  PoseNoise times(double factor) const { return {factor * place, factor * turn}; }
+  PoseNoise times(double factor) const { return {factor * turn, factor * place}; }
 };
 
-/** How far two poses lie apart [m, rad]. */
+/** How far two poses lie apart [rad, m]. */
 struct PoseGap {
-  double place = 0, turn = 0;
+  double turn = 0, place = 0;
 };
 
 /** A part of a run that is rigid in itself: a key frame with its scan or, of a run without scans, a

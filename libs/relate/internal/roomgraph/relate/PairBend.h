@@ -6,7 +6,7 @@ namespace roomgraph {
 /** Wall points below which what two maps have in common tells nothing for sure. */
 constexpr double kFewestWalls = 300;
 
-/** Fewer vertices, paths or scans tell nothing for sure. */
+/** Fewer vertices, paths, scans or square metres tell nothing for sure. */
 constexpr double kFewestThings = 10;
 
 /** Fewer other runs can not outvote one that is wrong. */

@@ -35,6 +35,9 @@ struct FollowedWalls {
   double misfit = 0;
 };
 
+/** So far from the middle of a patch its pose tells where things are [m]. */
+constexpr double kPatchReach = 6;
+
 /** Around a wall, of what counts in the fit of a patch. */
 constexpr NarrowingBand kPatchBand{0.8, 0.25, 4};
 

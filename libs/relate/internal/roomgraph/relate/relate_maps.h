@@ -9,9 +9,6 @@ namespace roomgraph {
 // Out:  MapPair: all that is to be known of two maps, beside the others
 // Next: compareRuns
 
-/** Confidence of an alignment from which on nothing else is asked; less is worth a look. */
-constexpr double kSureConfidence = 0.9;
-
 /** How two maps lie in each other, as a whole and place by place. */
 struct MapPair {
   Alignment alignment;        ///< of b in a

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/relate/turn_lever.h"
 
 namespace roomgraph {
 
@@ -20,7 +21,6 @@ struct PairPose {
 };
 
 constexpr double kMinPairConfidence = 0.3;  ///< pairs below this are not used
-constexpr double kTurnLever = 10;           ///< how far from the middle a turn is felt [m per rad]
 constexpr double kMaxMisfit = 0.5;          ///< a pair that disagrees by more counts little [m]
 
 struct SitePose {
