@@ -39,7 +39,7 @@ TEST(LoopConstraints, areWhereThePathReallyComesBack) {
   for (const LoopConstraint& one : constraints) {
     EXPECT_EQ(one.to, one.from + 80);
     EXPECT_EQ(one.fromTime, 1e9 + double(one.from));
-    EXPECT_NEAR(one.sigma, 0.05, 1e-9);
+    EXPECT_NEAR(one.sigma, 0.03, 1e-9);
   }
 }
 

@@ -48,7 +48,7 @@ TEST(SoundFrame, ofNothingOrOnePose) {
 
 TEST(PoseDistance, turnsCountByWhatIsDrawn) {
   EXPECT_NEAR(poseDistance({3, 4, 1}, {0, 0, 1}), 5, 1e-12);
-  EXPECT_NEAR(poseDistance({0, 0, 0.02}, {0, 0, 0}), 0.1, 1e-4);
+  EXPECT_NEAR(poseDistance({0, 0, 0.02}, {0, 0, 0}), 0.2, 1e-4);
   EXPECT_NEAR(poseDistance({0, 0, M_PI}, {0, 0, -M_PI}), 0, 1e-9);
 }
 
