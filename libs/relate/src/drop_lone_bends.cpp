@@ -20,7 +20,7 @@ bool denies(const FollowedWalls& asked, const FollowedWalls& told) {
  *  bear it out: of the run in them, or of them in the other. A copy of a run does both. */
 bool isLone(std::size_t run, std::size_t in, const MapPairs& pairs) {
   const FollowedWalls& told = followedIn(pairs, run, in);
-  if (told.bend < kSameWhereBent || !denies(followedIn(pairs, in, run), told)) return false;
+  if (told.bend < 2 * kSameWall || !denies(followedIn(pairs, in, run), told)) return false;
   int votes = 0;
   const auto ask = [&](std::size_t other, std::size_t there) {
     const FollowedWalls& asked = followedIn(pairs, other, there);
