@@ -234,7 +234,7 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
   EXPECT_FALSE(options.asksNothing());
   EXPECT_TRUE(gateVerdict(withWalls(0.14, 0.19, 0.5), options).isPassed());
   EXPECT_EQ(gateVerdict(withWalls(0.3, 0.4, 0.2), options).complaints,
-            (Lines{"a: lacks 30 % of the walls that two others have, more than 20 %",
+            (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
                    "a: has 40 % of its walls where others have seen free space, more than 20 %",
                    "a: its walls are too thin: wall_sharpness is 0.20, that of the others 0.80"}));
   EXPECT_EQ(gateVerdict(withWalls(0, 0, 3), options).complaints,

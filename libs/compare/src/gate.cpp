@@ -144,9 +144,9 @@ class Judge {
       hold(name, run.name, left,
            formatted(text, 100 * value, left < 0 ? "more" : "no more", 100 * most));
     };
-    judge("walls_missing", kMostOther,
+    judge("walls_missing", kMostMissing,
           "lacks %.0f %% of the walls that two others have, %s than %.0f %%");
-    judge("walls_added", kMostOther,
+    judge("walls_added", kMostAdded,
           "has %.0f %% of its walls where others have seen free space, %s than %.0f %%");
     judgeSharpness(run);
   }

@@ -13,8 +13,9 @@ namespace roomgraph {
 // Next: the end of a nightly job
 
 // What walls may differ by, which is more than they do where furniture moves.
-constexpr double kMostOther = 0.2;    ///< of `walls_missing`, and of `walls_added`
-constexpr double kMostThinned = 2.5;  ///< of `wall_sharpness`, over or below the others' median
+constexpr double kMostMissing = 0.15;  ///< of `walls_missing`
+constexpr double kMostAdded = 0.2;     ///< of `walls_added`
+constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below the others' median
 
 /** What must not be. */
 struct GateOptions {
@@ -27,8 +28,8 @@ struct GateOptions {
   bool failsOnBreaks = false;       ///< a run has a break that is not slight
   bool failsOnUnconfirmed = false;  ///< too much of a run is borne out by no other, see isBorneOut
   bool failsOnOtherSites = false;   ///< a run is of another site
-  /** More than kMostOther of the walls that others have are gone from a run, or of its own are in
-   *  no other, or they are so much thinner or thicker, see kMostThinned. */
+  /** More than kMostMissing of the walls that others have are gone from a run, more than kMostAdded
+   *  of its own are in no other, or they are so much thinner or thicker, see kMostThinned. */
   bool failsOnWalls = false;
   /** Names of the runs that are judged: the others are the record. Each must be there, have a map
    *  error that can be trusted, and be no copy of one of the record. Empty where all are judged. */
