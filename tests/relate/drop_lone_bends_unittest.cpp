@@ -64,6 +64,13 @@ TEST(DropLoneBends, aRunInWhichAllOthersAreBentStays) {
   EXPECT_EQ(three.pairs(0, 1).bInA.bend, 12);
 }
 
+TEST(DropLoneBends, thatOthersAreSoundInTheOtherMapSaysNothingOfTheRun) {
+  SoundSite five(5);
+  for (const std::size_t run : {0, 1, 2}) five.pairs(run, 4).bInA.bend = 12;  // it is torn
+  five.drop();
+  EXPECT_EQ(five.pairs(0, 4).bInA.bend, 12) << "two bear it out, and one denies it";
+}
+
 TEST(DropLoneBends, aBendThatBothWaysTellStays) {
   SoundSite three(3);
   three.pairs(0, 1).bInA.bend = 12, three.pairs(0, 1).aInB.bend = 8;

@@ -16,21 +16,21 @@ bool denies(const FollowedWalls& asked, const FollowedWalls& told) {
   return asked.bend < kMajority * told.bend && asked.share >= fitted::kAsGood * told.share;
 }
 
-/** Whether the way back denies the bend of a run in another one, and more of the others do than
- *  bear it out: of the run in them, or of them in the other. A copy of a run does both. */
+/** Whether the way back denies the bend of a run in another one, and neither of the two is the
+ *  cause: more of the others in which the run is looked for deny it than bear it out, and no fewer
+ *  of those that are looked for in the other one. */
 bool isLone(std::size_t run, std::size_t in, const MapPairs& pairs) {
   const FollowedWalls& told = followedIn(pairs, run, in);
   if (told.bend < 2 * kSameWall || !denies(followedIn(pairs, in, run), told)) return false;
-  int votes = 0;
-  const auto ask = [&](std::size_t other, std::size_t there) {
-    const FollowedWalls& asked = followedIn(pairs, other, there);
-    votes += int(denies(asked, told)) - int(asked.bend >= kMajority * told.bend);
+  const auto vote = [&](const FollowedWalls& asked) {
+    return int(denies(asked, told)) - int(asked.bend >= kMajority * told.bend);
   };
-  for (const std::size_t other : pairs.othersOf(run))
-    if (other != in) ask(run, other);
-  for (const std::size_t other : pairs.othersOf(in))
-    if (other != run) ask(other, in);
-  return votes > 0;
+  int ofRun = 0, ofOther = 0;
+  for (const std::size_t third : pairs.othersOf(run))
+    if (third != in) ofRun += vote(followedIn(pairs, run, third));
+  for (const std::size_t third : pairs.othersOf(in))
+    if (third != run) ofOther += vote(followedIn(pairs, third, in));
+  return ofRun > 0 && ofOther >= 0;
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ class Mask {
         const Cell other{cell.x + side, cell.y + 1};
         if (!std::binary_search(regions_[i].begin(), regions_[i].end(), indexOf(other))) continue;
         passBeam(frame, middleOf(bent, cell), middleOf(bent, other),
-                 [&](std::size_t index) { mark(index, level); });
+                 [&](std::size_t passed) { mark(passed, level); });
       }
     }
   }

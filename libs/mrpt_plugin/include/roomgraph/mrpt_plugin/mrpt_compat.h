@@ -2,8 +2,8 @@
 
 // The only place that knows what changed between MRPT's versions: MRPT 3 moved the 3D objects from
 // mrpt::opengl to mrpt::viz and calls the scene Scene and what is in it CVisualObject; a viewport's
-// light has been colours, numbers, and a list of lamps; what renders takes the scene's own camera; a
-// ray is returned where it was an argument.
+// light has been colours, numbers, and a list of lamps; what renders takes the scene's own camera;
+// a ray is returned where it was an argument.
 
 #if __has_include(<mrpt/viz/Scene.h>)
 #include <mrpt/viz/CDisk.h>
@@ -76,7 +76,7 @@ struct FillsInRay<Viewport, std::void_t<decltype(std::declval<Viewport&>().get3D
 
 /** What lies behind a pixel of the viewport; none where it has not been drawn. */
 template <class Viewport>
-std::optional<mrpt::math::TLine3D> rayThrough(Viewport& viewport, double x, double y) {
+[[nodiscard]] std::optional<mrpt::math::TLine3D> rayThrough(Viewport& viewport, double x, double y) {
   if constexpr (FillsInRay<Viewport>::value) {
     mrpt::math::TLine3D ray;
     viewport.get3DRayForPixelCoord(x, y, ray);
