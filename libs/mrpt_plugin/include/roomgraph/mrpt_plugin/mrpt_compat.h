@@ -76,7 +76,8 @@ struct FillsInRay<Viewport, std::void_t<decltype(std::declval<Viewport&>().get3D
 
 /** What lies behind a pixel of the viewport; none where it has not been drawn. */
 template <class Viewport>
-[[nodiscard]] std::optional<mrpt::math::TLine3D> rayThrough(Viewport& viewport, double x, double y) {
+[[nodiscard]] std::optional<mrpt::math::TLine3D> rayThrough(Viewport& viewport, double x,
+                                                            double y) {
   if constexpr (FillsInRay<Viewport>::value) {
     mrpt::math::TLine3D ray;
     viewport.get3DRayForPixelCoord(x, y, ray);
