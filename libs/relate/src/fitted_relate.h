@@ -12,7 +12,9 @@ namespace roomgraph::fitted {
 // Following walls from patch to patch.
 constexpr double kMinKnown = 0.4;  // share of them that lies where the other map has looked
 constexpr int kTwinRounds = 2;
-constexpr double kMinPieceShare = 0.03;          // share of the walls from which on a piece counts
+constexpr double kMinPieceShare = 0.03;  // share of the walls from which on a piece counts
+constexpr int kMaxPieces = 6;
+constexpr std::size_t kMaxCandidates = 40;       // poses that are tried for a piece
 constexpr std::size_t kFewestContradicted = 60;  // walls that may be a stretch that is torn off
 constexpr PoseTolerance kTornAway{M_PI, 3};      // how far off it is looked for
 constexpr std::size_t kTornPlaces = 4;           // places that are held against each other

@@ -58,8 +58,9 @@ class Follower {
     if (poses.empty() || map_.walls.empty()) return {};
     followFirst(poses.front());
     std::vector<Transform2D> others(poses.begin() + 1, poses.end());
-    while (followPiece(poses.front(), others)) {
-    }
+    if (others.size() > fitted::kMaxCandidates) others.resize(fitted::kMaxCandidates);
+    for (int piece = 1; piece < fitted::kMaxPieces; ++piece)
+      if (!followPiece(poses.front(), others)) break;
     for (int round = 0; round < fitted::kTwinRounds; ++round) followTwins();
     fit();
     if (!(map_.hasScans && other_.hasScans) && followTornEnd()) fit();
