@@ -154,13 +154,9 @@ DistanceTable distancesOf(const Site& site, const std::vector<PairOfThings>& pai
     distances(i, j) =
         wallDistances(site.mapOf(i), maps(site.mapOf(j)), site.poses[j].inverse() * site.poses[i]);
   };
-  const auto jobs = pairJobs(pairs, [&](std::size_t i) { return site.mapOf(i).isBare(); });
-  forEach(jobs.size(), [&](std::size_t job) {
-    FullMaps maps;
-    for (const std::size_t k : jobs[job]) {
-      const auto [i, j] = pairs[k];
-      measure(i, j, maps), measure(j, i, maps);
-    }
+  visitPairs(site, pairs, forEach, [&](std::size_t k, FullMaps& maps) {
+    const auto [i, j] = pairs[k];
+    measure(i, j, maps), measure(j, i, maps);
   });
   return distances;
 }

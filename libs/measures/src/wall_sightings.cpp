@@ -74,15 +74,11 @@ Count addedBy(const SightingTable& sightings, const std::vector<std::size_t>& ot
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
   SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach)};
-  const auto jobs = pairJobs(pairs.pairs(), [&](std::size_t i) { return site.mapOf(i).isBare(); });
-  forEach(jobs.size(), [&](std::size_t job) {
-    FullMaps maps;
-    for (const std::size_t k : jobs[job]) {
-      const auto [i, j] = pairs.pairs()[k];
-      const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
-      table.in(i, j) = sightWalls(a, b, followedIn(pairs, i, j));
-      table.in(j, i) = sightWalls(b, a, followedIn(pairs, j, i));
-    }
+  visitPairs(site, pairs.pairs(), forEach, [&](std::size_t k, FullMaps& maps) {
+    const auto [i, j] = pairs.pairs()[k];
+    const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
+    table.in(i, j) = sightWalls(a, b, followedIn(pairs, i, j));
+    table.in(j, i) = sightWalls(b, a, followedIn(pairs, j, i));
   });
   return table;
 }

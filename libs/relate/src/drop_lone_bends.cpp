@@ -45,13 +45,9 @@ void dropLoneBends(MapPairs& pairs, const std::vector<Transform2D>& poses, const
     if (isLone(i, j, pairs) || isLone(j, i, pairs))
       lone.emplace_back(i, j), starts.push_back(poses[k]);
   }
-  const auto jobs = pairJobs(lone, [&](std::size_t i) { return site.mapOf(i).isBare(); });
-  forEach(jobs.size(), [&](std::size_t job) {
-    FullMaps maps;
-    for (const std::size_t k : jobs[job]) {
-      const auto [i, j] = lone[k];
-      follow(pairs(i, j), maps(site.mapOf(i)), maps(site.mapOf(j)), {starts[k]});
-    }
+  visitPairs(site, lone, forEach, [&](std::size_t k, FullMaps& maps) {
+    const auto [i, j] = lone[k];
+    follow(pairs(i, j), maps(site.mapOf(i)), maps(site.mapOf(j)), {starts[k]});
   });
 }
 

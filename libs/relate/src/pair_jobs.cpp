@@ -21,4 +21,13 @@ std::vector<std::vector<std::size_t>> pairJobs(const std::vector<PairOfThings>& 
   return jobs;
 }
 
+void visitPairs(const Site& site, const std::vector<PairOfThings>& pairs, const ForEach& forEach,
+                const std::function<void(std::size_t, FullMaps&)>& visit) {
+  const auto jobs = pairJobs(pairs, [&](std::size_t i) { return site.mapOf(i).isBare(); });
+  forEach(jobs.size(), [&](std::size_t job) {
+    FullMaps maps;
+    for (const std::size_t k : jobs[job]) visit(k, maps);
+  });
+}
+
 }  // namespace roomgraph

@@ -158,24 +158,20 @@ MapPairs pairsInSite(const Site& site, const MapPairs& related, const ForEach& f
   for (std::size_t i = 0; i < site.members.size(); ++i)
     if (!related.core.empty() && isOfCore(related, site.members[i])) pairs.core.push_back(i);
   const std::vector<PairOfThings>& all = pairs.pairs();
-  const auto jobs = pairJobs(all, [&](std::size_t i) { return site.mapOf(i).isBare(); });
   std::vector<Transform2D> poses(all.size());  // that they were followed from
-  forEach(jobs.size(), [&](std::size_t job) {
-    FullMaps maps;
-    for (const std::size_t k : jobs[job]) {
-      const auto [i, j] = all[k];
-      const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
-      MapPair& pair = pairs(i, j);
-      pair = related(site.members[i], site.members[j]);
-      poses[k] = pair.alignment.pose;
-      // Scans tell for themselves of which drive they are, and weigh accordingly.
-      if (!site.runs[i]->scans.empty() && !site.runs[j]->scans.empty()) pair.areEdits = false;
-      if (!contradicts(pair, inSite, middleOfWalls(site.mapOf(j)))) continue;
-      MapPair again = pair;
-      follow(again, maps(site.mapOf(i)), maps(site.mapOf(j)), {inSite});
-      if (sharedOf(again) < fitted::kAsGood * sharedOf(pair)) continue;
+  visitPairs(site, all, forEach, [&](std::size_t k, FullMaps& maps) {
+    const auto [i, j] = all[k];
+    const Transform2D inSite = site.poses[i].inverse() * site.poses[j];
+    MapPair& pair = pairs(i, j);
+    pair = related(site.members[i], site.members[j]);
+    poses[k] = pair.alignment.pose;
+    // Scans tell for themselves of which drive they are, and weigh accordingly.
+    if (!site.runs[i]->scans.empty() && !site.runs[j]->scans.empty()) pair.areEdits = false;
+    if (!contradicts(pair, inSite, middleOfWalls(site.mapOf(j)))) return;
+    MapPair again = pair;
+    follow(again, maps(site.mapOf(i)), maps(site.mapOf(j)), {inSite});
+    if (sharedOf(again) >= fitted::kAsGood * sharedOf(pair))
       pair = std::move(again), poses[k] = inSite;
-    }
   });
   dropLoneBends(pairs, poses, site, forEach);
   return pairs;
