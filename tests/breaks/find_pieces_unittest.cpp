@@ -45,6 +45,20 @@ TEST(FindPieces, aTurnedHalfBreaksAtTheCentreOfTheTurn) {
   }
 }
 
+TEST(FindPieces, whatIsADriftHangsOnNoOption) {
+  const Torn torn;
+  const double angle = 0.12;
+  const WallMap map = wallMap(bent(torn.drawing, angle));
+  const auto followed =
+      followWalls(map, torn.straight, {{}, carrying(torn.middle, torn.middle, -angle)});
+  const auto found = findPieces(map.patches, followed, {});
+  FindBreaksOptions fine;
+  fine.minRotation = 1e-4;
+  const auto finely = findPieces(map.patches, followed, fine);
+  ASSERT_TRUE(found && finely);
+  EXPECT_EQ(finely->rotation, found->rotation);
+}
+
 TEST(FindPieces, aShortEndThatIsTurnedBreaksWhereItIsTorn) {
   const Torn torn;
   const Point about{6, 5};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/breaks/rigid_pieces.h"
 #include "roomgraph/geometry/MotionFit.h"
 
@@ -50,7 +51,7 @@ class PieceFinder {
         if (auto pieces = grown(seeds[i], seeds[j]); pieces && isBetter(*pieces, best))
           best = std::move(pieces);
     std::optional<PieceBreak> found;
-    if (best && best->turnBend <= options_.minRotation) found = breakOf(*best);
+    if (best && best->turnBend <= kBreakRotation) found = breakOf(*best);
     return found ? found : tornOff();
   }
 
@@ -161,7 +162,7 @@ class PieceFinder {
     const std::size_t larger = pieces.walls[0] >= pieces.walls[1] ? 0 : 1;
     // What the run did too much: from where the smaller piece belongs to where it was drawn.
     const Transform2D motion = pieces.poses[1 - larger].inverse() * pieces.poses[larger];
-    const bool isTurned = std::abs(motion.phi) >= options_.minRotation;
+    const bool isTurned = std::abs(motion.phi) >= std::max(kBreakRotation, options_.minRotation);
     PoseTolerance heldWithin = kSameScanStart;
     if (isTurned) heldWithin.turn = std::min(heldWithin.turn, std::abs(motion.phi) / 2);
     const Seam seam = seamOf(pieces, heldWithin);
