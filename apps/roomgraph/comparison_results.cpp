@@ -117,8 +117,7 @@ void declareFormats(std::string& formats, CLI::App& app) {
 }
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
-  const int percent = int(std::lround(100 * kNearlyAll));
-  const int confirmed = int(std::lround(100 * kNearlyAll));
+  const std::string nearlyAll = std::to_string(std::lround(100 * kNearlyAll));
   addOption(app, "--fail-below SCORE", arguments.failBelow,
             "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->check(CLI::Range(0.0, 100.0));
@@ -132,10 +131,10 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
   addOption(app, "--fail-on LIST", arguments.failOn,
             "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
             "less than " +
-                std::to_string(percent) +
+                nearlyAll +
                 " % of what at least two runs have seen), 'broken' (a run has a break that is "
                 "not slight), 'unconfirmed' (other runs bear out less than " +
-                std::to_string(confirmed) +
+                nearlyAll +
                 " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
                 "run is of another site, or mirrored), 'walls' (walls that others have are "
                 "gone from a run, it has some that no other has, or thicker ones).")
