@@ -55,7 +55,8 @@ TEST(ConsensusDocument, saysHowFarMatchGroupsAreBelieved) {
 
 TEST(ConsensusDocument, saysWhichStepsAreHeld) {
   expectSaid("changes by more than %g m or %g rad", kInlier.place, kInlier.turn);
-  expectSaid("its weight becomes %g. The graph is then solved again, up to 3 times", kHeldShare);
+  expectSaid("its weight becomes %g. The graph is then solved again, up to %d times", kHeldShare,
+             kHoldRounds);
 }
 
 TEST(ConsensusDocument, saysHowFarLinksGiveWay) {

@@ -32,8 +32,10 @@ constexpr double kAxesTurn = 0.03;
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
 
-// A link that gives way though the run's own scans refute that: the weight that it gets.
+// A link that gives way though the run's own scans refute that: the weight that it gets, and how
+// often this is asked.
 constexpr double kHeldShare = 10;
+constexpr int kHoldRounds = 3;
 
 // Belief: what it costs to give up a group, for the root of its matches. With 25 of them it is half
 // the robust squared residual of a link that is 20 m off.

@@ -197,7 +197,7 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   addRuns(consensus, site, counted, runs.order);
   addMatches(consensus, site, pairs, forEach);
   agree(consensus, runs.core, forEach);
-  for (int round = 0; round < 3 && holdSteps(consensus, site, forEach); ++round)
+  for (int round = 0; round < fitted::kHoldRounds && holdSteps(consensus, site, forEach); ++round)
     agree(consensus, runs.core, forEach);
   if (graph.runs.size() == 1 && site.runs.size() > 1)
     consensus.errors[RunId(0)].seen = 1;  // by its copies

@@ -18,6 +18,7 @@ namespace {
 // Around a wall, of what counts in the fit of a scan. For the first half a part of its walls will
 // do.
 constexpr NarrowingBand kFit{0.6, 0.2, 6};
+constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
 constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
 constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
@@ -87,9 +88,6 @@ class Tracker {
   }
 
  private:
-  /** Of a way that begins far from where the maps as a whole fit. */
-  static constexpr double kStartCost = 2 * fitted::kJumpCost;
-
   enum class Way { forth, back };
 
   /** Finds candidates of a scan: near those of the scans before it on the way, near what was

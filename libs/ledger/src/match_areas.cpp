@@ -9,6 +9,9 @@
 namespace roomgraph {
 namespace {
 
+// From where a room should be: as far as it is looked for, and its neighbours the same.
+constexpr double kMostSurprise = 2 * kWideSearch.reach;
+
 class Matching {
  public:
   Matching(const RoomSet& rooms, const RoomFits& fits, const GridFrame& frame, const RunAreas& run)
@@ -30,9 +33,6 @@ class Matching {
   }
 
  private:
-  // From where a room should be: as far as it is looked for, and its neighbours the same.
-  static constexpr double kMostSurprise = 2 * kWideSearch.reach;
-
   const ShapeFit* fitOf(std::size_t s) const {
     return areaOf_[s] ? &fits_[s].at(*areaOf_[s]) : nullptr;
   }

@@ -21,7 +21,7 @@ bool denies(const FollowedWalls& asked, const FollowedWalls& told) {
  *  of those that are looked for in the other one. */
 bool isLone(std::size_t run, std::size_t in, const MapPairs& pairs) {
   const FollowedWalls& told = followedIn(pairs, run, in);
-  if (told.bend < 2 * kSameWall || !denies(followedIn(pairs, in, run), told)) return false;
+  if (told.bend < kSameWhereBent || !denies(followedIn(pairs, in, run), told)) return false;
   const auto vote = [&](const FollowedWalls& asked) {
     return int(denies(asked, told)) - int(asked.bend >= kMajority * told.bend);
   };

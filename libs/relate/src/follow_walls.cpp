@@ -12,6 +12,7 @@
 #include "roomgraph/align/wall_share.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
+#include "roomgraph/relate/sight_walls.h"
 #include "torn_end.h"
 
 namespace roomgraph {
@@ -240,7 +241,7 @@ class Follower {
    *  sound map over which the other one has drawn. Whether it does. Maps that bend by more than
    *  walls may be off contradict each other all along. */
   bool followTornEnd() {
-    if (result_.bend > 2 * kSameWall) return false;
+    if (result_.bend > kSameWhereBent) return false;
     std::vector<bool> isFound;
     for (const int layer : foundIn_) isFound.push_back(layer != kNone);
     const auto end = findTornEnd(map_, other_, result_, isFound);

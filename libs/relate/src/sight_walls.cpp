@@ -44,8 +44,8 @@ WallSighting sightingAt(const WallMap& other, Point place, Point normal) {
   const std::size_t cell = cellIndexAt(other.frame, place);
   if (cell >= other.states.size()) return WallSighting::unknown;
   const WallPoint* wall = nearestWall(other, cell, normal);
-  if (wall && distance(wall->place, place) < 2 * kSameWall) return WallSighting::found;
-  return other.depths[cell] > 2 * kSameWall ? WallSighting::free : WallSighting::unknown;
+  if (wall && distance(wall->place, place) < kSameWhereBent) return WallSighting::found;
+  return other.depths[cell] > kSameWhereBent ? WallSighting::free : WallSighting::unknown;
 }
 
 }  // namespace

@@ -16,9 +16,12 @@ namespace roomgraph {
 /** What another map has where a wall of this one is. */
 enum class WallSighting : std::uint8_t { unknown, found, free };
 
+/** Walls of two maps that bend are one within this distance [m]. */
+constexpr double kSameWhereBent = 2 * kSameWall;
+
 /** Of each wall point of a map, what the other has there. Each is looked for where the patch of
- *  walls next to it was followed to, within 2 kSameWall, so that bends are no missing walls; where
- *  nothing was followed, all is unknown. O(walls + patches^2). */
+ *  walls next to it was followed to, so that bends are no missing walls; where nothing was
+ *  followed, all is unknown. O(walls + patches^2). */
 std::vector<WallSighting> sightWalls(const WallMap& map, const WallMap& other,
                                      const FollowedWalls& followed);
 
