@@ -30,7 +30,7 @@ constexpr double kMatchWeight = 0.25;
 constexpr double kAxesTurn = 0.03;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
-constexpr double kFirstWidening = 8;  // times as wide are those of links and matches at first
+constexpr int kFirstWidening = 8;  // times as wide are those of links and matches at first
 
 // A link that gives way though the run's own scans refute that: the weight that it gets, and how
 // often this is asked.

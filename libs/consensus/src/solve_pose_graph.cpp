@@ -95,7 +95,7 @@ class Solver {
     options.logging_type = ceres::SILENT;
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
-    double widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
+    int widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
     for (; widening >= 1; widening /= 2) {
       options.max_num_iterations = (widening > 1 ? 1 : 8) * kStageSteps;
       widenKernels(widening);
