@@ -47,7 +47,7 @@ TEST(PlanFleet, eachSiteWithNewRunsIsATask) {
   EXPECT_EQ(tasks[1].site, "office");
   EXPECT_EQ(tasks[1].newRuns, 2u);
   ASSERT_EQ(tasks[1].runs.size(), 2u);
-  for (const RunOrigin& run : tasks[1].runs) {
+  for (const HistoryRun& run : tasks[1].runs) {
     EXPECT_EQ(run.sha256.size(), 64u);
     EXPECT_EQ(run.robot, "anna");
     EXPECT_GT(run.time, 1000);

@@ -19,9 +19,8 @@ namespace {
 
 /** What is to be written of a run. */
 struct Entry {
-  RunOrigin origin;
+  HistoryRun run;
   const ComparedRun* compared = nullptr;  ///< none where it lies in no site of the others
-  std::string reason;
   std::int64_t known = 0;  ///< its key where it is there already, and only its figures are new
 };
 
@@ -114,16 +113,17 @@ class Recorder {
   std::vector<Entry> newRuns(std::int64_t site, const Addition& addition) {
     std::vector<Entry> runs;
     const Comparison& comparison = addition.comparison;
-    for (const RunOrigin& origin : addition.runs) {
-      const auto isSame = [&](const Entry& run) { return run.origin.sha256 == origin.sha256; };
-      if (keyOf(site, origin.sha256) || std::any_of(runs.begin(), runs.end(), isSame)) continue;
-      if (const ComparedRun* run = findRun(comparison, origin.sha256)) {
-        runs.push_back({origin, run, run->reason});
-        if (!isKnownSite(site, comparison))
-          runs.back().compared = nullptr, runs.back().reason = "lies in no site of the known runs";
-      } else if (const LeftOutRun* left = findLeftOut(comparison, origin.file);
+    for (HistoryRun run : addition.runs) {
+      const auto isSame = [&](const Entry& entry) { return entry.run.sha256 == run.sha256; };
+      if (keyOf(site, run.sha256) || std::any_of(runs.begin(), runs.end(), isSame)) continue;
+      if (const ComparedRun* compared = findRun(comparison, run.sha256)) {
+        const bool isKnown = isKnownSite(site, comparison);
+        run.reason = isKnown ? compared->reason : "lies in no site of the known runs";
+        runs.push_back({run, isKnown ? compared : nullptr});
+      } else if (const LeftOutRun* left = findLeftOut(comparison, run.file);
                  left && left->isOtherSite) {
-        runs.push_back({origin, nullptr, left->reason});
+        run.reason = left->reason;
+        runs.push_back({run});
       }
     }
     return runs;
@@ -136,7 +136,7 @@ class Recorder {
       const std::int64_t key = keyOf(site, run.sha256);
       if (!key || !run.score || hasTrustedError(key)) continue;
       Entry stale;
-      stale.compared = &run, stale.reason = run.reason, stale.known = key;
+      stale.compared = &run, stale.run.reason = run.reason, stale.known = key;
       runs.push_back(stale);
     }
   }
@@ -177,27 +177,27 @@ class Recorder {
     return database_.number("SELECT last_insert_rowid()");
   }
 
-  void write(const Entry& run, std::int64_t site, std::int64_t comparison,
+  void write(const Entry& entry, std::int64_t site, std::int64_t comparison,
              const Comparison& found) {
-    std::int64_t key = run.known;
+    std::int64_t key = entry.known;
     if (key) {
       Statement(database_,
                 "UPDATE run SET comparison = ?, reason = ?, state = 'placed' WHERE id = ?")
-          .with(comparison, run.reason, key)
+          .with(comparison, entry.run.reason, key)
           .run();
       Statement(database_, "DELETE FROM figure WHERE run = ?").with(key).run();
       Statement(database_, "DELETE FROM sighting WHERE run = ?").with(key).run();
     } else {
-      const RunOrigin& origin = run.origin;
+      const HistoryRun& run = entry.run;
       Statement(database_,
                 "INSERT INTO run (site, sha256, robot, time, file, state, reason, comparison) "
                 "VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(site, origin.sha256, origin.robot, origin.time, origin.file,
-                run.compared ? "placed" : "other site", run.reason, comparison)
+          .with(site, run.sha256, run.robot, run.time, run.file,
+                entry.compared ? "placed" : "other site", run.reason, comparison)
           .run();
       key = database_.number("SELECT last_insert_rowid()");
     }
-    if (run.compared) writeFigures(key, *run.compared, found);
+    if (entry.compared) writeFigures(key, *entry.compared, found);
   }
 
   void writeFigures(std::int64_t key, const ComparedRun& run, const Comparison& comparison) {

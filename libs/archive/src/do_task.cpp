@@ -13,7 +13,7 @@ namespace {
 void dropOthers(ReadRuns& read, const FleetTask& task, std::vector<std::string>& failures) {
   const std::string reason = "is another map now than when it was planned";
   std::map<std::string, std::string> planned;
-  for (const RunOrigin& run : task.runs) planned[run.file] = run.sha256;
+  for (const HistoryRun& run : task.runs) planned[run.file] = run.sha256;
   const auto isOther = [&](const Run& run) { return planned[run.file] != run.sha256; };
   for (const Run& run : read.runs) {
     if (!isOther(run)) continue;
@@ -35,7 +35,7 @@ TaskResult doTask(const FleetTask& task, const CompareMapsOptions& options) {
     result.failures.push_back(run.file + ": " + run.reason);
   };
   std::vector<std::string> files;
-  for (const RunOrigin& run : task.runs) files.push_back(run.file);
+  for (const HistoryRun& run : task.runs) files.push_back(run.file);
   ReadRuns read = readRuns(files, compare);
   dropOthers(read, task, result.failures);
   if (read.runs.empty()) throw DataError("task of " + task.site + ": no map could be used");

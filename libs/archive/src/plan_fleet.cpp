@@ -15,7 +15,7 @@ namespace roomgraph {
 namespace {
 
 /** The new runs of a site, by content. */
-using NewRuns = std::map<std::string, RunOrigin>;
+using NewRuns = std::map<std::string, HistoryRun>;
 
 std::map<std::string, NewRuns> newRunsOf(const RunList& listed, const Archive& archive,
                                          const PlanFleetOptions& options) {
@@ -52,7 +52,7 @@ std::vector<FleetTask> planFleet(const RunList& listed, const Archive& archive,
 
 std::string keyOf(const FleetTask& task, const CompareMapsOptions& options) {
   std::set<std::string> runs;
-  for (const RunOrigin& run : task.runs) runs.insert(run.sha256 + " " + run.file + "\n");
+  for (const HistoryRun& run : task.runs) runs.insert(run.sha256 + " " + run.file + "\n");
   std::string text = std::string(version()) + "\n" + task.site + "\n";
   for (const std::string& run : runs) text += run;
   for (const UsedOption& used : usedOptions(options))

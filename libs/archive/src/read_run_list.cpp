@@ -32,7 +32,7 @@ RunList::value_type runOf(const Cells& cells, const Columns& columns, const std:
   };
   if (cell(columns.site).empty() || cell(columns.file).empty())
     throw DataError(where + " has no site or no file: fill it in, or take the line out");
-  RunOrigin run;
+  HistoryRun run;
   run.robot = cell(columns.robot).empty() ? "robot" : cell(columns.robot);
   run.file = std::filesystem::absolute(std::filesystem::path(folder) / cell(columns.file))
                  .lexically_normal()

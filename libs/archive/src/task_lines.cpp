@@ -30,7 +30,7 @@ std::string taskLines(const std::vector<FleetTask>& tasks) {
   std::string text;
   for (const FleetTask& task : tasks) {
     Json runs = Json::array();
-    for (const RunOrigin& run : task.runs)
+    for (const HistoryRun& run : task.runs)
       runs.push_back(
           {{"sha256", run.sha256}, {"robot", run.robot}, {"file", run.file}, {"time", run.time}});
     const Json line = {

@@ -13,7 +13,7 @@ class Database;
 /** A comparison that an archive is to keep. */
 struct Addition {
   std::string site;
-  std::vector<RunOrigin> runs;  ///< of the compared ones, those that may be new
+  std::vector<HistoryRun> runs;  ///< of the compared ones, those that may be new
   Comparison comparison;
 };
 

@@ -26,20 +26,16 @@ struct RoomSeen {
   std::optional<double> shift, boundaryAgreement;  ///< as in RoomInRun
 };
 
-/** A run that an archive is told of, and where it comes from. */
-struct RunOrigin {
+/** A run of an archive. Of one that is to be added, no more is known than where it comes from. */
+struct HistoryRun {
   std::string sha256, robot, file;
-  double time = 0;  ///< [s since 1970]
-};
-
-/** A run of an archive. */
-struct HistoryRun : RunOrigin {
-  bool isPlaced = true;  ///< false where it is of another site
-  std::string reason;    ///< of its score, or why it has none
-  std::string version;   ///< of the program that the figures are from
-  /** Of the first comparison that could tell them; see find(). */
-  std::vector<Measure> figures;
-  std::vector<RoomSeen> rooms;  ///< by id
+  double time = 0;        ///< [s since 1970]
+  bool isPlaced = true;   ///< false where it is of another site
+  std::string reason{};   ///< of its score, or why it has none
+  std::string version{};  ///< of the program that the figures are from
+  /** Of the first comparison that could tell them; see figureOf(). */
+  std::vector<Measure> figures{};
+  std::vector<RoomSeen> rooms{};  ///< by id
 };
 
 /** All that an archive knows of a site. */
