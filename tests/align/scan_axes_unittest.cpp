@@ -62,16 +62,18 @@ TEST(ScanAxes, whatIsRoughIsNoWall) {
   EXPECT_FALSE(scanAxes(scanOf(hedge, 0)));
 }
 
-TEST(ScanAxes, aShortWallIsNotEnoughAndALongOneTellsMore) {
+TEST(ScanAxes, aLongWallTellsMoreThanAShortOne) {
   const auto wall = [](double length) {
     std::vector<Point> ends;
     for (double x = 0; x <= length; x += 0.05) ends.push_back(Transform2D{2, 1, 0.4}({x, 0}));
     return scanAxes(ends);
   };
-  EXPECT_FALSE(wall(1.5));
+  EXPECT_FALSE(wall(0.8));
+  ASSERT_TRUE(wall(1.5));
   ASSERT_TRUE(wall(3.2));
   ASSERT_TRUE(wall(8));
   EXPECT_NEAR(wall(3.2)->turn, 0.4, 1e-6);
+  EXPECT_LT(wall(1.5)->weight, wall(3.2)->weight);
   EXPECT_LT(wall(3.2)->weight, wall(8)->weight);
 }
 

@@ -9,18 +9,11 @@ namespace roomgraph {
 namespace {
 
 constexpr double kPiece = 1.0;             // length of a piece of wall [m]
-constexpr double kMinPiece = 0.8;          // [m]
 constexpr double kMaxGap = 0.5;            // between the ends of neighbouring beams [m]
 constexpr std::size_t kMinBeams = 4;       // beams along a piece
 constexpr double kPieceRoughness = 0.03;   // standard deviation across a piece [m]
-constexpr double kMinSpread = 0.2;         // and along it [m]
-constexpr double kMinTotal = 2;            // of all pieces together [m]
 constexpr double kFullLength = 5;          // from which on more tells no more [m]
 constexpr double kMinAxesAgreement = 0.6;  // of the directions, 1 where all are the same
-
-bool isStraight(const PrincipalAxis& piece) {
-  return piece.across < kPieceRoughness * kPieceRoughness && piece.along > kMinSpread * kMinSpread;
-}
 
 /** The last end of the piece of wall that starts at `first`, and its length. */
 struct Piece {
@@ -44,20 +37,21 @@ std::optional<ScanAxes> scanAxes(const std::vector<Point>& ends) {
   double cosine = 0, sine = 0, length = 0;
   for (std::size_t first = 0; first + 2 < ends.size();) {
     const Piece piece = pieceFrom(ends, first);
-    if (piece.length < kMinPiece || piece.last - first < kMinBeams) {
+    if (piece.length < kPiece || piece.last - first < kMinBeams) {
       first = std::max(first + 1, piece.last);
       continue;
     }
     PointSums sums;
     for (std::size_t i = first; i <= piece.last; ++i) sums.add(ends[i]);
-    if (const PrincipalAxis axis = principalAxis(sums); isStraight(axis)) {
+    if (const PrincipalAxis axis = principalAxis(sums);
+        axis.across < kPieceRoughness * kPieceRoughness) {
       cosine += piece.length * std::cos(4 * axis.direction);  // all four directions as one
       sine += piece.length * std::sin(4 * axis.direction);
       length += piece.length;
     }
     first = piece.last;
   }
-  if (length <= kMinTotal) return std::nullopt;
+  if (length == 0) return std::nullopt;
   // Where all agree, rounding makes it a hair more than all.
   const double agreement = std::min(1.0, std::hypot(cosine, sine) / length);
   if (agreement <= kMinAxesAgreement) return std::nullopt;

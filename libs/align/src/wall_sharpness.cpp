@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "roomgraph/align/scan_walls.h"
+
 namespace roomgraph {
 namespace {
-
-constexpr double kReach = 0.3;  // of a wall behind its face [m]
 
 /** Steps along rows and columns to the nearest free cell, at most `most`. */
 std::vector<std::uint8_t> stepsToFree(const Grid& grid, std::uint8_t most) {
@@ -39,7 +39,8 @@ bool isEdge(const Grid& grid, Cell c) {
 }  // namespace
 
 std::optional<double> wallSharpness(const Grid& grid) {
-  const int reach = std::clamp(int(std::lround(kReach / grid.frame.resolution)), 1, 200);
+  // What lies behind the face of a wall like ends of beams on one wall is wall as well.
+  const int reach = std::clamp(int(std::lround(kSameSurface / grid.frame.resolution)), 1, 200);
   const std::vector<std::uint8_t> steps = stepsToFree(grid, std::uint8_t(reach + 1));
   double edge = 0, walls = 0;
   for (int y = 0; y < grid.frame.height; ++y)

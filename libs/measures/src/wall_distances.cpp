@@ -32,20 +32,20 @@ double WallDistances::quantile(double share) const {
   return weightedQuantile(std::move(distances), share).value_or(0);
 }
 
-WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transform2D& pose) {
+WallDistances wallDistances(const WallMap& map, const WallMap& other, const Transform2D& pose) {
   WallDistances result;
   // The table holds the wall that is nearest to the middle of a cell, which may be another one.
-  const bool isItself = isNothing(pose) && areIdentical(of, in);
-  for (const WallPoint& wall : of.walls) {
+  const bool isItself = isNothing(pose) && areIdentical(map, other);
+  for (const WallPoint& wall : map.walls) {
     const Point place = pose(wall.place), normal = turned(wall.normal, pose.phi);
-    const std::size_t cell = cellIndexAt(in.frame, place);
-    if (!hasSeen(in, cell)) continue;
-    const WallPoint* found = isItself ? &wall : nearestWall(in, cell, normal);
-    const double far = found ? distance(found->place, place) : WallMap::kReach;
-    const double d = isItself ? 0 : std::min(far, WallMap::kReach);
-    result.sum += d;
+    const std::size_t cell = cellIndexAt(other.frame, place);
+    if (!hasSeen(other, cell)) continue;
+    const WallPoint* found = isItself ? &wall : nearestWall(other, cell, normal);
+    double apart = found ? distance(found->place, place) : WallMap::kReach;
+    apart = isItself ? 0 : std::min(apart, WallMap::kReach);
+    result.sum += apart;
     result.count += 1;
-    result.histogram[std::size_t(std::lround(d / WallDistances::kStep))] += 1;
+    result.histogram[std::size_t(std::lround(apart / WallDistances::kStep))] += 1;
   }
   return result;
 }

@@ -27,9 +27,9 @@ struct WallDistances {
   double quantile(double share) const;
 };
 
-/** For each wall point of `of` that lies where `in` has seen free space or wall: the distance to
- *  the nearest wall of `in` that faces about the same way (within 45 degrees, see nearestWall).
- *  `pose` is in <- of. A map against itself gives zeros. O(points). */
-WallDistances wallDistances(const WallMap& of, const WallMap& in, const Transform2D& pose);
+/** For each wall point of `map` that lies where `other` has seen free space or wall: the distance
+ *  to the nearest wall of `other` that faces about the same way (within 45 degrees, see
+ *  nearestWall). `pose` is other <- map. A map against itself gives zeros. O(points). */
+WallDistances wallDistances(const WallMap& map, const WallMap& other, const Transform2D& pose);
 
 }  // namespace roomgraph

@@ -19,7 +19,6 @@ namespace {
 constexpr double kScanReach = 12;  // walls that are shown at a break, from it [m]
 constexpr const char* kColoursHint =
     "<p class=\"hint\">Blue is what the earlier scans have met, orange the later ones.</p>\n";
-constexpr std::size_t kFramesBeside = 4;  // of one that has drawn a place twice, on each side
 
 /** Scans of a run, from `first` to before `end`. */
 struct FrameRange {
@@ -150,8 +149,8 @@ std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
 /** The scans beside the one at which a stretch is shown. */
 FrameRange framesOf(const DrawnStretch& stretch, const RunCheck& check) {
   const std::size_t scan = scanOf(stretch.keyFrame, check);
-  return {scan - std::min(scan, kFramesBeside),
-          std::min(check.path.size(), scan + kFramesBeside + 1)};
+  return {scan - std::min(scan, kFramesAtBreak),
+          std::min(check.path.size(), scan + kFramesAtBreak + 1)};
 }
 
 std::string doubledHtml(const RunCheck& check, const Run& run) {

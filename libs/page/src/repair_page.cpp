@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/MapBreak.h"
@@ -16,9 +17,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kPixel = 0.1;  // [m]
-
-/** Where the scans of a run and what they have met lie in its picture, in pixels, y down. */
+/** Where the scans of a run and what they have met lie in its picture, in pixels of kWallCell; y is
+ *  down. */
 struct Drawing {
   std::set<std::pair<int, int>> walls;
   std::vector<Point> path;
@@ -26,7 +26,7 @@ struct Drawing {
 
 Point pixelOf(const Transform2D& upright, Point place) {
   const Point point = upright(place);
-  return {point.x / kPixel, -point.y / kPixel};
+  return {point.x / kWallCell, -point.y / kWallCell};
 }
 
 Drawing drawingOf(const Run& run, const std::vector<Transform2D>& poses,

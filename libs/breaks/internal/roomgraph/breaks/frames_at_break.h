@@ -7,7 +7,7 @@
 
 namespace roomgraph {
 
-/** How many scans before a break are shown, and as many behind it. */
+/** How many scans are shown before a break, or a place that is drawn twice, and as many behind. */
 constexpr std::size_t kFramesAtBreak = 10;
 
 /** The scans that are shown of a break: places from `first` to before `end` in those of its run,
