@@ -6,11 +6,6 @@
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
-namespace {
-
-constexpr double kUnusual = 6;  // walls that an unusual step costs
-
-}  // namespace
 
 Gait::Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses) {
   std::vector<double> ways{0}, ahead{0}, turns{0}, speeds{0};
@@ -21,7 +16,6 @@ Gait::Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& 
     turns.push_back(std::abs(step.phi));
     if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
   }
-  way = median(ways), turn = quantile(turns, 0.9) + 0.2;
   back = std::min(0.0, quantile(ahead, 0.02) - 0.5);
   longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
   speed = 1.3 * quantile(speeds, 0.98);
@@ -36,12 +30,6 @@ bool Gait::isPossible(const Transform2D& step, double seconds) const {
   const double most = std::max(longest.place, seconds * speed);
   return norm(step.shift()) < most && step.x > std::min(back, longest.place - most) &&
          std::abs(step.phi) < longest.turn;
-}
-
-double Gait::costOf(const Transform2D& step) const {
-  const double length = std::min(2.0, std::abs(norm(step.shift()) - way) / std::max(0.1, way));
-  const double bend = std::min(2.0, std::abs(step.phi) / turn);
-  return kUnusual * (length * length + bend * bend);
 }
 
 }  // namespace roomgraph

@@ -14,10 +14,9 @@ namespace roomgraph {
 
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
-  double way = 0, turn = 0;  ///< of an ordinary step [m, rad]
-  double back = 0;           ///< no step leads farther back [m]; at most 0
-  PoseTolerance longest;     ///< no step is longer
-  double speed = 0;          ///< nor faster, where scans have times [m/s]; else 0
+  double back = 0;        ///< no step leads farther back [m]; at most 0
+  PoseTolerance longest;  ///< no step is longer
+  double speed = 0;       ///< nor faster, where scans have times [m/s]; else 0
 
   Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses);
 
@@ -26,9 +25,6 @@ struct Gait {
 
   /** Whether the robot may go so in so many seconds. */
   bool isPossible(const Transform2D& step, double seconds) const;
-
-  /** What an unusual step costs, in walls: a robot that stands still, or turns round. */
-  double costOf(const Transform2D& step) const;
 };
 
 }  // namespace roomgraph

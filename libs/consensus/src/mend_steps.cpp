@@ -195,7 +195,7 @@ class Mender {
     const ScanFit back = fitAt(view.before, drawnBehind(k), fit.pose.inverse());
     const double known = std::max(1e-9, fit.known + back.known);
     fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
-    fit.score += back.score - gait_.costOf(result_.poses[k - 1].inverse() * fit.pose);
+    fit.score += back.score;
     fit.known = known / 2;
     return fit;
   }

@@ -112,7 +112,7 @@ class NormalEquations {
   }
 
   Eigen::VectorXd solution() const {
-    if (n_ >= 3 * 60) {  // the pairs of so many runs are few beside what could be
+    if (n_ >= 180) {  // the pairs of so many runs are few beside what could be
       Eigen::SparseMatrix<double> h(n_, n_);
       h.setFromTriplets(terms_.begin(), terms_.end());
       return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
