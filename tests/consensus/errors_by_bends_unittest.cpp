@@ -48,6 +48,21 @@ TEST(ErrorsByBends, theIntervalReachesToTheWallsOfTheOtherThatFitsBest) {
   EXPECT_NEAR(errors[1].high, before, 1e-6) << "another one has its walls where it has them";
 }
 
+TEST(ErrorsByBends, theIntervalHoldsWhatEitherWayOfAPairTells) {
+  const SiteOfRuns two({0.01, 0.01});
+  PairBends bends(2);
+  const auto errorAt = [&](double bend, double agreement) {
+    bends(0, 1) = {bend, 1, 1000, false};
+    bends(0, 1).agreement = agreement;
+    return errorsByBends(two.site, bends, DistinctMaps(bends))[0];
+  };
+  const MapError less = errorAt(0.5, 1), more = errorAt(10, 1), either = errorAt(10, 0.05);
+  EXPECT_EQ(either.error, more.error);
+  EXPECT_EQ(either.high, more.high);
+  EXPECT_DOUBLE_EQ(either.low, less.low);
+  EXPECT_LT(less.low, more.low / 5);
+}
+
 TEST(ErrorsByBends, editsOfAPictureHaveOneSayButEachItsOwnError) {
   const SiteOfRuns four({0.01, 0.01, 0.01, 0.01});
   PairBends bends = bendsOf({0.1, 0.1, 0.4, 0.4});

@@ -218,6 +218,20 @@ TEST(BendsOf, theLargerBendAndTheSmallerShareCount) {
   EXPECT_FALSE(bends.has(0, 2)) << "they were not related";
 }
 
+TEST(BendsOf, theWayThatTellsLessDisagreesWhereItFollowsAsMuch) {
+  MapPairs pairs(2);
+  MapPair& pair = pairs(0, 1);
+  pair.bInA.bend = 10, pair.bInA.share = 0.9;
+  pair.aInB.bend = 0.5, pair.aInB.share = 0.8;
+  EXPECT_NEAR(bendsOf(pairs)(0, 1).agreement, 0.05, 1e-9);
+  std::swap(pair.bInA, pair.aInB);
+  EXPECT_NEAR(bendsOf(pairs)(0, 1).agreement, 0.05, 1e-9);
+  pair.bInA.share = 0.6;
+  EXPECT_EQ(bendsOf(pairs)(0, 1).agreement, 1) << "it may have followed one part of a torn map";
+  pair.bInA.bend = pair.aInB.bend = 0;
+  EXPECT_EQ(bendsOf(pairs)(0, 1).agreement, 1);
+}
+
 TEST(Site, runsAreFoundByNameAndByFile) {
   std::vector<roomgraph::Run> runs(2);
   runs[0].name = "a", runs[0].file = "maps/a.yaml", runs[1].name = "b", runs[1].file = "b.yaml";

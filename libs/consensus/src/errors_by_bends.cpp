@@ -10,7 +10,8 @@
 namespace roomgraph {
 namespace {
 
-/** The errors of some runs, which are ascending, among themselves. */
+/** The errors of some runs, which are ascending, among themselves. Where the two ways of a pair tell
+ *  of different bends, either may be right: the interval holds what follows from both. */
 std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>& some,
                                                  const Site& site, const PairBends& bends) {
   const auto placeOf = [&](std::size_t run) {
@@ -28,7 +29,15 @@ std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>&
   for (const auto& [i, j] : pairs) among(i, j) = bends(some[i], some[j]);
   std::optional<std::size_t> truth;
   if (site.reference && has(*site.reference)) truth = placeOf(*site.reference);
-  return estimateMapErrors(among, told, truth);
+  std::vector<std::optional<MapError>> errors = estimateMapErrors(among, told, truth);
+  for (const auto& [i, j] : pairs) among(i, j).bend *= among(i, j).agreement;
+  const auto otherwise = estimateMapErrors(among, told, truth);  // by the ways that tell less
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!errors[k]) continue;
+    errors[k]->low = std::min(errors[k]->low, otherwise[k]->low);
+    errors[k]->high = std::max(errors[k]->high, otherwise[k]->high);
+  }
+  return errors;
 }
 
 /** The run that speaks for the picture of another one: the reference for its own. Where all are of

@@ -118,6 +118,15 @@ void completeCore(Site& site, const MapPairs& related) {
   site.fullMaps.complete(core, oneByOne);
 }
 
+/** See PairBend::agreement; 1 where the way that tells less follows less, too, as a sound map follows
+ *  one part of a torn one. */
+double agreementOf(const MapPair& pair) {
+  const bool isLessBack = pair.aInB.bend <= pair.bInA.bend;
+  const FollowedWalls& less = isLessBack ? pair.aInB : pair.bInA;
+  const FollowedWalls& more = isLessBack ? pair.bInA : pair.aInB;
+  return less.share >= fitted::kAsGood * more.share && more.bend > 0 ? less.bend / more.bend : 1;
+}
+
 }  // namespace
 
 bool isJoined(const MapPair& pair) {
@@ -193,7 +202,8 @@ PairBends bendsOf(const MapPairs& pairs) {
                    walls,
                    pair.areIdentical,
                    pair.areEdits,
-                   std::max(pair.bInA.misfit, pair.aInB.misfit)};
+                   std::max(pair.bInA.misfit, pair.aInB.misfit),
+                   agreementOf(pair)};
   }
   return bends;
 }
