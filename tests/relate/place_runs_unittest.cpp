@@ -218,7 +218,7 @@ TEST(BendsOf, theLargerBendAndTheSmallerShareCount) {
   EXPECT_FALSE(bends.has(0, 2)) << "they were not related";
 }
 
-TEST(BendsOf, theWayThatTellsLessDisagreesWhereItFollowsAsMuch) {
+TEST(BendsOf, ofTwoRunsAloneTheWayThatTellsLessDisagreesWhereItFollowsAsMuch) {
   MapPairs pairs(2);
   MapPair& pair = pairs(0, 1);
   pair.bInA.bend = 10, pair.bInA.share = 0.9;
@@ -230,6 +230,9 @@ TEST(BendsOf, theWayThatTellsLessDisagreesWhereItFollowsAsMuch) {
   EXPECT_EQ(bendsOf(pairs)(0, 1).agreement, 1) << "it may have followed one part of a torn map";
   pair.bInA.bend = pair.aInB.bend = 0;
   EXPECT_EQ(bendsOf(pairs)(0, 1).agreement, 1);
+  MapPairs three(3);
+  three(0, 1).bInA.bend = 10, three(0, 1).aInB.bend = 0.5;
+  EXPECT_EQ(bendsOf(three)(0, 1).agreement, 1) << "the third was asked";
 }
 
 TEST(Site, runsAreFoundByNameAndByFile) {

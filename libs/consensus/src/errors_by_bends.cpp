@@ -10,8 +10,8 @@
 namespace roomgraph {
 namespace {
 
-/** The errors of some runs, which are ascending, among themselves. Where the two ways of a pair tell
- *  of different bends, either may be right: the interval holds what follows from both. */
+/** The errors of some runs, which are ascending, among themselves. Where the two ways of a pair
+ *  leave its bend in doubt, either may be right: the interval holds what follows from both. */
 std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>& some,
                                                  const Site& site, const PairBends& bends) {
   const auto placeOf = [&](std::size_t run) {

@@ -118,9 +118,10 @@ void completeCore(Site& site, const MapPairs& related) {
   site.fullMaps.complete(core, oneByOne);
 }
 
-/** See PairBend::agreement; 1 where the way that tells less follows less, too, as a sound map follows
- *  one part of a torn one. */
-double agreementOf(const MapPair& pair) {
+/** See PairBend::agreement: in doubt are two runs alone, as dropLoneBends asks all others, unless
+ *  the way that tells less follows less, too, as a sound map follows one part of a torn one. */
+double agreementOf(const MapPair& pair, std::size_t runs) {
+  if (runs > 2) return 1;
   const bool isLessBack = pair.aInB.bend <= pair.bInA.bend;
   const FollowedWalls& less = isLessBack ? pair.aInB : pair.bInA;
   const FollowedWalls& more = isLessBack ? pair.bInA : pair.aInB;
@@ -203,7 +204,7 @@ PairBends bendsOf(const MapPairs& pairs) {
                    pair.areIdentical,
                    pair.areEdits,
                    std::max(pair.bInA.misfit, pair.aInB.misfit),
-                   agreementOf(pair)};
+                   agreementOf(pair, pairs.things())};
   }
   return bends;
 }

@@ -20,7 +20,7 @@ struct PairBend {
   bool areIdentical = false;  ///< the maps are the same
   bool areEdits = false;      ///< of one picture, which is one drive
   double misfit = 0;          ///< the larger one of both ways, see FollowedWalls [m]
-  double agreement = 1;       ///< of both ways: the smaller bend over `bend`, which is the larger
+  double agreement = 1;       ///< the smaller bend of both ways over `bend`; 1: not in doubt
 };
 
 using PairBends = PairTable<PairBend>;
