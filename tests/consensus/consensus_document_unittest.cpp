@@ -40,7 +40,7 @@ TEST(ConsensusDocument, saysWhatThePosesCost) {
   expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kMatchNoise.place / 2,
              kMatchNoise.turn / 2, kMatchWidth, 2 * kMatchWeight);
   expectSaid("| | %g rad | Tukey, %g | up to 1 |", kAxesTurn, kAxesWidth);
-  expectSaid("They start %g times as wide", kFirstWidening);
+  expectSaid("They start %g times as wide", double(kFirstWidening));
 }
 
 TEST(ConsensusDocument, saysHowFarMatchGroupsAreBelieved) {
