@@ -12,7 +12,7 @@ std::vector<Transform2D> drift(const std::vector<WalkPose>& poses, const Transfo
   std::vector<Transform2D> believed;
   Transform2D before;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const Transform2D now{poses[i].at.x, poses[i].at.y, poses[i].heading};
+    const Transform2D now{poses[i].place.x, poses[i].place.y, poses[i].heading};
     if (i == 0) {
       believed.push_back(start);
     } else {

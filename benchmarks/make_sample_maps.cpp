@@ -29,7 +29,7 @@ constexpr int kSight = 300;  // [cells]
 
 std::vector<Point> placesOf(const std::vector<WalkPose>& poses) {
   std::vector<Point> places;
-  for (const WalkPose& pose : poses) places.push_back(pose.at);
+  for (const WalkPose& pose : poses) places.push_back(pose.place);
   return places;
 }
 
@@ -56,11 +56,11 @@ std::string decimals(double value, int digits) {
 std::string truthLine(const SampleRun& run, double mapError) {
   const WalkPose& first = run.truth.front();
   const Transform2D frame =
-      Transform2D{first.at.x, first.at.y, first.heading} * run.believed.front().inverse();
+      Transform2D{first.place.x, first.place.y, first.heading} * run.believed.front().inverse();
   std::string line = run.name + "," + decimals(frame.x, 3) + "," + decimals(frame.y, 3) + "," +
                      decimals(frame.phi, 4) + "," + decimals(mapError, 2);
   if (!run.breakAt) return line + ",,,\n";
-  const Point at = run.truth[*run.breakAt].at;
+  const Point at = run.truth[*run.breakAt].place;
   return line + "," + decimals(at.x, 2) + "," + decimals(at.y, 2) + "," +
          decimals(run.breakTurn * 180 / M_PI, 1) + "\n";
 }

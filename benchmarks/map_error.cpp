@@ -23,7 +23,7 @@ Places placesOf(const mrpt::maps::CSimpleMap& frames, const std::vector<WalkPose
     frames.get(i, pdf, frame);
     const mrpt::poses::CPose2D mean(pdf->getMeanVal());
     const Transform2D has{mean.x(), mean.y(), mean.phi()};
-    const Transform2D is{truth[i].at.x, truth[i].at.y, truth[i].heading};
+    const Transform2D is{truth[i].place.x, truth[i].place.y, truth[i].heading};
     const auto scan = frame->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
     const double step = scan->aperture / double(scan->getScanSize() - 1);
     for (std::size_t k = 0; k < scan->getScanSize(); ++k) {

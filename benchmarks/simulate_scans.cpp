@@ -32,7 +32,7 @@ void blur(CObservation2DRangeScan& scan, double noiseStd, Random& random) {
 mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkPose>& poses,
                                      const SimulateScansOptions& options) {
   std::vector<Transform2D> believed;
-  for (const WalkPose& pose : poses) believed.push_back({pose.at.x, pose.at.y, pose.heading});
+  for (const WalkPose& pose : poses) believed.push_back({pose.place.x, pose.place.y, pose.heading});
   return simulateScans(map, poses, believed, options);
 }
 
@@ -43,7 +43,7 @@ mrpt::maps::CSimpleMap simulateScans(const GreyMap& map, const std::vector<WalkP
   Random random(options.seed);
   mrpt::maps::CSimpleMap frames;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const mrpt::poses::CPose2D pose(poses[i].at.x, poses[i].at.y, poses[i].heading);
+    const mrpt::poses::CPose2D pose(poses[i].place.x, poses[i].place.y, poses[i].heading);
     auto scan = CObservation2DRangeScan::Create();
     scan->aperture = float(1.5 * M_PI);
     scan->maxRange = float(options.maxRange);

@@ -40,8 +40,8 @@ viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<boo
   lines->setColor_u8(kVoronoi);
   for (std::size_t e = 0; e < isShown.size(); ++e) {
     if (!isShown[e]) continue;
-    const Point a = voronoi.vertices[voronoi.edges[e].source].at;
-    const Point b = voronoi.vertices[voronoi.edges[e].target].at;
+    const Point a = voronoi.vertices[voronoi.edges[e].source].place;
+    const Point b = voronoi.vertices[voronoi.edges[e].target].place;
     lines->appendLine(a.x, a.y, kStageHeight, b.x, b.y, kStageHeight);
   }
   return lines;

@@ -136,10 +136,10 @@ std::optional<std::size_t> vertexNear(const View& view, Point place) {
   if (!view.graph) return std::nullopt;
   const auto& vertices = view.graph->file.graph.graph.vertices();
   const auto nearer = [&](const Vertex& l, const Vertex& r) {
-    return distance(l.at, place) < distance(r.at, place);
+    return distance(l.place, place) < distance(r.place, place);
   };
   const auto vertex = std::min_element(vertices.begin(), vertices.end(), nearer);
-  if (vertex == vertices.end() || distance(vertex->at, place) > kPlaceReach) return std::nullopt;
+  if (vertex == vertices.end() || distance(vertex->place, place) > kPlaceReach) return std::nullopt;
   return std::size_t(vertex - vertices.begin());
 }
 

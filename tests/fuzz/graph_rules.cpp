@@ -43,7 +43,7 @@ class Rules {
     const Polyline& points = edge.path.points;
     if (points.size() < 2) return expect(false, "path has fewer than two points", e);
     const Vertex &source = graph_.vertex(edge.source), &target = graph_.vertex(edge.target);
-    expect(points.front() == source.at && points.back() == target.at,
+    expect(points.front() == source.place && points.back() == target.place,
            "path does not end on its vertices", e);
     expect(std::abs(length(points) - edge.path.length) <= near_ * double(points.size()),
            "length is not that of the path", e);
@@ -51,7 +51,7 @@ class Rules {
 
   void checkVertex(std::size_t v) {
     const Vertex& vertex = graph_.vertices()[v];
-    expect(std::isfinite(vertex.at.x) && std::isfinite(vertex.at.y), "vertex is nowhere", v);
+    expect(std::isfinite(vertex.place.x) && std::isfinite(vertex.place.y), "vertex is nowhere", v);
     const bool needsRoom = vertex.kind == VertexKind::room || vertex.kind == VertexKind::border;
     expect(!needsRoom || vertex.room, "room or border vertex has no room", v);
   }
@@ -64,7 +64,7 @@ class Rules {
     expect(size <= before + near_ * (1 + before), "room is larger than the one before it", r);
     for (const VertexId v : room.borderVertices) {
       expect(graph_.vertex(v).kind == VertexKind::border, "room lists what borders nothing", r);
-      const double off = distanceToRings(graph_.vertex(v).at, room.shape.polygon);
+      const double off = distanceToRings(graph_.vertex(v).place, room.shape.polygon);
       const double most =
           s_.roomRadius > 0 && isDoorOfTwo(v) ? s_.options.joinDoors.maxDepth / 2 : 0;
       expect(off <= most + near_, "border vertex lies " + std::to_string(off) + " m off its room",

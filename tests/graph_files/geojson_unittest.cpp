@@ -60,7 +60,7 @@ TEST(Geojson, verticesComeFirstUnderTheirOwnIds) {
     EXPECT_EQ(all.nodes[v]["properties"]["id"], v);
     EXPECT_EQ(all.nodes[v]["properties"]["frame"], "map");
     EXPECT_NEAR(all.nodes[v]["geometry"]["coordinates"][0].get<double>(),
-                graph.graph.vertices()[v].at.x, 1e-4);
+                graph.graph.vertices()[v].place.x, 1e-4);
   }
   EXPECT_EQ(all.nodes[0]["properties"]["metadata"]["class"], "room");
 }

@@ -58,7 +58,7 @@ TEST(ReadGraphJson, givesTheGraphBack) {
   for (std::size_t v = 0; v < after.vertices().size(); ++v) {
     EXPECT_EQ(after.vertices()[v].kind, before.vertices()[v].kind);
     EXPECT_EQ(after.vertices()[v].room, before.vertices()[v].room);
-    EXPECT_NEAR(distance(after.vertices()[v].at, before.vertices()[v].at), 0, 1e-4);
+    EXPECT_NEAR(distance(after.vertices()[v].place, before.vertices()[v].place), 0, 1e-4);
   }
   for (std::size_t e = 0; e < after.edges().size(); ++e) {
     EXPECT_EQ(after.edges()[e].source, before.edges()[e].source);

@@ -37,7 +37,7 @@ GraphMatch byNumbers(const TopologyGraph& a, const TopologyGraph& b) {
 
 TopologyGraph stretched(const TopologyGraph& graph, double factor) {
   std::vector<Vertex> vertices = graph.vertices();
-  for (Vertex& v : vertices) v.at = factor * v.at;
+  for (Vertex& v : vertices) v.place = factor * v.place;
   std::vector<Edge> edges;
   for (Edge edge : graph.edges()) {
     for (Point& p : edge.path.points) p = factor * p;
@@ -93,7 +93,7 @@ TEST(CompareGraphs, hopsAreCountedOverMatchedPaths) {
       vertices.push_back({{i + (i == 4 ? more : 0), 0}, 1, VertexKind::junction, RoomId::none()});
     for (std::size_t i = 0; i < 4; ++i)
       edges.push_back({VertexId(i), VertexId(i + 1),
-                       makePath({vertices[i].at, vertices[i + 1].at}, {}), RoomId::none()});
+                       makePath({vertices[i].place, vertices[i + 1].place}, {}), RoomId::none()});
     return TopologyGraph(vertices, edges);
   };
   const TopologyGraph a = row(0), b = row(0.5);
@@ -110,7 +110,7 @@ TEST(CompareGraphs, hopsAreCountedOverMatchedPaths) {
 TEST(CompareGraphs, whatOneGraphLacksItDoesNotCover) {
   const TopologyGraph all = drawnGraph();
   std::vector<bool> vertices(all.vertices().size()), edges(all.edges().size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = all.vertices()[i].at.x < 10;
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = all.vertices()[i].place.x < 10;
   for (std::size_t e = 0; e < edges.size(); ++e)
     edges[e] = vertices[all.edges()[e].source.index()] && vertices[all.edges()[e].target.index()];
   const TopologyGraph part = keepOnly(all, vertices, edges);

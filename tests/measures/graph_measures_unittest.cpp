@@ -46,7 +46,7 @@ TEST(GraphMeasures, aRunWithoutTrustHasNoVoice) {
 TEST(GraphMeasures, coverageIsThatOfTheOthers) {
   const TopologyGraph graph = drawnGraph();
   std::vector<bool> vertices(graph.vertices().size()), edges(graph.edges().size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = graph.vertices()[i].at.x < 10;
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = graph.vertices()[i].place.x < 10;
   for (std::size_t e = 0; e < edges.size(); ++e)
     edges[e] =
         vertices[graph.edges()[e].source.index()] && vertices[graph.edges()[e].target.index()];

@@ -51,11 +51,11 @@ TEST(MatchGraphs, theNearestVertexIsNotTakenWhereItLooksDifferent) {
   // Vertex 8 of b stands right where vertex 1 of a is, but it is a dead end on its own.
   std::vector<Vertex> vertices = moved(a, {0.4, 0, 0}).vertices();
   std::vector<Edge> edges = moved(a, {0.4, 0, 0}).edges();
-  vertices.push_back({a.vertices()[1].at, 1, VertexKind::deadEnd, RoomId::none()});
-  vertices.push_back({a.vertices()[1].at + Point{0, 2}, 1, VertexKind::deadEnd, RoomId::none()});
+  vertices.push_back({a.vertices()[1].place, 1, VertexKind::deadEnd, RoomId::none()});
+  vertices.push_back({a.vertices()[1].place + Point{0, 2}, 1, VertexKind::deadEnd, RoomId::none()});
   const std::size_t n = a.vertices().size();
-  edges.push_back({VertexId(n), VertexId(n + 1), makePath({vertices[n].at, vertices[n + 1].at}, {}),
-                   RoomId::none()});
+  edges.push_back({VertexId(n), VertexId(n + 1),
+                   makePath({vertices[n].place, vertices[n + 1].place}, {}), RoomId::none()});
   const Numbers found = numbersOf(matched(a, {vertices, edges}, {}));
   EXPECT_TRUE(
       std::count(found.begin(), found.end(), std::make_pair(std::size_t(1), std::size_t(1))));

@@ -62,7 +62,7 @@ TEST(MatchVertices, isTheSameFromBothSidesAndStable) {
     apartA[m.base.index()] = apartB[m.other.index()] = m.distance;
   for (std::size_t i = 0; i < 80; ++i)
     for (std::size_t j = 0; j < 120; ++j) {
-      const double apart = distance(a.vertices()[i].at, b.vertices()[j].at);
+      const double apart = distance(a.vertices()[i].place, b.vertices()[j].place);
       EXPECT_TRUE(apart > 1 || apart >= std::min(apartA[i], apartB[j])) << i << " " << j;
     }
 }

@@ -60,9 +60,9 @@ struct Builder {
   }
   void join(VertexId a, VertexId b, RoomId room = {}, Polyline between = {}) {
     Path path;
-    path.points.push_back(vertices[a.index()].at);
+    path.points.push_back(vertices[a.index()].place);
     path.points.insert(path.points.end(), between.begin(), between.end());
-    path.points.push_back(vertices[b.index()].at);
+    path.points.push_back(vertices[b.index()].place);
     path.length = length(path.points);
     path.minClearance = 0.5;
     if (!room) path.obstacles.assign(path.points.size() - 1, {0, 1});

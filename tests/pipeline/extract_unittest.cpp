@@ -25,7 +25,7 @@ std::string bytesOf(const RoomGraph& result) {
   std::ostringstream out;
   out << std::hexfloat;
   for (const Vertex& v : result.graph.vertices()) {
-    write(v.at, out);
+    write(v.place, out);
     out << v.clearance << ' ' << int(v.kind) << ' ' << (v.room ? int(v.room.index()) : -1) << '\n';
   }
   for (const Edge& e : result.graph.edges()) {
@@ -154,7 +154,7 @@ TEST(Extract, leavesFansOfBeamsOut) {
   const Stages stages = extract(roomWithAFan(), {});
   ASSERT_EQ(stages.areas.areas.size(), 1u);
   EXPECT_TRUE(stages.areas.areas[0].isRoom());
-  for (const Vertex& vertex : stages.result.graph.vertices()) EXPECT_LT(vertex.at.x, 6);
+  for (const Vertex& vertex : stages.result.graph.vertices()) EXPECT_LT(vertex.place.x, 6);
   const auto isHalfSeen = [](const Note& note) { return note.code == "half_seen"; };
   EXPECT_EQ(std::count_if(stages.notes.begin(), stages.notes.end(), isHalfSeen), 1);
 }

@@ -14,7 +14,7 @@ TEST(CutPaths, putsABorderVertexAtEveryCrossing) {
   const TopologyGraph cut = cutPaths(graph, borderVertices(graph, rooms, kClearance, kEpsilon));
   EXPECT_EQ(cut.edges().size(), 3u);
   EXPECT_EQ(countOf(cut, VertexKind::border), 2u);
-  EXPECT_NEAR(distance(cut.vertices()[2].at, {0, 2}), 0, 1e-12);
+  EXPECT_NEAR(distance(cut.vertices()[2].place, {0, 2}), 0, 1e-12);
   EXPECT_EQ(cut.vertices()[2].room, RoomId(0));
   EXPECT_TRUE(test::brokenInvariants(cut, 0).empty());
 }

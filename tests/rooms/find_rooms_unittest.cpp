@@ -46,7 +46,7 @@ double xOfFirstRoom(const MapText& map, double radius) {
   for (std::size_t v = 0; v < plan.regions.regionOf.size(); ++v) {
     const VoronoiVertex& vertex = plan.voronoi.vertices[v];
     if (plan.regions.regionOf[v] == 0 && vertex.clearance > most)
-      most = vertex.clearance, x = vertex.at.x;
+      most = vertex.clearance, x = vertex.place.x;
   }
   return x;
 }

@@ -82,7 +82,7 @@ TEST(HallWays, doorsBesideEachOtherAreJoined) {
   const TopologyGraph ways = hallWays(before, room, rows, kClear);
   EXPECT_LT(lengthBetween(ways, VertexId(0), VertexId(1)), 1.3 * 6);
   for (std::size_t v = 0; v < before.vertices().size(); ++v)
-    EXPECT_EQ(ways.vertices()[v].at, before.vertices()[v].at) << "numbers stay";
+    EXPECT_EQ(ways.vertices()[v].place, before.vertices()[v].place) << "numbers stay";
   for (const Edge& edge : ways.edges())
     for (std::size_t i = 0; i + 1 < edge.path.points.size(); ++i)
       EXPECT_GE(rows.clearance(edge.path.points[i], edge.path.points[i + 1], 9) + 1e-9,

@@ -53,8 +53,8 @@ TEST(InnerWays, keepTheLoopRoundAShelf) {
   const TopologyGraph ways = waysOf(roundAShelf(0.6));
   EXPECT_EQ(ways.edges().size(), 4u);
   ASSERT_EQ(ways.vertices().size(), 4u);
-  EXPECT_EQ(ways.vertices()[0].at, (Point{0, 0})) << "border vertices come first";
-  EXPECT_EQ(ways.vertices()[1].at, (Point{18, 0}));
+  EXPECT_EQ(ways.vertices()[0].place, (Point{0, 0})) << "border vertices come first";
+  EXPECT_EQ(ways.vertices()[1].place, (Point{18, 0}));
 }
 
 TEST(InnerWays, ofALoopThatIsTooNarrowAreNone) {

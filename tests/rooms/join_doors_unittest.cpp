@@ -21,7 +21,7 @@ TEST(JoinDoors, makesOneBorderVertexOfAShallowDoor) {
   EXPECT_EQ(countOf(joined, VertexKind::border), 1u);
   ASSERT_EQ(joined.edges().size(), 2u);
   for (const Vertex& v : joined.vertices())
-    EXPECT_TRUE(v.kind != VertexKind::border || distance(v.at, {4.2, 2}) < 1e-12);
+    EXPECT_TRUE(v.kind != VertexKind::border || distance(v.place, {4.2, 2}) < 1e-12);
   EXPECT_TRUE(test::brokenInvariants(joined, 0).empty());
   EXPECT_EQ(countOf(joinDoors(throughADoor(0.6), options), VertexKind::border), 2u);
   options.maxDepth = 0;

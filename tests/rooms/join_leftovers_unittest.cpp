@@ -42,7 +42,7 @@ class DividedRooms {
 
  private:
   std::size_t sideOf(std::uint32_t vertex) const {
-    const double x = inside_.voronoi.vertices[vertex].at.x;
+    const double x = inside_.voronoi.vertices[vertex].place.x;
     return x < from_ ? 0 : x < to_ ? 1 : 2;
   }
 

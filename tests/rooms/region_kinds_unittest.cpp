@@ -42,7 +42,7 @@ class Kinds {
     double clearance = -1;
     for (std::size_t v = 0; v < kinds_.size(); ++v) {
       const VoronoiVertex& vertex = inside_.voronoi.vertices[v];
-      if (!inside_.isInside[v] || distance(vertex.at, place) > 1) continue;
+      if (!inside_.isInside[v] || distance(vertex.place, place) > 1) continue;
       if (vertex.clearance > clearance) clearance = vertex.clearance, widest = v;
     }
     EXPECT_GE(clearance, 0) << "nothing lies there";

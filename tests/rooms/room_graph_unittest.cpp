@@ -23,7 +23,7 @@ TEST(RoomGraph, numbersRoomsAnewAndTellsOfThoseLeftOut) {
   EXPECT_EQ(result.rooms[0].borderVertices.size(), 1u);
   const Vertex& vertex = result.graph.vertex(result.rooms[0].vertex);
   EXPECT_EQ(vertex.room, RoomId(0));
-  EXPECT_NEAR(distance(vertex.at, {2, 2}), 0, 1e-12);
+  EXPECT_NEAR(distance(vertex.place, {2, 2}), 0, 1e-12);
 }
 
 TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
@@ -116,7 +116,7 @@ TEST(RoomGraph, whatIsOutsideOfRoomsStaysAsItIs) {
   EXPECT_EQ(notes.size(), 1u);
   ASSERT_EQ(result.graph.vertices().size(), graph.vertices().size());
   for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
-    EXPECT_EQ(result.graph.vertices()[v].at, graph.vertices()[v].at);
+    EXPECT_EQ(result.graph.vertices()[v].place, graph.vertices()[v].place);
     EXPECT_EQ(result.graph.vertices()[v].kind, graph.vertices()[v].kind);
   }
   ASSERT_EQ(result.graph.edges().size(), graph.edges().size());

@@ -17,7 +17,7 @@ TEST(SplitAt, partsAnEdgeAtAPlaceOnIt) {
   Ways ways;
   EXPECT_EQ(splitAt(ways.vertices, ways.edges, {EdgeId(0), 1}, VertexKind::junction), VertexId(2));
   ASSERT_EQ(ways.edges.size(), 2u);
-  EXPECT_EQ(ways.vertices[2].at, (Point{1, 0}));
+  EXPECT_EQ(ways.vertices[2].place, (Point{1, 0}));
   EXPECT_EQ(ways.vertices[2].kind, VertexKind::junction);
   EXPECT_EQ(ways.edges[0].source, VertexId(0));
   EXPECT_EQ(ways.edges[0].target, VertexId(2));

@@ -57,11 +57,11 @@ class PromiseChecker {
   }
 
   void checkVertex(const std::string& stage, const Vertex& vertex) {
-    const double found = distanceToBlocked(s_.grid, outsideIsBlocked_, vertex.at,
+    const double found = distanceToBlocked(s_.grid, outsideIsBlocked_, vertex.place,
                                            vertex.clearance + s_.grid.frame.resolution);
     if (std::abs(found - vertex.clearance) > 1e-6)
       tell(stage + ": vertex claims clearance " + std::to_string(vertex.clearance) + " and has " +
-           std::to_string(found) + textOf(vertex.at));
+           std::to_string(found) + textOf(vertex.place));
   }
 
   void checkPath(const std::string& stage, const Edge& edge) {
@@ -102,7 +102,7 @@ class PromiseChecker {
       const GraphRoom& room = s_.result.rooms[r];
       const Vertex& vertex = s_.result.graph.vertex(room.vertex);
       if (vertex.kind != VertexKind::room || vertex.room != RoomId(r))
-        tell("room and vertex disagree" + textOf(vertex.at));
+        tell("room and vertex disagree" + textOf(vertex.place));
       if (sideOf(room.shape.polygon, room.center) != Side::inside)
         tell("room vertex is not inside of its room" + textOf(room.center));
       if (area(room.shape.polygon) <= 0) tell("room has no area" + textOf(room.center));
@@ -120,23 +120,24 @@ class PromiseChecker {
         groups.join(std::uint32_t(edge.source.index()), std::uint32_t(edge.target.index()));
     for (const VertexId v : room.borderVertices)
       if (groups.find(std::uint32_t(v.index())) != groups.find(std::uint32_t(room.vertex.index())))
-        tell("a border vertex is not reached from its room" + textOf(graph.vertex(v).at));
+        tell("a border vertex is not reached from its room" + textOf(graph.vertex(v).place));
   }
 
   void checkBorder(const GraphRoom& room, const Vertex& border) {
     if (border.kind != VertexKind::border)
-      tell("room lists what borders nothing" + textOf(border.at));
+      tell("room lists what borders nothing" + textOf(border.place));
     double nearest = std::numeric_limits<double>::infinity();
     const auto visit = [&](const Ring& ring) {
       for (std::size_t i = 0; i < ring.size(); ++i)
-        nearest =
-            std::min(nearest, distanceToSegment(border.at, ring[i], ring[(i + 1) % ring.size()]));
+        nearest = std::min(nearest,
+                           distanceToSegment(border.place, ring[i], ring[(i + 1) % ring.size()]));
     };
     visit(room.shape.polygon.outer);
     for (const Ring& hole : room.shape.polygon.holes) visit(hole);
     const double most = s_.roomRadius > 0 ? s_.options.joinDoors.maxDepth / 2 : 0;
     if (nearest > most + 1e-6)
-      tell("border vertex is " + std::to_string(nearest) + " m off its room" + textOf(border.at));
+      tell("border vertex is " + std::to_string(nearest) + " m off its room" +
+           textOf(border.place));
   }
 
   const Stages& s_;

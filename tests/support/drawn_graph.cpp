@@ -8,7 +8,7 @@ namespace {
 
 TopologyGraph mapped(const TopologyGraph& graph, const std::function<Point(Point)>& place) {
   std::vector<Vertex> vertices = graph.vertices();
-  for (Vertex& v : vertices) v.at = place(v.at);
+  for (Vertex& v : vertices) v.place = place(v.place);
   std::vector<Edge> edges;
   for (Edge edge : graph.edges()) {
     for (Point& p : edge.path.points) p = place(p);
@@ -28,7 +28,7 @@ TopologyGraph drawnGraph() {
     return VertexId(vertices.size() - 1);
   };
   const auto join = [&](VertexId a, VertexId b) {
-    const Point from = vertices[a.index()].at, to = vertices[b.index()].at;
+    const Point from = vertices[a.index()].place, to = vertices[b.index()].place;
     Polyline line;
     for (int k = 0; k <= 10; ++k) line.push_back(from + (k / 10.0) * (to - from));
     edges.push_back({a, b, makePath(line, {}), RoomId::none()});

@@ -17,7 +17,8 @@ bool isIn(const House::RoomBox& box, Point p, double more) {
 
 State stateAt(const House& house, Point p) {
   for (const House::DoorBox& door : house.doors)
-    if (std::abs(p.x - door.at.x) < kDoor && std::abs(p.y - door.at.y) < kDoor) return State::free;
+    if (std::abs(p.x - door.place.x) < kDoor && std::abs(p.y - door.place.y) < kDoor)
+      return State::free;
   for (const House::RoomBox& box : house.rooms)
     if (isIn(box, p, 0)) return State::free;
   for (const House::RoomBox& box : house.rooms)
@@ -59,7 +60,7 @@ AreaGraph areasOf(const House& house, const Transform2D& pose) {
   }
   for (const House::DoorBox& door : house.doors) {
     if (!ids[door.a] || !ids[door.b]) continue;
-    const Point at = pose(house.drawn(door.at));
+    const Point at = pose(house.drawn(door.place));
     graph.passages.push_back({ids[door.a], ids[door.b], at, at, 2 * kDoor});
   }
   return graph;

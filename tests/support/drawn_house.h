@@ -15,7 +15,7 @@ struct House {
   };
   struct DoorBox {
     std::size_t a, b;  ///< rooms
-    Point at;
+    Point place;
   };
   std::vector<RoomBox> rooms;
   std::vector<DoorBox> doors;

@@ -26,7 +26,7 @@ class Checker {
 
   void checkVertex(VertexId v) {
     const Vertex& vertex = graph_.vertex(v);
-    expect(std::isfinite(vertex.at.x) && std::isfinite(vertex.at.y), "vertex is nowhere",
+    expect(std::isfinite(vertex.place.x) && std::isfinite(vertex.place.y), "vertex is nowhere",
            v.index());
     expect(vertex.kind != VertexKind::deadEnd || graph_.degree(v) == 1, "dead end has not one way",
            v.index());
@@ -39,9 +39,9 @@ class Checker {
     const Edge& edge = graph_.edge(e);
     const Path& path = edge.path;
     expect(path.points.size() >= 2, "path has fewer than two points", e.index());
-    expect(!path.points.empty() && path.points.front() == graph_.vertex(edge.source).at,
+    expect(!path.points.empty() && path.points.front() == graph_.vertex(edge.source).place,
            "path does not start at its source", e.index());
-    expect(!path.points.empty() && path.points.back() == graph_.vertex(edge.target).at,
+    expect(!path.points.empty() && path.points.back() == graph_.vertex(edge.target).place,
            "path does not end at its target", e.index());
     expect(std::abs(length(path.points) - path.length) <= kTolerance * (1 + path.length),
            "path length is not the sum of its segments", e.index());

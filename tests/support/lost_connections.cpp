@@ -49,8 +49,8 @@ class Climber {
   static constexpr std::uint32_t kNone = VoronoiEdge::kNoVertex;
 
   std::pair<Point, Point> endsOf(const VoronoiEdge& edge) const {
-    const Point a = s_.voronoi.vertices[edge.source].at;
-    if (!edge.isInfinite()) return {a, s_.voronoi.vertices[edge.target].at};
+    const Point a = s_.voronoi.vertices[edge.source].place;
+    if (!edge.isInfinite()) return {a, s_.voronoi.vertices[edge.target].place};
     const Point left = s_.voronoi.obstacles[edge.left], right = s_.voronoi.obstacles[edge.right];
     constexpr double far = 1e6;
     return {a, a + far * Point{left.y - right.y, right.x - left.x}};

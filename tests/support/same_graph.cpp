@@ -43,8 +43,8 @@ class Matcher {
 
   /** A ring vertex may stand anywhere on its ring: how far it is from the other's path. */
   double offset(const Vertex& va, VertexId v) const {
-    const Point at = aToB_(va.at);
-    if (va.kind != VertexKind::ring) return distance(at, b_.graph.vertex(v).at);
+    const Point at = aToB_(va.place);
+    if (va.kind != VertexKind::ring) return distance(at, b_.graph.vertex(v).place);
     double nearest = std::numeric_limits<double>::infinity();
     for (const HalfEdgeId h : b_.graph.outgoing(v))
       nearest = std::min(nearest, distanceToLine(at, b_.graph.edge(h).path.points));
@@ -67,7 +67,8 @@ class Matcher {
       }
       // Inner places of a concave room may change along flat paths; its polygon is compared.
       const double limit = va.kind == VertexKind::room ? 2 * tolerance_ : tolerance_;
-      if (best > limit) return text("no partner for vertex", partnerOf_.size(), aToB_(va.at), best);
+      if (best > limit)
+        return text("no partner for vertex", partnerOf_.size(), aToB_(va.place), best);
       isTaken[partner.index()] = true;
       partnerOf_.push_back(partner);
     }

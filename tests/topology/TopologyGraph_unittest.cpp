@@ -47,7 +47,7 @@ TEST(DissolveThrough, keepsTheWidestOfACycle) {
         {VertexId(2), VertexId(0), straight({{4, 4}, {0, 0}}), {}}}});
   ASSERT_EQ(graph.vertices().size(), 1u);
   EXPECT_EQ(graph.vertices()[0].kind, VertexKind::ring);
-  EXPECT_EQ(graph.vertices()[0].at, (Point{4, 0}));
+  EXPECT_EQ(graph.vertices()[0].place, (Point{4, 0}));
   ASSERT_EQ(graph.edges().size(), 1u);
   EXPECT_EQ(graph.edges()[0].source, graph.edges()[0].target);
 }
@@ -75,7 +75,7 @@ TEST(KeepOnly, dropsWhatIsNotFlaggedAndNumbersTheRestAnew) {
   const TopologyGraph kept = keepOnly(graph, {true, false, true, true}, {false, true, true});
   ASSERT_EQ(kept.vertices().size(), 3u);
   ASSERT_EQ(kept.edges().size(), 2u);
-  EXPECT_EQ(kept.vertices()[1].at, graph.vertices()[2].at);
+  EXPECT_EQ(kept.vertices()[1].place, graph.vertices()[2].place);
   EXPECT_EQ(kept.edges()[1].target, VertexId(2));
   EXPECT_DOUBLE_EQ(kept.edges()[1].path.length, 4);
 }

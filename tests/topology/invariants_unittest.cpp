@@ -22,9 +22,9 @@ TEST(Invariants, nameWhatIsWrong) {
   tooLong.length = 5;
   EXPECT_EQ(broken(tooLong, 0), 1u);
   EXPECT_EQ(broken(straight({{0, 0}, {3, 0}}), 0), 1u);
-  vertices[1].at.x = std::nan("");
+  vertices[1].place.x = std::nan("");
   EXPECT_GE(broken(good, 0), 1u);
-  vertices[1].at = {0, 0};
+  vertices[1].place = {0, 0};
   Path point;
   point.points = {{0, 0}};
   EXPECT_EQ(broken(point, 0), 1u);

@@ -77,7 +77,7 @@ TEST(JoinVertices, joinsAWholeGroupIntoTheOneNearestToItsMean) {
   for (std::size_t i = 0; i < 2; ++i)
     edges.push_back({VertexId(2 * i),
                      VertexId(2 * i + 2),
-                     straight({vertices[2 * i].at, vertices[2 * i + 2].at}),
+                     straight({vertices[2 * i].place, vertices[2 * i + 2].place}),
                      {}});
   const TopologyGraph graph = joinVertices({vertices, edges}, {}, 0.1);
   ASSERT_EQ(graph.vertices().size(), 4u);
@@ -86,7 +86,7 @@ TEST(JoinVertices, joinsAWholeGroupIntoTheOneNearestToItsMean) {
     const Vertex& a = graph.vertex(edge.source);
     const Vertex& b = graph.vertex(edge.target);
     const Vertex& junction = a.kind == kJunction ? a : b;
-    EXPECT_NEAR(distance(junction.at, {0.1, 0}), 0, 1e-12);
+    EXPECT_NEAR(distance(junction.place, {0.1, 0}), 0, 1e-12);
   }
   EXPECT_TRUE(test::brokenInvariants(graph, 0).empty());
 }

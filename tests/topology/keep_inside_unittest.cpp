@@ -33,7 +33,7 @@ TEST_F(HouseOnWhite, outsideIsLeftOut) {
   const InsideFlags isInside = keepInside(voronoi_, gridOf(map_), options);
   std::size_t count = 0;
   for (std::size_t v = 0; v < isInside.size(); ++v) {
-    EXPECT_TRUE(!isInside[v] || isHouse(voronoi_.vertices[v].at));
+    EXPECT_TRUE(!isInside[v] || isHouse(voronoi_.vertices[v].place));
     count += isInside[v] != 0;
   }
   EXPECT_GT(count, 0u);
@@ -57,7 +57,7 @@ TEST(KeepInside, leavesCellsThatAreNotFreeOut) {
   options.outsideWidth = 100;
   const InsideFlags freeOnly = keepInside(voronoi, grid, options);
   for (std::size_t v = 0; v < freeOnly.size(); ++v)
-    EXPECT_TRUE(!freeOnly[v] || grid.isFree(voronoi.vertices[v].at));
+    EXPECT_TRUE(!freeOnly[v] || grid.isFree(voronoi.vertices[v].place));
   options.freeOnly = false;
   const InsideFlags all = keepInside(voronoi, grid, options);
   EXPECT_GT(std::count(all.begin(), all.end(), 1), std::count(freeOnly.begin(), freeOnly.end(), 1));
@@ -79,7 +79,7 @@ TEST(KeepInside, biggestOnlyKeepsOnePolygon) {
   const InsideFlags isInside = keepInside(voronoi, gridOf(map), options);
   std::size_t count = 0;
   for (std::size_t v = 0; v < isInside.size(); ++v) {
-    EXPECT_TRUE(!isInside[v] || voronoi.vertices[v].at.x > 5);
+    EXPECT_TRUE(!isInside[v] || voronoi.vertices[v].place.x > 5);
     count += isInside[v] != 0;
   }
   EXPECT_GT(count, 0u);

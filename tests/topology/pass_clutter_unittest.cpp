@@ -93,7 +93,7 @@ TEST(PassClutter, whatLiesBehindItKeepsItsWay) {
   const Passed all = corridor(rows);
   EXPECT_EQ(partCount(all.after), 1u);
   double lowest = 9;
-  for (const Vertex& vertex : all.after.vertices()) lowest = std::min(lowest, vertex.at.y);
+  for (const Vertex& vertex : all.after.vertices()) lowest = std::min(lowest, vertex.place.y);
   EXPECT_LT(lowest, 1) << "the end of the side corridor";
 }
 

@@ -20,7 +20,7 @@ TEST(MakeTopologyGraph, ofAVoronoiRingHasOneVertex) {
   const TopologyGraph ring = topologyGraph(voronoi, {0, 1, 2, 3});
   ASSERT_EQ(ring.vertices().size(), 1u);
   EXPECT_EQ(ring.vertices()[0].kind, VertexKind::ring);
-  EXPECT_EQ(ring.vertices()[0].at, (Point{2, 0}));
+  EXPECT_EQ(ring.vertices()[0].place, (Point{2, 0}));
   EXPECT_DOUBLE_EQ(ring.edges()[0].path.length, 8);
   const TopologyGraph open = topologyGraph(voronoi, {0, 1, 2});
   EXPECT_EQ(open.vertices().size(), 2u);
@@ -77,15 +77,15 @@ TEST(MakeTopologyGraph, keepsAllOfWhatIsKeptAndNothingElse) {
       if (random.below(4) == 0) continue;
       kept.push_back(e);
       const VoronoiEdge& edge = voronoi.edges[e];
-      length += distance(voronoi.vertices[edge.source].at, voronoi.vertices[edge.target].at);
+      length += distance(voronoi.vertices[edge.source].place, voronoi.vertices[edge.target].place);
       ++ends[edge.source], ++ends[edge.target];
     }
     const TopologyGraph graph = topologyGraph(voronoi, kept);
     double found = 0;
     for (const Edge& edge : graph.edges()) {
       found += edge.path.length;
-      EXPECT_EQ(edge.path.points.front(), graph.vertex(edge.source).at);
-      EXPECT_EQ(edge.path.points.back(), graph.vertex(edge.target).at);
+      EXPECT_EQ(edge.path.points.front(), graph.vertex(edge.source).place);
+      EXPECT_EQ(edge.path.points.back(), graph.vertex(edge.target).place);
     }
     EXPECT_NEAR(found, length, 1e-9 * (1 + length)) << trial;
     std::size_t deadEnds = 0, junctions = 0;
@@ -112,7 +112,7 @@ TEST(MakeTopologyGraph, theOrderOfWhatIsKeptChangesNoPlace) {
     const auto placesOf = [&](const EdgeIndices& some) {
       const TopologyGraph graph = topologyGraph(voronoi, some);
       std::multiset<Point> places;
-      for (const Vertex& vertex : graph.vertices()) places.insert(vertex.at);
+      for (const Vertex& vertex : graph.vertices()) places.insert(vertex.place);
       return places;
     };
     const auto before = placesOf(kept);

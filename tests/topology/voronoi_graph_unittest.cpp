@@ -24,7 +24,7 @@ TEST(VoronoiGraph, clearanceIsTheDistanceToTheNearestSite) {
     const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(seed, 24, 20, 0.1)));
     ASSERT_GT(graph.edges.size(), 0u);
     for (const VoronoiVertex& v : graph.vertices)
-      EXPECT_NEAR(v.clearance, nearestObstacle(graph, v.at), 1e-9);
+      EXPECT_NEAR(v.clearance, nearestObstacle(graph, v.place), 1e-9);
   }
 }
 
@@ -33,7 +33,7 @@ TEST(VoronoiGraph, edgesLieBetweenTheirTwoNearestObstacles) {
     const VoronoiGraph graph = voronoiGraph(obstaclesOf(randomMap(seed, 24, 20, 0.1)));
     for (const VoronoiEdge& edge : graph.edges) {
       if (edge.isInfinite()) continue;
-      const Point a = graph.vertices[edge.source].at, b = graph.vertices[edge.target].at;
+      const Point a = graph.vertices[edge.source].place, b = graph.vertices[edge.target].place;
       const Point left = graph.obstacles[edge.left], right = graph.obstacles[edge.right];
       double least = 1e300;
       for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -54,7 +54,7 @@ TEST(VoronoiGraph, cellsOfASquareMeetInOneVertex) {
   const VoronoiGraph graph =
       voronoiGraph(obstaclesOf(drawn({"#...#", ".....", ".....", ".....", "#...#"}, 1)));
   ASSERT_EQ(graph.vertices.size(), 1u);
-  EXPECT_NEAR(distance(graph.vertices[0].at, {2.5, 2.5}), 0, 1e-12);
+  EXPECT_NEAR(distance(graph.vertices[0].place, {2.5, 2.5}), 0, 1e-12);
   EXPECT_EQ(graph.edges.size(), 4u);
   for (const VoronoiEdge& edge : graph.edges) EXPECT_TRUE(edge.isInfinite());
 }
@@ -70,7 +70,7 @@ std::vector<std::array<long, 3>> fingerprint(const VoronoiGraph& graph, const Ma
                                              const Pose& pose, bool mapPlaces) {
   std::vector<std::array<long, 3>> vertices;
   for (const VoronoiVertex& v : graph.vertices) {
-    const Point at = mapPlaces ? posed(v.at, map, pose) : v.at;
+    const Point at = mapPlaces ? posed(v.place, map, pose) : v.place;
     vertices.push_back(
         {std::lround(at.x * 1e6), std::lround(at.y * 1e6), std::lround(v.clearance * 1e6)});
   }

@@ -24,8 +24,8 @@ long micro(double x) { return std::lround(x * 1e6); }
 std::vector<Line> linesOf(const VoronoiGraph& graph) {
   std::vector<Line> lines;
   for (const VoronoiEdge& edge : graph.edges) {
-    const Point a = graph.vertices[edge.source].at;
-    const Point b = edge.isInfinite() ? a : graph.vertices[edge.target].at;
+    const Point a = graph.vertices[edge.source].place;
+    const Point b = edge.isInfinite() ? a : graph.vertices[edge.target].place;
     Place first{micro(a.x), micro(a.y)}, last{micro(b.x), micro(b.y)};
     if (last < first) std::swap(first, last);
     lines.push_back({first, last, micro(edge.minClearance)});
@@ -81,7 +81,7 @@ void expectNumbersKept(const std::vector<std::string>& rows, const std::vector<C
   ASSERT_EQ(without.obstacles, graph.obstacles);
   for (const VoronoiEdge& edge : without.edges) {
     EXPECT_FALSE(isLeftOut[edge.left] || isLeftOut[edge.right]);
-    EXPECT_NEAR(distance(without.obstacles[edge.left], without.vertices[edge.source].at),
+    EXPECT_NEAR(distance(without.obstacles[edge.left], without.vertices[edge.source].place),
                 without.vertices[edge.source].clearance, 1e-9);
   }
 }

@@ -114,7 +114,7 @@ void drawPaths(const Pen& pen, const TopologyGraph& graph) {
 
 void drawVertices(const Pen& pen, const TopologyGraph& graph) {
   for (const Vertex& vertex : graph.vertices())
-    if (vertex.kind != VertexKind::room) pen.mark(vertex.kind, pen.view().px(vertex.at));
+    if (vertex.kind != VertexKind::room) pen.mark(vertex.kind, pen.view().px(vertex.place));
 }
 
 void drawRoomLabels(const Pen& pen, const std::vector<GraphRoom>& rooms) {
@@ -144,7 +144,7 @@ void drawVoronoi(const Pen& pen, const VoronoiGraph& graph,
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     const VoronoiEdge& edge = graph.edges[e];
     if (edge.isInfinite() || !isShown(e)) continue;
-    pen.trace(Polyline{graph.vertices[edge.source].at, graph.vertices[edge.target].at});
+    pen.trace(Polyline{graph.vertices[edge.source].place, graph.vertices[edge.target].place});
     strokes.add();
   }
 }

@@ -71,10 +71,10 @@ class Writer {
     for (std::size_t r = 0; r < graph_.rooms.size(); ++r) addRoomPolygon(r);
     for (std::size_t p = 0; p < passages_.size(); ++p) addPassage(p);
     for (const Vertex& vertex : graph_.graph.vertices())
-      addNode(vertex.at, Members()
-                             .quoted("class", nameOf(vertex.kind))
-                             .number("clearance", vertex.clearance)
-                             .room(vertex.room));
+      addNode(vertex.place, Members()
+                                .quoted("class", nameOf(vertex.kind))
+                                .number("clearance", vertex.clearance)
+                                .room(vertex.room));
     addBends();
     const auto loneWays = addLoneWays();
     for (std::size_t e = 0; e < chains_.size(); ++e) addPieces(e);
@@ -167,9 +167,9 @@ class Writer {
     const auto& vertices = graph_.graph.vertices();
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       if (graph_.graph.degree(VertexId(v)) > 0) continue;
-      const Point aside = vertices[v].at + Point{vertices[v].clearance / 2, 0};
+      const Point aside = vertices[v].place + Point{vertices[v].clearance / 2, 0};
       const Members bend = Members().quoted("class", "bend").room(vertices[v].room);
-      ways.push_back({{v, vertices[v].at}, {addNode(aside, bend), aside}});
+      ways.push_back({{v, vertices[v].place}, {addNode(aside, bend), aside}});
     }
     return ways;
   }

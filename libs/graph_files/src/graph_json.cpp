@@ -39,8 +39,8 @@ std::string pointsText(const std::vector<Point>& points) {
 std::string vertexText(std::size_t id, const Vertex& vertex) {
   return lineOf({{"id", id},
                  {"kind", nameOf(vertex.kind)},
-                 {"x", rounded(vertex.at.x)},
-                 {"y", rounded(vertex.at.y)},
+                 {"x", rounded(vertex.place.x)},
+                 {"y", rounded(vertex.place.y)},
                  {"clearance", rounded(vertex.clearance)},
                  {"room", idOrNull(vertex.room)}});
 }

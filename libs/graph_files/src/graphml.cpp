@@ -53,8 +53,8 @@ void data(std::string& xml, const char* key, RoomId room) {
 void addNode(std::string& xml, const RoomGraph& graph, std::size_t v) {
   const Vertex& vertex = graph.graph.vertices()[v];
   xml += "    <node id=\"n" + std::to_string(v) + "\">";
-  data(xml, "x", vertex.at.x);
-  data(xml, "y", vertex.at.y);
+  data(xml, "x", vertex.place.x);
+  data(xml, "y", vertex.place.y);
   data(xml, "kind", std::string(nameOf(vertex.kind)));
   data(xml, "clearance", vertex.clearance);
   data(xml, "room", vertex.room);

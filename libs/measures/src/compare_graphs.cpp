@@ -26,7 +26,7 @@ std::vector<PlacePair> placesOf(const TopologyGraph& a, const TopologyGraph& b,
                                 const GraphMatch& match) {
   std::vector<PlacePair> places;
   for (const VertexMatch& m : match.vertices)
-    places.push_back({a.vertex(m.a).at, b.vertex(m.b).at});
+    places.push_back({a.vertex(m.a).place, b.vertex(m.b).place});
   return places;
 }
 
@@ -142,7 +142,7 @@ void comparePaths(const TopologyGraph& a, const TopologyGraph& b, const GraphMat
 /** The vertices alone. */
 TopologyGraph placedVertices(const TopologyGraph& graph, const Transform2D& pose) {
   std::vector<Vertex> vertices = graph.vertices();
-  for (Vertex& vertex : vertices) vertex.at = pose(vertex.at);
+  for (Vertex& vertex : vertices) vertex.place = pose(vertex.place);
   return {std::move(vertices), {}};
 }
 

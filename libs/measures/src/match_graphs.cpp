@@ -24,16 +24,16 @@ std::vector<std::vector<Point>> placesOf(const FollowedGraph& side, double reach
   std::vector<std::vector<Point>> all;
   for (const Vertex& vertex : side.graph.vertices()) {
     std::map<int, std::pair<double, std::uint32_t>> nearest;  // by layer
-    near.forEachNear(vertex.at, [&](std::uint32_t i) {
-      const std::pair found{distance(middles[i], vertex.at), i};
+    near.forEachNear(vertex.place, [&](std::uint32_t i) {
+      const std::pair found{distance(middles[i], vertex.place), i};
       if (found.first > reach) return;
       auto& best = nearest.try_emplace(followed[i].layer, found).first->second;
       best = std::min(best, found);
     });
     std::vector<Point>& places = all.emplace_back();
     for (const auto& [layer, found] : nearest)
-      places.push_back(followed[found.second].pose(vertex.at));
-    if (places.empty() && !followed.empty()) places.push_back(side.followed.pose(vertex.at));
+      places.push_back(followed[found.second].pose(vertex.place));
+    if (places.empty() && !followed.empty()) places.push_back(side.followed.pose(vertex.place));
   }
   return all;
 }
@@ -52,9 +52,9 @@ Near nearVertices(const FollowedGraph& a, const FollowedGraph& b) {
   Near near(ofA.size());
   for (std::uint32_t i = 0; i < ofA.size(); ++i)
     for (std::uint32_t j = 0; j < ofB.size(); ++j) {
-      const double there = nearestOf(ofA[i], b.graph.vertices()[j].at);
+      const double there = nearestOf(ofA[i], b.graph.vertices()[j].place);
       if (there > 2 * fitted::kMaxGrown) continue;
-      const double apart = (there + nearestOf(ofB[j], a.graph.vertices()[i].at)) / 2;
+      const double apart = (there + nearestOf(ofB[j], a.graph.vertices()[i].place)) / 2;
       if (apart <= fitted::kMaxGrown) near[i].push_back({j, apart});
     }
   return near;

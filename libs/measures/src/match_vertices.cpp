@@ -16,7 +16,7 @@ std::vector<std::uint32_t> fromLeftToRight(const std::vector<Vertex>& vertices) 
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(vertices[a].at.x, a) < std::tie(vertices[b].at.x, b);
+    return std::tie(vertices[a].place.x, a) < std::tie(vertices[b].place.x, b);
   });
   return order;
 }
@@ -28,11 +28,11 @@ std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const Topol
   std::vector<MatchedVertices> pairs;
   std::size_t first = 0;
   for (const std::uint32_t i : orderA) {
-    while (first < orderB.size() && b[orderB[first]].at.x < a[i].at.x - maxDistance) ++first;
+    while (first < orderB.size() && b[orderB[first]].place.x < a[i].place.x - maxDistance) ++first;
     for (std::size_t k = first; k < orderB.size(); ++k) {
       const std::uint32_t j = orderB[k];
-      if (b[j].at.x > a[i].at.x + maxDistance) break;
-      const double apart = distance(a[i].at, b[j].at);
+      if (b[j].place.x > a[i].place.x + maxDistance) break;
+      const double apart = distance(a[i].place, b[j].place);
       if (apart <= maxDistance) pairs.push_back({VertexId(i), VertexId(j), apart});
     }
   }

@@ -11,7 +11,7 @@ std::optional<double> nearestVertices(const TopologyGraph& base, const TopologyG
   for (const Vertex& vertex : base.vertices()) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vertex& candidate : other.vertices())
-      nearest = std::min(nearest, squaredNorm(candidate.at - vertex.at));
+      nearest = std::min(nearest, squaredNorm(candidate.place - vertex.place));
     sum += std::sqrt(nearest);
   }
   return sum / double(base.vertices().size());

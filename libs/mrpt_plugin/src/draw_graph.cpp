@@ -148,8 +148,8 @@ viz::CSetOfTriangles::Ptr drawVertices(const RoomGraph& graph, const Sheet& shee
   auto discs = makeTriangles("vertices");
   for (const Vertex& vertex : graph.graph.vertices()) {
     const double radius = discRadius(graph, vertex, sheet);
-    addDisc(*discs, sheet, vertex.at, radius + 0.22 * sheet.discRadius, kRimLayer, kRimColour);
-    addDisc(*discs, sheet, vertex.at, radius, kDiscLayer, vertexColour(vertex.kind));
+    addDisc(*discs, sheet, vertex.place, radius + 0.22 * sheet.discRadius, kRimLayer, kRimColour);
+    addDisc(*discs, sheet, vertex.place, radius, kDiscLayer, vertexColour(vertex.kind));
   }
   return discs;
 }
@@ -175,7 +175,7 @@ viz::CSetOfObjects::Ptr drawNumbers(const RoomGraph& graph, const Sheet& sheet) 
   for (std::size_t i = 0; i < graph.rooms.size(); ++i) {
     if (!graph.rooms[i].vertex) continue;
     const Vertex& vertex = graph.graph.vertex(graph.rooms[i].vertex);
-    numbers->insert(drawNumber(i, vertex.at, discRadius(graph, vertex, sheet), sheet));
+    numbers->insert(drawNumber(i, vertex.place, discRadius(graph, vertex, sheet), sheet));
   }
   return numbers;
 }
@@ -206,7 +206,7 @@ std::uint8_t greyOf(State state) {
 
 Box drawnBox(const MappedGraph& graph) {
   Box box;
-  for (const Vertex& vertex : graph.file.graph.graph.vertices()) box.include(vertex.at);
+  for (const Vertex& vertex : graph.file.graph.graph.vertices()) box.include(vertex.place);
   for (const GraphRoom& room : graph.file.graph.rooms)
     for (const Point p : room.shape.polygon.outer) box.include(p);
   for (const Edge& edge : graph.file.graph.graph.edges())

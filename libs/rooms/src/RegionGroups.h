@@ -74,7 +74,7 @@ class RegionGroups {
       const Point left = voronoi_.obstacles[edge.left], across = narrowest(edge) - left;
       for (const std::uint32_t end : {edge.source, edge.target})
         if (!isOutside(end))
-          visit(edge, end, std::abs(cross(voronoi_.vertices[end].at - left, across)) / 2);
+          visit(edge, end, std::abs(cross(voronoi_.vertices[end].place - left, across)) / 2);
     }
   }
   /** Who meets whom where, by region. O(passages). */
@@ -88,8 +88,8 @@ class RegionGroups {
   Point narrowest(const VoronoiEdge& edge) const {
     const Point between = midpoint(voronoi_.obstacles[edge.left], voronoi_.obstacles[edge.right]);
     return edge.isInfinite() ? between
-                             : nearestOnSegment(between, voronoi_.vertices[edge.source].at,
-                                                voronoi_.vertices[edge.target].at);
+                             : nearestOnSegment(between, voronoi_.vertices[edge.source].place,
+                                                voronoi_.vertices[edge.target].place);
   }
 
   double halfCell_;

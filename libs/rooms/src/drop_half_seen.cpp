@@ -10,7 +10,7 @@ InsideFlags dropHalfSeen(const VoronoiGraph& voronoi, InsideFlags isInside,
   if (halfSeen.empty()) return isInside;
   const RoomIndex index(halfSeen);
   for (std::size_t v = 0; v < isInside.size(); ++v)
-    if (isInside[v] && index.roomAt(voronoi.vertices[v].at)) isInside[v] = 0;
+    if (isInside[v] && index.roomAt(voronoi.vertices[v].place)) isInside[v] = 0;
   return isInside;
 }
 

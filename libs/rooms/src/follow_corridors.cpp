@@ -100,7 +100,7 @@ class Pieces {
   Point direction(const VoronoiEdge& edge) const {
     const VoronoiGraph& voronoi = regions_.voronoi();
     const Point sides = voronoi.obstacles[edge.right] - voronoi.obstacles[edge.left];
-    const Point way = voronoi.vertices[edge.target].at - voronoi.vertices[edge.source].at;
+    const Point way = voronoi.vertices[edge.target].place - voronoi.vertices[edge.source].place;
     const Point across{-sides.y, sides.x};
     return ((dot(across, way) < 0 ? -1 : 1) / norm(across)) * across;
   }

@@ -22,7 +22,7 @@ constexpr double kDetour = 1.3;  // the longest way round, over the straight one
 
 /** A place of the open floor, and what of the ways is nearest to it. */
 struct Place {
-  Point at, way;
+  Point floor, way;
   double farSquared = std::numeric_limits<double>::infinity();  // from there [m2]
 };
 
@@ -126,7 +126,8 @@ class Hall {
     for (const Edge& edge : edges_) bringNearer(places, edge.path);
     const Point middle = centroid(room_.polygon);
     const auto rank = [&](const Place& place) {
-      return std::tuple(place.farSquared, distance(place.at, middle), place.at.x, place.at.y);
+      return std::tuple(place.farSquared, distance(place.floor, middle), place.floor.x,
+                        place.floor.y);
     };
     while (!places.empty()) {
       const auto farthest =
@@ -134,7 +135,7 @@ class Hall {
                            [&](const Place& l, const Place& r) { return rank(l) < rank(r); });
       const Place place = *farthest;
       places.erase(farthest);
-      if (isClear(place.way, place.at)) bringNearer(places, addPlace(place));
+      if (isClear(place.way, place.floor)) bringNearer(places, addPlace(place));
     }
   }
 
@@ -164,7 +165,7 @@ class Hall {
     for (int i = 0; i <= steps; ++i) {
       const Point way = placeOn(path, i == steps ? path.length : i * path.length / steps);
       for (Place& place : places)
-        if (const double far = squaredNorm(place.at - way); far < place.farSquared)
+        if (const double far = squaredNorm(place.floor - way); far < place.farSquared)
           place.farSquared = far, place.way = way;
     }
     places.erase(std::remove_if(
@@ -176,12 +177,12 @@ class Hall {
   Path addPlace(const Place& place) {
     const VertexId base = vertexAt(place.way);
     const VertexId tip(vertices_.size());
-    vertices_.push_back({place.at,
-                         obstacles_.clearance(place.at, place.at, room_.inscribedRadius),
+    vertices_.push_back({place.floor,
+                         obstacles_.clearance(place.floor, place.floor, room_.inscribedRadius),
                          VertexKind::deadEnd,
                          {}});
     addStraight(base, tip);
-    return straightPath(obstacles_, place.way, place.at, 0);
+    return straightPath(obstacles_, place.way, place.floor, 0);
   }
 
   /** Of the place on the ways that is nearest to a point. */
@@ -205,7 +206,7 @@ class Hall {
 
   // Both
 
-  Point placeOf(VertexId v) const { return vertices_[v.index()].at; }
+  Point placeOf(VertexId v) const { return vertices_[v.index()].place; }
 
   VertexId split(PlaceOnPath place) {
     const std::size_t count = vertices_.size();

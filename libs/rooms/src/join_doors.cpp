@@ -42,8 +42,8 @@ TopologyGraph joinDoors(TopologyGraph graph, const JoinDoorsOptions& options) {
     way[s] = piece(edge.path, 0, middle);
     way[t] = reversed(piece(edge.path, middle, edge.path.length));
     newId[s] = newId[t] = edge.source;
-    vertices[s].at = way[s].points.back();
-    vertices[s].clearance = distance(vertices[s].at, way[s].obstacles.back());
+    vertices[s].place = way[s].points.back();
+    vertices[s].clearance = distance(vertices[s].place, way[s].obstacles.back());
     vertices[s].room = std::min(vertices[s].room, vertices[t].room);
     keepVertex[t] = false;
     keepEdge[e] = false;

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> seeds(const RegionOutlines& outlines, const RoomGraph
   if (missing.empty()) return found;
   const RoomIndex index(outlines.regions);
   for (const std::uint32_t v : missing) {
-    const RoomId region = isMissing(v) ? index.roomAt(vertices[v].at) : RoomId::none();
+    const RoomId region = isMissing(v) ? index.roomAt(vertices[v].place) : RoomId::none();
     if (!region) continue;  // on a line between two
     found.push_back(std::uint32_t(region.index()));
     isFound[parts.find(v)] = 1;

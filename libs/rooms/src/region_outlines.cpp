@@ -21,7 +21,8 @@ class FaceCover {
         best_(regionOf_.size()) {
     // What lies in free space and is not inside is outside.
     for (std::uint32_t v = 0; v < isHidden_.size(); ++v)
-      isHidden_[v] = regionOf_[v] == kNone && (isInside[v] || !grid.isFree(voronoi.vertices[v].at));
+      isHidden_[v] =
+          regionOf_[v] == kNone && (isInside[v] || !grid.isFree(voronoi.vertices[v].place));
   }
 
   std::vector<std::uint32_t> run() {

@@ -109,7 +109,7 @@ class RoomBuilder {
     if (!parts.innerEdges.empty())
       return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
                         leastClearance(room));
-    return straightPaths(room, parts, graph_.vertex(parts.widest).at);
+    return straightPaths(room, parts, graph_.vertex(parts.widest).place);
   }
 
   InnerPaths straightPaths(const Room& room, const RoomParts& parts, Point center) const {
@@ -118,7 +118,7 @@ class RoomBuilder {
     star.clearance = obstacles_.clearance(center, center, room.inscribedRadius);
     for (const VertexId v : parts.borderVertices)
       star.paths.push_back(
-          straightPath(obstacles_, center, graph_.vertex(v).at, graph_.vertex(v).clearance));
+          straightPath(obstacles_, center, graph_.vertex(v).place, graph_.vertex(v).clearance));
     return star;
   }
 
@@ -174,7 +174,7 @@ void addRoom(const TopologyGraph& ways, RoomId id, GraphRoom room, std::vector<V
     vertices.back().room = id;
     if (vertices.back().kind != VertexKind::room) continue;
     room.vertex = VertexId(vertices.size() - 1);
-    room.center = vertices.back().at;
+    room.center = vertices.back().place;
   }
   const auto newId = [&](VertexId v) {
     return v.index() < borderCount ? room.borderVertices[v.index()]

@@ -68,7 +68,7 @@ TopologyGraph roomIds(TopologyGraph graph, const Rooms& rooms, double minLength)
   const RoomIndex index(rooms);
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     if (graph.degree(VertexId(v)) == 0)
-      vertices[v].room = index.roomAt(vertices[v].at);
+      vertices[v].room = index.roomAt(vertices[v].place);
     else
       setRoom(vertices[v], VertexId(v), graph);
   }

@@ -137,7 +137,7 @@ Rooms traceRegions(const VoronoiGraph& voronoi, const Regions& regions) {
     const VoronoiVertex& vertex = voronoi.vertices[v];
     if (vertex.clearance <= room.inscribedRadius) continue;
     room.inscribedRadius = vertex.clearance;
-    room.widestPlace = vertex.at;
+    room.widestPlace = vertex.place;
   }
   std::vector<double> outerArea(regions.count);
   RingTracer(voronoi, boundaryEdges(voronoi, regions)).run([&](std::uint32_t room, Ring ring) {

@@ -90,7 +90,7 @@ TopologyGraph dissolveThrough(TopologyGraph graph) {
   const Chains chains =
       findChains(vertices.size(), links, isNode, [&](std::uint32_t a, std::uint32_t b) {
         const Vertex &va = vertices[a], &vb = vertices[b];
-        return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.at < vb.at);
+        return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.place < vb.place);
       });
   std::vector<Edge> edges;
   for (std::size_t c = 0; c < chains.count(); ++c)

@@ -74,7 +74,7 @@ TopologyGraph removeEndsAmongClutter(TopologyGraph graph, const DeadEndsOptions&
       std::move(graph), [&](const Vertex& tip, const Vertex& base, const Path& path) {
         const double farthest = path.length + tip.clearance;
         return isWithin(base.clearance, farthest, options) ||
-               isWithin(walls.clearance(base.at, base.at, farthest), farthest, options);
+               isWithin(walls.clearance(base.place, base.place, farthest), farthest, options);
       });
 }
 

@@ -8,8 +8,8 @@ namespace roomgraph {
 /** Smallest distance to the obstacles p and q along the edge a–b, as far from the one as from the
  *  other. */
 inline double edgeClearance(Point p, Point q, const VoronoiVertex& a, const VoronoiVertex& b) {
-  const double along = dot(midpoint(p, q) - a.at, b.at - a.at);
-  const bool passesBetween = along > 0 && along < squaredNorm(b.at - a.at);
+  const double along = dot(midpoint(p, q) - a.place, b.place - a.place);
+  const bool passesBetween = along > 0 && along < squaredNorm(b.place - a.place);
   return passesBetween ? distance(p, q) / 2 : std::min(a.clearance, b.clearance);
 }
 

@@ -30,12 +30,12 @@ std::vector<VertexId> representatives(const TopologyGraph& graph, UnionFind& gro
   std::vector<Point> sum(vertices.size());
   std::vector<int> count(vertices.size());
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
-    sum[groups.find(v)] = sum[groups.find(v)] + vertices[v].at;
+    sum[groups.find(v)] = sum[groups.find(v)] + vertices[v].place;
     ++count[groups.find(v)];
   }
   std::vector<VertexId> best(vertices.size());
   const auto offset = [&](VertexId v, std::uint32_t group) {
-    return distance(graph.vertex(v).at, (1.0 / count[group]) * sum[group]);
+    return distance(graph.vertex(v).place, (1.0 / count[group]) * sum[group]);
   };
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
     const auto group = groups.find(v);
@@ -57,7 +57,7 @@ std::vector<Path> pathsToRepresentatives(const TopologyGraph& graph,
   std::vector<Path> paths(graph.vertices().size());
   std::vector<VertexId> open;
   for (std::size_t v = 0; v < graph.vertices().size(); ++v) {
-    paths[v].points = {graph.vertices()[v].at};
+    paths[v].points = {graph.vertices()[v].place};
     paths[v].minClearance = graph.vertices()[v].clearance;
     if (representative[v] == VertexId(v) && !ways[v].empty()) open.push_back(VertexId(v));
   }

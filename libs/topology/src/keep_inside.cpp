@@ -23,7 +23,7 @@ void removeOutside(const VoronoiGraph& graph, double radius, InsideFlags& isInsi
 
 void removeNotFree(const VoronoiGraph& graph, const Grid& grid, InsideFlags& isInside) {
   for (std::size_t v = 0; v < graph.vertices.size(); ++v)
-    if (isInside[v] && !grid.isFree(graph.vertices[v].at)) isInside[v] = 0;
+    if (isInside[v] && !grid.isFree(graph.vertices[v].place)) isInside[v] = 0;
 }
 
 /** Keeps the connected set of Delaunay faces with the largest area. */

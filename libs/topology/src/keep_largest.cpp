@@ -16,8 +16,8 @@ struct Component {
 };
 
 bool isSmaller(const Component& a, const Component& b) {
-  return std::tie(a.length, a.widest.clearance, b.widest.at) <
-         std::tie(b.length, b.widest.clearance, a.widest.at);
+  return std::tie(a.length, a.widest.clearance, b.widest.place) <
+         std::tie(b.length, b.widest.clearance, a.widest.place);
 }
 
 /** One entry per vertex; filled in for the smallest vertex of each component. */
@@ -40,7 +40,7 @@ Note droppedNote(int count, double length, const Vertex& where) {
           formatted("%d part%s of the graph with %.1f m of paths not connected to the largest one "
                     "%s dropped; --all-components keeps them",
                     count, count == 1 ? "" : "s", length, count == 1 ? "was" : "were"),
-          std::array<double, 2>{where.at.x, where.at.y}};
+          std::array<double, 2>{where.place.x, where.place.y}};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ Path pathOf(const VoronoiGraph& voronoi, const EdgeIndices& kept, const Step* fi
             const Step* last) {
   const auto startOf = [&](Step s) {
     const VoronoiEdge& edge = voronoi.edges[kept[s.link]];
-    return voronoi.vertices[s.isForward ? edge.source : edge.target].at;
+    return voronoi.vertices[s.isForward ? edge.source : edge.target].place;
   };
   const auto endOf = [&](Step s) { return startOf({s.link, !s.isForward}); };
   Polyline points;
@@ -76,7 +76,7 @@ TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept
   const auto vertexOf = [&](std::uint32_t v) { return voronoi.vertices[numbers.oldOf[v]]; };
   const auto isWider = [&](std::uint32_t a, std::uint32_t b) {
     const VoronoiVertex va = vertexOf(a), vb = vertexOf(b);
-    return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.at < vb.at);
+    return va.clearance > vb.clearance || (va.clearance == vb.clearance && va.place < vb.place);
   };
   const Chains chains = findChains(degrees.size(), links, isNode, isWider);
   for (const auto v : chains.ringNodes) isNode[v] = true;
@@ -86,7 +86,8 @@ TopologyGraph topologyGraph(const VoronoiGraph& voronoi, const EdgeIndices& kept
   for (std::uint32_t v = 0; v < degrees.size(); ++v) {
     if (!isNode[v]) continue;
     idOf[v] = VertexId(vertices.size());
-    vertices.push_back({vertexOf(v).at, vertexOf(v).clearance, kindOf(degrees[v]), RoomId::none()});
+    vertices.push_back(
+        {vertexOf(v).place, vertexOf(v).clearance, kindOf(degrees[v]), RoomId::none()});
   }
   std::vector<Edge> edges;
   edges.reserve(chains.count());

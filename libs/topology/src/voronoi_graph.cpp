@@ -66,7 +66,7 @@ class Converter {
       const VoronoiVertex& target = graph_.vertices[result.target];
       result.minClearance = edgeClearance(p, q, source, target);
     } else {
-      result.minClearance = minClearanceOfRay(p, q, source.at, source.clearance);
+      result.minClearance = minClearanceOfRay(p, q, source.place, source.clearance);
     }
     graph_.edges.push_back(result);
   }

@@ -166,7 +166,7 @@ class HoleFiller {
       const VoronoiVertex& vertex = result_.vertices[inner];
       edge = flip(edge);
       const Point ahead{q.y - p.y, p.x - q.x};
-      const bool passesBetween = dot(midpoint(p, q) - vertex.at, ahead) > 0;
+      const bool passesBetween = dot(midpoint(p, q) - vertex.place, ahead) > 0;
       edge.minClearance = passesBetween ? distance(p, q) / 2 : vertex.clearance;
     } else {
       edge.source = newOf_[edge.source];

@@ -15,7 +15,7 @@ enum class VertexKind {  ///< what stands there
 };
 
 struct Vertex {
-  Point at;                                ///< [m, map frame]
+  Point place;                             ///< [m, map frame]
   double clearance = 0;                    ///< distance to the nearest obstacle [m]
   VertexKind kind = VertexKind::junction;  ///< what stands there
   RoomId room;  ///< the room it lies in or borders; none elsewhere (the paper's -1)

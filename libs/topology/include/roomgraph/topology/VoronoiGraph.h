@@ -9,7 +9,7 @@ namespace roomgraph {
 
 /** A place that is equally near to three or more obstacles, its nearest ones. */
 struct VoronoiVertex {
-  Point at;              ///< [m, map frame]
+  Point place;           ///< [m, map frame]
   double clearance = 0;  ///< distance to those obstacles [m]
 };
 
