@@ -7,7 +7,7 @@ namespace roomgraph {
 
 /** Where a robot is and looks to. */
 struct WalkPose {
-  Point at;            ///< [m, map frame]
+  Point place;         ///< [m, map frame]
   double heading = 0;  ///< [rad], along the way
 };
 
