@@ -30,6 +30,10 @@ std::vector<std::optional<MapError>> errorsAmong(const std::vector<std::size_t>&
   std::optional<std::size_t> truth;
   if (site.reference && has(*site.reference)) truth = placeOf(*site.reference);
   std::vector<std::optional<MapError>> errors = estimateMapErrors(among, told, truth);
+  const auto isSure = [&](const PairOfThings& pair) {
+    return among(pair.first, pair.second).agreement == 1;
+  };
+  if (std::all_of(pairs.begin(), pairs.end(), isSure)) return errors;
   for (const auto& [i, j] : pairs) among(i, j).bend *= among(i, j).agreement;
   const auto otherwise = estimateMapErrors(among, told, truth);  // by the ways that tell less
   for (std::size_t k = 0; k < errors.size(); ++k) {
