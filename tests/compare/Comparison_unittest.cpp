@@ -89,6 +89,17 @@ TEST(Comparison, coverageIsPartialWhereItIsSmallAndMeaningful) {
   EXPECT_FALSE(run.partialCoverage());
 }
 
+TEST(Comparison, aMapWithAPlaceThatNoOtherShowsIsNotBorneOut) {
+  ComparedRun run = runOf("a", 0.1);
+  run.measures = {{"walls_added", 0.3, "1", 5000, {}, {}, true, Point{1, 2}}};
+  ASSERT_EQ(run.addedWalls(), &run.measures[0]);
+  EXPECT_FALSE(run.isBorneOut());
+  run.measures[0].isMeaningful = false;
+  EXPECT_TRUE(run.isBorneOut()) << "nobody can tell";
+  run.measures[0].isMeaningful = true, run.measures[0].value = kMostAdded;
+  EXPECT_TRUE(run.isBorneOut()) << "as moved furniture is";
+}
+
 TEST(Comparison, copiesAndEditsAreSetsOfRuns) {
   using Sets = std::vector<std::vector<std::string>>;
   Comparison comparison;

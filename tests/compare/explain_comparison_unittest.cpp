@@ -164,6 +164,19 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
   EXPECT_EQ(verdictOf(partial).rfind("a is the best map", 0), 0u) << "too little to say so";
 }
 
+TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotCalledTheBest) {
+  Comparison wrong = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
+  wrong.runs[0].measures = {{"walls_added", 0.42, "1", 5000, {}, {}, true, Point{1, 2}}};
+  EXPECT_NE(verdictOf(wrong).find("But a has a place where others show no such walls, round "
+                                  "(1.0, 2.0)."),
+            std::string::npos)
+      << verdictOf(wrong);
+  EXPECT_EQ(verdictOf(wrong).find("best map"), std::string::npos);
+  EXPECT_NE(reasonOf(wrong.runs[0], wrong)
+                .find("42 % of its walls round (1.0, 2.0) stand where the others have seen free"),
+            std::string::npos);
+}
+
 TEST(VerdictOf, copiesOfOneFileSayNothing) {
   Comparison copies = ofRuns({scored("a", 0.1), scored("a#2", 0.1), scored("a#3", 0.1)});
   copies.pairs = {copyOf("a", "a#2"), copyOf("a", "a#3"), copyOf("a#2", "a#3")};

@@ -85,6 +85,21 @@ TEST(WallSightings, specksAreAdded) {
   EXPECT_LT(*four.measured(wallsMissingOf, 2).value, 0.02) << "no third one has them";
 }
 
+TEST(WallSightings, aRoomThatIsDrawnMirroredIsWrongThere) {
+  const int side = 80;  // 8 m, about the middle of the map
+  const Four four(edited([&](const Grid& grid, Cell c) {
+    const Cell middle{grid.frame.width / 2, grid.frame.height / 2};
+    const bool isInside = std::abs(c.x - middle.x) < side && std::abs(c.y - middle.y) < side;
+    return grid.at(isInside ? Cell{2 * middle.x - c.x, c.y} : c);
+  }));
+  const MeasuredValue added = four.measured(wallsAddedOf);
+  EXPECT_GT(*added.value, 0.3);
+  ASSERT_TRUE(added.place);
+  const GridFrame& frame = four.runs[0].map.frame;
+  EXPECT_LT(distance(*added.place, frame.center({frame.width / 2, frame.height / 2})), 6);
+  EXPECT_LT(*four.measured(wallsAddedOf, 3).value, 0.05) << "two others have all that it has";
+}
+
 TEST(WallSightings, copiesAreNoWitnesses) {
   Four four(drawnBuilding(1, {2, 1, 0.3}));
   for (const auto& [a, b] : {PairOfThings{1, 2}, {1, 3}, {2, 3}}) four.pairs(a, b).areEdits = true;

@@ -95,6 +95,15 @@ TEST(ComparisonText, isTheSameOfTheFile) {
   EXPECT_EQ(comparisonText(again), comparisonText(comparison));
   EXPECT_EQ(gateMarkdown(again), gateMarkdown(comparison));
   EXPECT_NE(comparisonText(comparison).find(" 0.082 "), std::string::npos);
+  EXPECT_FALSE(again.runs[0].measures[0].place);
+}
+
+TEST(ComparisonJson, keepsThePlaceOfAFigure) {
+  Comparison comparison = sample();
+  comparison.runs[0].measures.assign(1, {"walls_added", 0.3, "1", 1, {}, {}, true, Point{1, -2}});
+  const Comparison again = parseComparisonJson(comparisonJson(comparison), "comparison.json");
+  ASSERT_TRUE(again.runs[0].measures[0].place);
+  EXPECT_NEAR(distance(*again.runs[0].measures[0].place, {1, -2}), 0, 1e-9);
 }
 
 TEST(ParseComparisonJson, knowsWhatAnOptionIs) {

@@ -40,6 +40,12 @@ std::optional<double> ComparedRun::partialCoverage() const {
   return isPartial ? coverage->value : std::nullopt;
 }
 
+const Measure* ComparedRun::addedWalls() const {
+  const Measure* added = find(measures, "walls_added");
+  return added && added->isMeaningful && added->place && *added->value > kMostAdded ? added
+                                                                                    : nullptr;
+}
+
 bool Comparison::isScaleUsual() const {
   return !runs.empty() && std::all_of(runs.begin(), runs.end(),
                                       [](const ComparedRun& run) { return run.isScaleEstimated; });
@@ -79,7 +85,7 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (isPlaceDoubtful(run.name)) return Certainty::doubtful;
   const RunScore& score = *run.score;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
-  const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !score.isBorneOut();
+  const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut();
   return run.partialCoverage() || isWide || isOdd || score.share < kNearlyAll ? Certainty::likely
                                                                               : Certainty::sure;
 }

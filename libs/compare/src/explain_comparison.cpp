@@ -36,6 +36,11 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (score.confirmed < 1 - score.contradicted - kWorthAWord)
     text += formatted("; %.0f %% of what it has drawn no other run bears out",
                       100 * (1 - score.confirmed));
+  if (const Measure* added = run.addedWalls())
+    text += formatted(
+        "; %.0f %% of its walls round (%.1f, %.1f) stand where the others have seen "
+        "free space",
+        100 * *added->value, added->place->x, added->place->y);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
@@ -73,6 +78,9 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
         formatted("has seen only %.0f %% of what at least two runs have seen", 100 * *coverage));
   if (comparison.isPlaceDoubtful(best.name))
     doubts.push_back("is joined to most of the others by no pair that is sure");
+  if (const Measure* added = best.addedWalls())
+    doubts.push_back(formatted("has a place where others show no such walls, round (%.1f, %.1f)",
+                               added->place->x, added->place->y));
   if (!best.score->isBorneOut())
     doubts.push_back(formatted("has only %.0f %% of what it has drawn borne out by another run",
                                std::floor(100 * best.score->confirmed)));

@@ -141,13 +141,16 @@ class Judge {
       const Measure* measure = find(run.measures, name);
       if (!measure || !measure->isMeaningful) return;
       const double value = *measure->value, left = most - value;
+      const std::string place =
+          measure->place ? formatted(" round (%.1f, %.1f)", measure->place->x, measure->place->y)
+                         : "";
       hold(name, run.name, left,
-           formatted(text, 100 * value, left < 0 ? "more" : "no more", 100 * most));
+           formatted(text, 100 * value, place.c_str(), left < 0 ? "more" : "no more", 100 * most));
     };
     judge("walls_missing", kMostMissing,
-          "lacks %.0f %% of the walls that two others have, %s than %.0f %%");
+          "lacks %.0f %% of the walls that two others have%s, %s than %.0f %%");
     judge("walls_added", kMostAdded,
-          "has %.0f %% of its walls where others have seen free space, %s than %.0f %%");
+          "has %.0f %% of its walls%s where others have seen free space, %s than %.0f %%");
     judgeSharpness(run);
   }
 

@@ -1,6 +1,8 @@
 #pragma once
 #include <optional>
 
+#include "roomgraph/geometry/Point.h"
+
 namespace roomgraph {
 
 /** What a measure comes to; its kind says what it is. */
@@ -10,6 +12,7 @@ struct MeasuredValue {
   std::optional<double> low{}, high{};
   bool hasEnoughOthers = true;
   double worth = 1;  ///< of each, in those that MeasureKind::leastSupport counts
+  std::optional<Point> place{};  ///< see Measure [m, map frame of the run]
 };
 
 }  // namespace roomgraph

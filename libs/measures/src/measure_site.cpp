@@ -7,7 +7,7 @@ namespace {
 
 Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
   Measure measure{kind.name,    measured.value, kind.unit,           measured.support,
-                  measured.low, measured.high,  /*meaningful*/ false};
+                  measured.low, measured.high,  /*meaningful*/ false, measured.place};
   measure.isMeaningful = measured.value && measured.hasEnoughOthers &&
                          measured.support * measured.worth >= kind.leastSupport;
   return measure;
@@ -34,8 +34,12 @@ SiteMeasures measureSite(const Site& site, const MapPairs& pairs, const PairBend
   SiteMeasures all{std::vector<std::vector<Measure>>(n),
                    PairTable<std::vector<Measure>>(n, pairs.pairs())};
   forEach(n, [&](std::size_t i) {
-    for (const MeasureRow& row : measureTable())
-      if (row.ofRun) all.runs[i].push_back(measureOf(row.kind, row.ofRun(evidence, i)));
+    for (const MeasureRow& row : measureTable()) {
+      if (!row.ofRun) continue;
+      all.runs[i].push_back(measureOf(row.kind, row.ofRun(evidence, i)));
+      auto& place = all.runs[i].back().place;
+      if (place) place = site.poses[i](*place);
+    }
   });
   for (const auto& [i, j] : pairs.pairs())
     for (const MeasureRow& row : measureTable())

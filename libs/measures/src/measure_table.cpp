@@ -77,7 +77,7 @@ std::vector<MeasureRow> wallPlaceRows() {
                        "Of the walls that two others have, the share where it shows free space."},
                       wallsMissingOf),
           ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
-                       "Share of its walls where the others show free space."},
+                       "Where most are, the share of its walls where the others show free space."},
                       wallsAddedOf)};
 }
 

@@ -1,7 +1,9 @@
 #include "wall_sightings.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
@@ -53,12 +55,12 @@ Count missingOf(const SightingTable& sightings, const std::vector<std::size_t>& 
   return count;
 }
 
-/** Of the walls of `run` whose place enough of `others` know, those that none of them has. */
-Count addedBy(const SightingTable& sightings, const std::vector<std::size_t>& others,
-              std::size_t run) {
+/** Of the walls of one patch of `run` whose place enough of `others` know, those that none of them
+ *  has. */
+Count addedIn(const WallPatch& patch, const SightingTable& sightings,
+              const std::vector<std::size_t>& others, std::size_t run) {
   Count count;
-  const std::size_t walls = others.empty() ? 0 : sightings.in(run, others.front()).size();
-  for (std::size_t i = 0; i < walls; ++i) {
+  for (const std::uint32_t i : patch.own) {
     std::size_t found = 0, free = 0;
     for (const std::size_t other : others) {
       const WallSighting seen = sightings.in(run, other)[i];
@@ -70,10 +72,24 @@ Count addedBy(const SightingTable& sightings, const std::vector<std::size_t>& ot
   return count;
 }
 
+/** The share among the nearest kFewestWalls to a patch, or among all where there are fewer. */
+double shareRound(std::size_t patch, const WallPatches& patches, const std::vector<Count>& counts) {
+  std::vector<std::pair<double, std::size_t>> nearest;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+    if (counts[p].all > 0)
+      nearest.emplace_back(distance(patches[p].middle, patches[patch].middle), p);
+  std::sort(nearest.begin(), nearest.end());
+  Count sum;
+  for (auto it = nearest.begin(); it != nearest.end() && sum.all < kFewestWalls; ++it)
+    sum.all += counts[it->second].all, sum.some += counts[it->second].some;
+  return sum.some / sum.all;
+}
+
 }  // namespace
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach)};
+  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}};
+  for (const Run* run : site.runs) table.patches.push_back(&run->map.patches);
   visitPairs(site, pairs.pairs(), forEach, [&](std::size_t k, FullMaps& maps) {
     const auto [i, j] = pairs.pairs()[k];
     const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
@@ -109,9 +125,19 @@ MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& m
   const auto isDistrusted = [&](std::size_t other) { return trust[other] <= 0; };
   others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
   MeasuredValue added;
-  const Count count = addedBy(sightings, others, run);
-  added.support = count.all, added.hasEnoughOthers = others.size() >= kFewestOthers;
-  if (count.all > 0) added.value = count.some / count.all;
+  added.hasEnoughOthers = others.size() >= kFewestOthers;
+  const WallPatches& patches = *sightings.patches[run];
+  std::vector<Count> counts;
+  for (const WallPatch& patch : patches) {
+    counts.push_back(addedIn(patch, sightings, others, run));
+    added.support += counts.back().all;
+  }
+  if (added.support > 0) added.value = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (counts[p].some <= 0) continue;
+    const double share = shareRound(p, patches, counts);
+    if (share > *added.value) added.value = share, added.place = patches[p].middle;
+  }
   return added;
 }
 

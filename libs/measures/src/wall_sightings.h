@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "MeasuredValue.h"
+#include "roomgraph/align/WallPatches.h"
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/MapPairs.h"
@@ -20,6 +21,7 @@ namespace roomgraph {
 struct SightingTable {
   DirectedTable<std::vector<WallSighting>> in;  ///< of each wall point of a run, in another one
   std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
+  std::vector<const WallPatches*> patches;      ///< of the walls of each run
 };
 
 /** Of all pairs, see sightWalls. O(pairs * walls). */
@@ -32,8 +34,10 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run);
 
-/** Of one run: `walls_added`, the share of its walls of which two others have seen the place, where
- *  all of these show free space. Support in wall points. */
+/** Of one run: `walls_added`, of its walls of which two others have seen the place, the share where
+ *  all of these show free space: not of the whole map, in which a room that is drawn wrong is
+ *  little, but of the kFewestWalls next to each other that have most of them. Support in wall
+ *  points. O(patches^2). */
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
                            const Trust& trust, std::size_t run);
 

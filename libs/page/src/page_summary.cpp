@@ -57,7 +57,7 @@ std::string wordFor(const RunScore& score) {
 /** Where the best run breaks: the best one without a break, of which all can be told. */
 std::string toDrive(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
-    if (comparison.certaintyOf(run) <= Certainty::likely && run.score->isBorneOut() &&
+    if (comparison.certaintyOf(run) <= Certainty::likely && run.isBorneOut() &&
         run.score->jitter < kSmeared && comparison.countBreaks(run.name) == 0)
       return " To drive: " + run.name + ", which has no break, and " + errorText(*run.score) +
              "; to measure: " + comparison.runs[0].name + ".";
@@ -122,8 +122,8 @@ std::string navigationWord(const Comparison& comparison) {
   if (best.score->jitter >= kSmeared)
     return start +
            "not good enough. Its key frames lie off each on its own, which smears its walls.";
-  if (!best.score->isBorneOut())
-    return start + "cannot be told, too much of it is borne out by no other run.";
+  if (!best.isBorneOut())
+    return start + "cannot be told, not all of it is borne out by other runs.";
   return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";
 }
 

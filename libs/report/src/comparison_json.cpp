@@ -165,9 +165,11 @@ std::string scoreText(const RunScore& score, const std::string& coverage) {
 }  // namespace
 
 Json measureJson(const Measure& measure) {
-  return {{"value", numberOrNull(measure.value)},   {"unit", measure.unit},
-          {"support", std::round(measure.support)}, {"low", numberOrNull(measure.low)},
-          {"high", numberOrNull(measure.high)},     {"meaningful", measure.isMeaningful}};
+  Json json{{"value", numberOrNull(measure.value)},   {"unit", measure.unit},
+            {"support", std::round(measure.support)}, {"low", numberOrNull(measure.low)},
+            {"high", numberOrNull(measure.high)},     {"meaningful", measure.isMeaningful}};
+  if (measure.place) json["x"] = rounded(measure.place->x), json["y"] = rounded(measure.place->y);
+  return json;
 }
 
 std::string comparisonJson(const Comparison& comparison) {

@@ -54,9 +54,11 @@ std::vector<std::pair<std::string, JsonNode>> members(const JsonNode& node) {
 
 std::vector<Measure> measures(const JsonNode& node) {
   std::vector<Measure> all;
-  for (const auto& [name, one] : members(node))
+  for (const auto& [name, one] : members(node)) {
     all.push_back({name, numberIfAny(one["value"]), one["unit"].text(), one["support"].number(),
                    numberIfAny(one["low"]), numberIfAny(one["high"]), isTrue(one["meaningful"])});
+    if (one.contains("x")) all.back().place = Point{one["x"].number(), one["y"].number()};
+  }
   return all;
 }
 

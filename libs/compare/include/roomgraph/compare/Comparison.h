@@ -14,6 +14,10 @@
 
 namespace roomgraph {
 
+/** Of the walls in one place, how many more than the others a run may have: see `walls_added`. Moved
+ *  furniture adds fewer. */
+constexpr double kMostAdded = 0.25;
+
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
 
@@ -47,6 +51,10 @@ struct ComparedRun {
 
   /** The measure `coverage`, where it is meaningful, and is less than kNearlyAll. */
   [[nodiscard]] std::optional<double> partialCoverage() const;
+  /** The measure `walls_added`, where it is meaningful, and is more than kMostAdded; else null. */
+  [[nodiscard]] const Measure* addedWalls() const;
+  /** Whether its score is borne out, and no place of its map is another one than the others show. */
+  [[nodiscard]] bool isBorneOut() const { return score && score->isBorneOut() && !addedWalls(); }
 };
 
 /** Two runs, placed or not. */

@@ -14,7 +14,6 @@ namespace roomgraph {
 
 // What walls may differ by, which is more than they do where furniture moves.
 constexpr double kMostMissing = 0.15;  ///< of `walls_missing`
-constexpr double kMostAdded = 0.2;     ///< of `walls_added`
 constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below the others' median
 
 /** What must not be. */

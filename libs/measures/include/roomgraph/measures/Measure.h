@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/geometry/Point.h"
+
 namespace roomgraph {
 
 /** One figure, and how far it can be trusted. */
@@ -15,6 +17,8 @@ struct Measure {
    *  with a single other run. */
   std::optional<double> low, high;
   bool isMeaningful = false;  ///< enough other runs, and enough support
+  /** Where it is worst, of a figure that is of one place [m, frame of the site]. */
+  std::optional<Point> place{};
 };
 
 /** The measure of this name; null for none. */
