@@ -36,20 +36,32 @@ struct Count {
   double all = 0, some = 0;
 };
 
-/** Of the straight walls of `other` that a third run has: those whose place `run` knows, and those
- *  that it lacks. */
+struct Seen {
+  std::size_t found = 0, free = 0;  ///< runs that have a wall, and that show free space there
+};
+
+/** What `others`, but the run itself, have where a wall of a run is. */
+Seen seenBy(const std::vector<std::size_t>& others, const SightingTable& sightings,
+            std::size_t run, std::size_t wall) {
+  Seen seen;
+  for (const std::size_t other : others) {
+    if (other == run || wall >= sightings.in(run, other).size()) continue;
+    const WallSighting sighting = sightings.in(run, other)[wall];
+    seen.found += sighting == WallSighting::found, seen.free += sighting == WallSighting::free;
+  }
+  return seen;
+}
+
+/** Of the straight walls of `other` that a third run has and none denies: those whose place `run`
+ *  knows, and those that it lacks. */
 Count missingOf(const SightingTable& sightings, const std::vector<std::size_t>& others,
                 std::size_t other, std::size_t run) {
   const std::vector<WallSighting>& inRun = sightings.in(other, run);
   Count count;
   for (std::size_t i = 0; i < inRun.size(); ++i) {
     if (inRun[i] == WallSighting::unknown || !sightings.isStraight[other][i]) continue;
-    const bool isConfirmed = std::any_of(others.begin(), others.end(), [&](std::size_t third) {
-      if (third == other) return false;
-      const auto& inThird = sightings.in(other, third);
-      return i < inThird.size() && inThird[i] == WallSighting::found;
-    });
-    if (!isConfirmed) continue;
+    const Seen seen = seenBy(others, sightings, other, i);
+    if (seen.found == 0 || seen.free > 0) continue;
     ++count.all, count.some += inRun[i] == WallSighting::free ? 1 : 0;
   }
   return count;
@@ -61,13 +73,9 @@ Count addedIn(const WallPatch& patch, const SightingTable& sightings,
               const std::vector<std::size_t>& others, std::size_t run) {
   Count count;
   for (const std::uint32_t i : patch.own) {
-    std::size_t found = 0, free = 0;
-    for (const std::size_t other : others) {
-      const WallSighting seen = sightings.in(run, other)[i];
-      found += seen == WallSighting::found, free += seen == WallSighting::free;
-    }
-    if (found + free < kFewestOthers) continue;
-    ++count.all, count.some += found == 0 ? 1 : 0;
+    const Seen seen = seenBy(others, sightings, run, i);
+    if (seen.found + seen.free < kFewestOthers) continue;
+    ++count.all, count.some += seen.found == 0 ? 1 : 0;
   }
   return count;
 }
