@@ -74,8 +74,7 @@ TEST(AlignmentHypotheses, aScoreIsTheSumOfWhatTheWallsOfBothAreWorth) {
   const auto valueAt = [](const SearchImages& images, int octant, Cell cell) {
     const int x = cell.x - images.low.x, y = cell.y - images.low.y;
     if (x < 0 || y < 0 || x >= images.width || y >= images.height) return 0;
-    return int(images.values[std::size_t(octant)]
-                            [std::size_t(y) * std::size_t(images.width) + std::size_t(x)]);
+    return int(images.values[std::size_t(octant)][images.index(x, y)]);
   };
   ASSERT_GT(found.size(), 20u);
   for (std::size_t i = 0; i < 20; ++i) {

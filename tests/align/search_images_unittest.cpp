@@ -23,8 +23,7 @@ const WallMap& building() {
 int valueAt(const SearchImages& images, int octant, Cell cell) {
   const int x = cell.x - images.low.x, y = cell.y - images.low.y;
   if (x < 0 || y < 0 || x >= images.width || y >= images.height) return 0;
-  return images
-      .values[std::size_t(octant)][std::size_t(y) * std::size_t(images.width) + std::size_t(x)];
+  return images.values[std::size_t(octant)][images.index(x, y)];
 }
 
 using Place = std::tuple<int, int, int>;
@@ -120,6 +119,23 @@ TEST(SearchImages, whatNothingIsKnownOfIsWorthNothingAndFreeSpaceLess) {
   }
   EXPECT_GT(deep, 400u);
   EXPECT_GT(double(contradicted), 0.95 * double(deep)) << "no wall stands in a room's middle";
+}
+
+TEST(SearchImages, beyondWhatIsKnownOfARowAllIsZero) {
+  const CentredMap map = centred(building());
+  const SearchImages images = imagesOf(map, 0.7, kCell, 1);
+  std::size_t beyond = 0;
+  for (int y = 0; y < images.height; ++y) {
+    const auto [first, end] = images.known[std::size_t(y)];
+    int low = images.width, high = 0;
+    for (const auto& values : images.values)
+      for (int x = 0; x < images.width + SearchImages::kMargin; ++x)
+        if (values[images.index(x, y)] != 0) low = std::min(low, x), high = std::max(high, x + 1);
+    EXPECT_EQ(first, low) << "row " << y;
+    EXPECT_EQ(end, high) << "row " << y;
+    beyond += std::size_t(images.width - (end - first));
+  }
+  EXPECT_GT(beyond, images.index(0, images.height) / 5) << "a turned map leaves corners";
 }
 
 TEST(SearchImages, aWallThatIsThereTwiceCountsOnce) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "search_images.h"
 
@@ -10,7 +11,23 @@ namespace {
 
 constexpr int kMaxAcross = 140;     // of the search, across a map
 constexpr double kTurnShare = 0.4;  // turns that line up fewer of the walls are left out
+constexpr int kRowsAtOnce = 32, kBlock = SearchImages::kMargin + 1;  // of the sums
 constexpr double kSameAngle = 0.09, kSameShift = 2;  // of peaks that are one [rad, cells]
+
+/** Those that are there several times, as many of a small map are, as one; neighbours among them take
+ *  neighbouring rows of one image. */
+std::vector<SearchPoint> joined(std::vector<SearchPoint> points) {
+  const auto key = [](const SearchPoint& p) { return std::tie(p.octant, p.cell.y, p.cell.x); };
+  std::sort(points.begin(), points.end(),
+            [&](const SearchPoint& l, const SearchPoint& r) { return key(l) < key(r); });
+  std::vector<SearchPoint> joined;
+  for (const SearchPoint& point : points)
+    if (!joined.empty() && key(joined.back()) == key(point))
+      ++joined.back().times;
+    else
+      joined.push_back(point);
+  return joined;
+}
 
 /** Sums by shift, from `low` on. */
 struct Sums {
@@ -45,22 +62,24 @@ Cell highest(const std::vector<SearchPoint>& points) {
 #endif
 
 /** Adds, for each point, the image of its octant with the point as its origin: to a sum at shift s
- *  goes the image at s - point. Row by row, so that the sums stay in the nearest cache; neighbours
- *  among the points take neighbouring rows of one image. */
-ROOMGRAPH_WIDE_IF_THERE void add(std::vector<SearchPoint> points, const SearchImages& images,
+ *  goes the image at s - point. Some rows at a time, so that the sums stay in the nearest cache. */
+ROOMGRAPH_WIDE_IF_THERE void add(const std::vector<SearchPoint>& points, const SearchImages& images,
                                  Sums& sums) {
-  std::sort(points.begin(), points.end(), [](const SearchPoint& l, const SearchPoint& r) {
-    return l.octant != r.octant ? l.octant < r.octant : l.cell.y < r.cell.y;
-  });
-  for (int row = 0; row < sums.height; ++row)
+  for (int top = 0; top < sums.height; top += kRowsAtOnce)
     for (const SearchPoint& point : points) {
-      const int y = row - (point.cell.y + images.low.y - sums.low.y);
-      if (y < 0 || y >= images.height) continue;
-      const std::int16_t* from = images.values[std::size_t(point.octant)].data() +
-                                 std::size_t(y) * std::size_t(images.width);
-      std::int16_t* to = sums.values.data() + std::size_t(row) * std::size_t(sums.width) +
-                         (point.cell.x + images.low.x - sums.low.x);
-      for (int x = 0; x < images.width; ++x) to[x] = std::int16_t(to[x] + from[x]);
+      const int first = point.cell.y + images.low.y - sums.low.y;
+      const int end = std::min({top + kRowsAtOnce, sums.height, first + images.height});
+      const auto times = std::int16_t(point.times);
+      for (int row = std::max(top, first); row < end; ++row) {
+        const SearchImages::Span known = images.known[std::size_t(row - first)];
+        const std::int16_t* from =
+            images.values[std::size_t(point.octant)].data() + images.index(0, row - first);
+        std::int16_t* to = sums.values.data() + std::size_t(row) * std::size_t(sums.width) +
+                           (point.cell.x + images.low.x - sums.low.x);
+        for (int block = known.first; block < known.end; block += kBlock)
+          for (int x = block; x < block + kBlock; ++x)
+            to[x] = std::int16_t(to[x] + times * from[x]);
+      }
     }
 }
 
@@ -78,7 +97,8 @@ Sums bothWays(const std::vector<SearchPoint>& plus, const SearchImages& plusImag
   sums.height = std::max(h1.y + plusImages.low.y + plusImages.height,
                          h2.y + minusImages.low.y + minusImages.height) -
                 sums.low.y;
-  sums.values.assign(std::size_t(sums.width) * std::size_t(sums.height), 0);
+  sums.values.assign(
+      std::size_t(sums.width) * std::size_t(sums.height) + std::size_t(SearchImages::kMargin), 0);
   add(plus, plusImages, sums);
   add(minus, minusImages, sums);
   return sums;
@@ -185,12 +205,12 @@ std::vector<AlignmentHypothesis> alignmentHypotheses(const WallMap& a, const Wal
   const double cell = searchCell(a, b, effort.cell);
   const CentredMap fixed = centred(a), moved = centred(b);
   const std::size_t maxPoints = std::size_t(effort.points);
-  const auto fixedPoints = searchPoints(fixed, 0, cell, maxPoints, 1);
+  const auto fixedPoints = joined(searchPoints(fixed, 0, cell, maxPoints, 1));
   const SearchImages fixedImages = imagesOf(fixed, 0, cell, 1);
   const std::vector<double> angles = anglesToTry(a, b);
   std::vector<Peak> peaks;
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    const auto movedPoints = searchPoints(moved, angles[k], cell, maxPoints, -1);
+    const auto movedPoints = joined(searchPoints(moved, angles[k], cell, maxPoints, -1));
     const SearchImages movedImages = imagesOf(moved, angles[k], cell, -1);
     const Sums sums = bothWays(movedPoints, fixedImages, fixedPoints, movedImages);
     const auto best = peaksOf(sums, int(k), std::size_t(effort.perAngle));

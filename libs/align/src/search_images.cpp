@@ -26,22 +26,26 @@ void setSize(SearchImages& images, const std::vector<SearchPoint>& points) {
   images.low = {low.x - 1, low.y - 1};
   images.width = high.x - low.x + 3;
   images.height = high.y - low.y + 3;
-  for (auto& values : images.values)
-    values.assign(std::size_t(images.width) * std::size_t(images.height), 0);
+  images.values[0].assign(images.index(0, images.height), 0);
+  images.known.assign(std::size_t(images.height), {images.width, 0});
+}
+
+void widen(SearchImages::Span& span, int first, int last) {
+  span = {std::min(span.first, first), std::max(span.end, last + 1)};
 }
 
 /** Nothing new where one with the same cell and octant was added before. */
 void addWall(SearchImages& images, const SearchPoint& point) {
-  const std::size_t index = std::size_t(point.cell.y - images.low.y) * std::size_t(images.width) +
-                            std::size_t(point.cell.x - images.low.x);
-  if (images.values[std::size_t(point.octant)][index] == kHit) return;
+  const int column = point.cell.x - images.low.x, row = point.cell.y - images.low.y;
+  if (images.values[std::size_t(point.octant)][images.index(column, row)] == kHit) return;
+  for (int y = row - 1; y <= row + 1; ++y)
+    widen(images.known[std::size_t(y)], column - 1, column + 1);
   for (int turn = -1; turn <= 1; ++turn) {
     auto& values = images.values[std::size_t(point.octant + turn + kOctants) % kOctants];
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const int x = point.cell.x + dx - images.low.x, y = point.cell.y + dy - images.low.y;
         const int value = (turn == 0 ? kHit : kSidelong) * kNear[std::abs(dx) + std::abs(dy)] / 10;
-        std::int16_t& cell = values[std::size_t(y) * std::size_t(images.width) + std::size_t(x)];
+        std::int16_t& cell = values[images.index(column + dx, row + dy)];
         cell = cell <= 0 ? std::int16_t(value) : std::max(cell, std::int16_t(value));
       }
   }
@@ -83,7 +87,8 @@ SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign
     const Cell c = cellOf(turn.turned(place), cell);
     const int x = sign * c.x - images.low.x, y = sign * c.y - images.low.y;
     if (x < 0 || y < 0 || x >= images.width || y >= images.height) continue;
-    images.values[0][std::size_t(y) * std::size_t(images.width) + std::size_t(x)] =
+    widen(images.known[std::size_t(y)], x, x);
+    images.values[0][images.index(x, y)] =
         std::int16_t(isDeep ? -kHit : -kHit / 2);  // a wall in free space
   }
   for (auto& values : images.values) values = images.values[0];
