@@ -143,6 +143,27 @@ TEST(MoveStretches, neverMakesTheGraphDearerWhateverLiesElsewhere) {
   }
 }
 
+TEST(MoveStretches, leavesNoRunThatWouldBeCheaperWhereAMatchHasIt) {
+  test::RandomNumbers random(6);
+  for (int i = 0; i < 30; ++i) {
+    TwoRuns two;
+    for (const std::size_t run : {0u, 1u}) two.misplace(0, two.last() / 2, random.pose(20), run);
+    two.misplace(0, two.last(), random.pose(20));
+    two.move();
+    const NodePoses moved = two.poses;
+    const double cost = costOf(two);
+    for (const PoseEdge& edge : two.graph.edges)
+      for (const HalfEdge& half : halvesOf(edge)) {
+        if (!edge.group) continue;
+        const Transform2D motion = moved[half.other] * half.measured * moved[half.node].inverse();
+        for (const NodeId node : two.graph.runs[two.graph.runOf(half.node)].nodes)
+          two.poses[node] = motion * moved[node];
+        EXPECT_GT(costOf(two), cost - 1 - 1e-9) << i;
+        two.poses = moved;
+      }
+  }
+}
+
 TEST(MoveStretches, theFrameOfTheSiteChangesNothing) {
   TwoRuns here;
   here.misplace(10, 17);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kGaveWay = 10;  // half the robust squared residual of a link from which on it did
 constexpr double kLenient = 4;   // times the noise of matches: what is left over the solver mends
+constexpr int kAskEvery = 8;     // nodes, whether a motion can still be the best
 
 /** Nodes first to last of a run. */
 struct Stretch {
@@ -49,6 +50,7 @@ class Mover {
         ties_(graph.nodes.size()),
         states_(graph.edges.size()),
         sums_(graph.groups.size()),
+        hopes_(graph.groups.size()),
         changes_(graph.groups.size()),
         isTouched_(graph.groups.size()) {
     for (const NodeId node : poses.ids()) turned_[node] = TurnedPose(poses[node]);
@@ -157,37 +159,59 @@ class Mover {
         if (!stretch.has(tie.half.other)) todo(tie);
   }
 
-  /** The edge of a tie once its node has been moved (site <- site). */
-  EdgeState stateBy(const Tie& tie, const TurnedPose& motion) const {
+  /** The edge of a tie once its node lies there (site <- node). */
+  EdgeState stateBy(const Tie& tie, const TurnedPose& moved) const {
     const PoseEdge& edge = graph_.edges[tie.edge];
-    const TurnedPose moved = motion * turned_[tie.half.node];
     return tie.half.node == edge.to ? stateAt(tie.edge, turned_[edge.from], moved)
                                     : stateAt(tie.edge, moved, turned_[edge.to]);
   }
 
-  /** By how much the cost changes once the stretch has been moved (site <- site). */
-  double changeBy(const Stretch& stretch, const TurnedPose& motion) {
-    double change = 0;
+  /** What the best of all motions would change: nothing that holds the stretch costs anything. */
+  void hopeFor(const Stretch& stretch) {
+    for (const MatchGroupId group : touched_) hopes_[group] = {}, isTouched_[group] = false;
+    touched_.clear();
+    hope_ = 0;
     eachTieOf(stretch, [&](const Tie& tie) {
-      const EdgeState &before = states_[tie.edge], after = stateBy(tie, motion);
+      const EdgeState& before = states_[tie.edge];
       const MatchGroupId group = graph_.edges[tie.edge].group;
       if (!group) {
-        change += after.cost - before.cost;
+        hope_ -= before.cost;
         return;
       }
-      if (!isTouched_[group]) touched_.push_back(group);
+      if (!isTouched_[group]) touched_.push_back(group), hope_ -= costOf(group, sums_[group]);
       isTouched_[group] = true;
-      add(changes_[group], after, 1);
-      add(changes_[group], before, -1);
+      hopes_[group].cost -= before.cost, hopes_[group].inliers += !before.isInlier;
     });
-    for (const MatchGroupId group : touched_) {
-      const GroupSum now{sums_[group].cost + changes_[group].cost,
-                         sums_[group].inliers + changes_[group].inliers};
-      change += costOf(group, now) - costOf(group, sums_[group]);
-      changes_[group] = {}, isTouched_[group] = false;
+  }
+
+  /** By how much the cost changes once the stretch, which was hoped for, has been moved (site <-
+   *  site); `most` as soon as it is sure not to be less. */
+  double changeBy(const Stretch& stretch, const TurnedPose& motion, double most) {
+    for (const MatchGroupId group : touched_) changes_[group] = hopes_[group];
+    double links = hope_;
+    const auto change = [&](bool isAll) {
+      double sum = links;
+      for (const MatchGroupId group : touched_) {
+        const double cost = costOf(group, {sums_[group].cost + changes_[group].cost,
+                                           sums_[group].inliers + changes_[group].inliers});
+        // It may still be given up.
+        sum += isAll ? cost : std::min(cost, costOfGivingUp(graph_.groups[group]));
+      }
+      return sum;
+    };
+    int asked = 0;
+    for (const NodeId node : stretch.nodes()) {
+      if (++asked % kAskEvery == 0 && change(false) >= most) return most;
+      const TurnedPose moved = motion * turned_[node];
+      for (const Tie& tie : ties_[node]) {
+        if (stretch.has(tie.half.other)) continue;
+        const EdgeState after = stateBy(tie, moved);
+        const MatchGroupId group = graph_.edges[tie.edge].group;
+        (group ? changes_[group].cost : links) += after.cost;
+        if (group) changes_[group].inliers -= !after.isInlier;
+      }
     }
-    touched_.clear();
-    return change;
+    return change(true);
   }
 
   /** Motions that bring the stretch to where one of its links or matches would have it. */
@@ -219,8 +243,9 @@ class Mover {
   bool place(const Stretch& stretch) {
     double best = -1;  // so that rounding decides nothing
     std::optional<Transform2D> chosen;
+    hopeFor(stretch);
     for (const Transform2D& motion : motionsOf(stretch))
-      if (const double change = changeBy(stretch, TurnedPose(motion)); change < best)
+      if (const double change = changeBy(stretch, TurnedPose(motion), best); change < best)
         best = change, chosen = motion;
     if (!chosen) return false;
     for (const NodeId node : stretch.nodes()) {
@@ -244,10 +269,11 @@ class Mover {
   ById<NodeId, TurnedPose> turned_;  // the same
   ById<NodeId, std::vector<Tie>> ties_;
   ById<PoseEdgeId, EdgeTerm> terms_;
-  ById<PoseEdgeId, EdgeState> states_;           // where the nodes lie now
-  ById<MatchGroupId, GroupSum> sums_, changes_;  // now, and by a motion
-  ById<MatchGroupId, bool> isTouched_;           // whether changes_ is something
-  std::vector<MatchGroupId> touched_;            // those groups
+  ById<PoseEdgeId, EdgeState> states_;                   // where the nodes lie now
+  ById<MatchGroupId, GroupSum> sums_, hopes_, changes_;  // now, and by the best motion and by one
+  ById<MatchGroupId, bool> isTouched_;                   // whether hopes_ is something
+  std::vector<MatchGroupId> touched_;                    // those groups
+  double hope_ = 0;  // by the best motion, without what groups cost then
 };
 
 }  // namespace
