@@ -20,18 +20,22 @@ constexpr double kMostSquared = 0.25;  // of one scan; beyond, it is a break [m^
 using Walls = std::vector<WallPoint>;
 using Correction = std::optional<Transform2D>;
 
-/** Where a wall belongs that the scan `onto` has, too: the nearest that faces alike, moved along
- *  itself as far as there is none between it and the next. */
+/** Where a wall belongs that the scan `onto`, whose walls are by x, has, too: the nearest that faces
+ *  alike, moved along itself as far as there is none between it and the next. */
 std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
   constexpr double gap = 2 * kSameWall;  // between walls of one scan, along them
   std::optional<WallPoint> nearest;
   double least = WallMap::kReach * WallMap::kReach;
-  for (const WallPoint& other : onto) {
-    const Point off = wall.place - other.place;
+  const double low = wall.place.x - WallMap::kReach, high = wall.place.x + WallMap::kReach;
+  auto other = std::lower_bound(onto.begin(), onto.end(), low,
+                                [](const WallPoint& it, double x) { return it.place.x < x; });
+  for (; other != onto.end() && other->place.x <= high; ++other) {
+    const Point off = wall.place - other->place;
     if (squaredNorm(off) >= WallMap::kReach * WallMap::kReach) continue;
-    if (dot(other.normal, wall.normal) < kFacesAlike) continue;
-    const Point side{-other.normal.y, other.normal.x};
-    const WallPoint there{other.place + std::clamp(dot(off, side), -gap, gap) * side, other.normal};
+    if (dot(other->normal, wall.normal) < kFacesAlike) continue;
+    const Point side{-other->normal.y, other->normal.x};
+    const WallPoint there{other->place + std::clamp(dot(off, side), -gap, gap) * side,
+                          other->normal};
     const double apart = squaredNorm(wall.place - there.place);
     if (apart < least) least = apart, nearest = there;
   }
@@ -39,7 +43,9 @@ std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
 }
 
 /** The motion that lays a scan onto another; none where they hardly show the same. */
-Correction laidOnto(const Walls& onto, const Walls& scan, Point robot) {
+Correction laidOnto(Walls onto, const Walls& scan, Point robot) {
+  std::stable_sort(onto.begin(), onto.end(),
+                   [](const WallPoint& l, const WallPoint& r) { return l.place.x < r.place.x; });
   const auto moved = [&](const WallPoint& wall, const Motion2D& by) {
     return WallPoint{by(wall.place), by.turned(wall.normal)};
   };
