@@ -61,7 +61,10 @@ TEST(RegionGroups, neighboursMeetInTheWidestOfTheirPassages) {
   regions.join(2, 3);
   const auto neighbours = regions.neighbours();
   ASSERT_EQ(neighbours.size(), 2u);
-  const RegionGroups::Passage& passage = neighbours.at(regions.find(0)).at(regions.find(2));
+  EXPECT_EQ(neighbours[0].first, regions.find(0));
+  ASSERT_EQ(neighbours[0].second.size(), 1u);
+  const auto& [other, passage] = neighbours[0].second.front();
+  EXPECT_EQ(other, regions.find(2));
   EXPECT_EQ(passage.count, 2);
   EXPECT_DOUBLE_EQ(passage.clearance, 1.2);
   EXPECT_EQ(regions.edges(), (Edges{4, 1})) << "those between different regions";

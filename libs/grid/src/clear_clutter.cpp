@@ -71,13 +71,16 @@ class ClutterFinder {
 
   /** Fills group_, and gives up where it is too large, or touches the border or a large one. */
   bool collect(Cell first) {
-    group_ = {{}, first, first};
+    group_.cells.clear();  // which keeps their memory
+    group_.low = group_.high = first;
+    group_.rim = group_.wall = 0;
     add(first);
     if (sizeOf(group_) > maxTable_) return false;
     // The last one first: what is large is left on the shortest way.
     for (open_ = {first}; !open_.empty();) {
       const Cell cell = open_.back();
       open_.pop_back();
+      if (isAtBorder(cell)) return false;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           if (!visit({cell.x + dx, cell.y + dy})) return false;
@@ -126,10 +129,13 @@ class ClutterFinder {
     return false;
   }
 
+  bool isAtBorder(Cell cell) const {
+    return !grid_.frame.contains({cell.x - 1, cell.y - 1}) ||
+           !grid_.frame.contains({cell.x + 1, cell.y + 1});
+  }
+
   bool visit(Cell near) {
-    const GridFrame& frame = grid_.frame;
-    if (!frame.contains(near)) return false;
-    const std::size_t index = frame.index(near);
+    const std::size_t index = grid_.frame.index(near);
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
     open_.push_back(near);
@@ -138,7 +144,7 @@ class ClutterFinder {
 
   void countRim(Cell cell) {
     const auto isFree = [&](int dx, int dy) {
-      return grid_.atOrUnknown({cell.x + dx, cell.y + dy}) == State::free;
+      return grid_.at({cell.x + dx, cell.y + dy}) == State::free;
     };
     if (!isFree(1, 0) && !isFree(-1, 0) && !isFree(0, 1) && !isFree(0, -1)) return;
     ++group_.rim;
@@ -157,8 +163,8 @@ class ClutterFinder {
   }
 
   double sizeOf(const Group& group) const {
-    return grid_.frame.resolution *
-           std::hypot(group.high.x - group.low.x + 1, group.high.y - group.low.y + 1);
+    const Point box{double(group.high.x - group.low.x + 1), double(group.high.y - group.low.y + 1)};
+    return grid_.frame.resolution * norm(box);
   }
 
   Grid& grid_;

@@ -93,7 +93,7 @@ void RegionGroups::keepPassages() {
   edges_.erase(std::remove_if(edges_.begin(), edges_.end(), isInner), edges_.end());
 }
 
-std::map<std::uint32_t, RegionGroups::Neighbours> RegionGroups::neighbours() {
+RegionGroups::AllNeighbours RegionGroups::neighbours() {
   keepPassages();
   std::vector<std::tuple<std::uint32_t, std::uint32_t, double>> sides;
   sides.reserve(2 * edges_.size());
@@ -104,14 +104,15 @@ std::map<std::uint32_t, RegionGroups::Neighbours> RegionGroups::neighbours() {
     sides.push_back({b, a, clearance(edge)});
   }
   std::sort(sides.begin(), sides.end());
-  std::map<std::uint32_t, Neighbours> all;
+  AllNeighbours all;
   for (const auto& [a, b, width] : sides) {
-    if (all.empty() || all.rbegin()->first != a) all.emplace_hint(all.end(), a, Neighbours());
-    Neighbours& around = all.rbegin()->second;
-    const auto passage = around.emplace_hint(around.end(), b, Passage());
-    ++passage->second.count;
-    passage->second.second = passage->second.clearance;
-    passage->second.clearance = width;  // the widest comes last
+    if (all.empty() || all.back().first != a) all.push_back({a, {}});
+    Neighbours& around = all.back().second;
+    if (around.empty() || around.back().first != b) around.push_back({b, {}});
+    Passage& passage = around.back().second;
+    ++passage.count;
+    passage.second = passage.clearance;
+    passage.clearance = width;  // the widest comes last
   }
   return all;
 }

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
+#include <utility>
 #include <vector>
 
 #include "roomgraph/base/UnionFind.h"
@@ -24,7 +24,8 @@ class RegionGroups {
     double second = 0;     // of the next one; 0 where there is one only
     int count = 0;
   };
-  using Neighbours = std::map<std::uint32_t, Passage>;
+  using Neighbours = std::vector<std::pair<std::uint32_t, Passage>>;        // by region
+  using AllNeighbours = std::vector<std::pair<std::uint32_t, Neighbours>>;  // the same
 
   /** Each vertex is a region; they are joined by edges of at least `minClearance` only. Obstacles
    *  are cells, and reach `halfCell` beyond their centres [m]: all widths here are free of them, so
@@ -77,8 +78,8 @@ class RegionGroups {
           visit(edge, end, std::abs(cross(voronoi_.vertices[end].place - left, across)) / 2);
     }
   }
-  /** Who meets whom where, by region. O(passages). */
-  std::map<std::uint32_t, Neighbours> neighbours();
+  /** Who meets whom where. O(passages). */
+  AllNeighbours neighbours();
 
  private:
   void keepPassages();

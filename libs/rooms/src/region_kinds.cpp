@@ -1,14 +1,11 @@
 #include "region_kinds.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 
 namespace roomgraph {
 namespace {
 
 using Neighbours = RegionGroups::Neighbours;
-using AllNeighbours = std::map<std::uint32_t, Neighbours>;
 
 /** A room behind one door may be this much longer than others before it is a corridor. */
 constexpr double kDeadEndElongation = 1.5;
@@ -21,8 +18,8 @@ bool hasLittleWall(const RegionGroups& regions, const SplitAtDoorsOptions& optio
 /** Those that a way out leads to: through a window beams go, but nobody else. */
 Neighbours seenOnes(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                     Neighbours around) {
-  for (auto it = around.begin(); it != around.end();)
-    it = hasLittleWall(regions, options, it->first) ? around.erase(it) : std::next(it);
+  const auto isUnseen = [&](const auto& way) { return hasLittleWall(regions, options, way.first); };
+  around.erase(std::remove_if(around.begin(), around.end(), isUnseen), around.end());
   return around;
 }
 
@@ -85,8 +82,9 @@ class KindFinder {
  private:
   const Neighbours& around(std::uint32_t region) const {
     static const Neighbours kNobody;
-    const auto it = around_.find(region);
-    return it == around_.end() ? kNobody : it->second;
+    const auto it = std::lower_bound(around_.begin(), around_.end(), region,
+                                     [](const auto& l, std::uint32_t r) { return l.first < r; });
+    return it == around_.end() || it->first != region ? kNobody : it->second;
   }
 
   /** Of a room: nooks of a hall may be as wide as the small rooms of a home. */
@@ -150,7 +148,7 @@ class KindFinder {
   RegionGroups& regions_;
   const SplitAtDoorsOptions& options_;
   const std::vector<double>& widths_;
-  const AllNeighbours around_;
+  const RegionGroups::AllNeighbours around_;
   double leastWidth_ = 0;  // of a room [m]
   std::vector<RegionKind> kinds_;
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "edge_clearance.h"
 #include "roomgraph/base/UnionFind.h"
@@ -82,7 +84,7 @@ class HoleFiller {
     std::unordered_map<std::uint32_t, std::size_t> holeOf;
     for (const VoronoiEdge& edge : atHoles_) {
       const auto group = groups.find(goes(edge.source) ? edge.source : edge.target);
-      const auto it = holeOf.emplace(group, holes.size()).first;
+      const auto it = holeOf.try_emplace(group, holes.size()).first;
       if (it->second == holes.size()) holes.emplace_back();
       Hole& hole = holes[it->second];
       for (const auto obstacle : {edge.left, edge.right})
@@ -100,28 +102,31 @@ class HoleFiller {
     ObstacleCells around{obstacles_.frame, {}};
     for (const auto obstacle : hole.obstacles) around.cells.push_back(obstacles_.cells[obstacle]);
     VoronoiGraph local = voronoiGraph(around);
-    std::unordered_map<std::uint64_t, std::size_t> edgeOf;
+    LocalEdges edges;
     for (std::size_t e = 0; e < local.edges.size(); ++e) {
       VoronoiEdge& edge = local.edges[e];
       edge.left = hole.obstacles[edge.left];
       edge.right = hole.obstacles[edge.right];
-      edgeOf[keyOf(edge)] = e;
+      edges.push_back({keyOf(edge), e});
     }
-    return addLocal(hole, local, edgeOf);
+    std::sort(edges.begin(), edges.end());
+    return addLocal(hole, local, edges);
   }
+
+  using LocalEdges = std::vector<std::pair<std::uint64_t, std::size_t>>;  // by their keys
 
   static std::uint64_t keyOf(const VoronoiEdge& edge) {
     const auto [low, high] = std::minmax(edge.left, edge.right);
     return std::uint64_t(low) << 32 | high;
   }
 
-  bool addLocal(const Hole& hole, const VoronoiGraph& local,
-                const std::unordered_map<std::uint64_t, std::size_t>& edgeOf) {
+  bool addLocal(const Hole& hole, const VoronoiGraph& local, const LocalEdges& edges) {
     std::vector<std::uint8_t> isRim(local.edges.size());
     std::vector<std::uint32_t> entry;  // the local vertex behind each rim edge
     for (const VoronoiEdge& rim : hole.rim) {
-      const auto it = edgeOf.find(keyOf(rim));
-      if (it == edgeOf.end()) return false;
+      const auto it =
+          std::lower_bound(edges.begin(), edges.end(), LocalEdges::value_type{keyOf(rim), 0});
+      if (it == edges.end() || it->first != keyOf(rim)) return false;
       const VoronoiEdge& edge = local.edges[it->second];
       isRim[it->second] = 1;
       entry.push_back(edge.left == rim.left ? edge.target : edge.source);
