@@ -11,11 +11,11 @@ namespace {
 
 constexpr int kMaxAcross = 140;     // of the search, across a map
 constexpr double kTurnShare = 0.4;  // turns that line up fewer of the walls are left out
-constexpr int kRowsAtOnce = 32, kBlock = SearchImages::kMargin + 1;  // of the sums
+constexpr int kRowsAtOnce = 32, kCellsAtOnce = SearchImages::kMargin + 1;  // of the sums
 constexpr double kSameAngle = 0.09, kSameShift = 2;  // of peaks that are one [rad, cells]
 
-/** Those that are there several times, as many of a small map are, as one; neighbours among them take
- *  neighbouring rows of one image. */
+/** Those that are there several times, as many of a small map are, as one; neighbours among them
+ *  take neighbouring rows of one image. */
 std::vector<SearchPoint> joined(std::vector<SearchPoint> points) {
   const auto key = [](const SearchPoint& p) { return std::tie(p.octant, p.cell.y, p.cell.x); };
   std::sort(points.begin(), points.end(),
@@ -76,8 +76,8 @@ ROOMGRAPH_WIDE_IF_THERE void add(const std::vector<SearchPoint>& points, const S
             images.values[std::size_t(point.octant)].data() + images.index(0, row - first);
         std::int16_t* to = sums.values.data() + std::size_t(row) * std::size_t(sums.width) +
                            (point.cell.x + images.low.x - sums.low.x);
-        for (int block = known.first; block < known.end; block += kBlock)
-          for (int x = block; x < block + kBlock; ++x)
+        for (int block = known.first; block < known.end; block += kCellsAtOnce)
+          for (int x = block; x < block + kCellsAtOnce; ++x)
             to[x] = std::int16_t(to[x] + times * from[x]);
       }
     }

@@ -20,7 +20,7 @@ constexpr double kMostSquared = 0.25;  // of one scan; beyond, it is a break [m^
 using Walls = std::vector<WallPoint>;
 using Correction = std::optional<Transform2D>;
 
-/** Where a wall belongs that the scan `onto`, whose walls are by x, has, too: the nearest that faces
+/** Where a wall belongs that the scan `onto` has, too, whose walls are by x: the nearest that faces
  *  alike, moved along itself as far as there is none between it and the next. */
 std::optional<WallPoint> sameWall(const WallPoint& wall, const Walls& onto) {
   constexpr double gap = 2 * kSameWall;  // between walls of one scan, along them
