@@ -6,16 +6,25 @@
 #include <set>
 
 #include "commands.h"
-#include "keep_repaired.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/base/write_file.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/map_files/map_sha256.h"
+#include "roomgraph/repair/key_frame_moves.h"
+#include "roomgraph/repair/repair_alone.h"
+#include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/report/PairFolder.h"
+#include "roomgraph/scans/read_stored_poses.h"
 #include "run_in_order.h"
+#include "site_runs.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -41,6 +50,44 @@ std::string missingText(const std::set<std::string>& files) {
       files.size() == 1 ? "" : " (and " + std::to_string(files.size() - 1) + " more)";
   return *files.begin() + more +
          ": note: is gone or another file now: not compared with; --keep keeps copies";
+}
+
+std::string writeRepaired(const Run& run, const RepairedRun& repaired) {
+  if (repaired.state != RepairState::mended)
+    return printable(run.file + ": " + repaired.reason) + "\n";
+  CheckedFile file(run.file);
+  const StoredPoses stored = readStoredPoses(file);
+  const std::string content =
+      movePoses(file.content(), file.name(), stored, keyFrameMoves(run, repaired, stored));
+  const std::filesystem::path path(run.file);
+  const std::string name = path.filename().string(), stem = mapStem(run.file);
+  const std::string there =
+      (path.parent_path() / (stem + ".repaired" + name.substr(std::min(stem.size(), name.size()))))
+          .string();
+  writeFileAtomically(there, compressed(content, file.compression()));
+  return printable(there + ": " + repaired.reason) +
+         formatted(", moved by up to %.2f m\n", repaired.movedMost);
+}
+
+/** Mends the copy of a run that an archive has kept, by the runs of `record`, or alone where there
+ *  are none, and writes the mended one beside it, X.repaired.simplemap as X was compressed. What
+ *  became of it, in one line. @throws DataError where the run cannot be read or written. */
+std::string keepRepaired(const std::string& kept, const std::vector<std::string>& record,
+                         const ArchiveArguments& arguments) {
+  if (record.empty()) {
+    const Run run = readRun(kept, toCompareOptions(arguments.options));
+    if (run.scans.empty()) return printable(kept) + ": has no scans: nothing can be mended\n";
+    return writeRepaired(run, repairAlone(run, checkRun(run)));
+  }
+  SiteArguments site;
+  site.files = record;
+  site.files.push_back(kept);
+  site.cache = arguments.cache, site.options = arguments.options;
+  site.running.threads = arguments.threads, site.running.isQuiet = arguments.isQuiet;
+  const auto runs = solveRuns(site);
+  for (const RepairedRun& one : repairRuns(runs->solved, rejoinPieces(runs->solved)))
+    if (const Run& run = runs->read.runs[one.run]; run.file == kept) return writeRepaired(run, one);
+  return printable(kept) + ": has no scans, or fits no other run: nothing can be mended\n";
 }
 
 /** Adds a run, and says what became of it. */

@@ -1,13 +1,24 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
+#include "Laps.h"
 #include "commands.h"
-#include "extract_map.h"
+#include "note_lines.h"
 #include "option_arguments.h"
+#include "output_formats.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
+#include "roomgraph/base/printable.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
+#include "roomgraph/drawing/draw_stages.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
+#include "roomgraph/pipeline/extract.h"
+#include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -15,11 +26,129 @@ namespace {
 struct ExtractArguments {
   std::vector<std::string> maps;
   OptionArguments options;
-  std::string folder;
+  std::string folder;  ///< for the results
   std::string formats = defaultFormats();
   std::vector<std::string> keptOut;
-  std::string stagesFolder;
+  std::string stagesFolder;  ///< for the pictures of the steps; empty for none
   RunningArguments running;
+};
+
+/** What to do with each map. */
+struct ExtractTask {
+  const ExtractArguments& arguments;
+  ExtractOptions options;
+  std::vector<OutputFormat> formats;
+  std::vector<RoomId> keptOut;  ///< of the format keepout
+};
+
+std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
+  return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
+         counted(result.graph.vertices().size(), "vertex", "vertices") + ", " +
+         counted(result.graph.edges().size(), "edge", "edges") + "\n";
+}
+
+std::string verboseLine(const std::string& mapFile, const Stages& stages) {
+  const GridFrame& frame = stages.grid.frame;
+  return errorLine(mapFile + ": " + stages.source.kind +
+                   formatted(", %d x %d cells of %g m, lower left corner (%g, %g), paths keep "
+                             "%g m clear, %zu pieces of clutter do not split rooms",
+                             frame.width, frame.height, frame.resolution, frame.origin.x,
+                             frame.origin.y, stages.clearance, stages.cleared.clutter.size()));
+}
+
+/** Whether maps of this kind are made of scans, by which their quality can be estimated. */
+bool isMadeOfScans(const std::string& kind) {
+  const std::vector<MapFormat>& formats = mapFormats();
+  return std::any_of(formats.begin(), formats.end(), [&](const MapFormat& format) {
+    return format.kind == kind && format.readRecording;
+  });
+}
+
+/** One map on its way from file to files: all of them, or none where the map or a drawing fails. */
+class Extraction {
+ public:
+  Extraction(const std::string& mapFile, const ExtractTask& task,
+             const std::function<void()>& stepDone)
+      : mapFile_(mapFile), task_(task), arguments_(task.arguments), stepDone_(stepDone) {}
+
+  JobReport run() {
+    GreyMap map = loadGrid(mapFile_, task_.options.loadGrid);
+    lap("load_grid");
+    // Only the pictures of the steps show the diagram.
+    const Stages stages = arguments_.stagesFolder.empty()
+                              ? extractGraph(std::move(map), task_.options)
+                              : extract(map, task_.options);
+    laps_.end(stages.timings);
+    stepDone_();
+    writeResults(stages);
+    describe(stages);
+    return std::move(report_);
+  }
+
+ private:
+  void lap(const std::string& stage) {
+    laps_.end(stage);
+    stepDone_();
+  }
+
+  void writeResults(const Stages& stages) {
+    StagedFiles staged;
+    std::vector<std::string> contents;
+    checkKeptOut(stages.result);
+    for (const OutputFormat& format : task_.formats) {
+      contents.push_back(format.bytes(stages, {{}, task_.keptOut}));
+      lap(format.name);
+    }
+    if (!arguments_.stagesFolder.empty()) {
+      const auto folder = std::filesystem::path(arguments_.stagesFolder) / mapStem(mapFile_);
+      drawStages(stages, folder.string(), staged);
+      files_.push_back(folder.string() + "/");
+      lap("stages");
+    }
+    const auto add = [&](const std::string& extension, const std::string& bytes) {
+      files_.push_back(outputFile(arguments_.folder, mapFile_, extension));
+      staged.add(files_.back(), bytes);
+      return fileName(files_.back());
+    };
+    for (std::size_t i = 0; i < contents.size(); ++i) {
+      const OutputFormat& format = task_.formats[i];
+      const std::string name = add(format.extension, contents[i]);
+      if (format.map)
+        add(format.yamlExtension(), rosMapYaml(stages.grid.frame, name, {}, *format.map));
+    }
+    staged.commit();
+    lap("write_files");
+  }
+
+  void checkKeptOut(const RoomGraph& graph) const {
+    for (const RoomId room : task_.keptOut)
+      if (room.index() >= graph.rooms.size())
+        throw DataError(
+            formatted("%s: has no room R%zu to keep robots out of: it has %zu, from R0 "
+                      "on",
+                      mapFile_.c_str(), room.index(), graph.rooms.size()));
+  }
+
+  void describe(const Stages& stages) {
+    if (arguments_.running.showsTimings) report_.err += laps_.table(mapFile_);
+    if (arguments_.running.isQuiet) return;
+    if (arguments_.running.isVerbose) report_.err += verboseLine(mapFile_, stages);
+    std::vector<MapNote> notes;
+    for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
+    report_.err += noteLines(notes, arguments_.running.isVerbose);
+    report_.out += summaryLine(mapFile_, stages.result);
+    for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
+    if (isMadeOfScans(stages.source.kind))
+      report_.out += "  'roomgraph check' estimates from its scans how good the map is\n";
+  }
+
+  const std::string& mapFile_;
+  const ExtractTask& task_;
+  const ExtractArguments& arguments_;
+  const std::function<void()>& stepDone_;
+  JobReport report_;
+  std::vector<std::string> files_;
+  Laps laps_;
 };
 
 void declareResults(ExtractArguments& arguments, CLI::App& app) {
@@ -57,28 +186,28 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
 }
 
 int run(const ExtractArguments& arguments) {
-  ExtractTask task;
-  task.options = toOptions(arguments.options);
-  task.formats = parseFormats(arguments.formats);
+  ExtractTask task{arguments, toOptions(arguments.options), parseFormats(arguments.formats), {}};
   task.keptOut = keptOutRooms(arguments, task.formats);
-  task.folder = arguments.folder;
-  task.stagesFolder = arguments.stagesFolder;
-  task.running = arguments.running;
-
   std::vector<std::string> extensions;
   for (const OutputFormat& format : task.formats) {
     extensions.push_back(format.extension);
     if (format.map) extensions.push_back(format.yamlExtension());
   }
-  checkOutputNames(arguments.maps, task.folder, extensions);
-  makeWritableFolder(task.folder);
-  if (!task.stagesFolder.empty()) makeWritableFolder(task.stagesFolder);
+  checkOutputNames(arguments.maps, arguments.folder, extensions);
+  makeWritableFolder(arguments.folder);
+  if (!arguments.stagesFolder.empty()) makeWritableFolder(arguments.stagesFolder);
 
   JobList jobs;
   jobs.count = arguments.maps.size();
-  jobs.stepsPerJob = stepCount(task);
-  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
-    return extractMap(arguments.maps[index], task, stepDone);
+  jobs.stepsPerJob = task.formats.size() + (arguments.stagesFolder.empty() ? 3 : 4);
+  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) -> JobReport {
+    const std::string& map = arguments.maps[index];
+    try {
+      return Extraction(map, task, stepDone).run();
+    } catch (...) {
+      const Failure failure = currentFailure(map);
+      return {"", failure.line, failure.exitCode};
+    }
   };
   return runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
 }

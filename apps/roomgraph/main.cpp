@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
+#include <thread>
 
 #include "HelpFormatter.h"
 #include "commands.h"
-#include "interruption.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/version.h"
 #include "terminal.h"
 #include "usage_fault.h"
@@ -89,6 +91,34 @@ int run(int count, char** arguments) {
     return kBadUsage;
   }
   return exitCode;
+}
+
+/** What the caller ignores, as nohup and background jobs do, is to be ignored: a signal that is
+ *  blocked would be kept. */
+bool isIgnored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/** From now on SIGINT, SIGTERM and SIGHUP end the program, as ever, but after the results that are
+ *  just taking their places, and with none left unfinished. To be called before other threads are
+ *  started. */
+void finishResultsBeforeEnding() {
+  sigset_t endings;
+  sigemptyset(&endings);
+  for (const int ending : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU})
+    if (!isIgnored(ending)) sigaddset(&endings, ending);
+  // A file that grows too large is then an error as any other.
+  std::signal(SIGXFSZ, SIG_IGN);
+  pthread_sigmask(SIG_BLOCK, &endings, nullptr);  // in all threads, which inherit it
+  std::thread([endings] {
+    int ending = 0;
+    sigwait(&endings, &ending);
+    StagedFiles::abandonAll();
+    std::signal(ending, SIG_DFL);
+    pthread_sigmask(SIG_UNBLOCK, &endings, nullptr);
+    std::raise(ending);
+  }).detach();
 }
 
 }  // namespace

@@ -1,21 +1,58 @@
 #include "run_in_order.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdio>
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
 
-#include "ProgressBar.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
+
+/** A bar on stderr that shows how much of a long piece of work is done. Silent where stderr is no
+ *  terminal, and during the first second. Used by one thread. */
+class ProgressBar {
+ public:
+  ProgressBar(std::size_t total, bool isWanted)
+      : total_(total), isWanted_(isWanted && total > 0 && isatty(STDERR_FILENO) != 0) {}
+  ~ProgressBar() { clear(); }
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(std::size_t done) {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    if (!isWanted_ || elapsed.count() < 1) return;
+    constexpr std::size_t kWidth = 40;
+    const std::size_t filled = done * kWidth / total_;
+    std::fprintf(stderr, "\r[%s%s] %3d %% %4.0f s", std::string(filled, '#').c_str(),
+                 std::string(kWidth - filled, ' ').c_str(), int(done * 100 / total_),
+                 elapsed.count());
+    std::fflush(stderr);
+    isShown_ = true;
+  }
+
+  /** Takes the bar off the screen, so that other lines can be printed. */
+  void clear() {
+    if (isShown_) std::fputs("\r\x1b[K", stderr);
+    isShown_ = false;
+  }
+
+ private:
+  std::size_t total_;
+  bool isWanted_, isShown_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /** The jobs and what they have said so far, shared by all threads. */
 class Board {

@@ -87,10 +87,15 @@ TEST(CostOfDisbelief, isThatOfWhatIsNotBelieved) {
 
 TEST(IsInlier, whereThePosesAgreeWithinTheTolerance) {
   const PoseEdge match = matchEdge(NodeId(0), NodeId(1), {1, 2, 3}, 1);
-  EXPECT_TRUE(isInlier(match, {1 + 0.9 * kInlier.place, 2, 3}, kInlier));
-  EXPECT_FALSE(isInlier(match, {1 + 1.1 * kInlier.place, 2, 3}, kInlier));
-  EXPECT_TRUE(isInlier(match, {1, 2, 3 + 0.9 * kInlier.turn - 2 * M_PI}, kInlier));
-  EXPECT_FALSE(isInlier(match, {1, 2, 3 - 1.1 * kInlier.turn}, kInlier));
+  const auto isAt = [&](const Transform2D& found) {
+    NodePoses poses;
+    poses.add({}), poses.add(found);
+    return isInlier(match, gapOf(match, poses), kInlier);
+  };
+  EXPECT_TRUE(isAt({1 + 0.9 * kInlier.place, 2, 3}));
+  EXPECT_FALSE(isAt({1 + 1.1 * kInlier.place, 2, 3}));
+  EXPECT_TRUE(isAt({1, 2, 3 + 0.9 * kInlier.turn - 2 * M_PI}));
+  EXPECT_FALSE(isAt({1, 2, 3 - 1.1 * kInlier.turn}));
 }
 
 TEST(BeliefOf, growsWithTheShareFromLittleToAll) {

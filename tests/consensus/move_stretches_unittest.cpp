@@ -101,19 +101,16 @@ TEST(MoveStretches, theReferenceStays) {
 double costOf(const TwoRuns& two) {
   constexpr double kLenient = 4;
   double cost = 0;
-  const auto found = [&](const PoseEdge& edge) {
-    return two.poses[edge.from].inverse() * two.poses[edge.to];
-  };
   for (const PoseEdge& edge : two.graph.edges)
-    if (!edge.group) cost += linkTerm(edge, 1).cost(edge.measured, found(edge));
+    if (!edge.group) cost += linkTerm(edge, 1).cost(gapOf(edge, two.poses));
   for (const MatchGroup& group : two.graph.groups) {
     double sum = 0, inliers = 0;
     for (const PoseEdgeId id : group.edges) {
       const PoseEdge& edge = two.graph.edges[id];
       EdgeTerm term = matchTerm(edge, 1);
       term.noise = term.noise.times(kLenient);
-      sum += term.cost(edge.measured, found(edge));
-      inliers += isInlier(edge, found(edge), kInlier);
+      sum += term.cost(gapOf(edge, two.poses));
+      inliers += isInlier(edge, gapOf(edge, two.poses), kInlier);
     }
     const double belief = beliefOf(inliers / double(group.edges.size()));
     cost += belief * sum + (1 - belief) * costOfGivingUp(group);

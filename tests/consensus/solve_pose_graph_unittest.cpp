@@ -76,8 +76,7 @@ double costOf(const PoseGraph& graph, const NodePoses& poses) {
   const GraphTrust trust = fullTrust(graph);
   double cost = 0;
   for (const PoseEdge& edge : graph.edges)
-    cost +=
-        termOf(graph, edge, trust).cost(edge.measured, poses[edge.from].inverse() * poses[edge.to]);
+    cost += termOf(graph, edge, trust).cost(gapOf(edge, poses));
   return cost;
 }
 

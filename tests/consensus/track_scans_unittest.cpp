@@ -13,6 +13,7 @@ namespace roomgraph {
 namespace {
 
 using test::driveInBuilding;
+using test::trackOnce;
 
 TEST(TrackScans, eachScanLiesWhereItWasTaken) {
   const auto track = driveInBuilding().trackOf(driveInBuilding().frames);
@@ -27,10 +28,10 @@ TEST(TrackScans, eachScanLiesWhereItWasTaken) {
 
 TEST(TrackScans, whatIsNotInTheMapIsNotFound) {
   const WallMap other = wallMap(test::squareHall({40, 40, 0}));
-  for (const auto& pose : trackScans(scanWalls(driveInBuilding().frames),
-                                     driveInBuilding().map.patches, {}, {{}}, other))
+  for (const auto& pose : trackOnce(scanWalls(driveInBuilding().frames),
+                                    driveInBuilding().map.patches, {}, {{}}, other))
     EXPECT_FALSE(pose);
-  EXPECT_TRUE(trackScans({}, {}, {}, {}, other).empty());
+  EXPECT_TRUE(trackOnce({}, {}, {}, {}, other).empty());
 }
 
 TEST(TrackScans, atAnyTearTheScansAreFoundAgain) {
@@ -64,7 +65,7 @@ TEST(TrackScans, theFrameOfTheRunChangesNothing) {
   const Transform2D motion{31, -12, 2.1};
   const auto driven = test::moved(driveInBuilding().frames, motion);
   const auto track =
-      trackScans(scanWalls(driven), {}, {}, {motion.inverse()}, driveInBuilding().map);
+      trackOnce(scanWalls(driven), {}, {}, {motion.inverse()}, driveInBuilding().map);
   EXPECT_GE(shareFound(track, driven, {}), 0.95);
 }
 
@@ -72,16 +73,16 @@ TEST(TrackScans, theFrameOfTheMapChangesNothing) {
   const Transform2D motion{-9, 40, -1.2};
   const WallMap there = wallMap(test::drawnBuilding(4, motion));
   const auto& driven = driveInBuilding().frames;
-  const auto track = trackScans(scanWalls(driven), {}, {}, {motion}, there);
+  const auto track = trackOnce(scanWalls(driven), {}, {}, {motion}, there);
   EXPECT_GE(shareFound(track, driven, motion.inverse()), 0.9);
 }
 
 TEST(TrackScans, ofSeveralWholesTheLikeliestComesFirst) {
   const auto& drive = driveInBuilding();
   const Transform2D wrong{3, 1, 2};
-  const auto track = trackScans(scanWalls(drive.frames), {}, {}, {{}, wrong}, drive.map);
+  const auto track = trackOnce(scanWalls(drive.frames), {}, {}, {{}, wrong}, drive.map);
   EXPECT_GE(shareFound(track, drive.frames, {}), 0.95);
-  const auto other = trackScans(scanWalls(drive.frames), {}, {}, {wrong, {}}, drive.map);
+  const auto other = trackOnce(scanWalls(drive.frames), {}, {}, {wrong, {}}, drive.map);
   EXPECT_GE(shareFound(other, drive.frames, {}), 0.95) << "what fits goes before what is likely";
 }
 
@@ -90,7 +91,7 @@ TEST(TrackScans, aBlindStretchIsNotFoundAndWhatIsBehindItIs) {
   std::vector<ScanWalls> scans = scanWalls(drive.frames);
   for (std::size_t k = 10; k < 15; ++k) scans[k].walls.clear();
   for (std::size_t k = 25; k < 27; ++k) scans[k].walls.resize(15);  // too few to tell
-  const auto track = trackScans(scans, {}, {}, {{}}, drive.map);
+  const auto track = trackOnce(scans, {}, {}, {{}}, drive.map);
   for (std::size_t k = 0; k < track.size(); ++k) {
     const bool isBlind = (k >= 10 && k < 15) || (k >= 25 && k < 27);
     EXPECT_EQ(track[k].has_value(), !isBlind) << k;
@@ -103,7 +104,7 @@ TEST(TrackScans, whatEarlierTracksFoundChangesNothing) {
   const Transform2D wrong{3, 1, 2};
   TrackedFits fits;
   trackScans(scans, {}, {}, {wrong}, drive.map, fits);
-  const auto once = trackScans(scans, {}, {}, {wrong, {}}, drive.map);
+  const auto once = trackOnce(scans, {}, {}, {wrong, {}}, drive.map);
   const auto again = trackScans(scans, {}, {}, {wrong, {}}, drive.map, fits);
   EXPECT_GE(shareFound(again, drive.frames, {}), 0.95);
   for (std::size_t k = 0; k < once.size(); ++k) {
@@ -117,7 +118,7 @@ TEST(TrackScans, whatEarlierTracksFoundChangesNothing) {
 TEST(TrackScans, oneScanIsTracked) {
   const auto& drive = driveInBuilding();
   const std::vector<Keyframe> one{drive.frames[12]};
-  const auto track = trackScans(scanWalls(one), {}, {}, {{}}, drive.map);
+  const auto track = trackOnce(scanWalls(one), {}, {}, {{}}, drive.map);
   ASSERT_EQ(track.size(), 1u);
   ASSERT_TRUE(track[0]);
   EXPECT_LT(distance((*track[0])(one[0].pose.shift()), one[0].pose.shift()), 0.1);
@@ -127,7 +128,7 @@ TEST(TrackScans, moreBlindScansThanItRemembersDoNotLoseTheRest) {
   const auto& drive = driveInBuilding();
   std::vector<ScanWalls> scans = scanWalls(drive.frames);
   for (std::size_t k = 8; k < 20; ++k) scans[k].walls.clear();
-  const auto track = trackScans(scans, {}, {}, {{}}, drive.map);
+  const auto track = trackOnce(scans, {}, {}, {{}}, drive.map);
   EXPECT_TRUE(track[7]);
   for (std::size_t k = 20; k < track.size(); ++k) EXPECT_TRUE(track[k]) << k;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "find_wide_breaks.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -12,52 +11,40 @@ namespace {
 
 constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
 constexpr double kOutlier = 4;         // times the 95th percentile of the run's other steps
+// In so many steps a break may come about; as many on either side bear it out, and are quiet around
+// a sharp one.
+constexpr std::size_t kFewSteps = 3;
 
-/** The change of a run's pose in another map from one scan to the next that was found. */
-struct Jump {
-  std::size_t scan = 0, before = 0;
-  double rotation = 0, shift = 0;
-};
+double rotationOf(const ScanBreak& at) { return std::abs(at.rotation); }
+double shiftOf(const ScanBreak& at) { return at.shift; }
 
-std::vector<Jump> stepsOf(const std::vector<ScanWalls>& scans, const ScanTrack& track) {
-  std::vector<Jump> steps;
-  std::optional<std::size_t> last;
-  for (std::size_t k = 0; k < track.size(); ++k) {
-    if (!track[k]) continue;
-    if (last) {
-      const Transform2D &from = *track[*last], &to = *track[k];
-      // The map shows the run's error the other way round.
-      steps.push_back({k, *last, wrappedAngle(from.phi - to.phi),
-                       distance(from(scans[k].robot()), to(scans[k].robot()))});
-    }
-    last = k;
-  }
-  return steps;
+/** Whether two breaks begin or end within a few scans of each other. */
+bool areOne(const ScanBreak& l, const ScanBreak& r) {
+  return l.before <= r.behind + kFewSteps && r.before <= l.behind + kFewSteps;
 }
 
-double usual(const std::vector<Jump>& steps, double (*size)(const Jump&)) {
-  std::vector<double> sizes;
-  for (const Jump& step : steps) sizes.push_back(size(step));
-  return quantile(std::move(sizes), 0.95);
+void addUnlessKnown(const ScanBreak& found, std::vector<ScanBreak>& breaks) {
+  if (std::none_of(breaks.begin(), breaks.end(),
+                   [&](const ScanBreak& known) { return areOne(known, found); }))
+    breaks.push_back(found);
 }
 
-double rotationOf(const Jump& step) { return std::abs(step.rotation); }
-double shiftOf(const Jump& step) { return step.shift; }
-
-/** The jumps of one track that stand out of it. */
-class JumpFinder {
+class BreakFinder {
  public:
-  JumpFinder(const std::vector<Jump>& steps, const FindBreaksOptions& options)
-      : steps_(steps), options_(options) {}
+  BreakFinder(const std::vector<ScanWalls>& scans, const ScanTrack& track,
+              const FindBreaksOptions& options)
+      : scans_(scans), track_(track), options_(options) {
+    for (std::size_t k = 1; k < track.size(); ++k) steps_.push_back(change(k - 1, k));
+  }
 
-  std::vector<Jump> find() const {
-    std::vector<Jump> found;
+  /** Those that stand out of the other steps. */
+  std::vector<ScanBreak> sharp() const {
+    std::vector<ScanBreak> found;
     if (steps_.size() < kMinSteps) return found;
-    const double rotation = std::max(options_.minRotation, kOutlier * usual(steps_, rotationOf));
-    const double shift = std::max(options_.minShift, kOutlier * usual(steps_, shiftOf));
+    const double rotation = std::max(options_.minRotation, kOutlier * usual(rotationOf));
+    const double shift = std::max(options_.minShift, kOutlier * usual(shiftOf));
     for (std::size_t i = kFewSteps; i + kFewSteps < steps_.size(); ++i) {
-      const Jump& step = steps_[i];
-      if (step.scan - step.before > kFewSteps) continue;
+      const ScanBreak& step = steps_[i];
       const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
       const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
       if (isTurned || isMoved) found.push_back(step);
@@ -65,32 +52,75 @@ class JumpFinder {
     return found;
   }
 
+  /** Those that turn or shift too far for any noise, in one step or in a few, and stay so: at least
+   *  kApartRotation or kApartShift. Of those that are one only the sharpest. */
+  std::vector<ScanBreak> wide() const {
+    std::vector<std::pair<double, ScanBreak>> all;  // by sharpness
+    for (std::size_t from = kFewSteps; from + kFewSteps < track_.size(); ++from)
+      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kFewSteps < track_.size();
+           ++to) {
+        const ScanBreak at = between(from, to);
+        const double size = sizeOf(at);
+        if (size >= 1 && sizeOf(between(from, to + kFewSteps)) >= size / 2 &&
+            sizeOf(between(from - kFewSteps, to)) >= size / 2)
+          all.emplace_back(size / std::sqrt(double(to - from)), at);
+      }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& l, const auto& r) { return l.first > r.first; });
+    std::vector<ScanBreak> kept;
+    for (const auto& [sharpness, at] : all) addUnlessKnown(at, kept);
+    return kept;
+  }
+
  private:
-  bool isQuietAround(std::size_t i, double (*size)(const Jump&)) const {
-    const std::size_t from = i - std::min(i, kFewSteps);
-    const std::size_t to = std::min(steps_.size(), i + kFewSteps + 1);
-    for (std::size_t k = from; k < to; ++k)
+  /** What the run turns and shifts too far from one scan to another: the map shows its error the
+   *  other way round. */
+  ScanBreak change(std::size_t before, std::size_t behind) const {
+    const Transform2D &from = track_[before], &to = track_[behind];
+    const Point place = scans_[behind].robot();
+    return {behind, before, behind, wrappedAngle(from.phi - to.phi),
+            distance(from(place), to(place))};
+  }
+
+  /** The same over several steps, at the largest of them. */
+  ScanBreak between(std::size_t from, std::size_t to) const {
+    ScanBreak all = change(from, to);
+    double most = -1;
+    for (std::size_t i = from; i < to; ++i)
+      if (const double size = sizeOf(steps_[i]); size > most) most = size, all.scan = i + 1;
+    return all;
+  }
+
+  double sizeOf(const ScanBreak& at) const {
+    return std::max(rotationOf(at) / std::max(kApartRotation, options_.minRotation),
+                    at.shift / std::max(kApartShift, options_.minShift));
+  }
+
+  double usual(double (*size)(const ScanBreak&)) const {
+    std::vector<double> sizes;
+    for (const ScanBreak& step : steps_) sizes.push_back(size(step));
+    return quantile(std::move(sizes), 0.95);
+  }
+
+  bool isQuietAround(std::size_t i, double (*size)(const ScanBreak&)) const {
+    for (std::size_t k = i - kFewSteps; k <= i + kFewSteps; ++k)
       if (k != i && size(steps_[k]) > size(steps_[i]) / 2) return false;
     return true;
   }
 
-  const std::vector<Jump>& steps_;
+  const std::vector<ScanWalls>& scans_;
+  const ScanTrack& track_;
   const FindBreaksOptions& options_;
+  std::vector<ScanBreak> steps_;  // to each scan but the first
 };
 
 }  // namespace
 
 std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
                                   const FindBreaksOptions& options) {
-  const std::vector<Jump> steps = stepsOf(scans, track);
-  std::vector<ScanBreak> breaks;
-  for (const Jump& jump : JumpFinder(steps, options).find())
-    breaks.push_back({jump.scan, jump.before, jump.scan, jump.rotation, jump.shift});
-  const auto sharp = breaks;
-  for (const ScanBreak& wide : findWideBreaks(scans, track, options))
-    if (std::none_of(sharp.begin(), sharp.end(),
-                     [&](const ScanBreak& known) { return areOne(known, wide); }))
-      breaks.push_back(wide);
+  const BreakFinder finder(scans, track, options);
+  std::vector<ScanBreak> breaks = finder.sharp();
+  for (const ScanBreak& wide : finder.wide()) addUnlessKnown(wide, breaks);
   std::sort(breaks.begin(), breaks.end(),
             [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });
   return breaks;

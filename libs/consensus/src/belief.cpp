@@ -7,12 +7,6 @@
 
 namespace roomgraph {
 
-bool isInlier(const PoseEdge& match, const Transform2D& found, const PoseTolerance& within) {
-  return match.isSameScan ||
-         (std::abs(wrappedAngle(found.phi - match.measured.phi)) < within.turn &&
-          distance(found.shift(), match.measured.shift()) < within.place);
-}
-
 double beliefOf(double share) {
   constexpr double kLeast = 1e-3;  // so that a group can come back
   return std::max(kLeast, share * share);
@@ -29,10 +23,8 @@ ById<MatchGroupId, double> beliefIn(const PoseGraph& graph, const NodePoses& pos
   ById<MatchGroupId, double> belief;
   for (const MatchGroup& group : graph.groups) {
     double inliers = 0;
-    for (const PoseEdgeId id : group.edges) {
-      const PoseEdge& edge = graph.edges[id];
-      inliers += isInlier(edge, poses[edge.from].inverse() * poses[edge.to], within);
-    }
+    for (const PoseEdgeId id : group.edges)
+      inliers += isInlier(graph.edges[id], gapOf(graph.edges[id], poses), within);
     belief.add(beliefOf(inliers / double(group.edges.size())));
   }
   return belief;

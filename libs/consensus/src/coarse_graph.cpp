@@ -7,51 +7,36 @@ namespace {
 
 constexpr std::size_t kMostInNode = 4;  // key frames
 
-/** Marks before which nodes of the finer graph a coarse one has to start: a group begins there, or
- *  has ended just before, or finds it otherwise than the node before. */
-class NodeStarts {
- public:
-  explicit NodeStarts(const PoseGraph& graph) : graph_(graph), isStart_(graph.nodes.size() + 1) {
-    for (const MatchGroup& group : graph.groups) addGroup(group);
-  }
-
-  bool at(NodeId node) const { return isStart_[node.index()]; }
-
- private:
-  void addGroup(const MatchGroup& group) {
-    startAt(edgeAt(group, 0).to), startBehind(edgeAt(group, group.edges.size() - 1).to);
+/** Of each node of the finer graph whether a coarse one has to start with it: a group begins there,
+ *  or has ended just before, or finds it otherwise than the node before. */
+std::vector<bool> nodeStarts(const PoseGraph& graph) {
+  std::vector<bool> isStart(graph.nodes.size() + 1);
+  const auto startAt = [&](NodeId node) { isStart[node.index()] = true; };
+  const auto startBehind = [&](NodeId node) { isStart[node.index() + 1] = true; };
+  // Where a match has its run (run of `from` <- run of `to`).
+  const auto placeBy = [&](const PoseEdge& match) {
+    return graph.nodes[match.from].pose * match.measured * graph.nodes[match.to].pose.inverse();
+  };
+  for (const MatchGroup& group : graph.groups) {
+    startAt(graph.edges[group.edges.front()].to), startBehind(graph.edges[group.edges.back()].to);
     for (std::size_t m = 1; m < group.edges.size(); ++m) {
-      const PoseEdge &before = edgeAt(group, m - 1), &now = edgeAt(group, m);
-      const Point place = graph_.nodes[now.to].pose.shift();
+      const PoseEdge &before = graph.edges[group.edges[m - 1]], &now = graph.edges[group.edges[m]];
+      const Point place = graph.nodes[now.to].pose.shift();
       if (areNear(placeBy(before), placeBy(now), place, kSameScanAnswer)) continue;
       startBehind(before.to), startAt(now.to);
       // Other groups are found both ways, each by itself.
       if (now.isSameScan) startBehind(before.from), startAt(now.from);
     }
   }
+  return isStart;
+}
 
-  const PoseEdge& edgeAt(const MatchGroup& group, std::size_t place) const {
-    return graph_.edges[group.edges[place]];
-  }
-
-  /** Where a match has its run (run of `from` <- run of `to`). */
-  Transform2D placeBy(const PoseEdge& match) const {
-    return graph_.nodes[match.from].pose * match.measured * graph_.nodes[match.to].pose.inverse();
-  }
-
-  void startAt(NodeId node) { isStart_[node.index()] = true; }
-  void startBehind(NodeId node) { isStart_[node.index() + 1] = true; }
-
-  const PoseGraph& graph_;
-  std::vector<bool> isStart_;
-};
-
-void addNodes(const GraphRun& run, const PoseGraph& graph, const NodeStarts& starts,
+void addNodes(const GraphRun& run, const PoseGraph& graph, const std::vector<bool>& isStart,
               CoarseGraph& coarse) {
   std::size_t count = 0;
   for (const NodeId id : run.nodes) {
     const PoseNode& node = graph.nodes[id];
-    if (id == run.nodes.front() || !run.hasScans || starts.at(id) || count == kMostInNode)
+    if (id == run.nodes.front() || !run.hasScans || isStart[id.index()] || count == kMostInNode)
       coarse.graph.addNode(node.pose, {}, node.axes), count = 0;
     coarse.coarseOf.add(coarse.graph.nodes.ids().back());
     ++count;
@@ -63,10 +48,10 @@ void addNodes(const GraphRun& run, const PoseGraph& graph, const NodeStarts& sta
 CoarseGraph coarseGraph(const PoseGraph& graph) {
   CoarseGraph coarse;
   const auto coarseOf = [&](NodeId node) { return coarse.coarseOf[node]; };
-  const NodeStarts starts(graph);
+  const std::vector<bool> isStart = nodeStarts(graph);
   for (const GraphRun& run : graph.runs) {
     coarse.graph.addRun(run.hasScans);
-    addNodes(run, graph, starts, coarse);
+    addNodes(run, graph, isStart, coarse);
     for (const PoseEdgeId link : run.links) {
       const NodeId from = coarseOf(graph.edges[link].from), to = coarseOf(graph.edges[link].to);
       if (from != to) coarse.graph.addLink(from, to, graph.edges[link].share);

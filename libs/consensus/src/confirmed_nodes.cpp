@@ -5,17 +5,6 @@
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
-namespace {
-
-/** The way from the first scan of a stretch to its last [m]. */
-double wayAlong(const std::vector<ScanWalls>& scans, const ScanStretch& stretch) {
-  double way = 0;
-  for (std::size_t k = stretch.first + 1; k < stretch.end; ++k)
-    way += distance(scans[k - 1].robot(), scans[k].robot());
-  return way;
-}
-
-}  // namespace
 
 ById<NodeId, bool> confirmedNodes(const PoseGraph& graph, const NodePoses& poses,
                                   const ById<MatchGroupId, double>& belief) {
@@ -25,7 +14,7 @@ ById<NodeId, bool> confirmedNodes(const PoseGraph& graph, const NodePoses& poses
     if (group.from == group.to || belief[id] < beliefOf(kMajority)) continue;
     for (const PoseEdgeId match : group.edges) {
       const PoseEdge& edge = graph.edges[match];
-      if (isInlier(edge, poses[edge.from].inverse() * poses[edge.to], kInlier))
+      if (isInlier(edge, gapOf(edge, poses), kInlier))
         isConfirmed[edge.to] = isConfirmed[edge.from] = true;
     }
   }
@@ -45,7 +34,9 @@ std::vector<ScanStretch> gapsOf(const std::vector<bool>& isFound) {
 }
 
 bool isLong(const ScanStretch& stretch, const std::vector<ScanWalls>& scans) {
-  return stretch.size() >= fitted::kLongScans || wayAlong(scans, stretch) >= fitted::kLongWay;
+  const std::vector<double> ways = drivenWays(scans);
+  return stretch.size() >= fitted::kLongScans ||
+         ways[stretch.end - 1] - ways[stretch.first] >= fitted::kLongWay;
 }
 
 }  // namespace roomgraph

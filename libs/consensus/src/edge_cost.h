@@ -14,12 +14,7 @@ struct EdgeTerm {
   PoseNoise noise;
   double width = 1, weight = 1;
 
-  /** Half of the robust squared residual, as in Ceres, of nodes that lie to each other as `found`
-   *  instead of as `measured`. */
-  double cost(const Transform2D& measured, const Transform2D& found) const {
-    return cost(PoseGap{std::abs(wrappedAngle(found.phi - measured.phi)),
-                        distance(found.shift(), measured.shift())});
-  }
+  /** Half of the robust squared residual, as in Ceres. */
   double cost(const PoseGap& gap) const {
     const double place = gap.place / noise.place, turn = gap.turn / noise.turn;
     const double squares = place * place + turn * turn, wide = width * width;
@@ -53,10 +48,9 @@ struct PoseInformation {
  *  where it contradicts the rest. */
 inline PoseInformation informationOf(const PoseGraph& graph, const PoseEdge& edge,
                                      const GraphTrust& trust, const NodePoses& poses) {
-  const Transform2D found = poses[edge.from].inverse() * poses[edge.to];
   const EdgeTerm term = termOf(graph, edge, trust);
-  const double place = distance(found.shift(), edge.measured.shift()) / term.noise.place;
-  const double turn = wrappedAngle(found.phi - edge.measured.phi) / term.noise.turn;
+  const PoseGap gap = gapOf(edge, poses);
+  const double place = gap.place / term.noise.place, turn = gap.turn / term.noise.turn;
   const double left = 1 / (1 + (place * place + turn * turn) / (term.width * term.width));
   const double weight = term.weight * left;
   return {weight / (term.noise.turn * term.noise.turn),

@@ -13,9 +13,9 @@ std::vector<PoseEdgeId> heldBy(const Run& run, const GraphRun& nodes, const Cons
   std::vector<Transform2D> drawn;
   for (const PoseEdgeId id : nodes.links) {
     const PoseEdge& link = consensus.graph.edges[id];
-    const Transform2D step = consensus.poses[link.from].inverse() * consensus.poses[link.to];
-    if (link.share > 1 || isInlier(link, step, kInlier)) continue;
+    if (link.share > 1 || isInlier(link, gapOf(link, consensus.poses), kInlier)) continue;
     if (scans.empty()) scans = localScans(run.scans), drawn = drawnPoses(run.scans);
+    const Transform2D step = consensus.poses[link.from].inverse() * consensus.poses[link.to];
     if (isRefuted(scans, drawn, nodes.nodes.placeOf(link.to), step)) held.push_back(id);
   }
   return held;

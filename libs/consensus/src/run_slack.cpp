@@ -27,9 +27,8 @@ double meanStrain(const PoseGraph& graph, const GraphRun& run, const NodePoses& 
   std::vector<double> strains;
   for (const PoseEdgeId id : run.links) {
     const PoseEdge& link = graph.edges[id];
-    const Transform2D now = poses[link.from].inverse() * poses[link.to];
-    const double place = distance(now.shift(), link.measured.shift()) / link.noise.place;
-    const double turn = wrappedAngle(now.phi - link.measured.phi) / link.noise.turn;
+    const PoseGap gap = gapOf(link, poses);
+    const double place = gap.place / link.noise.place, turn = gap.turn / link.noise.turn;
     strains.push_back((place * place + turn * turn) / 3);
   }
   std::sort(strains.begin(), strains.end());

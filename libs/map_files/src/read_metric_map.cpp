@@ -1,15 +1,149 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "grid_of_points.h"
-#include "read_layer_points.h"
 #include "readers.h"
+#include "roomgraph/base/byte_reader.h"
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/remedies.h"
+#include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/grid/GreyMap.h"
+#include "roomgraph/scans/PointCloud.h"
 #include "roomgraph/scans/find_slice.h"
+#include "roomgraph/scans/mrpt_object.h"
 #include "roomgraph/scans/object_header.h"
 #include "roomgraph/scans/read_points.h"
 
 namespace roomgraph {
 namespace {
+
+using mrpt::math::TPoint3Df;
+
+constexpr char kKeyframes[] = "KeyframePointCloudMap", kIncremental[] = "IncrementalPointCloud";
+constexpr std::uint64_t kBeforePose = 8 + 8;  // number and time of a key frame
+
+/** Steps to the next pose that is announced within so many bytes. Returns how far that was. */
+std::optional<std::uint64_t> seekPose(ByteReader& reader, std::uint64_t most) {
+  constexpr std::size_t header = 32;
+  for (std::uint64_t step = 0; step <= most && reader.left() > 0; ++step, reader.skip(1)) {
+    const auto object = peekObjectHeader({reader.peek(), std::min(reader.left(), header)});
+    if (object && !object->isOldFormat && object->className == "CPose3D") return step;
+  }
+  return std::nullopt;
+}
+
+/** The number of key frames, which stands behind options whose layout is not known here. Without
+ *  any, what is taken for the first may be a pose behind the layer. */
+std::uint32_t readKeyframeCount(ByteReader& reader) {
+  ByteReader ahead = reader;
+  const auto distance = seekPose(ahead, 4096);
+  if (!distance || *distance < kBeforePose + 4) return 0;
+  reader.skip(*distance - kBeforePose - 4);
+  const auto count = reader.get<std::uint32_t>();
+  return count > reader.left() / 100 ? 0 : count;
+}
+
+void addPoints(ByteReader& reader, const mrpt::poses::CPose3D& pose, CloudPoints& points) {
+  if (!isPointsMapClass(readObjectHeader(reader).className))
+    refuse(reader.file(), "it is damaged: a key frame in it has no points", kSaveMapAgain);
+  for (const TPoint3Df& local : readPoints(reader)) {
+    const auto p = pose.composePoint(mrpt::math::TPoint3D(local));
+    points.emplace_back(float(p.x), float(p.y), float(p.z));
+  }
+}
+
+/** Reads the body of a layer of MOLA's KeyframePointCloudMap: the clouds of all key frames. Each
+ *  may be followed by what is not known here. */
+CloudPoints readKeyframeLayer(ByteReader& reader) {
+  CloudPoints points;
+  for (std::uint32_t n = readKeyframeCount(reader); n > 0; --n) {
+    if (!seekPose(reader, reader.left()))
+      refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
+    const auto pose = readPose3D(reader);
+    if (reader.getFlag()) addPoints(reader, pose, points);
+  }
+  return points;
+}
+
+/** Whether the points of a metric map's layer of this class can be read: MRPT's point maps, and
+ *  MOLA's IncrementalPointCloud and KeyframePointCloudMap. */
+bool hasLayerPoints(const std::string& className) {
+  return isPointsMapClass(className) || className == kKeyframes || className == kIncremental;
+}
+
+/** Reads the points of the layer whose object begins here, in the frame of the map. What follows
+ *  its last point is left. */
+CloudPoints readLayerPoints(ByteReader& reader) {
+  const std::string className = readObjectHeader(reader).className;
+  if (className == kKeyframes) return readKeyframeLayer(reader);
+  if (className == kIncremental)
+    readObjectHeader(reader);  // it is kept as one of MRPT's point maps
+  return readPoints(reader);
+}
+
+constexpr double kMargin = 0.5;  // around all points [m]
+constexpr std::uint8_t kWallGrey = 0, kFreeGrey = 255;
+
+GridFrame frameOf(const std::vector<TPoint3Df>& points, double resolution,
+                  const std::string& file) {
+  Box box;
+  for (const TPoint3Df& p : points) box.include({double(p.x), double(p.y)});
+  const auto first = [&](double value) { return std::floor((value - kMargin) / resolution); };
+  const auto last = [&](double value) { return std::ceil((value + kMargin) / resolution); };
+  const double width = last(box.high.x) - first(box.low.x),
+               height = last(box.high.y) - first(box.low.y);
+  if (!(width * height <= double(kMostCells)))
+    refuse(file, "its points reach over more than 400 million cells", "use a coarser resolution");
+  GridFrame frame;
+  frame.width = int(width), frame.height = int(height), frame.resolution = resolution;
+  frame.origin = {first(box.low.x) * resolution, first(box.low.y) * resolution};
+  return frame;
+}
+
+/** Fills gaps of up to `most` cells between free ones, along rows (step 1) or columns. */
+void fillGaps(std::vector<std::uint8_t>& grey, const GridFrame& frame, int most, bool isAlongRows) {
+  const int lines = isAlongRows ? frame.height : frame.width;
+  const int length = isAlongRows ? frame.width : frame.height;
+  for (int line = 0; line < lines; ++line) {
+    const auto at = [&](int i) -> std::uint8_t& {
+      return grey[frame.index(isAlongRows ? Cell{i, line} : Cell{line, i})];
+    };
+    int previous = -1;
+    for (int i = 0; i < length; ++i) {
+      if (at(i) == kWallGrey) previous = -1;
+      if (at(i) != kFreeGrey) continue;
+      if (previous >= 0 && i - previous - 1 <= most)
+        for (int k = previous + 1; k < i; ++k) at(k) = kFreeGrey;
+      previous = i;
+    }
+  }
+}
+
+/** A grid of points alone, which nobody tells from where they were seen: cells with points in the
+ *  slice are occupied, others where the floor is seen are free, and so are gaps in the floor of up
+ *  to 0.3 m. Throws DataError, in the name of `file`, for more than kMostCells. O(points +
+ *  cells). */
+GreyMap gridOfPoints(const std::vector<TPoint3Df>& points, const Slice& slice, double resolution,
+                     const std::string& file) {
+  GreyMap map;
+  map.frame = frameOf(points, resolution, file);
+  map.grey.assign(map.frame.cellCount(), 128);  // nobody has seen them
+  const auto cellOf = [&](const TPoint3Df& p) -> std::uint8_t& {
+    return map.grey[map.frame.index(map.frame.cellAt({double(p.x), double(p.y)}))];
+  };
+  for (const TPoint3Df& p : points)
+    if (std::abs(double(p.z) - slice.floor) <= 0.15) cellOf(p) = kFreeGrey;
+  for (const TPoint3Df& p : points)
+    if (slice.contains(double(p.z))) cellOf(p) = kWallGrey;
+  const int gap = int(0.3 / resolution);
+  fillGaps(map.grey, map.frame, gap, true);
+  fillGaps(map.grey, map.frame, gap, false);
+  map.occupiedAbove = 0.55;
+  map.freeBelow = 0.45;
+  return map;
+}
 
 // As stored, with its namespace; the shortest known is "mola::NDT".
 constexpr int kShortestStoredClass = 8;

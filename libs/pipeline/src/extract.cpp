@@ -1,10 +1,10 @@
 #include "roomgraph/pipeline/extract.h"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <utility>
 
-#include "StepTimer.h"
 #include "extraction_notes.h"
 #include "roomgraph/grid/ObstacleRows.h"
 #include "roomgraph/grid/wall_obstacles.h"
@@ -81,6 +81,29 @@ TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
     if (!s.cleared.isClutter[i]) walls.cells.push_back(s.obstacles.cells[i]);
   return passClutter(std::move(graph), isClutter, ObstacleRows(walls), s.options.deadEnds);
 }
+
+/** Notes how long each step took that sets a member of some Stages:
+ *
+ *      step("voronoi_graph").voronoi = voronoiGraph(s.obstacles);
+ *
+ *  The right side of an assignment comes first: so the time since the last step is this one's. */
+class StepTimer {
+ public:
+  explicit StepTimer(Stages& stages) : stages_(stages) {}
+
+  Stages& operator()(const char* name) {
+    const auto now = Clock::now();
+    stages_.timings.push_back({name, std::chrono::duration<double>(now - last_).count()});
+    last_ = now;
+    return stages_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  Stages& stages_;
+  Clock::time_point last_ = Clock::now();
+};
 
 /** The diagram takes more memory than all else. */
 enum class Diagram { isKept, isDropped };

@@ -13,7 +13,7 @@ namespace roomgraph {
 // Ours
 // In:   a function that relates two runs
 // Out:  the same, which remembers
-// Next: RelatedPairs
+// Next: relateRuns
 
 /** Two runs, and one that both have been related to: itself one of both for a pair that is searched
  *  for. */

@@ -81,9 +81,10 @@ std::vector<std::vector<std::size_t>> sitesIn(const MapPairs& related, const Joi
 }
 
 /** The run of a site that the others fit best. */
-std::size_t centreOf(std::size_t runs, const std::vector<PairPose>& pairs) {
-  std::vector<double> sum(runs);
-  for (const PairPose& pair : pairs) sum[pair.a] += pair.confidence, sum[pair.b] += pair.confidence;
+std::size_t centreOf(const PairPoses& pairs) {
+  std::vector<double> sum(pairs.things());
+  for (const auto& [a, b] : pairs.pairs())
+    for (const std::size_t run : {a, b}) sum[run] += pairs(a, b).confidence;
   return std::size_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
 }
 
@@ -151,15 +152,15 @@ Site placeRuns(const std::vector<Run>& runs, const MapPairs& related,
     if (reference == site.members[i]) site.reference = i;
   }
   completeCore(site, related);
-  std::vector<PairPose> used;
-  for (const auto& [i, j] : pairsWithin(site, related)) {
-    const MapPair& pair = related(site.members[i], site.members[j]);
-    if (areJoined(site.members[i], site.members[j]))
-      used.push_back(
-          {i, j, pair.alignment.pose, pair.alignment.confidence, middleOfWalls(site.runs[j]->map)});
+  std::vector<PairOfThings> joined;
+  for (const auto& [i, j] : pairsWithin(site, related))
+    if (areJoined(site.members[i], site.members[j])) joined.emplace_back(i, j);
+  PairPoses pairs(n, joined);
+  for (const auto& [i, j] : joined) {
+    const Alignment& alignment = related(site.members[i], site.members[j]).alignment;
+    pairs(i, j) = {alignment.pose, alignment.confidence, middleOfWalls(site.runs[j]->map)};
   }
-  const std::size_t centre = site.reference ? *site.reference : centreOf(n, used);
-  for (const SitePose& placed : sitePoses(n, used, centre).runs) site.poses.push_back(placed.pose);
+  site.poses = sitePoses(pairs, site.reference.value_or(centreOf(pairs)));
   return site;
 }
 

@@ -5,18 +5,97 @@
 #include <tuple>
 #include <utility>
 
-#include "RelatedPairs.h"
 #include "by_straightness.h"
 #include "choose_core.h"
 #include "choose_judges.h"
 #include "fitted_relate.h"
+#include "keep_pairs.h"
 #include "roomgraph/align/are_identical.h"
 #include "roomgraph/relate/join_drives.h"
+#include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
-
 namespace {
+
+/** The pairs of some runs that have been related so far. */
+class RelatedPairs {
+ public:
+  RelatedPairs(const std::vector<Run>& runs, const RelateRunsOptions& options,
+               const ForEach& forEach, const KeptPairs& kept)
+      : runs_(runs), options_(options), forEach_(forEach) {
+    const auto how = options.areAligned ? "aligned" : options.areOneSite ? "one site" : "searched";
+    relate_ =
+        keepPairs([this](const PairOver& pair, FullMaps& maps) { return related(pair, maps); },
+                  runs, how, kept);
+  }
+
+  /** Completes maps in which others will be looked for again and again. */
+  void complete(const std::vector<std::size_t>& runs) {
+    std::vector<const WallMap*> maps;
+    for (const std::size_t run : runs) maps.push_back(&runs_[run].map);
+    full_.complete(maps, forEach_);
+  }
+
+  /** Relates each of `others` to the hub. */
+  void search(std::size_t hub, const std::vector<std::size_t>& others) {
+    std::vector<PairOver> pairs;
+    for (const std::size_t other : others) pairs.push_back({hub, hub, other});
+    relate(pairs);
+  }
+
+  /** Relates pairs over their hubs, to which both have been related; without one where it is one
+   *  of both. */
+  void relate(std::vector<PairOver> pairs) {
+    for (PairOver& pair : pairs) {
+      if (pair.a > pair.b) std::swap(pair.a, pair.b);
+      if (options_.areAligned) pair.hub = pair.a;
+    }
+    const auto isKnown = [&](const PairOver& pair) {
+      return pair.a == pair.b || !found_.try_emplace({pair.a, pair.b}).second;
+    };
+    pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isKnown), pairs.end());
+    std::vector<PairOfThings> runs;
+    for (const PairOver& pair : pairs) runs.emplace_back(pair.a, pair.b);
+    const auto jobs = pairJobs(runs, [&](std::size_t run) { return mapOf(run).isBare(); });
+    forEach_(jobs.size(), [&](std::size_t job) {
+      FullMaps maps;
+      for (const std::size_t i : jobs[job]) found_.at(runs[i]) = relate_(pairs[i], maps);
+    });
+  }
+
+  /** The pair with the hub named first. */
+  MapPair between(std::size_t hub, std::size_t run) const {
+    return hub < run ? found_.at({hub, run}) : swapped(found_.at({run, hub}));
+  }
+
+  /** All pairs, which are moved out. */
+  MapPairs all() {
+    std::vector<PairOfThings> pairs;
+    for (const auto& [runs, pair] : found_) pairs.push_back(runs);
+    MapPairs all(runs_.size(), pairs);
+    for (auto& [runs, pair] : found_) all(runs.first, runs.second) = std::move(pair);
+    return all;
+  }
+
+ private:
+  const WallMap& mapOf(std::size_t run) const { return full_.known(runs_[run].map); }
+
+  MapPair related(const PairOver& pair, FullMaps& maps) const {
+    const WallMap& a = maps(mapOf(pair.a));
+    const WallMap& b = maps(mapOf(pair.b));
+    if (options_.areAligned) return relateAlignedMaps(a, b);
+    if (pair.hub == pair.a || pair.hub == pair.b) return relateMaps(a, b, options_.areOneSite);
+    return relateMapsOver(between(pair.hub, pair.a), between(pair.hub, pair.b), a, b);
+  }
+
+  const std::vector<Run>& runs_;
+  const RelateRunsOptions& options_;
+  const ForEach& forEach_;
+  RelatePair relate_;
+  FullMaps full_;
+  std::map<PairOfThings, MapPair> found_;
+};
 
 /** Relates runs in sets that may be sites: each to a hub, and to a choice of the others. */
 class SiteBySite {

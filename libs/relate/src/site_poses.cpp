@@ -2,77 +2,52 @@
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
-#include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
-
-#include "roomgraph/base/Error.h"
-#include "roomgraph/base/PairTable.h"
+#include <utility>
 
 namespace roomgraph {
 namespace {
 
-/** The pair's pose as seen from run `from`: from <- other. */
-Transform2D seenFrom(const PairPose& pair, std::size_t from) {
-  return pair.a == from ? pair.pose : pair.pose.inverse();
-}
-
-/** How far apart two poses a <- b lay the pair's walls [m]. */
-double apart(const PairPose& pair, const Transform2D& l, const Transform2D& r) {
-  return std::hypot(distance(l(pair.middle), r(pair.middle)),
-                    kTurnLever * wrappedAngle(l.phi - r.phi));
-}
-
-/** Of each two runs the pair that is used, the first of several; by its index. */
-using UsedPairs = PairTable<std::optional<std::size_t>>;
-
-UsedPairs usedPairs(std::size_t runs, const std::vector<PairPose>& pairs) {
-  std::vector<PairOfThings> sure;
-  for (const PairPose& pair : pairs)
-    if (pair.confidence >= kMinPairConfidence) sure.emplace_back(pair.a, pair.b);
-  UsedPairs used(runs, sure);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (pairs[i].confidence < kMinPairConfidence) continue;
-    if (auto& entry = used(pairs[i].a, pairs[i].b); !entry) entry = i;
-  }
-  return used;
+/** How `b` lies in `a`, whichever of both the pair names first. */
+Transform2D seenFrom(const PairPoses& pairs, std::size_t a, std::size_t b) {
+  return a < b ? pairs(a, b).pose : pairs(a, b).pose.inverse();
 }
 
 /** Confidence, raised by each third run over which the same pose comes out, and lowered by each
  *  over which another one does. */
-double trustIn(const PairPose& pair, const std::vector<PairPose>& pairs, const UsedPairs& used) {
+double trustIn(const PairPoses& pairs, std::size_t a, std::size_t b) {
+  const PairPose& pair = pairs(a, b);
   double trust = pair.confidence;
-  for (const std::size_t c : used.othersOf(pair.a)) {
-    if (!used.has(c, pair.b)) continue;
-    const auto ac = used(pair.a, c), cb = used(c, pair.b);
-    const Transform2D way = seenFrom(pairs[*ac], pair.a) * seenFrom(pairs[*cb], c);
-    const double d = apart(pair, pair.pose, way) / (3 * kMaxMisfit);
-    const double weight = pairs[*ac].confidence * pairs[*cb].confidence;
-    trust += weight * (2 / (1 + d * d * d * d) - 1);
+  for (const std::size_t c : pairs.othersOf(a)) {
+    if (!pairs.has(c, b)) continue;
+    const Transform2D way = seenFrom(pairs, a, c) * seenFrom(pairs, c, b);
+    const double d = std::hypot(distance(pair.pose(pair.middle), way(pair.middle)),
+                                kTurnLever * wrappedAngle(pair.pose.phi - way.phi)) /
+                     (3 * kMaxMisfit);
+    trust += pairs(a, c).confidence * pairs(c, b).confidence * (2 / (1 + d * d * d * d) - 1);
   }
   return trust;
 }
 
 /** Places one run after the other, each over the most trusted pair that reaches it. */
-std::vector<SitePose> tree(const std::vector<PairPose>& pairs, const UsedPairs& used,
-                           std::size_t reference) {
+std::vector<Transform2D> tree(const PairPoses& pairs, std::size_t reference) {
   std::vector<double> trust;
-  for (const PairPose& pair : pairs) trust.push_back(trustIn(pair, pairs, used));
-  std::vector<SitePose> runs(used.things());
-  runs[reference].isPlaced = true;
+  for (const auto& [a, b] : pairs.pairs()) trust.push_back(trustIn(pairs, a, b));
+  std::vector<Transform2D> poses(pairs.things());
+  std::vector<bool> isPlaced(pairs.things());
+  isPlaced[reference] = true;
   for (;;) {
     std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const bool isUsed = used(pairs[i].a, pairs[i].b) == i;
-      if (!isUsed || runs[pairs[i].a].isPlaced == runs[pairs[i].b].isPlaced) continue;
-      if (!best || trust[i] > trust[*best]) best = i;
+    for (std::size_t i = 0; i < trust.size(); ++i) {
+      const auto& [a, b] = pairs.pairs()[i];
+      if (isPlaced[a] != isPlaced[b] && (!best || trust[i] > trust[*best])) best = i;
     }
-    if (!best) return runs;
-    const PairPose& pair = pairs[*best];
-    const std::size_t from = runs[pair.a].isPlaced ? pair.a : pair.b;
-    const std::size_t to = from == pair.a ? pair.b : pair.a;
-    runs[to] = {runs[from].pose * seenFrom(pair, from), true};
+    if (!best) return poses;
+    auto [from, to] = pairs.pairs()[*best];
+    if (isPlaced[to]) std::swap(from, to);
+    poses[to] = poses[from] * seenFrom(pairs, from, to);
+    isPlaced[to] = true;
   }
 }
 
@@ -112,14 +87,9 @@ class NormalEquations {
   }
 
   Eigen::VectorXd solution() const {
-    if (n_ >= 180) {  // the pairs of so many runs are few beside what could be
-      Eigen::SparseMatrix<double> h(n_, n_);
-      h.setFromTriplets(terms_.begin(), terms_.end());
-      return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
-    }
-    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n_, n_);
-    for (const auto& term : terms_) h(term.row(), term.col()) += term.value();
-    return h.ldlt().solve(g_);
+    Eigen::SparseMatrix<double> h(n_, n_);
+    h.setFromTriplets(terms_.begin(), terms_.end());
+    return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(h).solve(g_);
   }
 
  private:
@@ -128,58 +98,39 @@ class NormalEquations {
   Eigen::VectorXd g_;
 };
 
-/** One step of all placed runs but the reference; how far it moved them. */
-double step(const std::vector<PairPose>& pairs, const UsedPairs& used, std::size_t reference,
-            std::vector<SitePose>& runs) {
-  NormalEquations equations(runs.size());
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const PairPose& p = pairs[i];
-    if (used(p.a, p.b) != i || !runs[p.a].isPlaced || !runs[p.b].isPlaced) continue;
-    const Row row = rowOf(p, runs[p.a].pose, runs[p.b].pose);
+/** One step of all runs but the reference; how far it moved them. */
+double step(const PairPoses& pairs, std::size_t reference, std::vector<Transform2D>& poses) {
+  NormalEquations equations(poses.size());
+  for (const auto& [a, b] : pairs.pairs()) {
+    const PairPose& pair = pairs(a, b);
+    const Row row = rowOf(pair, poses[a], poses[b]);
     const double s = row.r.squaredNorm() / (kMaxMisfit * kMaxMisfit);
-    const double w = p.confidence / ((1 + s) * (1 + s));
-    equations.add(p.a, p.a, w * row.ja.transpose() * row.ja);
-    equations.add(p.b, p.b, w * row.jb.transpose() * row.jb);
-    equations.add(p.a, p.b, w * row.ja.transpose() * row.jb);
-    equations.add(p.b, p.a, w * row.jb.transpose() * row.ja);
-    equations.subtract(p.a, w * row.ja.transpose() * row.r);
-    equations.subtract(p.b, w * row.jb.transpose() * row.r);
+    const double w = pair.confidence / ((1 + s) * (1 + s));
+    equations.add(a, a, w * row.ja.transpose() * row.ja);
+    equations.add(b, b, w * row.jb.transpose() * row.jb);
+    equations.add(a, b, w * row.ja.transpose() * row.jb);
+    equations.add(b, a, w * row.jb.transpose() * row.ja);
+    equations.subtract(a, w * row.ja.transpose() * row.r);
+    equations.subtract(b, w * row.jb.transpose() * row.r);
   }
   equations.add(reference, reference, Eigen::Matrix3d::Identity() * 1e9);
   const Eigen::VectorXd by = equations.solution();
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!runs[i].isPlaced || i == reference) continue;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (i == reference) continue;
     const Eigen::Vector3d d = by.segment<3>(3 * Eigen::Index(i));
-    Transform2D& pose = runs[i].pose;
+    Transform2D& pose = poses[i];
     pose = {pose.x + d[0], pose.y + d[1], wrappedAngle(pose.phi + d[2])};
   }
   return by.cwiseAbs().maxCoeff();
 }
 
-void check(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference) {
-  if (reference >= runs)
-    throw UsageError("site_poses: there is no run " + std::to_string(reference));
-  for (const PairPose& pair : pairs)
-    if (pair.a >= runs || pair.b >= runs || pair.a == pair.b)
-      throw UsageError("site_poses: there is no pair of the runs " + std::to_string(pair.a) +
-                       " and " + std::to_string(pair.b));
-}
-
 }  // namespace
 
-SitePoses sitePoses(std::size_t runs, const std::vector<PairPose>& pairs, std::size_t reference) {
-  check(runs, pairs, reference);
-  const UsedPairs used = usedPairs(runs, pairs);
-  SitePoses out;
-  out.runs = tree(pairs, used, reference);
+std::vector<Transform2D> sitePoses(const PairPoses& pairs, std::size_t reference) {
+  std::vector<Transform2D> poses = tree(pairs, reference);
   for (int i = 0; i < 50; ++i)
-    if (step(pairs, used, reference, out.runs) < 1e-9) break;
-  for (const PairPose& pair : pairs) {
-    const SitePose &a = out.runs[pair.a], &b = out.runs[pair.b];
-    const bool isPlaced = a.isPlaced && b.isPlaced;
-    out.misfit.push_back(isPlaced ? apart(pair, pair.pose, a.pose.inverse() * b.pose) : 0);
-  }
-  return out;
+    if (step(pairs, reference, poses) < 1e-9) break;
+  return poses;
 }
 
 }  // namespace roomgraph

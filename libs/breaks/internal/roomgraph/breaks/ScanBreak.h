@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "roomgraph/breaks/MapBreak.h"
@@ -8,9 +7,8 @@
 
 namespace roomgraph {
 
-/** Poses of a run's scans elsewhere [there <- run], in the order of the scans; none where a scan
- *  was not found. */
-using ScanTrack = std::vector<std::optional<Transform2D>>;
+/** Poses of a run's scans elsewhere [there <- run], in the order of the scans. */
+using ScanTrack = std::vector<Transform2D>;
 
 /** A place where a run's own poses jump. */
 struct ScanBreak {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -96,6 +97,13 @@ struct PoseGraph {
   NodePoses ownPoses() const;
   RunId runOf(NodeId node) const { return nodes[node].run; }
 };
+
+/** How far the nodes of an edge lie from where it has them. */
+inline PoseGap gapOf(const PoseEdge& edge, const NodePoses& poses) {
+  const Transform2D found = poses[edge.from].inverse() * poses[edge.to];
+  return {std::abs(wrappedAngle(found.phi - edge.measured.phi)),
+          distance(found.shift(), edge.measured.shift())};
+}
 
 /** How far the edges of a graph are trusted. */
 struct GraphTrust {

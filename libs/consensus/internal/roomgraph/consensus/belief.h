@@ -8,10 +8,8 @@ namespace roomgraph {
  *  kRoughly will do. */
 constexpr PoseTolerance kInlier = kSameAnswer;
 
-/** Whether a match agrees with nodes that lie to each other as `found` (from <- to). What both runs
- *  have scanned as one is the same place, whatever the poses say. */
-bool isInlier(const PoseEdge& match, const Transform2D& found, const PoseTolerance& within);
-/** The same of nodes that lie so far from where the match has them. */
+/** Whether a match agrees with nodes that lie so far from where it has them. What both runs have
+ *  scanned as one is the same place, whatever the poses say. */
 inline bool isInlier(const PoseEdge& match, const PoseGap& gap, const PoseTolerance& within) {
   return match.isSameScan || (gap.turn < within.turn && gap.place < within.place);
 }

@@ -38,14 +38,4 @@ std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>&
                                                    const std::vector<Transform2D>& wholes,
                                                    const WallMap& in, TrackedFits& fits);
 
-/** The same, once. */
-inline std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
-                                                          const WallPatches& patches,
-                                                          const FollowedWalls& followed,
-                                                          const std::vector<Transform2D>& wholes,
-                                                          const WallMap& in) {
-  TrackedFits fits;
-  return trackScans(scans, patches, followed, wholes, in, fits);
-}
-
 }  // namespace roomgraph

@@ -15,6 +15,8 @@ namespace roomgraph {
 // Out:  Site, and what is known of its pairs
 // Next: scoreRuns, siteBreaks, siteRooms
 
+constexpr double kMinPairConfidence = 0.3;  ///< of runs that are joined
+
 /** Whether two runs are taken for ones of one site. Of a symmetric building, no run is sure to lie
  *  in the right turn, but each lies in one of few. */
 bool isJoined(const MapPair& pair);
