@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "drawn_building.h"
+#include "drawn_hall.h"
 #include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
@@ -88,6 +89,20 @@ TEST(AreEdits, aMapOfOtherCellsOrWithNextToNothingDrawnIsNone) {
   const Grid speck =
       edited([](Cell c) { return c.x == 50 && c.y < 60 ? State::occupied : State::free; });
   EXPECT_FALSE(areEdits(edgesOf(speck), edgesOf(speck), {{}}));
+}
+
+TEST(AreIdentical, aMapAndItsCopyAre) {
+  const WallMap hall = wallMap(test::drawnHall(0.1, 0));
+  EXPECT_TRUE(areIdentical(hall, wallMap(test::drawnHall(0.1, 0))));
+  EXPECT_TRUE(areIdentical(wallMap(Grid{}), wallMap(Grid{})));
+}
+
+TEST(AreIdentical, aMapThatDiffersInAWallOrInItsPlaceIsNot) {
+  const WallMap hall = wallMap(test::drawnHall(0.1, 0));
+  EXPECT_FALSE(areIdentical(hall, wallMap(test::drawnHall(0.1, 0.4))));
+  Grid moved = test::drawnHall(0.1, 0);
+  moved.frame.origin.x += 0.05;
+  EXPECT_FALSE(areIdentical(hall, wallMap(moved)));
 }
 
 }  // namespace

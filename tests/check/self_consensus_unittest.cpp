@@ -26,5 +26,35 @@ TEST(SelfConsensus, aTornRunIsLaidAsItWasDriven) {
   EXPECT_LT(test::stepsApart(consensus.poses, test::posesOf(test::driveForthAndBack())), 0.2);
 }
 
+/** A way of ten scans, a metre each, along which some were seen again `off` from where they lie. */
+SelfConsensus seenAgain(const std::vector<std::pair<std::size_t, std::size_t>>& pairs, double off) {
+  SelfConsensus consensus;
+  for (int k = 0; k < 10; ++k) consensus.poses.push_back({double(k), 0, 0});
+  for (const auto& [from, to] : pairs)
+    consensus.revisits.push_back(
+        matchEdge(NodeId(from), NodeId(to), {double(to) - double(from), off, 0}, 1));
+  return consensus;
+}
+
+TEST(IsConfirmed, whereBothSidesOfABreakWereSeenTogether) {
+  EXPECT_TRUE(isConfirmed(seenAgain({{1, 8}, {9, 2}}, 0.1), {5}));
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}}, 0.1), {5})) << "one may be a look-alike";
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 4}, {2, 4}}, 0.1), {5})) << "both lie before it";
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 1.0), {5})) << "they do not fit";
+  EXPECT_TRUE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 0.1), {3, 8}));
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 0.1), {5, 9})) << "each break by itself";
+}
+
+TEST(IsConfirmed, notWhereMuchOfWhatWasSeenTwiceDoesNotFit) {
+  SelfConsensus consensus = seenAgain({{1, 8}, {2, 8}, {3, 9}, {4, 9}}, 0);
+  const SelfConsensus wrong = seenAgain({{0, 7}, {0, 6}}, 2);
+  consensus.revisits.push_back(wrong.revisits[0]);
+  EXPECT_TRUE(isConfirmed(consensus, {}));
+  consensus.revisits.push_back(wrong.revisits[1]);
+  EXPECT_FALSE(isConfirmed(consensus, {}));
+}
+
+TEST(IsConfirmed, notWhereNothingWasSeenTwice) { EXPECT_FALSE(isConfirmed(seenAgain({}, 0), {})); }
+
 }  // namespace
 }  // namespace roomgraph

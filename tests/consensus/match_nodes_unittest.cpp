@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/add_run_nodes.h"
+#include "sample_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -171,6 +174,103 @@ TEST(SameScans, aScanThatMetNothingIsNone) {
   EXPECT_EQ(common(blind, named({1, 2})).size(), 1u);
   EXPECT_EQ(common(named({1, 2}), blind).size(), 1u);
 }
+
+WallMap mapOf(const Grid& grid) { return wallMap(grid); }
+
+TEST(Aliasing, isFullWhereNothingMoves) {
+  EXPECT_GT(aliasingUnder({}, mapOf(test::drawnBuilding(4, {}))), 0.95);
+}
+
+TEST(Aliasing, isFullUnderTheTurnsOfASquareHall) {
+  const WallMap hall = mapOf(test::squareHall({}));
+  const Point middle = hall.middle();
+  for (const double turn : {M_PI / 2, M_PI, -M_PI / 2})
+    EXPECT_GT(aliasingUnder(carrying(middle, middle, turn), hall), 0.9) << turn;
+}
+
+TEST(Aliasing, isLittleInABuildingThatDoesNotRepeatItself) {
+  const WallMap map = mapOf(test::drawnBuilding(4, {}));
+  const Point middle = map.middle();
+  EXPECT_LT(aliasingUnder(carrying(middle, middle, 0.7), map), 0.4);
+}
+
+TEST(Aliasing, isNothingBeyondWhatTheMapKnows) {
+  EXPECT_EQ(aliasingUnder({500, 0, 0}, mapOf(test::drawnBuilding(4, {}))), 0);
+}
+
+TEST(Aliasing, theFrameOfTheMapChangesLittle) {
+  const Transform2D pose{13, -8, 0.6};
+  const WallMap here = mapOf(test::drawnBuilding(4, {}));
+  const WallMap there = mapOf(test::drawnBuilding(4, pose));
+  const Point middle = here.middle();
+  for (const Transform2D& motion :
+       {Transform2D{}, carrying(middle, middle, M_PI), Transform2D{3, 0, 0}}) {
+    const double l = aliasingUnder(motion, here);
+    const double r = aliasingUnder(pose * motion * pose.inverse(), there);
+    EXPECT_NEAR(l, r, 0.15);
+  }
+}
+
+TEST(Aliasing, aMapWithoutWallsIsLikeNothing) { EXPECT_EQ(aliasingUnder({}, WallMap{}), 0); }
+
+// The nodes of a run that is not the first of its graph.
+constexpr std::size_t kFirstNode = 100;
+
+DrawnBy drawnBy(const roomgraph::Run& run) {
+  const std::size_t nodes = run.scans.empty() ? run.map.patches.size() : run.scans.size();
+  return drawnBy(run, {kFirstNode, kFirstNode + nodes}, run.map);
+}
+
+/** By their places in the run. */
+std::vector<std::size_t> drawersOf(const DrawnBy& drawn, std::size_t wall) {
+  std::vector<std::size_t> places;
+  for (std::uint32_t k = drawn.firsts[wall]; k < drawn.firsts[wall + 1]; ++k)
+    places.push_back(drawn.nodes[k].index() - kFirstNode);
+  return places;
+}
+
+TEST(DrawnBy, aScanHasDrawnTheWallsThatItMet) {
+  const roomgraph::Run run = test::drivenRun();
+  const DrawnBy result = drawnBy(run);
+  ASSERT_EQ(result.firsts.size(), run.map.walls.size() + 1);
+  ASSERT_EQ(result.firsts.back(), result.nodes.size());
+  std::vector<double> drawn(run.scans.size());
+  for (std::size_t wall = 0; wall < run.map.walls.size(); ++wall) {
+    const auto by = drawersOf(result, wall);
+    EXPECT_TRUE(std::is_sorted(by.begin(), by.end()));
+    EXPECT_EQ(std::adjacent_find(by.begin(), by.end()), by.end());
+    for (const std::size_t k : by) {
+      ++drawn[k];
+      const auto& met = run.scans[k].walls;
+      EXPECT_TRUE(std::any_of(met.begin(), met.end(),
+                              [&](const WallPoint& point) {
+                                return distance(point.place, run.map.walls[wall].place) < 0.15;
+                              }))
+          << "wall " << wall << " by " << k;
+    }
+  }
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    EXPECT_GT(drawn[k], 0.3 * double(run.scans[k].walls.size())) << k;  // many meet one wall
+}
+
+TEST(DrawnBy, wallsThatTheScansDidNotMeetAreOfNone) {
+  roomgraph::Run run = test::drivenRun();
+  run.map = wallMap(test::drawnBuilding(4, {200, 0, 0}));
+  EXPECT_TRUE(drawnBy(run).nodes.empty());
+}
+
+TEST(DrawnBy, withoutScansAWallIsOfItsPatch) {
+  const roomgraph::Run run = test::scanlessRun();
+  const DrawnBy result = drawnBy(run);
+  for (std::size_t wall = 0; wall < run.map.walls.size(); ++wall) {
+    const auto by = drawersOf(result, wall);
+    ASSERT_EQ(by.size(), 1u);
+    const auto& own = run.map.patches[by[0]].own;
+    EXPECT_NE(std::find(own.begin(), own.end(), wall), own.end());
+  }
+}
+
+TEST(DrawnBy, ofNothingIsNone) { EXPECT_TRUE(drawnBy(roomgraph::Run()).nodes.empty()); }
 
 }  // namespace
 }  // namespace roomgraph

@@ -8,7 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "drawn_pose_graph.h"
-#include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
 #include "sample_drives.h"

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <map>
 
+#include "RandomNumbers.h"
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
 
@@ -67,6 +70,190 @@ TEST_F(KeepPairs, withoutAShelfAllIsWorkedOut) {
   kept_ = {};
   related({0, 0, 1}), related({0, 0, 1});
   EXPECT_EQ(worked_, 2);
+}
+
+/** A map of 100 m about the origin with so many patches. */
+WallMap withPatches(std::size_t count) {
+  WallMap map;
+  map.frame = {1000, 1000, 0.1, {-50, -50}};
+  map.patches.resize(count);
+  return map;
+}
+
+AlignmentCandidate anyCandidate(test::RandomNumbers& random) {
+  AlignmentCandidate any;
+  any.pose = random.pose(30);
+  any.evidence.close = random.between(0, 9), any.evidence.loose = random.between(0, 9);
+  any.evidence.slightly = random.between(0, 9), any.evidence.contradicted = random.between(0, 9);
+  any.evidence.known = random.between(0, 9), any.evidence.all = random.between(0, 9);
+  any.evidence.weakest = random.between(0, 9), any.evidence.overlap = random.between(0, 1);
+  any.evidence.common = random.between(0, 9), any.evidence.freeOnWall = random.between(0, 1);
+  any.score = random.between(-50, 50);
+  return any;
+}
+
+FollowedWalls anyWalls(test::RandomNumbers& random, std::size_t patches) {
+  FollowedWalls any;
+  any.pose = random.pose(30);
+  any.bend = random.between(0, 3), any.share = random.between(0, 1);
+  for (std::uint32_t i = 0; i < patches; ++i)
+    any.patches.push_back(
+        {i, random.pose(30), std::floor(random.between(1, 40)), int(random.below(3))});
+  return any;
+}
+
+MapPair anyPair(std::uint32_t seed) {
+  test::RandomNumbers random(seed);
+  MapPair any;
+  Alignment& alignment = any.alignment;
+  alignment.pose = random.pose(30);
+  alignment.confidence = random.between(0, 1), alignment.siteConfidence = random.between(0, 1);
+  alignment.overlap = random.between(0, 1), alignment.runnerUpConfidence = random.between(0, 1);
+  alignment.isSameSite = seed % 2 == 0, alignment.isAmbiguous = seed % 3 == 0;
+  if (seed % 4 > 0) alignment.best = anyCandidate(random);
+  if (seed % 4 > 1) alignment.runnerUp = anyCandidate(random);
+  for (std::size_t i = 0; i < seed % 5; ++i) alignment.poses.push_back(random.pose(30));
+  any.bInA = anyWalls(random, seed % 7), any.aInB = anyWalls(random, seed % 6);
+  any.areIdentical = seed % 5 == 0, any.areEdits = seed % 2 == 0;
+  any.areStoreys = seed % 4 == 3;
+  alignment.isMirrored = seed % 3 == 1;
+  return any;
+}
+
+void expectSame(const Transform2D& l, const Transform2D& r) {
+  EXPECT_EQ(l.x, r.x);
+  EXPECT_EQ(l.y, r.y);
+  EXPECT_EQ(l.phi, r.phi);
+}
+
+void expectSame(const FollowedWalls& l, const FollowedWalls& r) {
+  expectSame(l.pose, r.pose);
+  EXPECT_EQ(l.bend, r.bend);
+  EXPECT_EQ(l.share, r.share);
+  EXPECT_EQ(l.misfit, r.misfit);
+  ASSERT_EQ(l.patches.size(), r.patches.size());
+  for (std::size_t i = 0; i < l.patches.size(); ++i) {
+    EXPECT_EQ(l.patches[i].patch, r.patches[i].patch);
+    EXPECT_EQ(l.patches[i].walls, r.patches[i].walls);
+    EXPECT_EQ(l.patches[i].layer, r.patches[i].layer);
+    expectSame(l.patches[i].pose, r.patches[i].pose);
+  }
+}
+
+void expectSame(const std::optional<AlignmentCandidate>& l,
+                const std::optional<AlignmentCandidate>& r) {
+  ASSERT_EQ(l.has_value(), r.has_value());
+  if (!l) return;
+  expectSame(l->pose, r->pose);
+  EXPECT_EQ(l->score, r->score);
+  const AlignmentEvidence &a = l->evidence, &b = r->evidence;
+  EXPECT_EQ(a.close, b.close);
+  EXPECT_EQ(a.loose, b.loose);
+  EXPECT_EQ(a.slightly, b.slightly);
+  EXPECT_EQ(a.contradicted, b.contradicted);
+  EXPECT_EQ(a.known, b.known);
+  EXPECT_EQ(a.all, b.all);
+  EXPECT_EQ(a.weakest, b.weakest);
+  EXPECT_EQ(a.overlap, b.overlap);
+  EXPECT_EQ(a.common, b.common);
+  EXPECT_EQ(a.freeOnWall, b.freeOnWall);
+}
+
+TEST(PairBytes, holdAllOfAPairExactly) {
+  const WallMap map = withPatches(8);
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    const MapPair pair = anyPair(seed);
+    const auto read = pairOfBytes(pairBytes(pair), map, map);
+    ASSERT_TRUE(read) << seed;
+    EXPECT_EQ(read->areIdentical, pair.areIdentical);
+    EXPECT_EQ(read->areEdits, pair.areEdits);
+    EXPECT_EQ(read->areStoreys, pair.areStoreys);
+    const Alignment &l = read->alignment, &r = pair.alignment;
+    expectSame(l.pose, r.pose);
+    EXPECT_EQ(l.confidence, r.confidence);
+    EXPECT_EQ(l.siteConfidence, r.siteConfidence);
+    EXPECT_EQ(l.runnerUpConfidence, r.runnerUpConfidence);
+    EXPECT_EQ(l.overlap, r.overlap);
+    EXPECT_EQ(l.isSameSite, r.isSameSite);
+    EXPECT_EQ(l.isAmbiguous, r.isAmbiguous);
+    EXPECT_EQ(l.isMirrored, r.isMirrored);
+    expectSame(l.best, r.best);
+    expectSame(l.runnerUp, r.runnerUp);
+    ASSERT_EQ(l.poses.size(), r.poses.size());
+    for (std::size_t i = 0; i < l.poses.size(); ++i) expectSame(l.poses[i], r.poses[i]);
+    expectSame(read->bInA, pair.bInA);
+    expectSame(read->aInB, pair.aInB);
+    EXPECT_EQ(pairBytes(*read), pairBytes(pair));
+  }
+}
+
+TEST(PairBytes, eachFieldChangesThem) {
+  const MapPair pair = anyPair(23);  // it has all
+  const std::string bytes = pairBytes(pair);
+  const std::vector<std::function<void(MapPair&)>> changes{
+      [](MapPair& p) { p.areIdentical = !p.areIdentical; },
+      [](MapPair& p) { p.areEdits = !p.areEdits; },
+      [](MapPair& p) { p.areStoreys = !p.areStoreys; },
+      [](MapPair& p) { p.alignment.isMirrored = !p.alignment.isMirrored; },
+      [](MapPair& p) { p.alignment.isSameSite = !p.alignment.isSameSite; },
+      [](MapPair& p) { p.alignment.isAmbiguous = !p.alignment.isAmbiguous; },
+      [](MapPair& p) { p.alignment.siteConfidence = 2; },
+      [](MapPair& p) { p.alignment.overlap = 2; },
+      [](MapPair& p) { p.alignment.best->evidence.weakest = 99; },
+      [](MapPair& p) { p.alignment.best->evidence.freeOnWall = 99; },
+      [](MapPair& p) { p.alignment.runnerUp.reset(); },
+      [](MapPair& p) { p.alignment.poses.pop_back(); },
+      [](MapPair& p) { p.bInA.patches[0].layer = 7; },
+      [](MapPair& p) { p.bInA.share = 2; },
+      [](MapPair& p) { std::swap(p.aInB, p.bInA); },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    MapPair changed = pair;
+    changes[i](changed);
+    EXPECT_NE(pairBytes(changed), bytes) << i;
+  }
+}
+
+TEST(PairBytes, areNotReadForMapsWithFewerPatches) {
+  const MapPair pair = anyPair(13);  // six patches of b in a, one of a in b
+  ASSERT_EQ(pair.bInA.patches.size(), 6u);
+  ASSERT_EQ(pair.aInB.patches.size(), 1u);
+  const std::string bytes = pairBytes(pair);
+  EXPECT_TRUE(pairOfBytes(bytes, withPatches(1), withPatches(6)));
+  EXPECT_FALSE(pairOfBytes(bytes, withPatches(1), withPatches(5)));
+  EXPECT_FALSE(pairOfBytes(bytes, withPatches(0), withPatches(6)));
+}
+
+TEST(PairBytes, ofAnotherKindAreNotRead) {
+  std::string bytes = pairBytes(anyPair(13));
+  const WallMap map = withPatches(8);
+  ASSERT_TRUE(pairOfBytes(bytes, map, map));
+  bytes.replace(bytes.find('\n') - 1, 1, "1");
+  EXPECT_FALSE(pairOfBytes(bytes, map, map));
+  EXPECT_FALSE(pairOfBytes("", map, map));
+}
+
+TEST(Fingerprint, tellsMapsApartByAllThatRelatingThemDependsOn) {
+  const WallMap map = wallMap(test::drawnBuilding(1, {}));
+  const std::string same = fingerprint(map);
+  EXPECT_EQ(same.size(), 64u);
+  const std::vector<std::function<void(WallMap&)>> changes{
+      [](WallMap& m) { m.frame.resolution *= 1.01; },
+      [](WallMap& m) { m.frame.origin.y -= 0.01; },
+      [](WallMap& m) { ++m.frame.width; },
+      [](WallMap& m) { m.walls.back().place.x += 1e-9; },
+      [](WallMap& m) {
+        m.walls.front().normal = {0, 1};
+      },
+      [](WallMap& m) { m.walls.pop_back(); },
+      [](WallMap& m) { m.states[m.states.size() / 3] = State::occupied; },
+      [](WallMap& m) { m.hasScans = !m.hasScans; },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    WallMap changed = map;
+    changes[i](changed);
+    EXPECT_NE(fingerprint(changed), same) << i;
+  }
 }
 
 }  // namespace

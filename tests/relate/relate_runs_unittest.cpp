@@ -7,9 +7,9 @@
 #include <functional>
 #include <map>
 
-#include "by_straightness.h"
+#include "choose_runs.h"
 #include "drawn_building.h"
-#include "pair_bytes.h"
+#include "keep_pairs.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/checked_file.h"
 

@@ -102,4 +102,10 @@ bool areEdits(const DrawnEdges& a, const DrawnEdges& b, const std::vector<Transf
          std::min(shared.ofA, shared.ofB) >= kLeastShared;
 }
 
+bool areIdentical(const WallMap& l, const WallMap& r) {
+  return l.states == r.states && l.walls.size() == r.walls.size() &&
+         std::equal(l.walls.begin(), l.walls.end(), r.walls.begin(),
+                    [](const WallPoint& p, const WallPoint& q) { return p.place == q.place; });
+}
+
 }  // namespace roomgraph

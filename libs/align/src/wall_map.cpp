@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "axis_deviation.h"
-#include "roomgraph/align/wall_doubling.h"
+#include "roomgraph/align/wall_quality.h"
 #include "roomgraph/grid/clear_wall_rims.h"
 #include "search_data.h"
-#include "wall_sharpness.h"
 
 namespace roomgraph {
 namespace {

@@ -7,7 +7,6 @@
 #include "roomgraph/base/majority.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
-#include "roomgraph/breaks/place_break.h"
 
 namespace roomgraph {
 namespace {

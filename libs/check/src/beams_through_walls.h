@@ -4,6 +4,8 @@
 
 #include "ScanPair.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/check/RunCheck.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
@@ -25,5 +27,11 @@ struct BeamsThroughWalls {
  *  around a few scans)). */
 BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
                                     const std::vector<Transform2D>& poses);
+
+/** The places that the run has laid over each other though they are not one: where several
+ *  scans beside each other see through most of the walls of another time, as drawn and as the run
+ *  would agree with itself, which has not parted them. The largest first. O(overlaid^2). */
+std::vector<WeldedPlace> findWelded(const Run& run, const BeamsThroughWalls& drawn,
+                                    const BeamsThroughWalls& agreed);
 
 }  // namespace roomgraph

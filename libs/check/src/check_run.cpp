@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beams_through_walls.h"
 #include "find_doubled.h"
-#include "find_welded.h"
-#include "is_confirmed.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "self_consensus.h"

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "ScanPair.h"
-#include "is_confirmed.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/majority.h"
+#include "self_consensus.h"
 
 namespace roomgraph {
 namespace {

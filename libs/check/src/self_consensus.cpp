@@ -1,8 +1,9 @@
 #include "self_consensus.h"
 
+#include <algorithm>
+
 #include "roomgraph/check/find_revisits.h"
 #include "roomgraph/consensus/belief.h"
-#include "roomgraph/consensus/run_slack.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
 
 namespace roomgraph {
@@ -63,6 +64,21 @@ SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
   const Transform2D back = result.error.pose.inverse();
   for (Transform2D& pose : result.poses) pose = back * pose;
   return result;
+}
+
+bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks) {
+  std::vector<std::size_t> across(breaks.size(), 0);
+  std::size_t fits = 0;
+  for (const PoseEdge& edge : consensus.revisits) {
+    const std::size_t from = edge.from.index(), to = edge.to.index();
+    if (!isBorneOut(edge, consensus.poses)) continue;
+    ++fits;
+    for (std::size_t i = 0; i < breaks.size(); ++i)
+      if (std::min(from, to) < breaks[i] && breaks[i] <= std::max(from, to)) ++across[i];
+  }
+  return fits > kFitsPerMiss * (consensus.revisits.size() - fits) &&
+         std::all_of(across.begin(), across.end(),
+                     [](std::size_t count) { return count >= kLeastAcross; });
 }
 
 }  // namespace roomgraph

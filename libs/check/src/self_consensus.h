@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "roomgraph/consensus/map_errors.h"
@@ -6,6 +7,11 @@
 #include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and MendedSteps
+// Out:  SelfConsensus, and whether what was seen twice bears it out
+// Next: repairAlone
 
 /** Where the key frames of a run would lie if it agreed with itself. */
 struct SelfConsensus {
@@ -21,5 +27,15 @@ bool isBorneOut(const PoseEdge& revisit, const std::vector<Transform2D>& poses);
  *  the revisits that are found from there. */
 SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
                             const MendedSteps& mended);
+
+constexpr std::size_t kLeastAcross = 2;  ///< revisits that bear out how two times lie to each other
+constexpr std::size_t kFitsPerMiss = 2;  ///< revisits that fit for each that does not
+
+/** Whether a run may be laid as its self-consensus has it: of what was seen twice much more fits
+ *  there than does not, and each break (the place in `consensus.poses` of the first scan behind it)
+ *  lies between two places that were seen again and fit. Without that a break may be real, but how
+ *  the parts lie to each other is what one scan says, and buildings repeat themselves.
+ *  O(revisits * breaks). */
+bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks);
 
 }  // namespace roomgraph

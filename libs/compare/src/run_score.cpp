@@ -6,7 +6,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/majority.h"
-#include "roomgraph/relate/most_share.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {

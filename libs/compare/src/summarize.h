@@ -3,9 +3,11 @@
 
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/compare/run_score.h"
+#include "roomgraph/consensus/map_errors.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/measures/measure_site.h"
 #include "roomgraph/relate/MapPairs.h"
+#include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
@@ -25,5 +27,10 @@ struct Findings {
  *  the site. `related` are all pairs of `runs`. */
 Comparison summarize(const std::vector<Run>& runs, const MapPairs& related,
                      const Findings& findings);
+
+/** The way of the robot in a run that lies at `pose` (site <- run), with the errors of its key
+ *  frames. These are left out where no other run bears out where a key frame lies, and where
+ *  `error` is that of a copy of the map without scans. */
+std::vector<PathPose> runPath(const Run& run, const Transform2D& pose, const MapError& error);
 
 }  // namespace roomgraph

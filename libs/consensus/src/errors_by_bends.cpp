@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "roomgraph/consensus/estimate_map_errors.h"
-#include "roomgraph/relate/most_share.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {

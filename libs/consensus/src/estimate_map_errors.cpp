@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/follow_walls.h"
-#include "roomgraph/relate/most_share.h"
 
 namespace roomgraph {
 namespace {

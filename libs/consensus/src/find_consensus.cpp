@@ -8,10 +8,8 @@
 #include "fitted_consensus.h"
 #include "move_stretches.h"
 #include "roomgraph/consensus/belief.h"
-#include "roomgraph/consensus/run_slack.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
 #include "start_poses.h"
-#include "whole_poses.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "confirmed_nodes.h"
+#include "confirm_runs.h"
 #include "fitted_consensus.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/align/scan_map.h"

@@ -6,12 +6,14 @@
 #include <unordered_map>
 #include <utility>
 
-#include "aliasing.h"
 #include "fitted_consensus.h"
 #include "look_again.h"
+#include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/wall_share.h"
 #include "roomgraph/consensus/track_scans.h"
+#include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
 namespace {
@@ -121,6 +123,44 @@ void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const 
     }
 }
 
+constexpr std::size_t kLookedAt = 80;  // patches
+
+/** The share of the walls around a patch that lie on walls once it was fitted there, if the map
+ *  knows most of that place. */
+std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
+                                 const WallMap& map) {
+  const auto pointAt = [&](std::size_t i) -> const WallPoint& {
+    return map.walls[patch.around[i]];
+  };
+  const Transform2D pose = fittedPose(motion, patch.middle, kPatchBand, [&](WallFit& fit, int) {
+    for (std::size_t i = 0; i < patch.around.size(); ++i) fit.add(pointAt(i), map);
+  });
+  const WallShare share = wallShare(patch.around.size(), pointAt, map, pose);
+  if (share.known < 0.6 * share.all || share.known < double(kFewestPoints)) return std::nullopt;
+  return share.ofKnown();
+}
+
+using Drawn = std::vector<std::pair<std::uint32_t, NodeId>>;  // wall point, node
+
+Drawn drawnInScans(const std::vector<ScanWalls>& scans, IdRange<NodeId> nodes, const WallMap& map) {
+  Drawn drawn;
+  for (const NodeId node : nodes)
+    for (const WallPoint& point : scans[nodes.placeOf(node)].walls) {
+      const WallPoint* wall = nearestWall(map, cellIndexAt(map.frame, point.place), point.normal);
+      if (wall && distance(wall->place, point.place) < kSameWall)
+        drawn.emplace_back(std::uint32_t(wall - map.walls.data()), node);
+    }
+  return drawn;
+}
+
+Drawn drawnInPatches(const WallPatches& patches, IdRange<NodeId> nodes) {
+  Drawn drawn;
+  for (const NodeId node : nodes)
+    for (const std::uint32_t wall : patches[nodes.placeOf(node)].own)
+      drawn.emplace_back(wall, node);
+  return drawn;
+}
+
 }  // namespace
 
 std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& run,
@@ -155,6 +195,29 @@ FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, 
           sameScanEdge(graph.runs[b].nodes[same->second], graph.runs[a].nodes[k]));
   }
   return found;
+}
+
+double aliasingUnder(const Transform2D& motion, const WallMap& map) {
+  const std::size_t stride = std::max<std::size_t>(1, map.patches.size() / kLookedAt);
+  double known = 0, alike = 0;
+  for (std::size_t p = 0; p < map.patches.size(); p += stride)
+    if (const auto share = shareFound(map.patches[p], motion, map))
+      ++known, alike += *share > fitted::kWell;
+  return known > 0 ? alike / known : 0;
+}
+
+DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map) {
+  Drawn drawn =
+      run.scans.empty() ? drawnInPatches(map.patches, nodes) : drawnInScans(run.scans, nodes, map);
+  std::sort(drawn.begin(), drawn.end());
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  DrawnBy result;
+  for (std::size_t next = 0, wall = 0; wall <= map.walls.size(); ++wall) {
+    while (next < drawn.size() && drawn[next].first < wall) ++next;
+    result.firsts.push_back(std::uint32_t(next));
+  }
+  for (const auto& [wall, node] : drawn) result.nodes.push_back(node);
+  return result;
 }
 
 }  // namespace roomgraph

@@ -1,7 +1,10 @@
 #pragma once
 #include <vector>
 
+#include "roomgraph/base/ForEach.h"
+#include "roomgraph/consensus/Consensus.h"
 #include "roomgraph/consensus/match_nodes.h"
+#include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
 
@@ -21,5 +24,12 @@ enum class AskedSteps { all, nearEnds };
  *  for those steps. */
 std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
                                    AskedSteps steps);
+
+/** The links that give way in the consensus though the scans on both sides of them agree with the
+ *  step as it was drawn and refute the one that the consensus has: what was found of the run beyond
+ *  them lies in a place that only looks like it. None of the reference, of runs without scans, and
+ *  of links that are held already. O(scans + links that give way). */
+std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
+                                  const ForEach& forEach);
 
 }  // namespace roomgraph

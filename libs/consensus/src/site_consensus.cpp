@@ -7,7 +7,6 @@
 
 #include "confirm_runs.h"
 #include "fitted_consensus.h"
-#include "held_steps.h"
 #include "lost_scans.h"
 #include "match_runs.h"
 #include "own_matches.h"

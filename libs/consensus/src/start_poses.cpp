@@ -4,6 +4,9 @@
 #include <optional>
 #include <utility>
 
+#include "TurnedPose.h"
+#include "roomgraph/consensus/belief.h"
+
 namespace roomgraph {
 namespace {
 
@@ -84,8 +87,113 @@ class Placing {
   ById<RunId, bool> isPlaced_;
 };
 
+class Voting {
+ public:
+  explicit Voting(const PoseGraph& graph)
+      : graph_(graph), wholes_(graph.runs.size()), isPlaced_(graph.runs.size()) {
+    for (const PoseNode& node : graph.nodes) own_.add(TurnedPose(node.pose));
+  }
+
+  /** All runs placed, beginning with this one: always the run next for which most speaks. */
+  void placeFrom(RunId first) {
+    isPlaced_[first] = true;
+    while (placeNext()) {
+    }
+    for (int round = 0; round < 4; ++round) {
+      bool hasMoved = false;
+      for (const RunId run : graph_.runs.ids()) hasMoved |= run != first && improve(run);
+      if (!hasMoved) break;
+    }
+  }
+
+  NodePoses poses() const {
+    NodePoses poses;
+    for (const PoseNode& node : graph_.nodes) poses.add(wholes_[node.run] * node.pose);
+    return poses;
+  }
+
+ private:
+  struct Place {
+    Transform2D whole;
+    double support = 0;
+  };
+
+  bool placeNext() {
+    RunId next;
+    Place best;
+    for (const RunId run : graph_.runs.ids()) {
+      if (isPlaced_[run]) continue;
+      if (const Place place = bestPlace(run); place.support > best.support)
+        best = place, next = run;
+    }
+    if (!next) return false;
+    wholes_[next] = best.whole;
+    return isPlaced_[next] = true;
+  }
+
+  bool improve(RunId run) {
+    if (!isPlaced_[run]) return false;
+    const Place best = bestPlace(run);
+    if (best.support <= supportOf(run, wholes_[run])) return false;
+    wholes_[run] = best.whole;
+    return true;
+  }
+
+  /** Whether a group tells where a run lies to one that is placed. */
+  bool tellsOf(const MatchGroup& group, RunId run) const {
+    return (group.to == run && group.from != run && isPlaced_[group.from]) ||
+           (group.from == run && group.to != run && isPlaced_[group.to]);
+  }
+
+  /** Of the places where a group would have the run, that with which most matches agree. */
+  Place bestPlace(RunId run) const {
+    Place best;
+    for (const MatchGroup& group : graph_.groups) {
+      if (!tellsOf(group, run)) continue;
+      for (const HalfEdge& half : halvesOf(graph_.edges[group.edges[group.edges.size() / 2]])) {
+        if (graph_.runOf(half.node) != run) continue;
+        const Transform2D whole = wholes_[graph_.runOf(half.other)] *
+                                  graph_.nodes[half.other].pose * half.measured *
+                                  graph_.nodes[half.node].pose.inverse();
+        if (const double support = supportOf(run, whole); support > best.support)
+          best = {whole, support};
+      }
+    }
+    return best;
+  }
+
+  /** The matches with placed runs that agree with where this run lies. */
+  double supportOf(RunId run, const Transform2D& whole) const {
+    ById<RunId, TurnedPose> wholes;
+    for (const RunId id : graph_.runs.ids())
+      wholes.add(TurnedPose(id == run ? whole : wholes_[id]));
+    const auto poseOf = [&](NodeId id) { return wholes[graph_.runOf(id)] * own_[id]; };
+    double support = 0;
+    for (const MatchGroup& group : graph_.groups) {
+      if (!tellsOf(group, run)) continue;
+      for (const PoseEdgeId id : group.edges) {
+        const PoseEdge& edge = graph_.edges[id];
+        if (isInlier(edge, poseOf(edge.from).gapOf(edge, poseOf(edge.to)), kRoughly))
+          support += edge.share;
+      }
+    }
+    return support;
+  }
+
+  const PoseGraph& graph_;
+  ById<NodeId, TurnedPose> own_;     // run <- node
+  ById<RunId, Transform2D> wholes_;  // site <- run
+  ById<RunId, bool> isPlaced_;
+};
+
 }  // namespace
 
 NodePoses startPoses(const PoseGraph& graph, RunId pivot) { return Placing(graph).placed(pivot); }
+
+NodePoses wholePoses(const PoseGraph& graph) {
+  Voting voting(graph);
+  voting.placeFrom(graph.reference ? graph.reference : RunId(0));
+  return voting.poses();
+}
 
 }  // namespace roomgraph

@@ -8,7 +8,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/measures/match_rooms.h"
-#include "roomgraph/measures/nearest_vertices.h"
+#include "roomgraph/measures/match_vertices.h"
 
 namespace roomgraph {
 namespace {

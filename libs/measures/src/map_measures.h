@@ -1,5 +1,10 @@
 #pragma once
+#include <cstddef>
+#include <vector>
+
 #include "MeasuredValue.h"
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/measures/Figure.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
 
@@ -23,5 +28,13 @@ MeasuredValue scanDisagreementOf(const Run& run);
  *  of its walls were found (support: wall points found). */
 MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust& trust,
                            std::size_t run, std::size_t breaks);
+
+/** For each scan the median distance of its walls to the nearest wall that faces about the same way
+ *  (within 60 degrees) of the scans that were taken beside its place, but at least 5 m of path
+ *  earlier or later, all by the run's own poses: what the robot sees again must lie where it lay.
+ *  The value is the 90th percentile over the scans [m], the support the number of scans that could
+ *  be compared; no value without any. So it shows errors between two visits, not those of a way
+ *  that was gone once. O(scans * (scans + walls^2)). */
+Figure scanDisagreement(const std::vector<ScanWalls>& scans);
 
 }  // namespace roomgraph

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -70,6 +71,18 @@ VertexAgreement vertexAgreement(const std::vector<MatchedVertices>& pairs, std::
                                 std::size_t otherCount) {
   return {percentile(pairs, 0.5), percentile(pairs, 0.9), unmatched(pairs.size(), baseCount),
           unmatched(pairs.size(), otherCount)};
+}
+
+std::optional<double> nearestVertices(const TopologyGraph& base, const TopologyGraph& other) {
+  if (base.vertices().empty() || other.vertices().empty()) return std::nullopt;
+  double sum = 0;
+  for (const Vertex& vertex : base.vertices()) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vertex& candidate : other.vertices())
+      nearest = std::min(nearest, squaredNorm(candidate.place - vertex.place));
+    sum += std::sqrt(nearest);
+  }
+  return sum / double(base.vertices().size());
 }
 
 }  // namespace roomgraph

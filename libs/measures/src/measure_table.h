@@ -6,7 +6,7 @@
 #include "graph_measures.h"
 #include "room_measures.h"
 #include "roomgraph/breaks/MapBreak.h"
-#include "roomgraph/measures/MeasureKind.h"
+#include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/place_runs.h"
 #include "run_measures.h"

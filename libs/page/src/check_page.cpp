@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "roomgraph/align/wall_doubling.h"
+#include "roomgraph/align/wall_quality.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/breaks/frames_at_break.h"

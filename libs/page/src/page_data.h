@@ -37,4 +37,7 @@ struct BreakScans {
 BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
                       const std::vector<Run>& runs);
 
+/** RFC 4648, with padding, on one line. */
+std::string base64(const std::string& bytes);
+
 }  // namespace roomgraph

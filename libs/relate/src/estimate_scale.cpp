@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "by_straightness.h"
+#include "choose_runs.h"
 #include "fitted_relate.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"

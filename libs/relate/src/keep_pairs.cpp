@@ -1,13 +1,190 @@
 #include "keep_pairs.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
-#include "pair_bytes.h"
 #include "related_sources.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/version.h"
 
 namespace roomgraph {
+namespace {
+
+constexpr std::string_view kHead = "roomgraph/pair\n";
+
+// Both archives take every number as a double, which holds all of them exactly.
+
+class Writer {
+ public:
+  template <typename T>
+  void number(const T& value) {
+    const double wide = double(value);
+    char raw[sizeof wide];
+    std::memcpy(raw, &wide, sizeof wide);
+    bytes_.append(raw, sizeof wide);
+  }
+  void coordinate(double value) { number(value); }
+  template <typename T>
+  std::size_t count(const T& of) {
+    number(of.size());
+    return of.size();
+  }
+  template <typename T>
+  bool isThere(const std::optional<T>& value) {
+    number(value.has_value());
+    return value.has_value();
+  }
+  std::string bytes() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/** Whether a T can have the value. */
+template <typename T>
+bool holds(double wide) {
+  if constexpr (std::is_floating_point_v<T>)
+    return std::abs(wide) <= kFarthestPlace || std::isinf(wide);
+  // As doubles, the limits of the larger types are powers of two, which are too large.
+  return wide >= double(std::numeric_limits<T>::min()) &&
+         wide < std::ldexp(1.0, std::numeric_limits<T>::digits) && wide == std::floor(wide);
+}
+
+/** Once the bytes have run out, or hold what cannot be, all that is read is 0. */
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <typename T>
+  void number(T& value) {
+    double wide = 0;
+    isWhole_ = isWhole_ && bytes_.size() >= sizeof wide;
+    if (isWhole_) {
+      std::memcpy(&wide, bytes_.data(), sizeof wide);
+      bytes_.remove_prefix(sizeof wide);
+    }
+    isWhole_ = isWhole_ && holds<T>(wide);
+    value = isWhole_ ? T(wide) : T();
+  }
+  void coordinate(double& value) {
+    number(value);
+    isWhole_ = isWhole_ && std::isfinite(value);
+  }
+  template <typename T>
+  std::size_t count(T& of) {
+    std::size_t size = 0;
+    number(size);
+    isWhole_ = isWhole_ && size <= bytes_.size();
+    of.resize(isWhole_ ? size : 0);
+    return of.size();
+  }
+  template <typename T>
+  bool isThere(std::optional<T>& value) {
+    bool isThere = false;
+    number(isThere);
+    if (isThere) value.emplace();
+    return isThere;
+  }
+  bool isAtEnd() const { return isWhole_ && bytes_.empty(); }
+
+ private:
+  std::string_view bytes_;
+  bool isWhole_ = true;
+};
+
+// One list of fields for both ways.
+
+template <typename Archive, typename Pose>
+void visitPose(Archive& archive, Pose& pose) {
+  archive.coordinate(pose.x), archive.coordinate(pose.y), archive.coordinate(pose.phi);
+}
+
+template <typename Archive, typename Candidate>
+void visitCandidate(Archive& archive, Candidate& c) {
+  visitPose(archive, c.pose);
+  archive.number(c.evidence.close), archive.number(c.evidence.loose);
+  archive.number(c.evidence.slightly), archive.number(c.evidence.contradicted);
+  archive.number(c.evidence.known), archive.number(c.evidence.all);
+  archive.number(c.evidence.weakest), archive.number(c.evidence.overlap);
+  archive.number(c.evidence.common), archive.number(c.evidence.freeOnWall);
+  archive.number(c.score);
+}
+
+template <typename Archive, typename AnAlignment>
+void visitAlignment(Archive& archive, AnAlignment& alignment) {
+  visitPose(archive, alignment.pose);
+  archive.number(alignment.confidence), archive.number(alignment.siteConfidence);
+  archive.number(alignment.overlap);
+  archive.number(alignment.isSameSite), archive.number(alignment.isAmbiguous);
+  archive.number(alignment.isMirrored), archive.number(alignment.isOnlySaid);
+  archive.number(alignment.runnerUpConfidence);
+  if (archive.isThere(alignment.best)) visitCandidate(archive, *alignment.best);
+  if (archive.isThere(alignment.runnerUp)) visitCandidate(archive, *alignment.runnerUp);
+  const std::size_t poses = archive.count(alignment.poses);
+  for (std::size_t i = 0; i < poses; ++i) visitPose(archive, alignment.poses[i]);
+}
+
+template <typename Archive, typename Walls>
+void visitWalls(Archive& archive, Walls& walls) {
+  visitPose(archive, walls.pose);
+  archive.number(walls.bend), archive.number(walls.share), archive.number(walls.misfit);
+  const std::size_t patches = archive.count(walls.patches);
+  for (std::size_t i = 0; i < patches; ++i) {
+    auto& patch = walls.patches[i];
+    archive.number(patch.patch), archive.number(patch.walls), archive.number(patch.layer);
+    visitPose(archive, patch.pose);
+  }
+}
+
+template <typename Archive, typename Pair>
+void visitPair(Archive& archive, Pair& pair) {
+  archive.number(pair.areIdentical), archive.number(pair.areEdits);
+  archive.number(pair.areStoreys);
+  visitAlignment(archive, pair.alignment);
+  visitWalls(archive, pair.bInA);
+  visitWalls(archive, pair.aInB);
+}
+
+bool areOf(const FollowedWalls& walls, const WallMap& map) {
+  return std::all_of(walls.patches.begin(), walls.patches.end(),
+                     [&](const FollowedPatch& followed) {
+                       return followed.patch < map.patches.size() && followed.layer >= 0;
+                     });
+}
+
+double radiusOf(const WallMap& map) {
+  return 0.5 * map.frame.resolution * std::hypot(map.frame.width, map.frame.height);
+}
+
+/** Whether maps and patches lie where two maps that meet can lie: elsewhere, the site would be as
+ *  large as the pose is wrong. `walls` are those of b in a. */
+bool canMeet(const FollowedWalls& walls, const WallMap& a, const WallMap& b) {
+  const double farthest = 2 * (radiusOf(a) + radiusOf(b));
+  const auto isNear = [&](const Transform2D& pose) {
+    return norm(pose(b.middle()) - a.middle()) <= farthest;
+  };
+  return isNear(walls.pose) &&
+         std::all_of(walls.patches.begin(), walls.patches.end(),
+                     [&](const FollowedPatch& followed) { return isNear(followed.pose); });
+}
+
+bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
+  if (!pair.alignment.isSameSite) return true;  // then none of them is used
+  FollowedWalls wholes;
+  wholes.pose = pair.alignment.pose;
+  for (const Transform2D& pose : pair.alignment.poses) wholes.patches.push_back({0, pose, 0, 0});
+  return canMeet(wholes, a, b) && canMeet(pair.bInA, a, b) && canMeet(pair.aInB, b, a);
+}
+
+ByteView viewOf(std::string_view bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+}  // namespace
 
 RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
                      const KeptPairs& kept) {
@@ -28,6 +205,44 @@ RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std:
     kept.write(name, pairBytes(found));
     return found;
   };
+}
+
+std::string fingerprint(const WallMap& map) {
+  Writer writer;
+  const GridFrame& frame = map.frame;
+  writer.number(frame.width), writer.number(frame.height), writer.number(frame.resolution);
+  writer.number(frame.origin.x), writer.number(frame.origin.y);
+  writer.number(map.hasScans);  // followWalls asks for it
+  for (const WallPoint& wall : map.walls) {
+    writer.number(wall.place.x), writer.number(wall.place.y);
+    writer.number(wall.normal.x), writer.number(wall.normal.y);
+  }
+  static_assert(sizeof(State) == 1);
+  const std::string_view states(reinterpret_cast<const char*>(map.states.data()),
+                                map.states.size());
+  return sha256Of(viewOf(writer.bytes()), viewOf(states));
+}
+
+std::string pairBytes(const MapPair& pair) {
+  Writer writer;
+  visitPair(writer, pair);
+  const std::string body = writer.bytes();
+  return std::string(kHead) + sha256Of(viewOf(body)) + body;
+}
+
+std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b) {
+  if (bytes.substr(0, kHead.size()) != kHead) return {};
+  bytes.remove_prefix(kHead.size());
+  const std::size_t checksum = sha256Of({}).size();
+  if (bytes.size() < checksum) return {};
+  const std::string_view body = bytes.substr(checksum);
+  if (bytes.substr(0, checksum) != sha256Of(viewOf(body))) return {};
+  MapPair pair;
+  Reader reader(body);
+  visitPair(reader, pair);
+  if (!reader.isAtEnd() || !areOf(pair.bInA, b) || !areOf(pair.aInB, a) || !canMeet(pair, a, b))
+    return {};
+  return pair;
 }
 
 }  // namespace roomgraph

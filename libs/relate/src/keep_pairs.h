@@ -1,6 +1,8 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "roomgraph/align/FullMaps.h"
@@ -30,5 +32,17 @@ using RelatePair = std::function<MapPair(const PairOver&, FullMaps&)>;
  *  and the sources that relate maps, so that an answer of other ones is never taken. */
 RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
                      const KeptPairs& kept);
+
+/** What a map is to the comparison, as 64 hex digits: all that relating it to others depends on, so
+ *  two files with the same walls, states and frame have the same, if both have scans or neither.
+ *  O(cells). */
+std::string fingerprint(const WallMap& map);
+
+/** All of the pair, exactly, behind a checksum; for machines of one byte order. */
+std::string pairBytes(const MapPair& pair);
+
+/** The pair of pairBytes, of the maps a and b. Nothing for bytes that are damaged, of another
+ *  kind or of other maps, whatever their checksum says. */
+std::optional<MapPair> pairOfBytes(std::string_view bytes, const WallMap& a, const WallMap& b);
 
 }  // namespace roomgraph

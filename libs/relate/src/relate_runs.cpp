@@ -5,15 +5,13 @@
 #include <tuple>
 #include <utility>
 
-#include "by_straightness.h"
-#include "choose_core.h"
-#include "choose_judges.h"
+#include "choose_runs.h"
 #include "fitted_relate.h"
 #include "keep_pairs.h"
-#include "roomgraph/align/are_identical.h"
-#include "roomgraph/relate/join_drives.h"
+#include "roomgraph/align/shared_edges.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
+#include "roomgraph/relate/shared_drives.h"
 
 namespace roomgraph {
 namespace {

@@ -11,7 +11,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/relate/relate_maps.h"
 #include "roomgraph/repair/BendField.h"
-#include "roomgraph/repair/view_from.h"
 
 namespace roomgraph {
 namespace {
@@ -169,6 +168,19 @@ class Carrier {
   std::vector<BendField> fields_;
 };
 
+/** Whether nothing but free space lies between a place and a wall, but for what the wall itself and
+ *  whatever the place lies in may take up. */
+bool isInSight(const WallMap& map, Point from, Point wall) {
+  const double length = distance(from, wall), step = map.frame.resolution / 2;
+  const int steps = int(std::ceil((length - 2 * kSameWall) / step));
+  for (int i = 0; i < steps; ++i) {
+    const double along = kSameWall + i * step;
+    const std::size_t cell = cellIndexAt(map.frame, from + (along / length) * (wall - from));
+    if (cell >= map.states.size() || map.states[cell] != State::free) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
@@ -178,6 +190,17 @@ std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const So
   std::vector<CarriedPlace> carried(places.size());
   forEach(places.size(), [&](std::size_t i) { carried[i] = carrier.carry(places[i]); });
   return carried;
+}
+
+LocalScan viewFrom(const WallMap& map, const Transform2D& pose, double range) {
+  LocalScan view;
+  const Point eye = pose.shift();
+  const Motion2D back(pose.inverse());
+  for (const WallPoint& wall : map.walls)
+    if (squaredNorm(wall.place - eye) < range * range && dot(wall.normal, eye - wall.place) > 0 &&
+        isInSight(map, eye, wall.place))
+      view.walls.push_back({back(wall.place), back.turned(wall.normal)});
+  return view;
 }
 
 }  // namespace roomgraph

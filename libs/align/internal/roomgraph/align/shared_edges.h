@@ -26,4 +26,7 @@ SharedEdges sharedEdges(const DrawnEdges& a, const DrawnEdges& b,
  *  walls erased or added. Maps of two drives are not, however well they agree. See sharedEdges. */
 bool areEdits(const DrawnEdges& a, const DrawnEdges& b, const std::vector<Transform2D>& poses);
 
+/** Whether two maps are the same, cell by cell and wall by wall. */
+bool areIdentical(const WallMap& l, const WallMap& r);
+
 }  // namespace roomgraph

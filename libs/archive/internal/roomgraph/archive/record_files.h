@@ -1,9 +1,11 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "roomgraph/archive/Archive.h"
+#include "roomgraph/archive/SiteHistory.h"
 
 namespace roomgraph {
 
@@ -32,5 +34,14 @@ double runTime(const std::string& file);
  *  @throws DataError where it cannot be read or written, is another map now, or names a picture
  *  outside of its folder. */
 std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder);
+
+/** At most `most` indices into `runs` (which stand in the order of time), in their order: first up
+ *  to a third that lie elsewhere and have come since the last run of the site, or are no fewer than
+ *  its runs, as they may be the site, and it wrong; of the rest half are the latest, then those
+ *  with the least map error, without breaks, then more of the latest; all of them among the last
+ *  hundred. Other runs of another site are none of them, nor those that are not `isUsable`, which
+ *  is asked of no more runs than needed. */
+std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::size_t most,
+                                      const std::function<bool(const HistoryRun&)>& isUsable);
 
 }  // namespace roomgraph

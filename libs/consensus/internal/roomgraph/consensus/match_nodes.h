@@ -1,8 +1,12 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
+#include "roomgraph/align/WallMap.h"
+#include "roomgraph/base/ById.h"
 #include "roomgraph/consensus/PoseGraph.h"
-#include "roomgraph/consensus/drawn_by.h"
+#include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/relate/Run.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
@@ -17,6 +21,16 @@ struct FoundGroup {
   MatchGroup group;
   std::vector<PoseEdge> matches;  ///< ascending by `to`
 };
+
+/** For each wall point of a map the nodes of its run that have drawn it. */
+struct DrawnBy {
+  std::vector<std::uint32_t> firsts;  ///< of each wall point in `nodes`, and the end of the last
+  std::vector<NodeId> nodes;          ///< ascending for each wall point
+};
+
+/** `map` is that of the run, and not bare; `nodes` are those that addRunNodes made of the run.
+ *  O(scans * walls of a scan), or O(walls). */
+DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map);
 
 /** The map of a run, and which of its nodes drew what of it. */
 struct DrawnMap {
@@ -37,5 +51,10 @@ std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& 
 
 /** The scans that two runs have both, as runs over one log do. O((a + b) * log b). */
 FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, const Run& runB);
+
+/** How far a motion (map <- map) lays a map on itself: of its patches of walls that come to lie
+ *  where the map has looked, the share that finds walls there, each after a fit of its own, as maps
+ *  bend; 0 to 1. 0 where too few come to lie there. O(patches looked at, 80 at most). */
+double aliasingUnder(const Transform2D& motion, const WallMap& map);
 
 }  // namespace roomgraph

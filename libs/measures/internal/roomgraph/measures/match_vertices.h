@@ -37,4 +37,11 @@ struct VertexAgreement {
 VertexAgreement vertexAgreement(const std::vector<MatchedVertices>& pairs, std::size_t baseCount,
                                 std::size_t otherCount);
 
+// Paper IV-C
+/** The paper's measure: the mean over the vertices of `base` of the distance to the nearest vertex
+ *  of `other` [m]. It is one-sided: vertices that only `other` has cost nothing, and one vertex of
+ *  `other` may serve many of `base`, so dense graphs fare well. matchVertices() is neither.
+ *  None where one of the graphs is empty. O(vertices * vertices). */
+std::optional<double> nearestVertices(const TopologyGraph& base, const TopologyGraph& other);
+
 }  // namespace roomgraph

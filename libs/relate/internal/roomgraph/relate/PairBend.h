@@ -1,4 +1,7 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
+
 #include "roomgraph/base/PairTable.h"
 
 namespace roomgraph {
@@ -24,5 +27,12 @@ struct PairBend {
 };
 
 using PairBends = PairTable<PairBend>;
+
+/** The largest share of its walls that a run has in common with another. */
+inline double mostShare(const PairBends& bends, std::size_t run) {
+  double most = 0;
+  for (const std::size_t j : bends.othersOf(run)) most = std::max(most, bends(run, j).share);
+  return most;
+}
 
 }  // namespace roomgraph

@@ -40,4 +40,12 @@ const FollowedWalls& followedIn(const MapPairs& pairs, std::size_t of, std::size
  *  larger bend of both ways counts. */
 PairBends bendsOf(const MapPairs& pairs);
 
+/** Follows pairs anew, from their `poses` alone, of which one way tells a bend that the way back
+ *  does not, and that the others tell of neither run: where a building repeats itself, pieces of a
+ *  map fit where they do not belong. Pairs of two runs with scans stay, since scans tell better, as
+ *  does each pair that nobody can be asked about. O(pairs * runs), and what following costs for
+ *  each pair that is dropped. */
+void dropLoneBends(MapPairs& pairs, const std::vector<Transform2D>& poses, const Site& site,
+                   const ForEach& forEach);
+
 }  // namespace roomgraph

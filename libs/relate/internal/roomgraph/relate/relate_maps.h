@@ -51,4 +51,10 @@ MapPair swapped(MapPair pair);
 void follow(MapPair& pair, const WallMap& a, const WallMap& b,
             const std::vector<Transform2D>& poses);
 
+/** Whether two maps agree in their outer walls and not in their inner ones: they surely lie in each
+ *  other, and hardly bend, and yet of the straight walls of either map many stand where the other
+ *  has seen free space. Furniture is seldom straight; walls that were built or torn down are there
+ *  in one map only; and maps that bend or break are not asked. O(walls). */
+bool areStoreys(const MapPair& pair, const WallMap& a, const WallMap& b);
+
 }  // namespace roomgraph

@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/repair/CarriedPlace.h"
 #include "roomgraph/repair/rejoin_pieces.h"
@@ -20,5 +22,10 @@ namespace roomgraph {
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
                                       const RealPoses& real, std::size_t from, std::size_t to,
                                       const ForEach& forEach = oneByOne);
+
+/** What a robot would see at a place by a map: the walls up to `range` [m] from it that face it and
+ *  that no other wall hides, in the frame of the place (`at`: map <- place). None where the map
+ *  knows nothing. O(walls + walls in range * cells to them). */
+LocalScan viewFrom(const WallMap& map, const Transform2D& at, double range);
 
 }  // namespace roomgraph

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
+#include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/rejoin_pieces.h"
 
@@ -23,5 +24,12 @@ std::vector<CarriedThing> carryThings(const MarkedFile& file, const SolvedSite& 
 std::vector<CarriedThing> carriedThings(const MarkedFile& file,
                                         const std::vector<CarriedPlace>& carried,
                                         const Transform2D& rigid);
+
+/** Where a map has a place twice, as beside a break, neighbours may have been carried to one copy
+ *  and to the other, and a zone would be torn to shreds. A place of which more than half of its
+ *  neighbours (the eight nearest) say that it lies elsewhere, and agree where, follows the nearest
+ *  of these; of a thing that lies across a break, each side stays where it is. Returns which ones
+ *  have moved. O(places^2). */
+std::vector<bool> keepShape(const std::vector<Transform2D>& were, std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph

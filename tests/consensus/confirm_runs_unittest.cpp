@@ -1,4 +1,4 @@
-#include "confirmed_nodes.h"
+#include "confirm_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,23 @@
-#include "choose_core.h"
+#include "choose_runs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <unordered_set>
+#include <utility>
 
 #include "fitted_relate.h"
-#include "roomgraph/align/are_identical.h"
+#include "roomgraph/align/shared_edges.h"
 #include "roomgraph/relate/PairBend.h"
-#include "roomgraph/relate/shares_drive.h"
+#include "roomgraph/relate/shared_drives.h"
 
 namespace roomgraph {
 namespace {
+
+std::int64_t squareAt(double metres) {
+  constexpr double most = 1 << 30;  // so that both coordinates fit into one number
+  return std::int64_t(std::floor(std::clamp(metres, -most, most)));
+}
 
 class Choosing {
  public:
@@ -97,12 +105,75 @@ class Choosing {
   std::unordered_set<std::uint64_t> scans_;  // of those that are chosen
 };
 
+/** Calls with the index in `seen` of each place that both have; both are ascending. */
+template <class Call>
+void forEachShared(const SeenPlaces& seen, const SeenPlaces& other, const Call& call) {
+  for (std::size_t i = 0, j = 0; i < seen.size() && j < other.size();) {
+    if (seen[i] == other[j]) call(i);
+    if (seen[i] <= other[j])
+      ++i;
+    else
+      ++j;
+  }
+}
+
 }  // namespace
+
+SeenPlaces seenPlaces(const WallMap& map, const Transform2D& pose) {
+  SeenPlaces places;
+  for (const std::uint32_t cell : map.freeCells) {
+    const Point place = pose(map.placeOf(cell));
+    places.push_back(squareAt(place.x) * (std::int64_t(1) << 32) + squareAt(place.y));
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
 
 std::vector<std::size_t> chooseCore(const std::vector<const Run*>& runs,
                                     const std::vector<SeenPlaces>& seen, std::size_t count,
                                     std::size_t fixed) {
   return Choosing(runs, seen).chosen(count, fixed);
+}
+
+std::vector<std::size_t> chooseJudges(const SeenPlaces& seen, const std::vector<SeenPlaces>& core,
+                                      std::size_t count, std::size_t fixed) {
+  std::vector<double> worth(seen.size(), 1);  // of each place
+  std::vector<bool> isChosen(core.size());
+  std::vector<std::size_t> chosen;
+  const auto choose = [&](std::size_t judge) {
+    chosen.push_back(judge);
+    isChosen[judge] = true;
+    forEachShared(seen, core[judge], [&](std::size_t i) { worth[i] /= 2; });
+  };
+  for (std::size_t i = 0; i < std::min(fixed, core.size()); ++i) choose(i);
+  while (chosen.size() < count) {
+    double most = 0;
+    std::size_t best = 0;
+    for (std::size_t judge = 0; judge < core.size(); ++judge) {
+      if (isChosen[judge]) continue;
+      double sum = 0;
+      forEachShared(seen, core[judge], [&](std::size_t i) { sum += worth[i]; });
+      if (sum > most) most = sum, best = judge;
+    }
+    if (most <= 0) break;
+    choose(best);
+  }
+  return chosen;
+}
+
+std::vector<std::size_t> byStraightness(const std::vector<Run>& runs) {
+  double largest = 0;
+  for (const Run& run : runs) largest = std::max(largest, run.map.freeArea);
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto key = [&](std::size_t i) {
+    return std::make_pair(runs[i].map.freeArea < largest / 2,
+                          runs[i].map.axisDeviation.value_or(M_PI));
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t l, std::size_t r) { return key(l) < key(r); });
+  return order;
 }
 
 }  // namespace roomgraph

@@ -1,0 +1,139 @@
+#include "roomgraph/align/wall_quality.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/align/scan_walls.h"
+#include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/NearPlaces.h"
+#include "roomgraph/geometry/principal_axis.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr double kFarthestCopy = 0.8;  // from one copy to the other [m]
+
+bool isCopy(const WallPoint& wall, const WallPoint& other) {
+  const Point off = other.place - wall.place;
+  const double ahead = std::abs(dot(off, wall.normal));
+  return ahead >= kSameWall && ahead <= kFarthestCopy &&
+         std::abs(cross(wall.normal, off)) <= kWallNoise &&
+         dot(wall.normal, other.normal) >= kFacesAlike;
+}
+
+constexpr double kDirectionReach = 1.5;  // of the walls that give a direction [m]
+constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
+constexpr double kMaxRoughness = 0.022;  // variance across over variance along
+constexpr std::size_t kMinDirections = 100;
+
+/** The direction in which the places lie [rad]; none where that is no line, or one that is shorter
+ *  than their reach: such a line has a twelfth of its square as its variance. */
+std::optional<double> directionOf(const PointSums& places) {
+  const PrincipalAxis axis = principalAxis(places);
+  if (axis.along < kDirectionReach * kDirectionReach / 12 ||
+      axis.across > kMaxRoughness * axis.along)
+    return std::nullopt;
+  return axis.direction;
+}
+
+std::vector<Point> placesOf(const std::vector<WallPoint>& walls) {
+  std::vector<Point> places;
+  for (const WallPoint& wall : walls) places.push_back(wall.place);
+  return places;
+}
+
+std::optional<double> directionAt(const std::vector<WallPoint>& walls, const NearPlaces& index,
+                                  const WallPoint& wall) {
+  PointSums near;
+  index.forEachNear(wall.place, [&](std::uint32_t i) {
+    const Point off = walls[i].place - wall.place;
+    if (dot(walls[i].normal, wall.normal) >= kFacesAlike && norm(off) <= kDirectionReach &&
+        std::abs(dot(off, wall.normal)) <= kThickness)
+      near.add(off);
+  });
+  return directionOf(near);
+}
+
+/** Steps along rows and columns to the nearest free cell, at most `most`. */
+std::vector<std::uint8_t> stepsToFree(const Grid& grid, std::uint8_t most) {
+  const int w = grid.frame.width, h = grid.frame.height;
+  std::vector<std::uint8_t> steps(grid.frame.cellCount());
+  const auto relax = [&](int x, int y, int fromX, int fromY) {
+    if (fromX < 0 || fromY < 0 || fromX >= w || fromY >= h) return;
+    std::uint8_t& mine = steps[grid.frame.index({x, y})];
+    mine = std::min<std::uint8_t>(mine, std::uint8_t(steps[grid.frame.index({fromX, fromY})] + 1));
+  };
+  for (int y = 0; y < h; ++y)
+    for (int x = 0; x < w; ++x) {
+      steps[grid.frame.index({x, y})] = grid.at({x, y}) == State::free ? 0 : most;
+      relax(x, y, x - 1, y), relax(x, y, x, y - 1);
+    }
+  for (int y = h; y-- > 0;)
+    for (int x = w; x-- > 0;) relax(x, y, x + 1, y), relax(x, y, x, y + 1);
+  return steps;
+}
+
+bool isEdge(const Grid& grid, Cell c) {
+  if (grid.at(c) != State::free) return false;
+  for (const Cell d : {Cell{-1, 0}, Cell{1, 0}, Cell{0, -1}, Cell{0, 1}})
+    if (grid.atOrUnknown({c.x + d.x, c.y + d.y}) != State::free) return true;
+  return false;
+}
+
+}  // namespace
+
+bool hasCopy(const WallMap& map, const WallPoint& wall) {
+  const auto isCopyAt = [&](double along) {
+    const std::size_t cell = cellIndexAt(map.frame, wall.place + along * wall.normal);
+    const WallPoint* other = nearestWall(map, cell, wall.normal);
+    return other && isCopy(wall, *other);
+  };
+  double along = kSameWall;
+  while (along <= kFarthestCopy) {
+    if (isCopyAt(along) || isCopyAt(-along)) return true;
+    along += map.frame.resolution;
+  }
+  return false;
+}
+
+std::optional<double> wallDoubling(const WallMap& map) {
+  if (map.walls.empty()) return std::nullopt;
+  double doubled = 0;
+  for (const WallPoint& wall : map.walls) doubled += hasCopy(map, wall);
+  return doubled / double(map.walls.size());
+}
+
+std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
+  const NearPlaces index(placesOf(walls), kDirectionReach);
+  std::vector<double> directions;
+  double cosine = 0, sine = 0;
+  for (const WallPoint& wall : walls)
+    if (const auto direction = directionAt(walls, index, wall)) {
+      directions.push_back(*direction);
+      cosine += std::cos(4 * *direction), sine += std::sin(4 * *direction);  // all axes as one
+    }
+  if (directions.size() < kMinDirections) return std::nullopt;
+  const double axis = std::atan2(sine, cosine) / 4;
+  for (double& direction : directions)
+    direction = std::abs(std::remainder(direction - axis, M_PI / 2));
+  return median(std::move(directions));
+}
+
+std::optional<double> wallSharpness(const Grid& grid) {
+  // What lies behind the face of a wall like ends of beams on one wall is wall as well.
+  const int reach = std::clamp(int(std::lround(kSameSurface / grid.frame.resolution)), 1, 200);
+  const std::vector<std::uint8_t> steps = stepsToFree(grid, std::uint8_t(reach + 1));
+  double edge = 0, walls = 0;
+  for (int y = 0; y < grid.frame.height; ++y)
+    for (int x = 0; x < grid.frame.width; ++x) {
+      edge += isEdge(grid, {x, y});
+      walls += grid.at({x, y}) == State::occupied && steps[grid.frame.index({x, y})] <= reach;
+    }
+  if (edge == 0 || walls == 0) return std::nullopt;
+  return walls / edge;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,96 @@
+#include "roomgraph/align/wall_quality.h"
+
+#include <gtest/gtest.h>
+
+#include "drawn_building.h"
+#include "drawn_hall.h"
+#include "roomgraph/align/wall_map.h"
+
+namespace roomgraph {
+namespace {
+
+double doublingOf(const Grid& grid) { return wallDoubling(wallMap(grid)).value(); }
+
+TEST(WallDoubling, aSoundMapHasNearlyNone) {
+  EXPECT_LT(doublingOf(test::drawnHall(0.1, 0)), 0.01);
+  EXPECT_LT(doublingOf(test::drawnBuilding(1, {3, 4, 0.3})), 0.03) << "thin walls with two sides";
+}
+
+TEST(WallDoubling, aCopyOfAWallCountsWithTheWall) {
+  // 4 m of the wall's 28 m are there twice; the copy has a back, too.
+  const double twice = doublingOf(test::drawnHall(0.1, 0.4));
+  EXPECT_GT(twice, 0.16);
+  EXPECT_LT(twice, 0.28);
+}
+
+TEST(WallDoubling, aWallFartherAwayIsAnotherOne) {
+  EXPECT_LT(doublingOf(test::drawnHall(0.1, 1.5)), 0.02);
+}
+
+TEST(WallDoubling, aMapWithoutWallsHasNone) { EXPECT_FALSE(wallDoubling(wallMap(Grid{}))); }
+
+double deviationOf(const Grid& grid) {
+  const auto deviation = axisDeviation(wallMap(grid).walls);
+  EXPECT_TRUE(deviation);
+  return deviation.value_or(-1);
+}
+
+TEST(AxisDeviation, isSmallWhereAllWallsAreAtRightAngles) {
+  EXPECT_LT(deviationOf(test::drawnBuilding(3, {})), 0.01);
+}
+
+TEST(AxisDeviation, doesNotDependOnTheMapsTurn) {
+  const double straight = deviationOf(test::drawnBuilding(3, {}));
+  for (const double turn : {0.2, 0.785, 1.4, 3.0})
+    EXPECT_NEAR(deviationOf(test::drawnBuilding(3, {4, -2, turn})), straight, 0.02) << turn;
+}
+
+TEST(AxisDeviation, growsAsAMapBends) {
+  const Grid building = test::drawnBuilding(3, {0, 0, 0.2});
+  const double straight = deviationOf(building);
+  const double little = deviationOf(test::bent(building, 0.08));
+  const double much = deviationOf(test::bent(building, 0.2));
+  EXPECT_GT(little, straight + 0.015);
+  EXPECT_GT(much, little + 0.03);
+}
+
+TEST(AxisDeviation, isNotTellableWithoutStraightWalls) {
+  EXPECT_FALSE(axisDeviation({}));
+  std::vector<WallPoint> circle;  // so narrow that no metre of it is straight
+  for (int i = 0; i < 300; ++i) {
+    const double angle = 2 * M_PI * i / 300;
+    const Point out{std::cos(angle), std::sin(angle)};
+    circle.push_back({0.6 * out, out});
+  }
+  EXPECT_FALSE(axisDeviation(circle));
+}
+
+TEST(WallSharpness, isTheThicknessInCellsWhereAllEndsAtWalls) {
+  EXPECT_NEAR(wallSharpness(test::drawnHall(0.05, 0)).value(), 1, 0.03);
+  EXPECT_NEAR(wallSharpness(test::drawnHall(0.1, 0)).value(), 2, 0.1);
+}
+
+TEST(WallSharpness, anEdgeWithoutWallLowersIt) {
+  Grid frayed = test::drawnHall(0.05, 0);
+  for (int y = 0; y < frayed.frame.height; ++y)  // the east wall was never drawn
+    for (int x = 0; x < frayed.frame.width; ++x)
+      if (frayed.frame.center({x, y}).x > 8)
+        frayed.cells[frayed.frame.index({x, y})] = State::unknown;
+  EXPECT_NEAR(wallSharpness(frayed).value(), 22.0 / 28, 0.03);
+}
+
+TEST(WallSharpness, whatLiesDeepInAWallIsNotSeenAsWall) {
+  EXPECT_NEAR(wallSharpness(test::drawnHall(0.6, 0)).value(),
+              wallSharpness(test::drawnHall(0.9, 0)).value(), 1e-9);
+}
+
+TEST(WallSharpness, aMapWithoutWallsHasNone) {
+  EXPECT_FALSE(wallSharpness(Grid{}));
+  Grid free;
+  free.frame = {2, 2, 0.05, {}};
+  free.cells.assign(4, State::free);
+  EXPECT_FALSE(wallSharpness(free));
+}
+
+}  // namespace
+}  // namespace roomgraph
