@@ -9,16 +9,16 @@
 namespace roomgraph {
 namespace {
 
-const Transform2D kBFromA{2, 1, 0.6};
+const Transform2D kOffset{2, 1, 0.6};
 
-struct Pair {
+struct VerifiedPair {
   WallMap a = wallMap(test::drawnBuilding(5, {}));
-  WallMap b = wallMap(test::drawnBuilding(5, kBFromA));
+  WallMap b = wallMap(test::drawnBuilding(5, kOffset));
 };
 
 TEST(VerifyAlignment, theTruePoseIsNotContradicted) {
-  const Pair pair;
-  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, kBFromA.inverse());
+  const VerifiedPair pair;
+  const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, kOffset.inverse());
   EXPECT_GT(e.loose, 0.9 * e.all);
   EXPECT_LT(e.contradicted, 0.01 * e.all);
   EXPECT_GT(e.overlap, 0.95);
@@ -26,9 +26,9 @@ TEST(VerifyAlignment, theTruePoseIsNotContradicted) {
 }
 
 TEST(VerifyAlignment, aShiftedPoseIsContradicted) {
-  const Pair pair;
-  const Transform2D off = Transform2D{1.2, 0.9, 0} * kBFromA.inverse();
-  const AlignmentEvidence right = verifyAlignment(pair.a, pair.b, kBFromA.inverse());
+  const VerifiedPair pair;
+  const Transform2D off = Transform2D{1.2, 0.9, 0} * kOffset.inverse();
+  const AlignmentEvidence right = verifyAlignment(pair.a, pair.b, kOffset.inverse());
   const AlignmentEvidence wrong = verifyAlignment(pair.a, pair.b, off);
   EXPECT_GT(wrong.contradicted, 0.2 * wrong.all);
   EXPECT_GT(wrong.freeOnWall, right.freeOnWall);
@@ -37,7 +37,7 @@ TEST(VerifyAlignment, aShiftedPoseIsContradicted) {
 }
 
 TEST(VerifyAlignment, mapsThatDoNotTouchSayNothing) {
-  const Pair pair;
+  const VerifiedPair pair;
   const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, {1000, 0, 0});
   EXPECT_EQ(e.known, 0);
   EXPECT_EQ(e.loose, 0);
@@ -60,24 +60,24 @@ void expectSame(const AlignmentEvidence& l, const AlignmentEvidence& r, double s
 }
 
 TEST(VerifyAlignment, swappingTheMapsChangesNothing) {
-  const Pair pair;
-  for (const Transform2D& pose : {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}})
+  const VerifiedPair pair;
+  for (const Transform2D& pose : {kOffset.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}})
     expectSame(verifyAlignment(pair.a, pair.b, pose),
                verifyAlignment(pair.b, pair.a, pose.inverse()), 1e-9);
 }
 
 TEST(VerifyAlignment, theFramesOfTheMapsChangeLittle) {
-  const Pair pair;
+  const VerifiedPair pair;
   const WallMap there = wallMap(test::drawnBuilding(5, {7, -3, 1.1}));
   const Transform2D off{0.4, -0.2, 0.02};
-  expectSame(verifyAlignment(pair.a, pair.b, off * kBFromA.inverse()),
+  expectSame(verifyAlignment(pair.a, pair.b, off * kOffset.inverse()),
              verifyAlignment(pair.a, there, off * Transform2D{7, -3, 1.1}.inverse()), 0.05);
 }
 
 TEST(VerifyAlignment, whatIsFoundAndContradictedIsPartOfWhatIsKnown) {
-  const Pair pair;
+  const VerifiedPair pair;
   for (const Transform2D& pose :
-       {kBFromA.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}, Transform2D{9, 9, 3}}) {
+       {kOffset.inverse(), Transform2D{3, 1, 0.4}, Transform2D{0, 4, -2}, Transform2D{9, 9, 3}}) {
     const AlignmentEvidence e = verifyAlignment(pair.a, pair.b, pose);
     EXPECT_LE(e.close, e.loose + 1e-9);
     EXPECT_LE(e.known, e.all + 1e-9);
@@ -92,7 +92,7 @@ TEST(VerifyAlignment, whatIsFoundAndContradictedIsPartOfWhatIsKnown) {
 }
 
 TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
-  const Pair pair;
+  const VerifiedPair pair;
   WallMap striped = pair.a;
   for (WallPoint& wall : striped.walls) wall.normal = {wall.normal.x > 0 ? 1.0 : -1.0, 0};
   const AlignmentEvidence all = verifyAlignment(pair.a, pair.a, {});
@@ -102,7 +102,7 @@ TEST(VerifyAlignment, wallsOfOneDirectionDoNotHoldAPose) {
 }
 
 TEST(VerifyAlignment, mapsWithoutWallsSayNothing) {
-  const Pair pair;
+  const VerifiedPair pair;
   const AlignmentEvidence e = verifyAlignment(pair.a, wallMap(Grid{}), {});
   EXPECT_EQ(e.loose, 0);
   EXPECT_EQ(e.overlap, 0);

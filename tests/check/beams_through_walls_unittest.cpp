@@ -40,7 +40,7 @@ TEST(BeamsThroughWalls, whatWasDrivenOnceIsHeldAgainstNothing) {
 }
 
 /** A way of forty scans, a metre each. */
-roomgraph::Run way() {
+roomgraph::Run runOfWay() {
   roomgraph::Run run;
   for (std::size_t k = 0; k < 40; ++k) {
     run.scans.emplace_back();
@@ -59,7 +59,7 @@ BeamsThroughWalls overlaid(const std::vector<ScanPair>& pairs) {
 const std::vector<ScanPair> kSix{{2, 30}, {3, 29}, {4, 28}, {5, 27}, {5, 28}, {4, 29}};
 
 TEST(FindWelded, tellsBothTimesOfWhatSeesThroughEachOther) {
-  const auto places = findWelded(way(), overlaid(kSix), overlaid(kSix));
+  const auto places = findWelded(runOfWay(), overlaid(kSix), overlaid(kSix));
   ASSERT_EQ(places.size(), 1u);
   EXPECT_EQ(places[0].one.first, 12u);
   EXPECT_EQ(places[0].one.last, 15u);
@@ -69,26 +69,26 @@ TEST(FindWelded, tellsBothTimesOfWhatSeesThroughEachOther) {
 }
 
 TEST(FindWelded, whatTheRunPartsIfItAgreesWithItselfIsNotOne) {
-  EXPECT_TRUE(findWelded(way(), overlaid(kSix), overlaid({})).empty());
-  EXPECT_TRUE(findWelded(way(), overlaid({}), overlaid(kSix)).empty()) << "it is not drawn so";
+  EXPECT_TRUE(findWelded(runOfWay(), overlaid(kSix), overlaid({})).empty());
+  EXPECT_TRUE(findWelded(runOfWay(), overlaid({}), overlaid(kSix)).empty()) << "it is not drawn so";
   auto later = kSix;
   for (ScanPair& pair : later) pair.other -= 12;
-  EXPECT_TRUE(findWelded(way(), overlaid(kSix), overlaid(later)).empty()) << "of another time";
+  EXPECT_TRUE(findWelded(runOfWay(), overlaid(kSix), overlaid(later)).empty()) << "of another time";
 }
 
 TEST(FindWelded, aFewScansMayHaveSeenPeople) {
   const std::vector<ScanPair> five(kSix.begin() + 1, kSix.end());
-  EXPECT_TRUE(findWelded(way(), overlaid(five), overlaid(kSix)).empty());
-  EXPECT_TRUE(findWelded(way(), overlaid(kSix), overlaid(five)).empty());
+  EXPECT_TRUE(findWelded(runOfWay(), overlaid(five), overlaid(kSix)).empty());
+  EXPECT_TRUE(findWelded(runOfWay(), overlaid(kSix), overlaid(five)).empty());
   const auto same = overlaid(std::vector<ScanPair>(9, {2, 30}));
-  EXPECT_TRUE(findWelded(way(), same, same).empty());
+  EXPECT_TRUE(findWelded(runOfWay(), same, same).empty());
 }
 
 TEST(FindWelded, theLargestIsFirst) {
   std::vector<ScanPair> pairs = kSix;
   for (const ScanPair& pair : kSix) pairs.push_back({pair.one, pair.other - 12});
   pairs.push_back({4, 16});
-  const auto places = findWelded(way(), overlaid(pairs), overlaid(pairs));
+  const auto places = findWelded(runOfWay(), overlaid(pairs), overlaid(pairs));
   ASSERT_EQ(places.size(), 2u);
   EXPECT_EQ(places[0].other.last, 28u);
   EXPECT_EQ(places[1].other.last, 40u);

@@ -65,10 +65,9 @@ TEST(PoseGraph, aGroupMayJoinTwoRunsOrTwoPlacesOfOne) {
   const RunId run = graph.addRun(true);
   const NodeId a = graph.addNode({}, {}, {}), b = graph.addNode({1, 0, 0}, {}, {});
   graph.addLink(a, b);
-  graph.addGroup({run, run, {}, 0.5}, {matchEdge(a, b, {2, 0, 0}, 0.7), sameScanEdge(b, a)});
+  graph.addGroup({run, run, {}}, {matchEdge(a, b, {2, 0, 0}, 0.7), sameScanEdge(b, a)});
   const MatchGroup& group = graph.groups[MatchGroupId(0)];
   ASSERT_EQ(group.edges.size(), 2u);
-  EXPECT_EQ(group.aliasing, 0.5);
   EXPECT_EQ(graph.edges[group.edges.front()].group, MatchGroupId(0));
   EXPECT_EQ(graph.edges[group.edges.front()].share, 0.7);
   EXPECT_TRUE(graph.edges[group.edges.back()].isSameScan);

@@ -62,19 +62,10 @@ TEST(Belief, isFullOfWhatBothHaveScannedAsOne) {
 }
 
 /** A group of so many matches. */
-MatchGroup groupOf(std::size_t matches, double aliasing = 0) {
-  return {RunId(0), RunId(1), {0, matches}, aliasing};
-}
+MatchGroup groupOf(std::size_t matches) { return {RunId(0), RunId(1), {0, matches}}; }
 
 TEST(CostOfGivingUp, growsWithTheRootOfTheMatches) {
   EXPECT_NEAR(costOfGivingUp(groupOf(100)), 2 * costOfGivingUp(groupOf(25)), 1e-9);
-}
-
-TEST(CostOfGivingUp, isLessWhereTheBuildingRepeatsItself) {
-  const double full = costOfGivingUp(groupOf(25));
-  EXPECT_EQ(costOfGivingUp(groupOf(25, 0.3)), full) << "some aliasing is everywhere";
-  EXPECT_LT(costOfGivingUp(groupOf(25, 0.6)), 0.7 * full);
-  EXPECT_GT(costOfGivingUp(groupOf(25, 1)), 0);
 }
 
 TEST(CostOfDisbelief, isThatOfWhatIsNotBelieved) {

@@ -92,7 +92,7 @@ TEST(CoarseGraph, aRunIsFoundInItselfAsWell) {
   std::vector<PoseEdge> matches;
   for (std::size_t k = 0; k < once.size(); ++k)
     matches.push_back(matchEdge(NodeId(k), NodeId(once.size() + k), {}, 1));
-  graph.addGroup({RunId(0), RunId(0), {}, 0}, matches);
+  graph.addGroup({RunId(0), RunId(0), {}}, matches);
   const CoarseGraph coarse = coarseGraph(graph);
   EXPECT_LT(coarse.graph.nodes.size(), graph.nodes.size() / 3);
   const NodePoses poses = test::posesOf({twice});

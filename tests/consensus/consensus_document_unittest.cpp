@@ -48,9 +48,6 @@ TEST(ConsensusDocument, saysHowFarMatchGroupsAreBelieved) {
   expectSaid("once the graph is solved, within %g m and %g rad", kSameAnswer.place,
              kSameAnswer.turn);
   expectSaid("Rejecting a match group of *m* matches costs %g √*m*,", kGivingUp);
-  expectSaid(
-      "falls linearly to %g %% where the map aliases itself: from %g to %g %% of its patches",
-      100 * kLeastCost, 100 * kAlikeFrom, 100 * kAlikeTo);
 }
 
 TEST(ConsensusDocument, saysWhichStepsAreHeld) {

@@ -121,7 +121,7 @@ TEST(MatchTerm, oneScanOfBothRunsHoldsThemCloser) {
 
 TEST(TermOf, anEdgeIsTrustedAsItsRunOrItsGroup) {
   PoseGraph graph = test::drawnPoseGraph({{{}, {1, 0, 0}}, {{}, {1, 0, 0}}});
-  graph.addGroup({RunId(0), RunId(1), {}, 0}, {matchEdge(NodeId(0), NodeId(2), {}, 1)});
+  graph.addGroup({RunId(0), RunId(1), {}}, {matchEdge(NodeId(0), NodeId(2), {}, 1)});
   GraphTrust trust{ById<RunId, double>(2, 1), ById<MatchGroupId, double>(1, 0.5)};
   trust.slack[RunId(1)] = 0.5;
   const auto at = [&](std::size_t edge) {

@@ -15,7 +15,7 @@ using test::roundTheBlock;
 using test::Way;
 
 /** A sound run, one that drifts, and one that is torn, each in a frame of its own. */
-struct ThreeRuns {
+struct ThreeMatched {
   std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
   std::vector<Way> drawn{test::moved(truth[0], {1, 2, 0.3}),
                          test::moved(test::drifting(truth[1], 0.004), {-5, 0, 2}),
@@ -25,7 +25,7 @@ struct ThreeRuns {
 };
 
 TEST(FindConsensus, allRunsLieWhereTheyReallyAre) {
-  ThreeRuns three;
+  ThreeMatched three;
   EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.02);
   three.drawn[1] = three.truth[1];
   EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.002)
@@ -33,7 +33,7 @@ TEST(FindConsensus, allRunsLieWhereTheyReallyAre) {
 }
 
 TEST(FindConsensus, theErrorOfEachRunIsThatWhichItHas) {
-  const ThreeRuns three;
+  const ThreeMatched three;
   const PoseGraph graph = three.graph();
   const auto errors = mapErrors(graph, findConsensus(graph).best);
   EXPECT_LT(errors[RunId(0)].error, 0.02);
@@ -46,7 +46,7 @@ TEST(FindConsensus, theErrorOfEachRunIsThatWhichItHas) {
 
 TEST(FindConsensus, aRunMayBeTornByAnyTurn) {
   for (const double turn : {-0.3, 1.0, M_PI}) {
-    ThreeRuns three;
+    ThreeMatched three;
     three.drawn[2] = test::torn(three.truth[2], 25, turn, {-4, 3});
     EXPECT_LT(test::misplaced(findConsensus(three.graph()).best, three.truth), 0.02) << turn;
   }
@@ -92,7 +92,7 @@ TEST(FindConsensus, aReferenceOfManyRunsStaysExactlyAsItIs) {
 TEST(FindConsensus, aGroupThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
   // Two sound runs that were found in each other one wing off, as in a building that repeats
   // itself. Torn between that and the third, they could bend to fit both.
-  const ThreeRuns three;
+  const ThreeMatched three;
   PoseGraph graph = test::matchedPoseGraph(three.truth, three.truth);
   const NodePoses truth = test::posesOf(three.truth);
   test::changeMatches(graph, [&](const MatchGroup& group, PoseEdge& edge, std::size_t) {
@@ -110,7 +110,7 @@ TEST(FindConsensus, aGroupThatWasFoundInAnotherWingIsGivenUpAsAWhole) {
 }
 
 TEST(FindConsensus, tellsOtherAnswersThatAreAboutAsGood) {
-  const PoseGraph graph = ThreeRuns().graph();
+  const PoseGraph graph = ThreeMatched().graph();
   const ConsensusPoses found = findConsensus(graph);
   EXPECT_EQ(found.others.size(), 3u) << "all starts come to the same";
   for (const NodePoses& other : found.others)
@@ -118,7 +118,7 @@ TEST(FindConsensus, tellsOtherAnswersThatAreAboutAsGood) {
 }
 
 TEST(FindConsensus, aWrongMatchAmongManyMovesNothing) {
-  const ThreeRuns three;
+  const ThreeMatched three;
   const NodePoses found = findConsensus(three.graph()).best;
   const Way before(found.begin(), found.end());
   for (const Transform2D& wrong :
@@ -132,12 +132,12 @@ TEST(FindConsensus, aWrongMatchAmongManyMovesNothing) {
 }
 
 TEST(FindConsensus, theOrderOfTheRunsChangesTheFrameAtMost) {
-  const ThreeRuns three;
+  const ThreeMatched three;
   const PoseGraph first = three.graph();
   const NodePoses before = findConsensus(first).best;
   std::vector<std::size_t> order{0, 1, 2};
   while (std::next_permutation(order.begin(), order.end())) {
-    ThreeRuns other;
+    ThreeMatched other;
     std::vector<Way> expected;
     for (std::size_t k = 0; k < 3; ++k) {
       other.drawn[k] = three.drawn[order[k]], other.truth[k] = three.truth[order[k]];
@@ -149,7 +149,7 @@ TEST(FindConsensus, theOrderOfTheRunsChangesTheFrameAtMost) {
 }
 
 TEST(FindConsensus, aReferenceStaysExactlyAsItIs) {
-  const ThreeRuns three;
+  const ThreeMatched three;
   PoseGraph graph = three.graph();
   graph.reference = RunId(1);
   const NodePoses poses = findConsensus(graph).best;
@@ -159,7 +159,7 @@ TEST(FindConsensus, aReferenceStaysExactlyAsItIs) {
 }
 
 TEST(FindConsensus, aRunThatNothingWasFoundOfKeepsItsPoses) {
-  ThreeRuns three;
+  ThreeMatched three;
   three.drawn.push_back(test::moved(test::torn(three.truth[0], 10, 1, {2, 2}), {30, 0, 1}));
   three.truth.push_back(test::moved(roundTheBlock(), {500, 0, 0}));
   const PoseGraph graph = three.graph();
@@ -192,7 +192,7 @@ TEST(FindConsensus, oneRunIsEnough) {
   std::vector<PoseEdge> matches;
   for (std::size_t k = 0; k < once.size(); ++k)
     matches.push_back(matchEdge(NodeId(k), NodeId(once.size() + k), {}, 1));
-  graph.addGroup({RunId(0), RunId(0), {}, 0}, matches);
+  graph.addGroup({RunId(0), RunId(0), {}}, matches);
   const NodePoses poses = findConsensus(graph).best;
   const auto gapOf = [&](auto poseAt) {
     return distance(poseAt(5).shift(), poseAt(once.size() + 5).shift());
@@ -202,7 +202,7 @@ TEST(FindConsensus, oneRunIsEnough) {
 }
 
 TEST(FindConsensus, anyJobOrderGivesTheSameNumbers) {
-  const PoseGraph graph = ThreeRuns().graph();
+  const PoseGraph graph = ThreeMatched().graph();
   const ForEach backwards = [](std::size_t count, const std::function<void(std::size_t)>& job) {
     while (count > 0) job(--count);
   };

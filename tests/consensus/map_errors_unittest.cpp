@@ -101,7 +101,7 @@ TEST(MapErrors, theIntervalHoldsTheErrorAndIsWiderForWhatIsUnseen) {
 TEST(MapErrors, whatARunHasOfItselfIsNotSeenByOthers) {
   const Way truth = roundTheBlock();
   PoseGraph graph = test::drawnPoseGraph({truth});
-  graph.addGroup({RunId(0), RunId(0), {}, 0}, {matchEdge(NodeId(3), NodeId(4), {}, 1)});
+  graph.addGroup({RunId(0), RunId(0), {}}, {matchEdge(NodeId(3), NodeId(4), {}, 1)});
   const MapError error = errorOf(graph, {truth});
   EXPECT_EQ(error.seen, 0);
   EXPECT_FALSE(error.isSeen[3]);

@@ -195,7 +195,7 @@ TEST(MoveStretches, whatARunHasOfItselfHoldsItTogether) {
     for (std::size_t k = 0; k < again.size(); ++k)
       matches.push_back(matchEdge(NodeId(isBack ? again.size() + k : k),
                                   NodeId(isBack ? k : again.size() + k), {}, 1));
-    one.graph.addGroup({RunId(1), RunId(1), {}, 0}, matches);
+    one.graph.addGroup({RunId(1), RunId(1), {}}, matches);
   }
   EXPECT_EQ(one.misplacedAfterMoving(), 0);
   one.misplace(70, 75);

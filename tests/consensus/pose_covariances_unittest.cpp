@@ -30,7 +30,7 @@ struct Drive {
   /** The last key frame is found beside the first, where it lies. */
   void close() {
     const NodeId first(0), last(graph.nodes.size() - 1);
-    graph.addGroup({RunId(0), RunId(0), {}, 0},
+    graph.addGroup({RunId(0), RunId(0), {}},
                    {matchEdge(first, last, poses[first].inverse() * poses[last], 1)});
     trust.belief = ById<MatchGroupId, double>(1, 1.0);
   }

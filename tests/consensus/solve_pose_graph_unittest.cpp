@@ -160,7 +160,7 @@ TEST(SolvePoseGraph, oneRunIsClosedByWhatWasFoundOfItInItself) {
   for (std::size_t k = 0; k < again.size(); ++k)
     matches.push_back(matchEdge(NodeId(k), NodeId(again.size() + k), {}, 1));
   matches.push_back(matchEdge(NodeId(3), NodeId(3), {}, 1));  // says nothing
-  graph.addGroup({RunId(0), RunId(0), {}, 0}, matches);
+  graph.addGroup({RunId(0), RunId(0), {}}, matches);
   const auto found = solve(graph, posesOf({bent}));
   for (std::size_t k = 0; k < again.size(); ++k)
     EXPECT_LT(

@@ -143,14 +143,14 @@ TEST(StartPoses, aPartThatNoLinkJoinsGoesWithTheFirstThatWasFound) {
   std::vector<PoseEdge> matches;
   for (std::size_t k = 0; k < 10; ++k)
     matches.push_back(matchEdge(NodeId(k), graph.runs[RunId(1)].nodes[k], {}, 1));
-  graph.addGroup({RunId(0), RunId(1), {}, 0}, matches);
+  graph.addGroup({RunId(0), RunId(1), {}}, matches);
   expectSame(startsFrom(graph, 0)[1], way);
 }
 
 TEST(StartPoses, whatARunHasOfItselfPlacesNothing) {
   PoseGraph graph = test::drawnPoseGraph({roundTheBlock(), roundTheBlock()});
   const IdRange<NodeId> nodes = graph.runs[RunId(1)].nodes;
-  graph.addGroup({RunId(1), RunId(1), {}, 0}, {matchEdge(nodes[3], nodes[20], {}, 1)});
+  graph.addGroup({RunId(1), RunId(1), {}}, {matchEdge(nodes[3], nodes[20], {}, 1)});
   for (const Way& poses : startsFrom(graph, 0)) expectSame(poses, roundTheBlock());
 }
 
@@ -280,7 +280,7 @@ TEST(WholePoses, whatARunHasOfItselfHasNoSay) {
   std::vector<PoseEdge> matches;
   for (std::size_t k = 0; k + 20 < nodes.size(); ++k)
     matches.push_back(matchEdge(nodes[k], nodes[k + 20], {}, 1));
-  three.graph.addGroup({RunId(1), RunId(1), {}, 0}, matches);
+  three.graph.addGroup({RunId(1), RunId(1), {}}, matches);
   EXPECT_LT(three.misplaced(), 1e-9);
 }
 

@@ -14,7 +14,7 @@ namespace {
 using test::bent;
 using test::drawnBuilding;
 
-WallMap mapOf(const Grid& grid) { return wallMap(grid); }
+WallMap mapOfGrid(const Grid& grid) { return wallMap(grid); }
 
 bool areAlike(const Transform2D& l, const Transform2D& r) {
   return distance(l.shift(), r.shift()) < 0.1 && std::abs(wrappedAngle(l.phi - r.phi)) < 0.01;
@@ -23,8 +23,8 @@ bool areAlike(const Transform2D& l, const Transform2D& r) {
 /** Three maps of one building, the first of them bent. */
 struct ThreeMaps {
   Transform2D ofA{3, -4, 0.4}, ofB{-7, 2, 2.5}, ofHub{0, 1, -1.2};  // map <- building
-  WallMap a = mapOf(bent(drawnBuilding(1, ofA), 0.08)), b = mapOf(drawnBuilding(1, ofB)),
-          hub = mapOf(drawnBuilding(1, ofHub));
+  WallMap a = mapOfGrid(bent(drawnBuilding(1, ofA), 0.08)), b = mapOfGrid(drawnBuilding(1, ofB)),
+          hub = mapOfGrid(drawnBuilding(1, ofHub));
   MapPair hubAndA = relateMaps(hub, a), hubAndB = relateMaps(hub, b);
 };
 
@@ -51,7 +51,7 @@ TEST(RelateMaps, namingAPairTheOtherWayRoundSwapsTheAnswers) {
 }
 
 TEST(RelateMaps, ofOtherBuildingsNothingIsFollowed) {
-  const MapPair pair = relateMaps(three().a, mapOf(drawnBuilding(11, {})));
+  const MapPair pair = relateMaps(three().a, mapOfGrid(drawnBuilding(11, {})));
   EXPECT_FALSE(pair.alignment.isSameSite);
   EXPECT_TRUE(pair.bInA.patches.empty());
   EXPECT_TRUE(pair.aInB.patches.empty());
@@ -75,7 +75,7 @@ TEST(RelateMaps, whatIsSaidOfMapsChangesNothingWhereTheyShowIt) {
   const Alignment said = relateMaps(three().a, three().b, true).alignment;
   EXPECT_FALSE(said.isOnlySaid);
   EXPECT_EQ(said.confidence, relateMaps(three().a, three().b).alignment.confidence);
-  const WallMap other = mapOf(drawnBuilding(11, {}));
+  const WallMap other = mapOfGrid(drawnBuilding(11, {}));
   EXPECT_FALSE(relateMaps(three().a, other, true).alignment.isSameSite)
       << "another pose is about as likely";
 }
@@ -116,9 +116,9 @@ TEST(RelateMaps, sureAnswersThatContradictEachOtherAreSearchedForAgain) {
 }
 
 TEST(RelateMaps, framesThatContradictEachOtherAreNotTakenForOne) {
-  const WallMap map = mapOf(drawnBuilding(1, {}));
+  const WallMap map = mapOfGrid(drawnBuilding(1, {}));
   const auto areOfOneSite = [&](const Transform2D& pose) {
-    return relateAlignedMaps(map, mapOf(drawnBuilding(1, pose))).alignment.isSameSite;
+    return relateAlignedMaps(map, mapOfGrid(drawnBuilding(1, pose))).alignment.isSameSite;
   };
   EXPECT_TRUE(areOfOneSite({0.05, 0, 0.005}));
   EXPECT_FALSE(areOfOneSite({4, 2, 1}));
@@ -137,7 +137,7 @@ TEST(RelateMaps, aMirroredMapIsNotOfTheSameSite) {
 
 TEST(RelateMaps, aSymmetricHallIsNotMirrored) {
   const MapPair pair =
-      relateMaps(mapOf(test::squareHall({})), mapOf(test::squareHall({4, 1, 0.2})));
+      relateMaps(mapOfGrid(test::squareHall({})), mapOfGrid(test::squareHall({4, 1, 0.2})));
   EXPECT_FALSE(pair.alignment.isMirrored) << "it is its own mirror image";
   EXPECT_TRUE(pair.alignment.isSameSite);
 }
@@ -146,10 +146,10 @@ TEST(RelateMaps, editsOfOnePictureAreTold) {
   const Grid picture = drawnBuilding(1, {});
   Grid moved = picture;
   moved.frame.origin = {7, 8};
-  EXPECT_TRUE(relateMaps(mapOf(picture), mapOf(moved)).areEdits);
-  EXPECT_FALSE(relateMaps(mapOf(picture), mapOf(moved)).areIdentical);
+  EXPECT_TRUE(relateMaps(mapOfGrid(picture), mapOfGrid(moved)).areEdits);
+  EXPECT_FALSE(relateMaps(mapOfGrid(picture), mapOfGrid(moved)).areIdentical);
   EXPECT_FALSE(three().hubAndB.areEdits);
-  EXPECT_TRUE(relateAlignedMaps(mapOf(picture), mapOf(picture)).areEdits);
+  EXPECT_TRUE(relateAlignedMaps(mapOfGrid(picture), mapOfGrid(picture)).areEdits);
 }
 
 TEST(RelateMaps, copiesHaveNoBend) {

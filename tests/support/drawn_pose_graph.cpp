@@ -88,7 +88,7 @@ PoseGraph matchedPoseGraph(const std::vector<Way>& drawn, const std::vector<Way>
         matches.push_back(
             matchEdge(found, graph.runs[to].nodes[k], nearest->inverse() * here[k], 1));
       }
-      if (!matches.empty()) graph.addGroup({from, to, {}, 0}, matches);
+      if (!matches.empty()) graph.addGroup({from, to, {}}, matches);
     }
   return graph;
 }

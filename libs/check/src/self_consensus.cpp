@@ -18,7 +18,7 @@ PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
     const NodeId node = graph.addNode(poses[k], run.scans[k].ends, run.scans[k].axes);
     if (k > 0) graph.addLink(NodeId(k - 1), node);
   }
-  for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}, 0}, revisit);
+  for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}}, revisit);
   return graph;
 }
 

@@ -46,9 +46,7 @@ double beliefOf(double share) {
 }
 
 double costOfGivingUp(const MatchGroup& group) {
-  return fitted::kGivingUp * std::sqrt(double(group.edges.size())) *
-         std::clamp((fitted::kAlikeTo - group.aliasing) / (fitted::kAlikeTo - fitted::kAlikeFrom),
-                    fitted::kLeastCost, 1.0);
+  return fitted::kGivingUp * std::sqrt(double(group.edges.size()));
 }
 
 ById<MatchGroupId, double> beliefIn(const PoseGraph& graph, const NodePoses& poses,

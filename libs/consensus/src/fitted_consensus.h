@@ -40,9 +40,6 @@ constexpr int kHoldRounds = 3;
 // Belief: what it costs to give up a group, for the root of its matches. With 25 of them it is half
 // the robust squared residual of a link that is 20 m off.
 constexpr double kGivingUp = 9;
-// Aliasing from which on it costs less, and least: this share.
-constexpr double kAlikeFrom = 0.4, kAlikeTo = 0.8;
-constexpr double kLeastCost = 0.2;
 
 // Slack: the least of a run that has its drive to itself, and of one that shares it.
 constexpr double kLeastSlack = 0.1, kLeastSharedSlack = 0.4;

@@ -8,12 +8,9 @@
 
 #include "fitted_consensus.h"
 #include "look_again.h"
-#include "roomgraph/align/WallFit.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
-#include "roomgraph/align/wall_share.h"
 #include "roomgraph/consensus/track_scans.h"
-#include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {
 namespace {
@@ -105,41 +102,6 @@ Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
   return trackScans(run.scans, run.map.patches, followed, wholes, map, fits);
 }
 
-/** Compares the map where each group was found with where the others would have it. */
-void tellAliasing(std::vector<FoundGroup>& groups, IdRange<NodeId> nodes, const Track& track,
-                  const Run& run, const WallMap& map) {
-  const auto middleOf = [&](const FoundGroup& group) {
-    return nodes.placeOf(group.matches[group.matches.size() / 2].to);
-  };
-  for (std::size_t a = 0; a < groups.size(); ++a)
-    for (std::size_t b = a + 1; b < groups.size(); ++b) {
-      if (groups[a].matches.empty() || groups[b].matches.empty()) continue;
-      const std::size_t k = middleOf(groups[a]);
-      const Transform2D &here = *track[k], &there = *track[middleOf(groups[b])];
-      if (areNear(here, there, run.scans[k].robot(), kRoughly)) continue;
-      const bool isSecondSmaller = groups[b].matches.size() <= groups[a].matches.size();
-      MatchGroup& smaller = groups[isSecondSmaller ? b : a].group;
-      smaller.aliasing = std::max(smaller.aliasing, aliasingUnder(there * here.inverse(), map));
-    }
-}
-
-constexpr std::size_t kLookedAt = 80;  // patches
-
-/** The share of the walls around a patch that lie on walls once it was fitted there, if the map
- *  knows most of that place. */
-std::optional<double> shareFound(const WallPatch& patch, const Transform2D& motion,
-                                 const WallMap& map) {
-  const auto pointAt = [&](std::size_t i) -> const WallPoint& {
-    return map.walls[patch.around[i]];
-  };
-  const Transform2D pose = fittedPose(motion, patch.middle, kPatchBand, [&](WallFit& fit, int) {
-    for (std::size_t i = 0; i < patch.around.size(); ++i) fit.add(pointAt(i), map);
-  });
-  const WallShare share = wallShare(patch.around.size(), pointAt, map, pose);
-  if (share.known < 0.6 * share.all || share.known < double(kFewestPoints)) return std::nullopt;
-  return share.ofKnown();
-}
-
 using Drawn = std::vector<std::pair<std::uint32_t, NodeId>>;  // wall point, node
 
 Drawn drawnInScans(const std::vector<ScanWalls>& scans, IdRange<NodeId> nodes, const WallMap& map) {
@@ -174,7 +136,6 @@ std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& 
     const IdRange<NodeId> nodes = graph.runs[id].nodes;
     const Track track = trackIn(run, other.map, followed, wholes);
     groups = matchTrack(graph, nodes, run, other, track);
-    tellAliasing(groups, nodes, track, run, other.map);
   }
   groups.erase(std::remove_if(groups.begin(), groups.end(),
                               [](const FoundGroup& group) { return group.matches.empty(); }),
@@ -187,7 +148,7 @@ FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, 
   std::unordered_map<std::uint64_t, std::size_t> scansOfB;
   for (std::size_t k = 0; k < runB.scans.size(); ++k)
     if (runB.scans[k].ends.count > 0) scansOfB.emplace(runB.scans[k].scanId, k);
-  FoundGroup found{{b, a, {}, 0}, {}};
+  FoundGroup found{{b, a, {}}, {}};
   for (std::size_t k = 0; k < runA.scans.size(); ++k) {
     const auto same = scansOfB.find(runA.scans[k].scanId);
     if (runA.scans[k].ends.count > 0 && same != scansOfB.end())
@@ -195,15 +156,6 @@ FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, 
           sameScanEdge(graph.runs[b].nodes[same->second], graph.runs[a].nodes[k]));
   }
   return found;
-}
-
-double aliasingUnder(const Transform2D& motion, const WallMap& map) {
-  const std::size_t stride = std::max<std::size_t>(1, map.patches.size() / kLookedAt);
-  double known = 0, alike = 0;
-  for (std::size_t p = 0; p < map.patches.size(); p += stride)
-    if (const auto share = shareFound(map.patches[p], motion, map))
-      ++known, alike += *share > fitted::kWell;
-  return known > 0 ? alike / known : 0;
 }
 
 DrawnBy drawnBy(const Run& run, IdRange<NodeId> nodes, const WallMap& map) {

@@ -28,7 +28,7 @@ bool isBroken(const std::vector<StepEvidence>& steps, std::size_t k) {
 /** The scans from `k` on, as they lie in the one before it. */
 FoundGroup foundBehind(const IdRange<NodeId>& nodes, RunId id, const MendedSteps& mended,
                        std::size_t k) {
-  FoundGroup found{{id, id, {}, 0}, {}};
+  FoundGroup found{{id, id, {}}, {}};
   const std::size_t end = std::min(nodes.size(), k + fitted::kLongScans);
   for (std::size_t i = k; i < end; ++i) {
     if (i > k && isWrong(mended.evidence[i])) break;

@@ -99,11 +99,6 @@ class Voting {
     isPlaced_[first] = true;
     while (placeNext()) {
     }
-    for (int round = 0; round < 4; ++round) {
-      bool hasMoved = false;
-      for (const RunId run : graph_.runs.ids()) hasMoved |= run != first && improve(run);
-      if (!hasMoved) break;
-    }
   }
 
   NodePoses poses() const {
@@ -129,14 +124,6 @@ class Voting {
     if (!next) return false;
     wholes_[next] = best.whole;
     return isPlaced_[next] = true;
-  }
-
-  bool improve(RunId run) {
-    if (!isPlaced_[run]) return false;
-    const Place best = bestPlace(run);
-    if (best.support <= supportOf(run, wholes_[run])) return false;
-    wholes_[run] = best.whole;
-    return true;
   }
 
   /** Whether a group tells where a run lies to one that is placed. */

@@ -19,8 +19,7 @@ namespace {
 // do.
 constexpr NarrowingBand kFit{0.6, 0.2, 6};
 constexpr double kStartCost = 2 * fitted::kJumpCost;  // of a way that begins far from the whole
-constexpr std::size_t kLookAround = 5;  // scans from one that is looked for all around to the next
-constexpr std::size_t kMostSpins = 3;   // scans looked for at any turn once one is lost
+constexpr std::size_t kMostSpins = 3;  // scans looked for at any turn once one is lost
 constexpr int kSpinTurns = 48;
 constexpr Point kSpinOffsets[] = {{0, 0}, {0.7, 0}, {-0.7, 0}, {0, 0.7}, {0, -0.7}};
 
@@ -97,8 +96,7 @@ class Tracker {
     const std::vector<Candidate>* before = lastFound(k, way);
     if (before)
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
-    // Other answers are wanted for a scan that fits well, too, but not for each.
-    if (way == Way::forth && (bestQuality(k) < fitted::kSure || k % kLookAround == 0)) {
+    if (way == Way::forth && bestQuality(k) < fitted::kSure) {
       for (const Transform2D& pose : posesNear(scans_[k].robot())) tryFrom(k, pose);
       for (const Transform2D& pose : wholes_)
         if (!isKnown(k, pose, kSameScanStart) &&

@@ -58,9 +58,6 @@ struct HalfEdge {
 struct MatchGroup {
   RunId from, to;
   IdRange<PoseEdgeId> edges;  ///< ascending by `to`; at least one
-  /** How much the other map looks alike here and where a larger group was found, 0 to 1: in a
-   *  building that repeats itself, to be found elsewhere than the rest says little. */
-  double aliasing = 0;
 };
 
 /** A run in the graph. Key frames are linked each to the next, patches to those beside them. */

@@ -20,8 +20,7 @@ inline bool isInlier(const PoseEdge& match, const PoseGap& gap, const PoseTolera
 double beliefOf(double share);
 
 /** What it costs to give up a group, see docs/scoring.md, "Belief". Its matches are no independent
- *  witnesses, so it grows with the root of their number; and it says the less, the more the map
- *  looks alike elsewhere. */
+ *  witnesses, so it grows with the root of their number. */
 double costOfGivingUp(const MatchGroup& group);
 
 /** How far the poses let each group be believed. */
