@@ -33,6 +33,17 @@ TEST(SightWalls, whatTheOtherHasNotSeenIsUnknown) {
   EXPECT_EQ(shareOf(sightWalls(of, in, {}), WallSighting::unknown), 1) << "nothing was followed";
 }
 
+TEST(SightWalls, aWallThatIsNeitherDrawnNorFreeIsFaded) {
+  Grid blurred = test::drawnBuilding(1, {});
+  const WallMap of = wallMap(blurred);
+  for (std::size_t cell = 0; cell < blurred.cells.size(); ++cell)
+    if (cell % std::size_t(blurred.frame.width) > 240 && blurred.cells[cell] == State::occupied)
+      blurred.cells[cell] = State::unknown;
+  const auto seen = sightWalls(of, wallMap(blurred), followWalls(of, wallMap(blurred), {{}}));
+  EXPECT_GT(shareOf(seen, WallSighting::faded), 0.3);
+  EXPECT_GT(shareOf(seen, WallSighting::found), 0.3);
+}
+
 TEST(StraightWalls, goOnForTwoMetres) {
   Grid grid;
   grid.frame = {200, 100, 0.05, {}};

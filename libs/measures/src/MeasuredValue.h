@@ -11,7 +11,7 @@ struct MeasuredValue {
   double support = 0;             ///< how many things were counted
   std::optional<double> low{}, high{};
   bool hasEnoughOthers = true;
-  double worth = 1;  ///< of each, in those that MeasureKind::leastSupport counts
+  double worth = 1;              ///< of each, in those that MeasureKind::leastSupport counts
   std::optional<Point> place{};  ///< see Measure [m, map frame of the run]
 };
 

@@ -6,8 +6,9 @@ namespace roomgraph {
 namespace {
 
 Measure measureOf(const MeasureKind& kind, const MeasuredValue& measured) {
-  Measure measure{kind.name,    measured.value, kind.unit,           measured.support,
-                  measured.low, measured.high,  /*meaningful*/ false, measured.place};
+  Measure measure{
+      kind.name,     measured.value,       kind.unit,     measured.support, measured.low,
+      measured.high, /*meaningful*/ false, measured.place};
   measure.isMeaningful = measured.value && measured.hasEnoughOthers &&
                          measured.support * measured.worth >= kind.leastSupport;
   return measure;

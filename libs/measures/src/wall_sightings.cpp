@@ -62,7 +62,7 @@ Count missingOf(const SightingTable& sightings, const std::vector<std::size_t>& 
     if (inRun[i] == WallSighting::unknown || !sightings.isStraight[other][i]) continue;
     const Seen seen = seenBy(others, sightings, other, i);
     if (seen.found == 0 || seen.free > 0) continue;
-    ++count.all, count.some += inRun[i] == WallSighting::free ? 1 : 0;
+    ++count.all, count.some += inRun[i] == WallSighting::found ? 0 : 1;
   }
   return count;
 }

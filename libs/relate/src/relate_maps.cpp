@@ -108,8 +108,9 @@ double contradictedShare(const WallMap& of, const WallMap& in, const FollowedWal
   const std::vector<bool> isStraight = straightWalls(of);
   double known = 0, free = 0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!isStraight[i] || seen[i] == WallSighting::unknown) continue;
-    ++known, free += seen[i] == WallSighting::free ? 1 : 0;
+    const bool isFree = seen[i] == WallSighting::free;
+    if (!isStraight[i] || (!isFree && seen[i] != WallSighting::found)) continue;
+    ++known, free += isFree ? 1 : 0;
   }
   return known >= kFewestWalls ? free / known : 0;
 }

@@ -45,7 +45,10 @@ WallSighting sightingAt(const WallMap& other, Point place, Point normal) {
   if (cell >= other.states.size()) return WallSighting::unknown;
   const WallPoint* wall = nearestWall(other, cell, normal);
   if (wall && distance(wall->place, place) < kSameWhereBent) return WallSighting::found;
-  return other.depths[cell] > kSameWhereBent ? WallSighting::free : WallSighting::unknown;
+  if (other.depths[cell] > kSameWhereBent) return WallSighting::free;
+  const std::size_t front = cellIndexAt(other.frame, place + kSameWhereBent * normal);
+  const bool isSeen = front < other.states.size() && other.depths[front] > kSameWall;
+  return isSeen ? WallSighting::faded : WallSighting::unknown;
 }
 
 }  // namespace

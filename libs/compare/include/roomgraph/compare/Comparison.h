@@ -14,8 +14,8 @@
 
 namespace roomgraph {
 
-/** Of the walls in one place, how many more than the others a run may have: see `walls_added`. Moved
- *  furniture adds fewer. */
+/** Of the walls in one place, the share that a run may have and no other, see `walls_added`: moved
+ *  furniture adds less. */
 constexpr double kMostAdded = 0.25;
 
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
@@ -53,7 +53,7 @@ struct ComparedRun {
   [[nodiscard]] std::optional<double> partialCoverage() const;
   /** The measure `walls_added`, where it is meaningful, and is more than kMostAdded; else null. */
   [[nodiscard]] const Measure* addedWalls() const;
-  /** Whether its score is borne out, and no place of its map is another one than the others show. */
+  /** Whether its score is borne out, and no place of its map is other than the others show it. */
   [[nodiscard]] bool isBorneOut() const { return score && score->isBorneOut() && !addedWalls(); }
 };
 

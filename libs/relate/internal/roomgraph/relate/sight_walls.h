@@ -13,8 +13,9 @@ namespace roomgraph {
 // Out:  WallSighting of each wall
 // Next: areStoreys, wallSightings
 
-/** What another map has where a wall of this one is. */
-enum class WallSighting : std::uint8_t { unknown, found, free };
+/** What another map has where a wall of this one is: `faded` where it shows free space up to the
+ *  wall, and neither the wall nor free space in its place. */
+enum class WallSighting : std::uint8_t { unknown, found, free, faded };
 
 /** Walls of two maps that bend are one within this distance [m]. */
 constexpr double kSameWhereBent = 2 * kSameWall;
