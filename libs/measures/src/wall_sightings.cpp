@@ -41,8 +41,8 @@ struct Seen {
 };
 
 /** What `others`, but the run itself, have where a wall of a run is. */
-Seen seenBy(const std::vector<std::size_t>& others, const SightingTable& sightings,
-            std::size_t run, std::size_t wall) {
+Seen seenBy(const std::vector<std::size_t>& others, const SightingTable& sightings, std::size_t run,
+            std::size_t wall) {
   Seen seen;
   for (const std::size_t other : others) {
     if (other == run || wall >= sightings.in(run, other).size()) continue;
