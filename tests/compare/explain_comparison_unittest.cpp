@@ -173,8 +173,15 @@ TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotCalledTheBest) {
       << verdictOf(wrong);
   EXPECT_EQ(verdictOf(wrong).find("best map"), std::string::npos);
   EXPECT_NE(reasonOf(wrong.runs[0], wrong)
-                .find("42 % of its walls round (1.0, 2.0) stand where the others have seen free"),
+                .find("of its walls round (1.0, 2.0) 42 % stand where the others have seen free"),
             std::string::npos);
+}
+
+TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotAsGood) {
+  Comparison close = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.5)});
+  EXPECT_NE(verdictOf(close).find("b may be as good"), std::string::npos) << verdictOf(close);
+  close.runs[1].measures = {{"walls_added", 0.42, "1", 5000, {}, {}, true, Point{1, 2}}};
+  EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos);
 }
 
 TEST(VerdictOf, copiesOfOneFileSayNothing) {

@@ -38,9 +38,9 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
                       100 * (1 - score.confirmed));
   if (const Measure* added = run.addedWalls())
     text += formatted(
-        "; %.0f %% of its walls round (%.1f, %.1f) stand where the others have seen "
+        "; of its walls round (%.1f, %.1f) %.0f %% stand where the others have seen "
         "free space",
-        100 * *added->value, added->place->x, added->place->y);
+        added->place->x, added->place->y, 100 * *added->value);
   if (!score.isMeaningful) text += "; too little to judge by";
   return text;
 }
@@ -60,11 +60,12 @@ std::optional<std::string> originalOf(const std::string& run, const Comparison& 
   return {};
 }
 
-/** The others whose intervals reach up to that of the run with the smallest error. */
+/** The others whose intervals reach up to that of the run with the smallest error, and of which
+ *  nothing speaks against the whole. */
 std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> rivals;
   for (const ComparedRun& run : comparison.runs)
-    if (run.name != best.name && run.score && run.score->isMeaningful &&
+    if (run.name != best.name && run.isBorneOut() && run.score->isMeaningful &&
         run.score->high >= best.score->low)
       rivals.push_back(run.name);
   return rivals;
