@@ -74,7 +74,7 @@ std::vector<MeasureRow> wallPlaceRows() {
                         "90th percentile of the same distances."},
                        0.9),
           ofSightings({"walls_missing", "Walls of the others that are gone", "1", kFewestWalls,
-                       "Of the walls that two others have, the share where it shows free space."},
+                       "Of the walls that two others have, the share that it does not draw."},
                       wallsMissingOf),
           ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
                        "Where most are, the share of its walls where the others show free space."},

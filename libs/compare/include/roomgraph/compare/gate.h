@@ -28,7 +28,8 @@ struct GateOptions {
   bool failsOnUnconfirmed = false;  ///< too much of a run is borne out by no other, see isBorneOut
   bool failsOnOtherSites = false;   ///< a run is of another site
   /** More than kMostMissing of the walls that others have are gone from a run, more than kMostAdded
-   *  of its own are in no other, or they are so much thinner or thicker, see kMostThinned. */
+   *  of its own in one place are in no other, or they are so much thinner or thicker, see
+   *  kMostThinned. */
   bool failsOnWalls = false;
   /** Names of the runs that are judged: the others are the record. Each must be there, have a map
    *  error that can be trusted, and be no copy of one of the record. Empty where all are judged. */
