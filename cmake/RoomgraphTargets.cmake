@@ -15,6 +15,9 @@ function(roomgraph_compile_options target)
     target_compile_options(${target} PRIVATE -fsanitize=${ROOMGRAPH_SANITIZE}
       -fno-sanitize=null,vptr,object-size,alignment -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${ROOMGRAPH_SANITIZE})
+    # Eigen's functions in Ceres' library, which no sanitizer compiled, and ours are linked as one:
+    # they must allocate alike, while Eigen chooses another way where AddressSanitizer is on.
+    target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
 endfunction()
 
