@@ -37,6 +37,20 @@ TEST(PageData, aBreakOfARunWithScansHasThem) {
   EXPECT_NE(data["breaks"][0], data["breaks"][1]) << "the second has no key frame";
 }
 
+TEST(PageData, wallsThatNoOtherRunHasAreMarkedWhereTheyAreTooMany) {
+  Comparison comparison = sample().comparison;
+  Measure added{"walls_added"};
+  added.isMeaningful = true, added.place = Point{1, 2};
+  for (const double share : {kMostAdded - 0.01, kMostAdded + 0.01}) {
+    added.value = share;
+    comparison.runs[1].measures = {added};
+    const auto data = nlohmann::json::parse(pageData(comparison, sample().runs));
+    EXPECT_TRUE(data["runs"][0]["added"].is_null());
+    EXPECT_EQ(data["runs"][1]["added"],
+              share > kMostAdded ? nlohmann::json({1, 2}) : nlohmann::json());
+  }
+}
+
 TEST(PageData, ofNoRunsThereIsNothingToDraw) {
   const auto data = nlohmann::json::parse(pageData({}, {}));
   EXPECT_TRUE(data["runs"].empty());

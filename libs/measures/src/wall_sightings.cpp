@@ -80,17 +80,26 @@ Count addedIn(const WallPatch& patch, const SightingTable& sightings,
   return count;
 }
 
+struct Share {
+  double value = 0;
+  Point place;  ///< the middle of what makes it
+};
+
 /** The share among the nearest kFewestWalls to a patch, or among all where there are fewer. */
-double shareRound(std::size_t patch, const WallPatches& patches, const std::vector<Count>& counts) {
+Share shareRound(std::size_t patch, const WallPatches& patches, const std::vector<Count>& counts) {
   std::vector<std::pair<double, std::size_t>> nearest;
   for (std::size_t p = 0; p < patches.size(); ++p)
     if (counts[p].all > 0)
       nearest.emplace_back(distance(patches[p].middle, patches[patch].middle), p);
   std::sort(nearest.begin(), nearest.end());
   Count sum;
-  for (auto it = nearest.begin(); it != nearest.end() && sum.all < kFewestWalls; ++it)
-    sum.all += counts[it->second].all, sum.some += counts[it->second].some;
-  return sum.some / sum.all;
+  Point places;
+  for (auto it = nearest.begin(); it != nearest.end() && sum.all < kFewestWalls; ++it) {
+    const Count& count = counts[it->second];
+    sum.all += count.all, sum.some += count.some;
+    places = places + count.some * patches[it->second].middle;
+  }
+  return {sum.some / sum.all, 1 / sum.some * places};
 }
 
 }  // namespace
@@ -143,8 +152,8 @@ MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& m
   if (added.support > 0) added.value = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     if (counts[p].some <= 0) continue;
-    const double share = shareRound(p, patches, counts);
-    if (share > *added.value) added.value = share, added.place = patches[p].middle;
+    const Share share = shareRound(p, patches, counts);
+    if (share.value > *added.value) added.value = share.value, added.place = share.place;
   }
   return added;
 }

@@ -124,8 +124,11 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
     const SitePicture picture =
         placed[i].map ? runPicture(placed[i], {runColour(i), runPattern(i), faint}, pixel)
                       : SitePicture{};
-    runsJson.push_back(
-        {{"colour", colourText(i)}, {"shape", runShape(i)}, {"picture", pictureJson(picture)}});
+    const Measure* added = comparison.runs[i].addedWalls();
+    runsJson.push_back({{"colour", colourText(i)},
+                        {"shape", runShape(i)},
+                        {"picture", pictureJson(picture)},
+                        {"added", added ? pointJson(*added->place) : Json()}});
   }
   const SitePicture heat = heatPicture(disagreementOf(known, heatCellOf(site, known)));
   Json breaks = Json::array();

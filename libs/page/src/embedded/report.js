@@ -377,6 +377,12 @@
   }
 
   const breaks = data.breaks.map(makeBreak);
+
+  /** A ring where a run has too many walls that no other one has; null where it has not. */
+  const rings = data.runs.map((run) => run.added && L.circleMarker(latLng(shownFromSite(run.added)),
+    {pane: "poses", radius: 26, color: run.colour, weight: 3, dashArray: "7,5", fillOpacity: 0})
+    .bindTooltip(element("span", {}, "Only " + run.name + " has " +
+      fixed(100 * run.measures.walls_added.value, 0) + " % of these walls")));
   layers.breaks = L.layerGroup();
   layers.paths = L.layerGroup();
 
@@ -480,6 +486,7 @@
     layers.paths.clearLayers();
     const isOn = (run) => !boxOf("run-" + run) || boxOf("run-" + run).checked;
     data.breaks.forEach((aBreak, i) => { if (isOn(placeOf.get(aBreak.run))) layers.breaks.addLayer(breaks[i]); });
+    rings.forEach((ring, i) => { if (ring && isOn(i)) layers.breaks.addLayer(ring); });
     paths.forEach((path, i) => { if (isOn(i)) layers.paths.addLayer(path); });
   }
 
