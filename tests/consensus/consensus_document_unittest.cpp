@@ -81,6 +81,8 @@ TEST(ConsensusDocument, saysWhatNobodyBearsOut) {
   expectSaid("%.2f times their drift", kEightyPercent);
   expectSaid("a long stretch (%zu scans, or %g m of path) that was not found", kLongScans,
              kLongWay);
+  expectSaid("a jump to there, on the robot's way, costs %g *h* + %g (1 − *h*).", kJumpCost,
+             kJumpCost / 4);
   expectSaid("a jump elsewhere costs %g *h* + %g (1 − *h*).", kFarCost, 2 * kJumpCost);
 }
 

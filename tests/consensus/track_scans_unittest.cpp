@@ -50,6 +50,23 @@ TEST(TrackScans, atAnyTearTheScansAreFoundAgain) {
   }
 }
 
+TEST(TrackScans, aShortTornEndIsFoundWhereItWasLookedForAndTheRunsOwnScansPart) {
+  const test::DriveInBuilding& drive = driveInBuilding();
+  const std::size_t cut = drive.frames.size() - 4;
+  const std::vector<Keyframe> frames = test::broken(drive.frames, cut, 40 * M_PI / 180, {0.3, 0.2});
+  const Transform2D there = drive.frames[cut].pose * frames[cut].pose.inverse();
+  for (const auto& lost : {std::vector<Transform2D>{}, {there}}) {
+    TrackedFits fits;
+    const auto track =
+        trackScans(scanWalls(frames), drive.map.patches, {}, {{{}}, lost}, drive.map, fits);
+    for (std::size_t i = cut; i < track.size(); ++i) {
+      const Point at = drive.frames[i].pose.shift();
+      const bool isFound = track[i] && distance((*track[i])(frames[i].pose.shift()), at) < 0.15;
+      EXPECT_EQ(isFound, !lost.empty()) << i;
+    }
+  }
+}
+
 /** The share of the scans that lie where they were taken, once `back` has carried them there. */
 double shareFound(const std::vector<std::optional<Transform2D>>& track,
                   const std::vector<Keyframe>& driven, const Transform2D& back) {
@@ -103,9 +120,9 @@ TEST(TrackScans, whatEarlierTracksFoundChangesNothing) {
   const std::vector<ScanWalls> scans = scanWalls(drive.frames);
   const Transform2D wrong{3, 1, 2};
   TrackedFits fits;
-  trackScans(scans, {}, {}, {wrong}, drive.map, fits);
+  trackScans(scans, {}, {}, {{wrong}, {}}, drive.map, fits);
   const auto once = trackOnce(scans, {}, {}, {wrong, {}}, drive.map);
-  const auto again = trackScans(scans, {}, {}, {wrong, {}}, drive.map, fits);
+  const auto again = trackScans(scans, {}, {}, {{wrong, {}}, {}}, drive.map, fits);
   EXPECT_GE(shareFound(again, drive.frames, {}), 0.95);
   for (std::size_t k = 0; k < once.size(); ++k) {
     ASSERT_EQ(again[k].has_value(), once[k].has_value()) << k;

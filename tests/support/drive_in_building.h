@@ -16,7 +16,7 @@ inline std::vector<std::optional<Transform2D>> trackOnce(const std::vector<ScanW
                                                          const std::vector<Transform2D>& wholes,
                                                          const WallMap& in) {
   TrackedFits fits;
-  return trackScans(scans, patches, followed, wholes, in, fits);
+  return trackScans(scans, patches, followed, {wholes, {}}, in, fits);
 }
 
 /** A building, and a drive through it. */

@@ -93,13 +93,13 @@ std::vector<FoundGroup> matchTrack(const PoseGraph& graph, IdRange<NodeId> nodes
 
 /** The track of a run; once more with where it may lie by what was not found. */
 Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
-              std::vector<Transform2D> wholes) {
+              const std::vector<Transform2D>& wholes) {
   TrackedFits fits;
-  Track track = trackScans(run.scans, run.map.patches, followed, wholes, map, fits);
-  const std::vector<Transform2D> more = lookAgain(run.scans, track, map);
-  if (more.empty()) return track;
-  wholes.insert(wholes.end(), more.begin(), more.end());
-  return trackScans(run.scans, run.map.patches, followed, wholes, map, fits);
+  LikelyPoses likely{wholes, {}};
+  Track track = trackScans(run.scans, run.map.patches, followed, likely, map, fits);
+  likely.lost = lookAgain(run.scans, track, map);
+  if (likely.lost.empty()) return track;
+  return trackScans(run.scans, run.map.patches, followed, likely, map, fits);
 }
 
 using Drawn = std::vector<std::pair<std::uint32_t, NodeId>>;  // wall point, node

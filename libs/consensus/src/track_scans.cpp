@@ -56,12 +56,12 @@ struct Candidate {
 class Tracker {
  public:
   Tracker(const std::vector<ScanWalls>& scans, const WallPatches& patches,
-          const FollowedWalls& followed, const std::vector<Transform2D>& wholes, const WallMap& map,
+          const FollowedWalls& followed, const LikelyPoses& likely, const WallMap& map,
           TrackedFits& fits)
       : scans_(scans),
         patches_(patches),
         followed_(followed),
-        wholes_(wholes),
+        likely_(likely),
         map_(map),
         fits_(fits),
         candidates_(scans.size()),
@@ -98,10 +98,11 @@ class Tracker {
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     if (way == Way::forth && bestQuality(k) < fitted::kSure) {
       for (const Transform2D& pose : posesNear(scans_[k].robot())) tryFrom(k, pose);
-      for (const Transform2D& pose : wholes_)
-        if (!isKnown(k, pose, kSameScanStart) &&
-            roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
-          tryFrom(k, pose);
+      for (const auto* poses : {&likely_.whole, &likely_.lost})
+        for (const Transform2D& pose : *poses)
+          if (!isKnown(k, pose, kSameScanStart) &&
+              roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
+            tryFrom(k, pose);
     }
     if (before && bestQuality(k) < fitted::kWell && isJustLost(k, before->front()))
       spin(k, before->front());
@@ -213,13 +214,17 @@ class Tracker {
     const double moved = distance(from.pose(place), to.pose(place));
     const double turned = std::abs(wrappedAngle(from.pose.phi - to.pose.phi));
     const double bend = moved / kSteadyTrack.place + turned / kSteadyTrack.turn;
-    if (bend < 1) return fitted::kJumpCost * bend * bend / 4;
+    constexpr double kMostBend = fitted::kJumpCost / 4;
+    if (bend < 1) return kMostBend * bend * bend;
     const double way = distance(from.pose(scans_[from.scan].robot()), to.pose(place));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
-    if (isOnTheWay) return fitted::kJumpCost;
+    const auto costs = [&, hold = holdBetween(from.scan, to.scan)](double holding, double parted) {
+      return hold * holding + (1 - hold) * parted;
+    };
     // Where the run's own scans part, to begin anew costs little more than what a start does.
-    const double hold = holdBetween(from.scan, to.scan);
-    return hold * fitted::kFarCost + (1 - hold) * kStartCost;
+    if (!isOnTheWay) return costs(fitted::kFarCost, kStartCost);
+    const bool isLookedFor = isNearAny(likely_.lost, to.pose, place, kRoughly);
+    return isLookedFor ? costs(fitted::kJumpCost, kMostBend) : fitted::kJumpCost;
   }
 
   /** How far the run's own scans hold together from one scan to another. */
@@ -255,14 +260,14 @@ class Tracker {
   /** A way starts where the maps as a whole fit. */
   double startCost(const Candidate& first) const {
     const bool isMain =
-        areNear(first.pose, wholes_.front(), scans_[first.scan].robot(), kAsMapsBend);
+        areNear(first.pose, likely_.whole.front(), scans_[first.scan].robot(), kAsMapsBend);
     return isMain ? 0 : kStartCost;
   }
 
   const std::vector<ScanWalls>& scans_;
   const WallPatches& patches_;
   const FollowedWalls& followed_;
-  const std::vector<Transform2D>& wholes_;
+  const LikelyPoses& likely_;
   const WallMap& map_;
   TrackedFits& fits_;
   std::vector<std::vector<Candidate>> candidates_;
@@ -275,9 +280,9 @@ class Tracker {
 std::vector<std::optional<Transform2D>> trackScans(const std::vector<ScanWalls>& scans,
                                                    const WallPatches& patches,
                                                    const FollowedWalls& followed,
-                                                   const std::vector<Transform2D>& wholes,
-                                                   const WallMap& map, TrackedFits& fits) {
-  return Tracker(scans, patches, followed, wholes, map, fits).track();
+                                                   const LikelyPoses& likely, const WallMap& map,
+                                                   TrackedFits& fits) {
+  return Tracker(scans, patches, followed, likely, map, fits).track();
 }
 
 }  // namespace roomgraph
