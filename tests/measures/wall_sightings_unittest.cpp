@@ -108,6 +108,17 @@ TEST(WallSightings, aRoomThatIsDrawnMirroredIsWrongThere) {
   EXPECT_LT(*four.measured(wallsAddedOf, 3).value, 0.05) << "two others have all that it has";
 }
 
+TEST(WallSightings, whomARunWithScansIsTrustedFarMoreThanIsNoWitness) {
+  Four four(withoutMiddle(State::free));
+  four.trust = {1, 1e-4, 1e-4, 1e-4};
+  EXPECT_GT(*four.measured(wallsMissingOf).value, 0.1) << "without scans";
+  four.runs[0].scans.resize(1);
+  EXPECT_FALSE(four.measured(wallsMissingOf).value);
+  EXPECT_FALSE(four.measured(wallsAddedOf).hasEnoughOthers);
+  four.runs[2].scans.resize(1);
+  EXPECT_TRUE(four.measured(wallsAddedOf, 2).hasEnoughOthers) << "they are no worse than itself";
+}
+
 TEST(WallSightings, copiesAreNoWitnesses) {
   Four four(drawnBuilding(1, {2, 1, 0.3}));
   for (const auto& [a, b] : {PairOfThings{1, 2}, {1, 3}, {2, 3}}) four.pairs(a, b).areEdits = true;

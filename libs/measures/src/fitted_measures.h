@@ -23,8 +23,8 @@ constexpr double kLoop = 0.3;       // share of the length below which the ends 
 constexpr double kSameView = 2;        // between the places of two scans that see the same [m]
 constexpr std::size_t kMaxVisits = 8;  // scans that one is compared with, nearest first
 
-// Coverage: a run that is trusted less than this share of the second best is so torn or bent that
-// it tells of places that are not there.
+// A run that is trusted less than this share of the second best, or of the one that is measured, is
+// so torn or bent that it tells of places and free space that are not there.
 constexpr double kLeastTrust = 1e-3;
 
 }  // namespace roomgraph::fitted

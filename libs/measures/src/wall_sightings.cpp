@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "fitted_measures.h"
 #include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/relate/pair_jobs.h"
@@ -23,12 +24,15 @@ std::vector<std::vector<bool>> straightOf(const Site& site, const ForEach& forEa
   return straight;
 }
 
-/** The other voices that were related to a run. */
+/** The other voices that were related to a run. Whom a run with scans is trusted far more than is
+ *  none: what such a map lacks tells of itself. Without scans the error rests on the same walls. */
 std::vector<std::size_t> othersOf(const SightingTable& sightings, const DistinctMaps& maps,
-                                  std::size_t run) {
+                                  const Trust& trust, std::size_t run) {
+  const double least = sightings.hasScans[run] ? fitted::kLeastTrust * trust[run] : 0;
   std::vector<std::size_t> others;
   for (const std::size_t other : sightings.in.othersOf(run))
-    if (maps.isVoice(other) && maps.voiceOf(run) != other) others.push_back(other);
+    if (maps.isVoice(other) && maps.voiceOf(run) != other && trust[other] >= least)
+      others.push_back(other);
   return others;
 }
 
@@ -105,8 +109,11 @@ Share shareRound(std::size_t patch, const WallPatches& patches, const std::vecto
 }  // namespace
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}};
-  for (const Run* run : site.runs) table.patches.push_back(&run->map.patches);
+  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}, {}};
+  for (const Run* run : site.runs) {
+    table.patches.push_back(&run->map.patches);
+    table.hasScans.push_back(!run->scans.empty());
+  }
   visitPairs(site, pairs.pairs(), forEach, [&](std::size_t k, FullMaps& maps) {
     const auto [i, j] = pairs.pairs()[k];
     const WallMap &a = maps(site.mapOf(i)), &b = maps(site.mapOf(j));
@@ -118,7 +125,7 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run) {
-  const auto others = othersOf(sightings, maps, run);
+  const auto others = othersOf(sightings, maps, trust, run);
   std::vector<Count> counts;
   std::vector<double> supports;
   for (const std::size_t other : others) {
@@ -138,7 +145,7 @@ MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps&
 
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
                            const Trust& trust, std::size_t run) {
-  auto others = othersOf(sightings, maps, run);
+  auto others = othersOf(sightings, maps, trust, run);
   const auto isDistrusted = [&](std::size_t other) { return trust[other] <= 0; };
   others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
   MeasuredValue added;

@@ -22,6 +22,7 @@ struct SightingTable {
   DirectedTable<std::vector<WallSighting>> in;  ///< of each wall point of a run, in another one
   std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
   std::vector<const WallPatches*> patches;      ///< of the walls of each run
+  std::vector<bool> hasScans;                   ///< of each run
 };
 
 /** Of all pairs, see sightWalls. O(pairs * walls). */
@@ -30,14 +31,15 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 /** Of one run: `walls_missing`, of the straight walls of each other run that a third one has, too,
  *  and none denies, and of which this one has seen the place, the share that it has not: it shows
  *  free space there, or only up to there. Furniture, which moves, is seldom as straight. Weighted
- *  by trust. Edits of one picture are one voice. Support in wall points. */
+ *  by trust. Edits of one picture are one voice; of a run with scans, others that are trusted less
+ *  than a thousandth of it are none. Support in wall points. */
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run);
 
 /** Of one run: `walls_added`, of its walls of which two others have seen the place, the share where
  *  all of these show free space: not of the whole map, in which a room that is drawn wrong is
- *  little, but of the kFewestWalls next to each other that have most of them. Support in wall
- *  points. O(patches^2). */
+ *  little, but of the kFewestWalls next to each other that have most of them. Others as for
+ *  `walls_missing`. Support in wall points. O(patches^2). */
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
                            const Trust& trust, std::size_t run);
 
