@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <regex>
 
-#include "roomgraph/base/nearest_word.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {

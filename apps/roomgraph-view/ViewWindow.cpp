@@ -10,7 +10,7 @@
 #include "Beat.h"
 #include "TimeLine.h"
 #include "ViewPanel.h"
-#include "nudge_fit.h"
+#include "ViewState.h"
 #include "read_place.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"

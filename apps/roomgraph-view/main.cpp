@@ -42,7 +42,6 @@ std::size_t placeOf(const char* option, std::size_t number, std::size_t count) {
                    ", counted from 1");
 }
 
-/** The place of a key frame in the path of a run. */
 std::size_t placeOfFrame(std::size_t frame, const View& view, std::size_t run) {
   const auto& path = view.path(run);
   if (path.empty()) throw UsageError("--key-frame: the run has no scans; leave it out");

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "draw_stage.h"
-#include "nudge_fit.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"

@@ -6,6 +6,7 @@
 
 #include "merge_site.h"
 #include "option_arguments.h"
+#include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"
 
@@ -35,5 +36,15 @@ void declareSite(ArchiveArguments& arguments, CLI::App& app);
 void declareWatch(ArchiveArguments& arguments, CLI::App& app);
 /** Declares how runs are added: --site, --robot, --compare-with and so on. */
 void declareAdding(ArchiveArguments& arguments, CLI::App& app);
+
+/** The files of at most `most` runs of a site, as 'archive add' chooses those that it compares
+ *  with; tells on stderr of those that are gone. */
+std::vector<std::string> recordFiles(const Archive& archive, const std::string& site,
+                                     std::size_t most);
+
+/** The file of a run as somebody calls it, see namedRun. @throws DataError where there is no such
+ *  run, or its file is gone or another one now. */
+std::string fileOfRun(const Archive& archive, const std::string& site, const std::string& run,
+                      const std::string& archiveFile);
 
 }  // namespace roomgraph

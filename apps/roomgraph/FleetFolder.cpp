@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "roomgraph/archive/task_lines.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"

@@ -1,11 +1,11 @@
 #include "add_to_archive.h"
 
-#include <algorithm>
 #include <ctime>
 #include <filesystem>
 #include <set>
 
 #include "commands.h"
+#include "output_names.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
@@ -16,13 +16,11 @@
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/repair/key_frame_moves.h"
-#include "roomgraph/repair/repair_alone.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/report/PairFolder.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
 #include "run_in_order.h"
 #include "site_runs.h"
 #include "terminal.h"
@@ -59,11 +57,8 @@ std::string writeRepaired(const Run& run, const RepairedRun& repaired) {
   const StoredPoses stored = readStoredPoses(file);
   const std::string content =
       movePoses(file.content(), file.name(), stored, keyFrameMoves(run, repaired, stored));
-  const std::filesystem::path path(run.file);
-  const std::string name = path.filename().string(), stem = mapStem(run.file);
   const std::string there =
-      (path.parent_path() / (stem + ".repaired" + name.substr(std::min(stem.size(), name.size()))))
-          .string();
+      (std::filesystem::path(run.file).parent_path() / repairedName(run.file)).string();
   writeFileAtomically(there, compressed(content, file.compression()));
   return printable(there + ": " + repaired.reason) +
          formatted(", moved by up to %.2f m\n", repaired.movedMost);
@@ -90,7 +85,6 @@ std::string keepRepaired(const std::string& kept, const std::vector<std::string>
   return printable(kept) + ": has no scans, or fits no other run: nothing can be mended\n";
 }
 
-/** Adds a run, and says what became of it. */
 void addOne(Archive& archive, const std::string& file, const AddRunOptions& options,
             const ArchiveArguments& arguments) {
   std::vector<std::string> record;  // as it is before this run belongs to it

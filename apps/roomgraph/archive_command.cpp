@@ -3,7 +3,6 @@
 
 #include "ArchiveArguments.h"
 #include "add_to_archive.h"
-#include "archive_runs.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -213,7 +212,6 @@ int exportAll(const ArchiveArguments& arguments) {
   return kDone;
 }
 
-/** A command of the archive. */
 struct ArchiveCommand {
   const char *name, *sentence;
   void (*declare)(ArchiveArguments& arguments, CLI::App& app);

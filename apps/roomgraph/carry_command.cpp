@@ -3,15 +3,14 @@
 #include <memory>
 
 #include "ArchiveArguments.h"
-#include "ResultFolder.h"
 #include "add_to_archive.h"
-#include "archive_runs.h"
 #include "commands.h"
+#include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/carry_things.h"
-#include "roomgraph/repair/read_marked.h"
 #include "run_in_order.h"
 #include "site_runs.h"
 #include "terminal.h"
@@ -62,7 +61,6 @@ std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
   return solveRuns(site);
 }
 
-/** The place of a map in the site. */
 std::size_t placeIn(const Site& site, const std::string& file) {
   if (const auto place = site.placeOf(file)) return *place;
   throw DataError(file +

@@ -4,14 +4,12 @@
 #include <optional>
 
 #include "commands.h"
-#include "mrpt_results.h"
-#include "note_lines.h"
+#include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
-#include "roomgraph/check/check_gate.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/page/check_page.h"
@@ -124,8 +122,7 @@ std::function<int()> checkCommand(CLI::App& app) {
                "RawLogViewer: X.check.breakN.rawlog and X.check.doubledN.rawlog as the run has "
                "them, and .untorn.rawlog as they fit.");
   declareCheckGate(*arguments, app);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   declareRunning(arguments->running, "runs", "every note on a map", app);
   return [arguments] { return run(*arguments); };
 }

@@ -8,8 +8,7 @@
 #include "Laps.h"
 #include "commands.h"
 #include "comparison_results.h"
-#include "mrpt_results.h"
-#include "note_lines.h"
+#include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
@@ -20,7 +19,6 @@
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/site_json.h"
 #include "run_in_order.h"
-#include "site_files.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -107,7 +105,6 @@ void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& file
         throw UsageError(result + ": would replace a map: choose another folder with --output");
 }
 
-/** The names of the candidates. */
 std::vector<std::string> candidatesOf(const CompareArguments& arguments,
                                       const Comparison& comparison) {
   std::vector<std::string> names;
@@ -180,7 +177,6 @@ ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
   return others;
 }
 
-/** Writes all that is told of a comparison, and says so. */
 void writeResults(Comparison comparison, const std::vector<Run>& runs,
                   const CompareArguments& arguments, const std::string& folder,
                   StagedFiles& staged) {

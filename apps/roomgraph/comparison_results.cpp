@@ -18,7 +18,7 @@
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_sentences.h"
 #include "roomgraph/report/gate_report.h"
-#include "roomgraph/report/site_geojson.h"
+#include "roomgraph/report/site_json.h"
 #include "terminal.h"
 
 namespace roomgraph {

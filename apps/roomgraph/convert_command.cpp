@@ -11,7 +11,7 @@
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
-#include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -95,8 +95,7 @@ std::function<int()> convertCommand(CLI::App& app) {
             "What to write: 'ros' (X.yaml and X.pgm, for ROS's map_server), 'gridmap' (for "
             "MRPT) or 'png' (a picture).")
       ->capture_default_str();
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "commands.h"
-#include "mrpt_results.h"
+#include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
@@ -48,8 +48,7 @@ std::function<int()> exportRawlogCommand(CLI::App& app) {
   addOption(app, "--to K", arguments->stretch.to,
             "The last key frame. Without it, the last one of the run.")
       ->check(CLI::NonNegativeNumber);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

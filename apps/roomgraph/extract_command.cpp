@@ -4,7 +4,6 @@
 
 #include "Laps.h"
 #include "commands.h"
-#include "note_lines.h"
 #include "option_arguments.h"
 #include "output_formats.h"
 #include "output_names.h"
@@ -221,8 +220,7 @@ std::function<int()> extractCommand(CLI::App& app) {
                   ", compressed or not. The kind is told by the content. Several maps are "
                   "processed in parallel.");
   declareResults(*arguments, app);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
   declareRunning(arguments->running, "maps", "how each map was read", app);
   return [arguments] { return run(*arguments); };

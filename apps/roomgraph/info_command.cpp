@@ -120,8 +120,7 @@ std::function<int()> infoCommand(CLI::App& app) {
               "comparison.roomgraph.");
   app.add_flag("--grid", arguments->buildsGrid,
                "Also build the grid of each simplemap, and tell what it holds.");
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

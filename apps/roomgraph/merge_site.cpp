@@ -3,29 +3,29 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 
-#include "ResultFolder.h"
 #include "commands.h"
+#include "more_files.h"
 #include "output_formats.h"
+#include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
-#include "roomgraph/ledger/name_areas.h"
+#include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/merge_runs.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/report/site_json.h"
-#include "roomgraph/scans/join_simplemaps.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/rewrite_simplemap.h"
 #include "run_in_order.h"
-#include "site_files.h"
-#include "site_runs.h"
 #include "terminal.h"
 
 namespace roomgraph {
@@ -33,7 +33,6 @@ namespace {
 
 constexpr const char* kGraphFormats = "json,svg,geojson,osm";
 
-/** The runs that are merged, and where they are from. */
 struct Merging {
   std::vector<MergedRun> runs;
   std::vector<const Run*> from;
@@ -76,7 +75,6 @@ Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
   return merging;
 }
 
-/** Names what was left out of the runs that were merged. */
 void tellLeftOut(const MergedMap& map, Merging& merging) {
   for (std::size_t r = 0; r < merging.runs.size(); ++r) {
     const std::size_t count = map.leftOut[r].size(), all = merging.runs[r].scans.size();
@@ -191,6 +189,16 @@ int mergeSite(const MergeArguments& arguments) {
   for (const std::string& text : merging.leftOut) printError(text + ": left out");
   if (!site.running.isQuiet) print(lines);
   return runs->exitCode();
+}
+
+std::function<int()> mergeCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<MergeArguments>();
+  addArgument(app, "RUN", arguments->site.files, "Simplemaps of one site, each of a drive.");
+  addOption(app, "--names FILE", arguments->names,
+            "JSON file that keeps the ids and names of the site's rooms, as for 'roomgraph "
+            "compare': the graph has them.");
+  declareMerging(*arguments, app);
+  return [arguments] { return mergeSite(*arguments); };
 }
 
 }  // namespace roomgraph

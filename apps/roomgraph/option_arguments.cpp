@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <memory>
 
 #include "commands.h"
 #include "roomgraph/base/Error.h"
@@ -9,6 +10,7 @@
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/report/comparison_json.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -120,6 +122,11 @@ void declareReading(OptionArguments& arguments, CLI::App& app) {
             "the points if there is no grid.");
 }
 
+void declareOptions(OptionArguments& arguments, CLI::App& app) {
+  declareConfig(arguments, app);
+  declareReading(arguments, app);
+}
+
 void declareRooms(OptionArguments& arguments, CLI::App& app) {
   CLI::Option* width =
       addOption(app, "--room-width M", arguments.roomWidth, help("find_rooms", "min_width"));
@@ -176,6 +183,16 @@ std::optional<std::size_t> numberAfter(char letter, const std::string& word) {
   if (word.size() < 2 || *begin != letter || std::from_chars(begin + 1, end, number).ptr != end)
     return std::nullopt;
   return number;
+}
+
+std::function<int()> configCommand(CLI::App& app) {
+  const auto arguments = std::make_shared<OptionArguments>();
+  declareConfig(*arguments, app);
+  return [arguments] {
+    CompareMapsOptions options = toCompareOptions(*arguments);
+    print(toIni(describe(options)));
+    return int(kDone);
+  };
 }
 
 }  // namespace roomgraph

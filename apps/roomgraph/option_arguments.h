@@ -20,13 +20,15 @@ struct OptionArguments {
   bool allComponents = false;
 };
 
-/** Declares --preset, --config and --set. Help texts come from the field table. */
 /** Puts the options that `declare` adds under a heading of their own in the help. */
 void underHeading(const std::string& heading, CLI::App& app, const std::function<void()>& declare);
 
+/** Declares --preset, --config and --set. Help texts come from the field table. */
 void declareConfig(OptionArguments& arguments, CLI::App& app);
 /** Declares what maps are read with: --resolution, --slice and --layer. */
 void declareReading(OptionArguments& arguments, CLI::App& app);
+/** Declares both. */
+void declareOptions(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2, --all-components and --robot-width. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
 

@@ -6,11 +6,10 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/drawing/draw.h"
-#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/geojson.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/graph_files/graphml.h"
-#include "roomgraph/graph_files/nav2_masks.h"
 #include "roomgraph/graph_files/osm_xml.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/mrpt_plugin/scene_file.h"

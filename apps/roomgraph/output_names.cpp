@@ -3,11 +3,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +15,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -129,6 +130,22 @@ std::map<std::string, std::string> mapsByResult(const std::vector<std::string>& 
 
 }  // namespace
 
+ResultFolder::ResultFolder(const std::string& folder, std::vector<std::string> inputs)
+    : folder_(folder), inputs_(std::move(inputs)) {
+  makeWritableFolder(folder);
+}
+
+std::string ResultFolder::add(const std::string& name, const std::string& bytes) {
+  std::string file = (std::filesystem::path(folder_) / name).string();
+  for (const std::string& input : inputs_)
+    if (areSameFile(file, input))
+      throw UsageError(file + ": would replace what is read: choose another folder with --output");
+  if (!added_.insert(file).second)
+    throw UsageError(file + ": would be written twice: ask for files of one name one by one");
+  staged_.add(file, bytes);
+  return file;
+}
+
 bool areSameFile(const std::string& one, const std::string& other) {
   const auto identity = identityOf(one);
   return identity && identity == identityOf(other);
@@ -141,6 +158,11 @@ bool wouldBeSameFile(const std::string& one, const std::string& other) {
 std::string outputFile(const std::string& folder, const std::string& mapFile,
                        const std::string& extension) {
   return (fs::path(folder) / (mapStem(mapFile) + "." + extension)).string();
+}
+
+std::string repairedName(const std::string& file) {
+  const std::string name = fileName(file), stem = mapStem(file);
+  return stem + ".repaired" + name.substr(std::min(stem.size(), name.size()));
 }
 
 void checkOutputNames(const std::vector<std::string>& mapFiles, const std::string& folder,

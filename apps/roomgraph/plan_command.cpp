@@ -4,7 +4,6 @@
 #include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/archive/plan_fleet.h"
-#include "roomgraph/archive/read_run_list.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/sentence_text.h"
 #include "terminal.h"
@@ -64,8 +63,7 @@ std::function<int()> planCommand(CLI::App& app) {
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
   declareQuiet(arguments->isQuiet, app);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
 

@@ -7,24 +7,21 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/compressed.h"
-#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
-#include "roomgraph/consensus/graph_g2o.h"
+#include "roomgraph/consensus/Consensus.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
-#include "roomgraph/mrpt_plugin/gridmap_file.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/page/repair_page.h"
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/loop_constraints.h"
-#include "roomgraph/repair/repair_alone.h"
 #include "roomgraph/repair/repair_runs.h"
-#include "roomgraph/repair/trajectory_tum.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
 #include "site_runs.h"
 #include "terminal.h"
 
@@ -37,13 +34,6 @@ struct RepairArguments {
   std::string format;
 };
 
-/** "run01.repaired.simplemap.gz" of "run01.simplemap.gz". */
-std::string repairedName(const std::string& file) {
-  const std::string name = fileName(file), stem = mapStem(file);
-  return stem + ".repaired" + name.substr(std::min(stem.size(), name.size()));
-}
-
-/** The files of one run. */
 void addRun(const Run& run, const RepairedRun& repaired, const std::string& folder,
             StagedFiles& staged) {
   CheckedFile file(run.file);

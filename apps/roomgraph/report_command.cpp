@@ -43,7 +43,6 @@ void checkCandidates(const ReportArguments& arguments, const Comparison& compari
   }
 }
 
-/** The maps that were found, and where. */
 struct FoundMaps {
   std::vector<Run> runs;
   std::map<std::string, std::filesystem::path> places;  ///< by the name of the run

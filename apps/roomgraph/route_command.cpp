@@ -6,7 +6,6 @@
 #include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/GraphFile.h"
@@ -44,7 +43,6 @@ AreaId behind(const Passage& passage, AreaId area) {
   return passage.a == area ? passage.b : passage.a;
 }
 
-/** A line for a passage, and where it leads. */
 std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
   const Passage& passage = file.areas.passages[id.index()];
   return formatted("  passage %zu at (%.2f, %.2f), %.2f m wide, to %s\n", id.index(),
@@ -150,8 +148,7 @@ std::function<int()> routeCommand(CLI::App& app) {
   };
   add("--from", arguments->from, "Where to start: a room as R3, a corridor as C7, or x and y. (m)");
   add("--to", arguments->to, "Where to go, in the same words.");
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }
@@ -161,8 +158,7 @@ std::function<int()> whereCommand(CLI::App& app) {
   addArgument(app, "MAP", arguments->map, "A map as for 'roomgraph extract', or its X.json.");
   addArgument(app, "X", arguments->place.x, "The place, in the frame of the map. (m)");
   addArgument(app, "Y", arguments->place.y, "The same. (m)");
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
   return [arguments] { return run(*arguments); };
 }

@@ -6,7 +6,6 @@
 #include "commands.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/evaluation/score_rooms.h"
-#include "roomgraph/evaluation/write_score.h"
 #include "roomgraph/images/read_labels.h"
 #include "terminal.h"
 

@@ -53,8 +53,7 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
             "Folder that keeps what was found for each pair of maps, as for 'roomgraph "
             "compare'.");
   declareRunning(arguments.running, "maps or pairs", "what is done with each map", app);
-  declareConfig(arguments.options, app);
-  declareReading(arguments.options, app);
+  declareOptions(arguments.options, app);
 }
 
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {

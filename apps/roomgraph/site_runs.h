@@ -5,7 +5,7 @@
 
 #include "commands.h"
 #include "option_arguments.h"
-#include "roomgraph/consensus/solve_site.h"
+#include "roomgraph/consensus/site_consensus.h"
 
 namespace roomgraph {
 

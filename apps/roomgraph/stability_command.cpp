@@ -13,7 +13,6 @@
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/write_file.h"
-#include "roomgraph/evaluation/stability_progress.h"
 #include "roomgraph/evaluation/write_stability.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "run_in_order.h"
@@ -207,8 +206,7 @@ std::function<int()> stabilityCommand(CLI::App& app) {
               "Maps, as for 'roomgraph extract'. They are processed one after the other, the "
               "noisy copies of each in parallel.");
   declareExperiment(arguments->task.options, app);
-  declareConfig(arguments->options, app);
-  declareReading(arguments->options, app);
+  declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
   declareRunning(arguments->task, app);
   return [arguments] { return run(*arguments); };

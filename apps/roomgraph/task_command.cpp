@@ -3,7 +3,7 @@
 #include "FleetFolder.h"
 #include "commands.h"
 #include "option_arguments.h"
-#include "roomgraph/archive/do_task.h"
+#include "roomgraph/archive/FleetTask.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/report/comparison_json.h"

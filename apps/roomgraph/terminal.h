@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/Notes.h"
+
 namespace roomgraph {
 
 /** Whole lines to stdout, each made printable; names within them should be so already, as they may
@@ -32,5 +34,15 @@ Failure currentFailure(const std::string& file);
  *  done all the same. Gives the exit code: the largest of the failures', or kDone. */
 int doEach(const std::vector<std::string>& files,
            const std::function<void(const std::string& file)>& job);
+
+/** A note on a map. */
+struct MapNote {
+  std::string file;
+  Note note;
+};
+
+/** For stderr: one line per note when verbose, else at most one per map, for the first of its notes
+ *  of a kind that was not told yet, and how many more there are. */
+std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose);
 
 }  // namespace roomgraph

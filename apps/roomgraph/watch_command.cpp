@@ -7,7 +7,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -16,7 +15,7 @@
 #include "add_to_archive.h"
 #include "commands.h"
 #include "output_names.h"
-#include "roomgraph/archive/added_run_json.h"
+#include "roomgraph/archive/export_history.h"
 #include "roomgraph/archive/watch_site.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/report/PairFolder.h"

@@ -13,10 +13,8 @@
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/repair/carry_places.h"
 #include "roomgraph/repair/key_frame_moves.h"
-#include "roomgraph/repair/repair_alone.h"
 #include "roomgraph/repair/repair_runs.h"
-#include "roomgraph/repair/trajectory_tum.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph {
 namespace {

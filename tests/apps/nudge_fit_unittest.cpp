@@ -1,7 +1,6 @@
-#include "nudge_fit.h"
-
 #include <gtest/gtest.h>
 
+#include "ViewState.h"
 #include "sample_view.h"
 
 namespace roomgraph {

@@ -1,8 +1,8 @@
-#include "roomgraph/archive/Samples.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "roomgraph/archive/watch_errors.h"
 
 namespace roomgraph {
 namespace {

@@ -1,11 +1,11 @@
-#include "roomgraph/archive/added_run_json.h"
-
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
 #include <rapidjson/schema.h>
 
 #include <fstream>
 #include <sstream>
+
+#include "roomgraph/archive/export_history.h"
 
 namespace roomgraph {
 namespace {

@@ -1,5 +1,3 @@
-#include "roomgraph/archive/do_task.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include "TestFolder.h"
 #include "drawn_building.h"
 #include "grid_picture.h"
+#include "roomgraph/archive/FleetTask.h"
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"

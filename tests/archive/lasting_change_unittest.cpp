@@ -1,8 +1,8 @@
-#include "roomgraph/archive/lasting_change.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "roomgraph/archive/watch_site.h"
 
 namespace roomgraph {
 namespace {

@@ -1,9 +1,8 @@
-#include "name_known_rooms.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "reform_site.h"
 #include "roomgraph/base/Error.h"
 #include "sample_nights.h"
 

@@ -1,7 +1,6 @@
-#include "roomgraph/archive/named_run.h"
-
 #include <gtest/gtest.h>
 
+#include "roomgraph/archive/SiteHistory.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {

@@ -1,10 +1,9 @@
-#include "roomgraph/archive/read_run_list.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "RandomNumbers.h"
+#include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 
 namespace roomgraph {

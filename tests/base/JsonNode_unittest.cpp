@@ -1,9 +1,9 @@
-#include "roomgraph/base/JsonNode.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+
+#include "roomgraph/base/Json.h"
 
 namespace roomgraph {
 namespace {

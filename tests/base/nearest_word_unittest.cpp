@@ -1,6 +1,6 @@
-#include "roomgraph/base/nearest_word.h"
-
 #include <gtest/gtest.h>
+
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {

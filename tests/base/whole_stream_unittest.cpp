@@ -1,8 +1,7 @@
-#include "roomgraph/base/whole_stream.h"
-
 #include <gtest/gtest.h>
 
 #include "map_files.h"
+#include "roomgraph/base/compressed.h"
 
 namespace roomgraph::test {
 namespace {

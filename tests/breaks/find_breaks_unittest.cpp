@@ -1,5 +1,3 @@
-#include "roomgraph/breaks/find_breaks.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <optional>
 
 #include "drive_in_building.h"
+#include "roomgraph/breaks/site_breaks.h"
 
 namespace roomgraph {
 namespace {

@@ -1,10 +1,9 @@
-#include "roomgraph/breaks/rigid_pieces.h"
-
 #include <gtest/gtest.h>
 
 #include "drawn_building.h"
 #include "drawn_graph.h"
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/breaks/find_pieces.h"
 
 namespace roomgraph {
 namespace {

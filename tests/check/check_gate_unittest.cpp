@@ -1,6 +1,6 @@
-#include "roomgraph/check/check_gate.h"
-
 #include <gtest/gtest.h>
+
+#include "roomgraph/check/check_run.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,7 @@
-#include "TurnedPose.h"
-
 #include <gtest/gtest.h>
 
 #include "RandomNumbers.h"
+#include "edge_cost.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {

@@ -1,7 +1,6 @@
-#include "roomgraph/consensus/add_run_nodes.h"
-
 #include <gtest/gtest.h>
 
+#include "roomgraph/consensus/PoseGraph.h"
 #include "sample_runs.h"
 
 namespace roomgraph {

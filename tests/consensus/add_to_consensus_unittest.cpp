@@ -1,4 +1,3 @@
-#include "roomgraph/consensus/add_to_consensus.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "roomgraph/consensus/graph_g2o.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "roomgraph/consensus/Consensus.h"
 
 namespace roomgraph {
 namespace {

@@ -1,14 +1,13 @@
-#include "lost_scans.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
+#include "confirm_runs.h"
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/consensus/add_run_nodes.h"
+#include "roomgraph/consensus/PoseGraph.h"
 
 namespace roomgraph {
 namespace {

@@ -11,7 +11,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/consensus/add_run_nodes.h"
+#include "roomgraph/consensus/PoseGraph.h"
 #include "sample_runs.h"
 
 namespace roomgraph {

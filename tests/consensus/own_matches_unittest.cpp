@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/add_run_nodes.h"
+#include "roomgraph/consensus/PoseGraph.h"
 #include "sample_drives.h"
 
 namespace roomgraph {

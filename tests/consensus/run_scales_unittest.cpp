@@ -1,8 +1,7 @@
-#include "run_scales.h"
-
 #include <gtest/gtest.h>
 
 #include "drawn_pose_graph.h"
+#include "error_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,7 @@
-#include "scan_jitter.h"
-
 #include <gtest/gtest.h>
 
 #include "drawn_drive.h"
+#include "error_parts.h"
 #include "roomgraph/align/LocalScan.h"
 #include "sample_drives.h"
 

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "png_pixels.h"
+#include "render.h"
 #include "sample_stages.h"
-#include "svg_bytes.h"
 
 namespace roomgraph {
 namespace {

@@ -1,6 +1,6 @@
-#include "svg_bytes.h"
-
 #include <gtest/gtest.h>
+
+#include "render.h"
 
 namespace roomgraph {
 namespace {

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/evaluation/write_score.h"
 
 namespace roomgraph {
 namespace {

@@ -1,4 +1,3 @@
-#include "roomgraph/evaluation/stability_progress.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "roomgraph/compare/prepare_run.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
-#include "roomgraph/report/site_geojson.h"
+#include "roomgraph/report/site_json.h"
 
 namespace {
 

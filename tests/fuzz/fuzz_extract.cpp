@@ -5,7 +5,7 @@
 
 #include "graph_rules.h"
 #include "odd_maps.h"
-#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/geojson.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/graph_files/graphml.h"

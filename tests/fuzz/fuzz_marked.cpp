@@ -3,8 +3,8 @@
 #include "ByteSource.h"
 #include "as_file.h"
 #include "or_refused.h"
+#include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/carry_things.h"
-#include "roomgraph/repair/read_marked.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgraph;

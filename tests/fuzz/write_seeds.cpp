@@ -14,7 +14,7 @@
 #include "MapText.h"
 #include "as_file.h"
 #include "roomgraph/archive/Archive.h"
-#include "roomgraph/graph_files/area_labels_png.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/graph_json.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "roomgraph/pipeline/extract.h"

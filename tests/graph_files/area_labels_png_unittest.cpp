@@ -1,9 +1,8 @@
-#include "roomgraph/graph_files/area_labels_png.h"
-
 #include <gtest/gtest.h>
 
 #include "TestFolder.h"
 #include "roomgraph/base/write_file.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/images/read_labels.h"
 #include "sample_stages.h"
 

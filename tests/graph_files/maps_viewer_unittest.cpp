@@ -1,10 +1,10 @@
-#include "roomgraph/graph_files/maps_viewer.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <sstream>
+
+#include "roomgraph/graph_files/ros_map.h"
 
 namespace roomgraph {
 namespace {

@@ -1,11 +1,10 @@
-#include "roomgraph/graph_files/nav2_masks.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "TestFolder.h"
 #include "roomgraph/base/write_file.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "sample_stages.h"

@@ -1,11 +1,10 @@
-#include "roomgraph/ledger/name_areas.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "drawn_house.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/ledger/name_rooms.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,8 @@
-#include "roomgraph/measures/match_rooms.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "roomgraph/measures/match_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -1,10 +1,9 @@
-#include "roomgraph/measures/match_vertices.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "places.h"
+#include "roomgraph/measures/match_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -1,6 +1,6 @@
-#include "site_frame.h"
-
 #include <gtest/gtest.h>
+
+#include "run_measures.h"
 
 namespace roomgraph {
 namespace {

@@ -1,5 +1,3 @@
-#include "roomgraph/mrpt_plugin/gridmap_file.h"
-
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -10,6 +8,7 @@
 
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 
 namespace roomgraph {
 namespace {

@@ -1,5 +1,3 @@
-#include "roomgraph/mrpt_plugin/rawlog_file.h"
-
 #include <gtest/gtest.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -11,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "sample_drive.h"
 
 namespace roomgraph {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <limits>
 
-#include "graph_bytes.h"
+#include "object_bytes.h"
 #include "roomgraph/base/Error.h"
 #include "sample_graph.h"
 

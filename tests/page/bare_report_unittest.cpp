@@ -1,7 +1,6 @@
-#include "bare_report.h"
-
 #include <gtest/gtest.h>
 
+#include "page_summary.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {

@@ -1,7 +1,6 @@
-#include "command_line.h"
-
 #include <gtest/gtest.h>
 
+#include "page_summary.h"
 #include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "drawn_building.h"
-#include "roomgraph/align/mirrored.h"
 #include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {

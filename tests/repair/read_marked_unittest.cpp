@@ -1,9 +1,8 @@
-#include "roomgraph/repair/read_marked.h"
-
 #include <gtest/gtest.h>
 
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/repair/MarkedFile.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,7 @@
-#include "roomgraph/repair/repair_alone.h"
-
 #include <gtest/gtest.h>
 
 #include "roomgraph/check/check_run.h"
+#include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/repair/sound_frame.h"
 #include "sample_drives.h"
 

@@ -1,9 +1,9 @@
-#include "roomgraph/repair/trajectory_tum.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
+
+#include "roomgraph/repair/key_frame_moves.h"
 
 namespace roomgraph {
 namespace {

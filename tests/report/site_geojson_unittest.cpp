@@ -1,9 +1,8 @@
-#include "roomgraph/report/site_geojson.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "roomgraph/report/site_json.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {

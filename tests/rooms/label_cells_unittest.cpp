@@ -1,8 +1,8 @@
-#include "label_cells.h"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "area_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -1,8 +1,7 @@
-#include "own_widths.h"
-
 #include <gtest/gtest.h>
 
 #include "plan.h"
+#include "region_kinds.h"
 
 namespace roomgraph::test {
 namespace {

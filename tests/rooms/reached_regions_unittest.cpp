@@ -1,6 +1,6 @@
-#include "reached_regions.h"
-
 #include <gtest/gtest.h>
+
+#include "area_parts.h"
 
 namespace roomgraph {
 namespace {

@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "join_leftovers.h"
-#include "own_widths.h"
 #include "plan.h"
 
 namespace roomgraph::test {

@@ -1,8 +1,7 @@
-#include "split_ways.h"
-
 #include <gtest/gtest.h>
 
 #include "cut_graph.h"
+#include "place_on_paths.h"
 
 namespace roomgraph::test {
 namespace {

@@ -1,10 +1,9 @@
-#include "roomgraph/scans/join_simplemaps.h"
-
 #include <gtest/gtest.h>
 
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/rewrite_simplemap.h"
 #include "stored_in.h"
 
 namespace roomgraph {

@@ -1,5 +1,3 @@
-#include "roomgraph/scans/move_poses.h"
-
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
@@ -13,7 +11,8 @@
 #include "map_files.h"
 #include "newer_simplemap.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
+#include "roomgraph/scans/rewrite_simplemap.h"
 #include "stored_in.h"
 
 namespace roomgraph {

@@ -1,11 +1,10 @@
-#include "roomgraph/scans/slice_scan.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "drawn_cloud.h"
+#include "roomgraph/scans/find_slice.h"
 
 namespace roomgraph {
 namespace {

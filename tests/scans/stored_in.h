@@ -2,7 +2,7 @@
 #include <string>
 
 #include "map_files.h"
-#include "roomgraph/scans/read_stored_poses.h"
+#include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph::test {
 

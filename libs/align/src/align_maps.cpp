@@ -1,7 +1,6 @@
 #include "roomgraph/align/align_maps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "fitted_align.h"

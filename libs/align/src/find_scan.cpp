@@ -1,10 +1,8 @@
 #include "roomgraph/align/find_scan.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "roomgraph/align/WallFit.h"
-#include "roomgraph/align/scan_search.h"
 
 namespace roomgraph {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "roomgraph/align/scan_search.h"
+#include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "search_data.h"

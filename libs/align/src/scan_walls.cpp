@@ -1,7 +1,6 @@
 #include "roomgraph/align/scan_walls.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace roomgraph {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/scan_walls.h"

@@ -3,14 +3,11 @@
 #include <algorithm>
 
 #include "Database.h"
-#include "figures_of.h"
-#include "name_known_rooms.h"
 #include "read_history.h"
 #include "reform_site.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/version.h"
-#include "roomgraph/report/measure_json.h"
 #include "roomgraph/report/site_json.h"
 #include "schema.h"
 

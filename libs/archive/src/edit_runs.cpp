@@ -2,7 +2,7 @@
 
 #include "Database.h"
 #include "roomgraph/archive/Archive.h"
-#include "roomgraph/archive/named_run.h"
+#include "roomgraph/archive/SiteHistory.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/report/site_json.h"
 

@@ -15,21 +15,14 @@
 namespace roomgraph {
 namespace {
 
-bool isThere(const HistoryRun& run) {
-  try {
-    return mapSha256(run.file) == run.sha256;
-  } catch (const DataError&) {
-    return false;
-  }
-}
-
 namespace fs = std::filesystem;
 
 void copy(const std::string& from, const fs::path& to) {
   writeFileAtomically(to.string(), readFile(from, std::numeric_limits<std::uint64_t>::max()));
 }
 
-bool isKept(const std::string& file, const std::string& sha256) {
+/** Whether the file is there and holds what it should. */
+bool holds(const std::string& file, const std::string& sha256) {
   try {
     return mapSha256(file) == sha256;
   } catch (const DataError&) {
@@ -76,7 +69,7 @@ class Choice {
 std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::size_t most,
                                    const std::function<void(const HistoryRun&)>& onMissing) {
   const auto isUsable = [&](const HistoryRun& run) {
-    const bool isUsed = isThere(run);
+    const bool isUsed = holds(run.file, run.sha256);
     if (!isUsed) onMissing(run);
     return isUsed;
   };
@@ -86,7 +79,6 @@ std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::siz
 }
 
 double runTime(const std::string& file) {
-  namespace fs = std::filesystem;
   if (const auto recording = readRecording(file))
     if (const auto times = recording->times()) return times->first;
   // C++17 has no clock in common with that of files, so the distance to now is taken.
@@ -100,7 +92,7 @@ double runTime(const std::string& file) {
 std::string keepMap(const std::string& file, const std::string& sha256, const std::string& folder) {
   const fs::path home = fs::absolute(folder).lexically_normal() / sha256.substr(0, 16);
   std::string kept = (home / fs::path(file).filename()).string();
-  if (isKept(kept, sha256)) return kept;
+  if (holds(kept, sha256)) return kept;
   makeWritableFolder(folder);
   makeWritableFolder(home.string());
   if (const std::string picture = pictureOfMap(file); !picture.empty()) {
@@ -110,7 +102,7 @@ std::string keepMap(const std::string& file, const std::string& sha256, const st
     copy(picture, home / place);
   }
   copy(file, kept);
-  if (!isKept(kept, sha256)) refuse(file, "was changed while it was added", "add it again");
+  if (!holds(kept, sha256)) refuse(file, "was changed while it was added", "add it again");
   return kept;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <string>
 
 #include "Database.h"
 #include "roomgraph/compare/Comparison.h"
+#include "roomgraph/ledger/SiteFile.h"
 
 namespace roomgraph {
 
@@ -21,5 +23,12 @@ void reformSite(Database& database, std::int64_t site, const Comparison& compari
 /** Whether the rooms that a site knows have been seen by fewer runs than agree in a comparison, of
  *  which there must be three: rooms of a bad first night. O(sightings of the site). */
 bool areRoomsOutvoted(Database& database, std::int64_t site, const Comparison& comparison);
+
+/** Gives the rooms of a comparison the ids and names of the site, see nameRooms. A room that the
+ *  site does not know yet is remembered only where two runs have it, or too few were compared to
+ *  ask that; else it is dropped from the comparison: one torn map is not to leave its rooms behind
+ *  for ever. `name` is that of the archive. @throws DataError like nameRooms; nothing is changed
+ *  then. */
+void nameKnownRooms(Comparison& comparison, SiteFile& ledger, const std::string& name);
 
 }  // namespace roomgraph

@@ -1,9 +1,37 @@
 #include "roomgraph/archive/watch_errors.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
+
+int signOf(double value) { return (value > 0) - (value < 0); }
+
+/** Of the sum of signs, where there is no trend; groups of equal values have less of it. */
+double varianceOf(const Samples& samples) {
+  const auto term = [](double n) { return n * (n - 1) * (2 * n + 5) / 18; };
+  std::map<double, double> times;
+  for (const Sample& sample : samples) ++times[sample.value];
+  double variance = term(double(samples.size()));
+  for (const auto& [value, count] : times) variance -= term(count);
+  return variance;
+}
+
+/** From 1 on; equal values have the mean of their ranks. */
+std::vector<double> ranksOf(const Samples& samples) {
+  std::vector<double> sorted, ranks;
+  for (const Sample& sample : samples) sorted.push_back(sample.value);
+  std::sort(sorted.begin(), sorted.end());
+  for (const Sample& sample : samples) {
+    const auto [low, high] = std::equal_range(sorted.begin(), sorted.end(), sample.value);
+    ranks.push_back(double(low - sorted.begin() + (high - sorted.begin()) + 1) / 2);
+  }
+  return ranks;
+}
 
 constexpr double kSurely = 0.0005;  // probability below which a trend or a change is none of chance
 constexpr double kLeastRise = 0.3;  // as a share of the level before; less is no decline
@@ -42,6 +70,62 @@ void findChange(ErrorWatch& watch, const Samples& errors, const WatchOptions& op
 }
 
 }  // namespace
+
+double medianOf(const Samples& samples) {
+  std::vector<double> values;
+  for (const Sample& sample : samples) values.push_back(sample.value);
+  return median(std::move(values));
+}
+
+TrendTest mannKendall(const Samples& samples) {
+  TrendTest test;
+  const double variance = varianceOf(samples);
+  if (samples.size() < 3 || variance <= 0) return test;
+  int sum = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t j = i + 1; j < samples.size(); ++j)
+      sum += signOf(samples[j].value - samples[i].value);
+  const double n = double(samples.size());
+  test.tau = sum / (n * (n - 1) / 2);
+  // The sum moves in steps of two, hence the one.
+  const double z = (sum - signOf(sum)) / std::sqrt(variance);
+  test.pRising = 0.5 * std::erfc(z / std::sqrt(2.0));
+  return test;
+}
+
+std::optional<SlopeFit> theilSen(const Samples& samples) {
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t j = i + 1; j < samples.size(); ++j)
+      if (samples[i].time != samples[j].time)
+        slopes.push_back((samples[j].value - samples[i].value) /
+                         (samples[j].time - samples[i].time));
+  if (slopes.empty()) return {};
+  SlopeFit fit;
+  fit.perDay = median(std::move(slopes));
+  std::vector<double> rest;
+  for (const Sample& sample : samples) rest.push_back(sample.value - fit.perDay * sample.time);
+  fit.at0 = median(std::move(rest));
+  return fit;
+}
+
+std::optional<ChangePoint> changePoint(const Samples& samples) {
+  const std::vector<double> ranks = ranksOf(samples);
+  const double n = double(ranks.size());
+  double sum = 0, most = 0;
+  ChangePoint found;
+  for (std::size_t i = 0; i + 1 < ranks.size(); ++i) {
+    sum += ranks[i] - (n + 1) / 2;
+    if (std::abs(sum) > most) most = std::abs(sum), found.first = i + 1;
+  }
+  if (most == 0) return {};
+  const auto change = samples.begin() + std::ptrdiff_t(found.first);
+  found.before = medianOf({samples.begin(), change});
+  found.after = medianOf({change, samples.end()});
+  // Pettitt's K is twice the cumulative sum of the ranks.
+  found.p = std::min(1.0, 2 * std::exp(-6 * 4 * most * most / (n * n * n + n * n)));
+  return found;
+}
 
 ErrorWatch watchErrors(const Samples& errors, const WatchOptions& options) {
   ErrorWatch watch;

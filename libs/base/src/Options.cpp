@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/nearest_word.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {

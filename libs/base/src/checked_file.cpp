@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "roomgraph/base/compressed.h"
-#include "roomgraph/base/whole_stream.h"
 
 namespace roomgraph {
 namespace {

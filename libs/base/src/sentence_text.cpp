@@ -1,6 +1,39 @@
 #include "roomgraph/base/sentence_text.h"
 
+#include <algorithm>
+
 namespace roomgraph {
+namespace {
+
+/** Damerau and Levenshtein's distance, where no letter is changed twice. */
+std::size_t changesBetween(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> least(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        least[i][j] = i + j;
+        continue;
+      }
+      const std::size_t isOther = a[i - 1] == b[j - 1] ? 0 : 1;
+      least[i][j] =
+          std::min({least[i - 1][j] + 1, least[i][j - 1] + 1, least[i - 1][j - 1] + isOther});
+      const bool areSwapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (areSwapped) least[i][j] = std::min(least[i][j], least[i - 2][j - 2] + 1);
+    }
+  return least[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::string nearestWord(const std::string& typed, const std::vector<std::string>& words) {
+  std::string nearest;
+  std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  if (typed.size() > 40) return nearest;  // nobody types that by mistake
+  for (const std::string& word : words)
+    if (const std::size_t changes = changesBetween(typed, word); changes < fewest)
+      nearest = word, fewest = changes;
+  return nearest;
+}
 
 std::string counted(std::size_t count, const std::string& thing, const std::string& things) {
   return std::to_string(count) + " " + (count == 1 ? thing : things);

@@ -1,7 +1,6 @@
 #include "Passes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

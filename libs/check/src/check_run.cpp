@@ -117,6 +117,24 @@ std::string sentenceOf(const WallMap& map) {
 
 }  // namespace
 
+std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOptions& options) {
+  std::vector<std::string> complaints;
+  if (options.maxError && !check.selfError)
+    complaints.push_back(check.sentence);
+  else if (options.maxError && *check.selfError > *options.maxError)
+    complaints.push_back(
+        formatted("its self error of %.3f m is above %g m", *check.selfError, *options.maxError));
+  if (options.failsOnBreaks && !check.breaks.empty())
+    complaints.push_back("it breaks in " + counted(check.breaks.size(), "place", "places"));
+  if (options.failsOnDoubled && !check.doubled.empty())
+    complaints.push_back("it has drawn " + counted(check.doubled.size(), "place", "places") +
+                         " twice");
+  if (options.failsOnDoubled && !check.welded.empty())
+    complaints.push_back("it has laid " + counted(check.welded.size(), "place", "places") +
+                         " over another");
+  return complaints;
+}
+
 RunCheck checkRun(const Run& run) {
   RunCheck check;
   check.name = run.name, check.file = run.file, check.sha256 = run.sha256;

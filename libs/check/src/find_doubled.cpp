@@ -1,12 +1,10 @@
 #include "find_doubled.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "ScanPair.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/majority.h"
-#include "self_consensus.h"
 
 namespace roomgraph {
 namespace {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string>
 
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/measures/measure_kinds.h"

@@ -6,7 +6,6 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/majority.h"
-#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {

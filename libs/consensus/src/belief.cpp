@@ -9,7 +9,6 @@
 namespace roomgraph {
 namespace {
 
-/** Of each run, whether it shares its drive with another one. */
 ById<RunId, bool> haveSharedDrives(const PoseGraph& graph) {
   ById<RunId, bool> isShared(graph.runs.size());
   for (const MatchGroup& group : graph.groups) {

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "roomgraph/consensus/estimate_map_errors.h"
-#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {

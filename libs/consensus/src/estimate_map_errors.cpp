@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "roomgraph/base/statistics.h"
-#include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/follow_walls.h"
 
 namespace roomgraph {

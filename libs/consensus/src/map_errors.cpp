@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "fitted_consensus.h"
 #include "roomgraph/base/statistics.h"

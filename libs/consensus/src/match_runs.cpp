@@ -6,7 +6,6 @@
 
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/match_nodes.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 

@@ -1,7 +1,6 @@
 #include "roomgraph/consensus/mend_steps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
-#include "TurnedPose.h"
 #include "edge_cost.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/consensus/belief.h"

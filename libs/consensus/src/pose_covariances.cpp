@@ -60,7 +60,6 @@ void decompose(const PoseGraph& graph, const GraphTrust& trust, const NodePoses&
   factor.compute(normal);
 }
 
-/** The covariances of the nodes of one run. */
 class RunCovariances {
  public:
   RunCovariances(const Factor& factor, const NodePoses& poses, IdRange<NodeId> nodes)

@@ -6,16 +6,15 @@
 #include <utility>
 
 #include "confirm_runs.h"
+#include "error_parts.h"
 #include "fitted_consensus.h"
-#include "lost_scans.h"
 #include "match_runs.h"
 #include "own_matches.h"
-#include "roomgraph/consensus/add_run_nodes.h"
-#include "roomgraph/consensus/add_to_consensus.h"
+#include "roomgraph/base/return_memory.h"
+#include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/find_consensus.h"
-#include "run_scales.h"
-#include "scan_jitter.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -182,6 +181,24 @@ bool holdSteps(Consensus& consensus, const Site& site, const ForEach& forEach) {
 }
 
 }  // namespace
+
+std::vector<Transform2D> SolvedSite::posesOf(std::size_t run) const {
+  std::vector<Transform2D> poses;
+  for (const NodeId node : consensus.nodesOf(run)) poses.push_back(consensus.poses[node]);
+  return poses;
+}
+
+SolvedSite solveSite(const std::vector<Run>& runs, const MapPairs& related,
+                     std::optional<std::size_t> reference, const ForEach& forEach) {
+  Site site = placeRuns(runs, related, reference);
+  MapPairs pairs = pairsInSite(site, related, forEach);
+  PairBends bends = bendsOf(pairs);
+  DistinctMaps maps(bends);
+  Consensus consensus = siteConsensus(site, pairs, maps, forEach);
+  returnMemory();  // of hundreds of runs, what it is worked out from is much
+  return {std::move(site), std::move(pairs), std::move(bends), std::move(maps),
+          std::move(consensus)};
+}
 
 Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctMaps& maps,
                         const ForEach& forEach) {

@@ -2,10 +2,8 @@
 
 #include <ceres/ceres.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "edge_cost.h"
 

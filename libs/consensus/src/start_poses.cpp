@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "TurnedPose.h"
+#include "edge_cost.h"
 #include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {

@@ -5,6 +5,10 @@
 namespace roomgraph {
 namespace {
 
+/** The palette index of unknown, free and occupied: the larger one wins a pixel. */
+constexpr std::uint8_t kIndex[] = {0, 1, 2};
+static_assert(int(State::unknown) == 0 && int(State::free) == 1 && int(State::occupied) == 2);
+
 constexpr int kMaxPx = 1600;    // of the longer side
 constexpr int kRoomyPx = 1200;  // magnified maps stay under this
 constexpr int kMaxMagnify = 4;  // but very small maps are brought up to kSmallPx
@@ -33,6 +37,46 @@ Bounds knownBounds(const Grid& grid) {
 }
 
 }  // namespace
+
+Colour stateColour(State state) {
+  switch (state) {
+    case State::unknown:
+      return {198, 203, 211};
+    case State::free:
+      return {255, 255, 255};
+    case State::occupied:
+      return {58, 62, 68};
+  }
+  return {};
+}
+
+PaletteImage backdrop(const Grid& grid, const View& view) {
+  PaletteImage image;
+  image.width = view.imageWidth();
+  image.height = view.imageHeight();
+  image.palette = {stateColour(State::unknown), stateColour(State::free),
+                   stateColour(State::occupied)};
+  image.indices.assign(std::size_t(image.width) * std::size_t(image.height), 0);
+  const int firstX = std::max(0, view.first.x), firstY = std::max(0, view.first.y);
+  const int endX = std::min(grid.frame.width, view.first.x + view.columns);
+  const int endY = std::min(grid.frame.height, view.first.y + view.rows);
+  for (int y = firstY; y < endY; ++y) {
+    const State* row = grid.cells.data() + grid.frame.index({0, y});
+    const int fromBottom = (y - view.first.y) / view.reduce;
+    std::uint8_t* out = image.indices.data() +
+                        std::size_t(image.height - 1 - fromBottom) * std::size_t(image.width);
+    // Counted rather than divided: this line runs for every cell of the map.
+    int column = (firstX - view.first.x) / view.reduce;
+    int left = view.reduce - (firstX - view.first.x) % view.reduce;
+    for (int x = firstX; x < endX; ++x) {
+      out[column] = std::max(out[column], kIndex[std::size_t(row[x])]);
+      if (--left > 0) continue;
+      ++column;
+      left = view.reduce;
+    }
+  }
+  return image;
+}
 
 Point View::px(Point map) const {
   const double scale = pxPerMetre();

@@ -1,5 +1,6 @@
 #pragma once
 #include "roomgraph/grid/Grid.h"
+#include "roomgraph/images/png_bytes.h"
 
 namespace roomgraph {
 
@@ -23,5 +24,13 @@ struct View {
 
 /** All cells that are not unknown, with a margin; the whole grid where all are. */
 View viewOf(const Grid& grid);
+
+/** The grid as a picture that the graph is drawn on: free white, unknown grey, occupied dark.
+ *  Where a pixel stands for several cells an occupied one wins, so that no wall gets lost, then a
+ *  free one. Not yet magnified. */
+PaletteImage backdrop(const Grid& grid, const View& view);
+
+/** The colours that `backdrop` uses, for the legend. */
+Colour stateColour(State state);
 
 }  // namespace roomgraph

@@ -4,7 +4,6 @@
 
 #include "draw_layers.h"
 #include "render.h"
-#include "result_scene.h"
 #include "roomgraph/base/file_name.h"
 
 namespace roomgraph {

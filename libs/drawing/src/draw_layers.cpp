@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "backdrop.h"
+#include "View.h"
 #include "room_colours.h"
 
 namespace roomgraph {

@@ -4,6 +4,7 @@
 #include "Scene.h"
 #include "roomgraph/grid/clear_clutter.h"
 #include "roomgraph/grid/obstacle_cells.h"
+#include "roomgraph/pipeline/Stages.h"
 #include "roomgraph/rooms/AreaGraph.h"
 #include "roomgraph/rooms/RoomGraph.h"
 #include "roomgraph/topology/VoronoiGraph.h"
@@ -44,5 +45,14 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter);
 LegendItem corridorAreaLegend(std::size_t count);
 LegendItem passageLegend(std::size_t count);
 LegendItem clutterLegend();
+
+/** The picture of the result; `stages` must outlive it. */
+Scene resultScene(const Stages& stages);
+
+/** Passages and clutter, where there are any. */
+std::vector<LegendItem> areaLegend(const Stages& stages);
+
+/** "0.05 m per cell" */
+std::string resolutionText(double metres);
 
 }  // namespace roomgraph

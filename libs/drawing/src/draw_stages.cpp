@@ -5,7 +5,6 @@
 
 #include "draw_layers.h"
 #include "render.h"
-#include "result_scene.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"

@@ -7,8 +7,6 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
-#include "roomgraph/measures/match_rooms.h"
-#include "roomgraph/measures/match_vertices.h"
 
 namespace roomgraph {
 namespace {

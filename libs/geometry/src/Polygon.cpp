@@ -2,8 +2,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
-
 namespace roomgraph {
 namespace {
 

@@ -7,9 +7,9 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/geometry/thinned_line.h"
+#include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
-#include "speed_limit.h"
 #include "straight_pieces.h"
 
 namespace roomgraph {

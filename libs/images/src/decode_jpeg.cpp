@@ -1,5 +1,4 @@
 #include <csetjmp>
-#include <cstdio>
 
 #include "decoders.h"
 // jpeglib.h uses what stands above it.

@@ -6,8 +6,8 @@
 
 #include "decoders.h"
 #include "pixels.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/remedies.h"
-#include "roomgraph/base/whole_stream.h"
 
 namespace roomgraph {
 namespace {
@@ -100,7 +100,6 @@ void prepareLabels(Decoder& d, RowFormat& format) {
     format.transparentGrey = grey->gray;
 }
 
-/** What becomes of the pixels. */
 template <class Pixel>
 struct Conversion {
   void (*prepare)(Decoder& d, RowFormat& format);

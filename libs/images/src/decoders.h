@@ -7,8 +7,17 @@
 
 #include "roomgraph/base/byte_reader.h"
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/images/read_image.h"
 
 namespace roomgraph {
+
+/** Gives what is read the size of its picture. Throws DataError like checkPictureSize(). */
+template <class Sized, class Header>
+void setSize(Sized& sized, const Header& header, const std::string& file) {
+  checkPictureSize(header.width, header.height, file);
+  sized.width = int(header.width);
+  sized.height = int(header.height);
+}
 
 struct BmpHeader {
   std::uint64_t width = 0, height = 0;

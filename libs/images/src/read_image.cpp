@@ -10,19 +10,13 @@
 namespace roomgraph {
 namespace {
 
-void setSize(GreyMap& map, std::uint64_t width, std::uint64_t height, const std::string& file) {
-  checkPictureSize(width, height, file);
-  map.frame.width = int(width);
-  map.frame.height = int(height);
-}
-
 std::uint8_t scaled(std::uint64_t value, std::uint64_t brightest) {
   return std::uint8_t((std::min(value, brightest) * 255 + brightest / 2) / brightest);
 }
 
 void readPgm(CheckedFile& file, GreyMap& map) {
   const PgmHeader header = readPgmHeader(ByteReader(file.head(), file.name()));
-  setSize(map, header.width, header.height, file.name());
+  setSize(map.frame, header, file.name());
   checkPgm(file, header);
   map.grey.resize(map.frame.cellCount());
   decodePgm(file, header, [&](std::size_t row, const std::vector<std::uint32_t>& values) {
@@ -34,7 +28,7 @@ void readPgm(CheckedFile& file, GreyMap& map) {
 
 void readPng(CheckedFile& file, GreyMap& map) {
   const PngHeader header = readPngHeader(ByteReader(file.head(), file.name()));
-  setSize(map, header.width, header.height, file.name());
+  setSize(map.frame, header, file.name());
   const ByteView png = file.content();
   checkPng(ByteReader(png, file.name()), header);
   map.grey = decodePng(png, file.name());
@@ -43,7 +37,7 @@ void readPng(CheckedFile& file, GreyMap& map) {
 
 void readBmp(CheckedFile& file, GreyMap& map) {
   const BmpHeader header = readBmpHeader(ByteReader(file.head(), file.name()));
-  setSize(map, header.width, header.height, file.name());
+  setSize(map.frame, header, file.name());
   checkBmp(file, header);
   map.grey.resize(map.frame.cellCount());
   decodeBmp(file, header, [&](std::size_t row, const std::vector<BmpPixel>& pixels) {
@@ -56,12 +50,11 @@ void readBmp(CheckedFile& file, GreyMap& map) {
 void readJpeg(CheckedFile& file, GreyMap& map) {
   const ByteView jpeg = file.content();
   const JpegHeader header = readJpegHeader(jpeg, file.name());
-  setSize(map, header.width, header.height, file.name());
+  setSize(map.frame, header, file.name());
   map.grey = decodeJpeg(jpeg, file.name());
   flipRows(map.grey, header.width);
 }
 
-/** A kind of picture. */
 struct Kind {
   bool (*looksLike)(ByteView head);
   void (*read)(CheckedFile& file, GreyMap& map);

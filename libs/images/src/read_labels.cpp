@@ -11,15 +11,9 @@
 namespace roomgraph {
 namespace {
 
-void setSize(LabelMap& map, std::uint64_t width, std::uint64_t height, const std::string& file) {
-  checkPictureSize(width, height, file);
-  map.width = int(width);
-  map.height = int(height);
-}
-
 void readPgm(CheckedFile& file, LabelMap& map) {
   const PgmHeader header = readPgmHeader(ByteReader(file.head(), file.name()));
-  setSize(map, header.width, header.height, file.name());
+  setSize(map, header, file.name());
   checkPgm(file, header);
   map.label.resize(map.pixelCount());
   decodePgm(file, header, [&](std::size_t row, const std::vector<std::uint32_t>& values) {
@@ -33,7 +27,7 @@ void readPgm(CheckedFile& file, LabelMap& map) {
 
 void readPng(CheckedFile& file, LabelMap& map) {
   const PngHeader header = readPngHeader(ByteReader(file.head(), file.name()));
-  setSize(map, header.width, header.height, file.name());
+  setSize(map, header, file.name());
   if (header.isColour && header.bitsPerChannel > 8)
     refuse(file.name(), "has colours of 16 bits per channel",
            "save it with 8 bits per channel, or as grey levels");

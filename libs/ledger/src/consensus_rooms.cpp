@@ -162,7 +162,6 @@ class Choosing {
       }
   }
 
-  /** The areas that no room has. */
   Left leftAreas() const {
     Left left;
     for (std::size_t i = 0; i < site_.runs.size(); ++i) {

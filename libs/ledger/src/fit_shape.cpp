@@ -1,8 +1,6 @@
 #include "fit_shape.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "fitted_ledger.h"
 #include "roomgraph/align/nearest_wall.h"

@@ -1,8 +1,6 @@
 #include "roomgraph/ledger/site_rooms.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -40,7 +38,6 @@ std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
   return judges;
 }
 
-/** How all rooms lie in each run. */
 std::vector<RoomsInRun> roomsInRuns(const SiteAreas& site, const ConsensusRooms& consensus,
                                     const std::vector<std::vector<std::size_t>>& judges,
                                     const ForEach& forEach) {

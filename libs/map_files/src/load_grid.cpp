@@ -114,7 +114,6 @@ const MapFormat& formatOf(CheckedFile& file) {
   refuseUnknown(file);
 }
 
-/** `wantsKeyframes` tells whether the map is to have them. */
 LoadedMap readMap(const std::string& name, const LoadGridOptions& options, bool wantsKeyframes) {
   CheckedFile file(name);
   const MapFormat& format = formatOf(file);

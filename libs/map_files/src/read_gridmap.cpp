@@ -7,7 +7,6 @@
 
 #include "roomgraph/base/remedies.h"
 #include "roomgraph/scans/object_header.h"
-#include "stored_cells.h"
 
 namespace roomgraph {
 namespace {

@@ -181,13 +181,7 @@ bool followsLayer(ByteView bytes, bool isLast, int mapVersion) {
 
 /** Steps over what is left of a layer. */
 void skipLayer(ByteReader& reader, bool isLast, int mapVersion) {
-  while (reader.left() > 0) {
-    const void* end = std::memchr(reader.peek(), kObjectEnd, reader.left());
-    if (!end) break;
-    reader.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - reader.peek()) + 1);
-    if (followsLayer({reader.peek(), reader.left()}, isLast, mapVersion)) return;
-  }
-  refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
+  skipObject(reader, [&](ByteView next) { return followsLayer(next, isLast, mapVersion); });
 }
 
 /** Lines and planes, which are no part of a grid. */

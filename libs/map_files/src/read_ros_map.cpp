@@ -9,7 +9,6 @@
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/map_files/ros_map_yaml.h"
-#include "stored_cells.h"
 
 namespace roomgraph {
 namespace {

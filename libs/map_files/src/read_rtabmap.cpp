@@ -5,9 +5,8 @@
 #include <new>
 
 #include "readers.h"
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/remedies.h"
-#include "roomgraph/base/whole_stream.h"
-#include "stored_cells.h"
 
 namespace roomgraph {
 namespace {

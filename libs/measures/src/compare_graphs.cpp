@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "fitted_measures.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/measures/match_vertices.h"
+#include "roomgraph/measures/match_parts.h"
 
 namespace roomgraph {
 namespace {
@@ -140,7 +139,6 @@ void comparePaths(const TopologyGraph& a, const TopologyGraph& b, const GraphMat
   result.frechet = medianOf(std::move(frechets));
 }
 
-/** The vertices alone. */
 TopologyGraph placedVertices(const TopologyGraph& graph, const Transform2D& pose) {
   std::vector<Vertex> vertices = graph.vertices();
   for (Vertex& vertex : vertices) vertex.place = pose(vertex.place);

@@ -2,9 +2,9 @@
 #include <array>
 #include <optional>
 
+#include "MeasuredValue.h"
 #include "match_graphs.h"
 #include "roomgraph/geometry/Polyline.h"
-#include "roomgraph/measures/Figure.h"
 
 namespace roomgraph {
 

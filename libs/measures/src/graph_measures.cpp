@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "measure_over_others.h"
-
 namespace roomgraph {
 namespace {
 

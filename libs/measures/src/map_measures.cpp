@@ -5,14 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "MeasuredValue.h"
 #include "fitted_measures.h"
-#include "measure_over_others.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
-#include "roomgraph/breaks/rigid_pieces.h"
+#include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/place_runs.h"

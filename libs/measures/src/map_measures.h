@@ -4,7 +4,6 @@
 
 #include "MeasuredValue.h"
 #include "roomgraph/align/scan_walls.h"
-#include "roomgraph/measures/Figure.h"
 #include "roomgraph/relate/MapPairs.h"
 #include "roomgraph/relate/Site.h"
 

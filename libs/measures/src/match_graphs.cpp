@@ -10,7 +10,6 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/geometry/NearPlaces.h"
-#include "shared_paths.h"
 
 namespace roomgraph {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
-#include "GraphMatch.h"
 #include "roomgraph/relate/follow_walls.h"
 #include "roomgraph/topology/TopologyGraph.h"
+#include "shared_paths.h"
 
 namespace roomgraph {
 

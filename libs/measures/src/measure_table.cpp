@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fitted_measures.h"
 #include "map_measures.h"
+#include "roomgraph/measures/Measure.h"
 
 namespace roomgraph {
 namespace {
@@ -183,6 +183,28 @@ const std::vector<MeasureRow>& measureTable() {
     return rows;
   }();
   return table;
+}
+
+const std::vector<MeasureKind>& runMeasureKinds() {
+  static const auto kinds = [] {
+    std::vector<MeasureKind> ofRuns;
+    for (const MeasureRow& row : measureTable())
+      if (row.ofRun) ofRuns.push_back(row.kind);
+    return ofRuns;
+  }();
+  return kinds;
+}
+
+const MeasureKind* findMeasureKind(const std::string& name) {
+  for (const MeasureRow& row : measureTable())
+    if (row.kind.name == name) return &row.kind;
+  return nullptr;
+}
+
+const Measure* find(const std::vector<Measure>& measures, const std::string& name) {
+  const auto found = std::find_if(measures.begin(), measures.end(),
+                                  [&](const Measure& measure) { return measure.name == name; });
+  return found == measures.end() ? nullptr : &*found;
 }
 
 }  // namespace roomgraph

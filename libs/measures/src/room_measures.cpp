@@ -1,13 +1,11 @@
 #include "room_measures.h"
 
-#include "measure_over_others.h"
-#include "roomgraph/measures/match_rooms.h"
-#include "site_frame.h"
+#include "roomgraph/measures/match_parts.h"
+#include "run_measures.h"
 
 namespace roomgraph {
 namespace {
 
-/** The rooms of a run, in the frame of the site. */
 std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
   std::vector<GraphRoom> rooms = run.rooms;
   for (GraphRoom& room : rooms) {

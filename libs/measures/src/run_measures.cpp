@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "fitted_measures.h"
-#include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/shared_edges.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/relate/pair_jobs.h"
-#include "site_frame.h"
 
 namespace roomgraph {
 namespace {
@@ -104,6 +103,22 @@ bool isNothing(const Transform2D& pose) {
 }
 
 }  // namespace
+
+GridFrame siteFrame(const Site& site) {
+  Box box;
+  double cell = kWallCell;
+  for (std::size_t i = 0; i < site.runs.size(); ++i) {
+    cell = std::max(cell, site.runs[i]->map.frame.resolution);
+    for (const WallPoint& wall : site.runs[i]->map.walls) box.include(site.poses[i](wall.place));
+  }
+  if (box.isEmpty()) return {1, 1, cell, {}};
+  return {int(box.size().x / cell) + 1, int(box.size().y / cell) + 1, cell, box.low};
+}
+
+bool isFreeIn(const WallMap& map, Point p) {
+  const std::size_t cell = cellIndexAt(map.frame, p);
+  return cell < map.states.size() && map.states[cell] == State::free;
+}
 
 std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps,
                                       const Trust& trust) {

@@ -6,12 +6,21 @@
 #include "roomgraph/align/WallMap.h"
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/base/PairTable.h"
+#include "roomgraph/geometry/Point.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/relate/DistinctMaps.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/Site.h"
 
 namespace roomgraph {
+
+/** A frame round the walls of all placed runs, with the coarsest of their cells, 0.1 m or more;
+ *  a single cell where there are no walls. O(walls). */
+GridFrame siteFrame(const Site& site);
+
+/** Whether a run has seen free space at `p` [m, frame of the map]. */
+bool isFreeIn(const WallMap& map, Point p);
 
 // Ours
 // In:   the runs of a site, placed

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "fitted_measures.h"
-#include "measure_over_others.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"

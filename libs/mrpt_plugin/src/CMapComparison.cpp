@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "comparison_bytes.h"
 #include "object_bytes.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"

@@ -1,6 +1,5 @@
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 
-#include "graph_bytes.h"
 #include "object_bytes.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "roomgraph/mrpt_plugin/graph_text.h"

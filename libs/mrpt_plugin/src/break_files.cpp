@@ -7,7 +7,7 @@
 #include "object_bytes.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
-#include "roomgraph/mrpt_plugin/rawlog_file.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {

@@ -1,6 +1,5 @@
 #include "roomgraph/mrpt_plugin/map_comparison_file.h"
 
-#include "comparison_bytes.h"
 #include "object_bytes.h"
 
 namespace roomgraph {

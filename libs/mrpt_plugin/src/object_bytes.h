@@ -4,6 +4,8 @@
 #include <string>
 
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/mrpt_plugin/MappedComparison.h"
+#include "roomgraph/mrpt_plugin/MappedGraph.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 
 namespace roomgraph {
@@ -33,5 +35,28 @@ void readBody(mrpt::serialization::CArchive& in, std::uint8_t version, const Obj
  *  @throws DataError with one line where the file holds another object, or more than that. */
 void readObjectFile(const std::string& path, const ObjectKind& kind,
                     const std::function<void(ByteView)>& read);
+
+constexpr ObjectKind kRoomGraphObject{"CRoomGraph", "room graph", "give a .roomgraph file", 1};
+
+/** Throws UsageError where the map has more or fewer cells than its frame calls for. */
+void checkMapSize(const MappedGraph& graph);
+
+/** The graph as graphJson, then the cells of its map, which must be as many as its frame calls
+ *  for. */
+std::string graphBytes(const MappedGraph& graph);
+
+/** Reads graphBytes() back. Throws DataError with one line, beginning with `name`, unless the
+ *  JSON is whole, the cells fit the frame and no byte is left over. */
+void readGraphBytes(ByteView bytes, const std::string& name, MappedGraph& graph);
+
+constexpr ObjectKind kMapComparisonObject{"CMapComparison", "comparison of maps",
+                                          "give a comparison.roomgraph", 0};
+
+/** Everything that a MappedComparison holds: the comparison as JSON, then the walls of each run. */
+std::string comparisonBytes(const MappedComparison& comparison);
+
+/** Reads comparisonBytes() back. Throws DataError with one line, beginning with `name`, unless each
+ *  count fits the bytes, each coordinate is finite and no byte is left over. */
+void readComparisonBytes(ByteView bytes, const std::string& name, MappedComparison& comparison);
 
 }  // namespace roomgraph

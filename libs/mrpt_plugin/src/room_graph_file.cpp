@@ -1,6 +1,5 @@
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 
-#include "graph_bytes.h"
 #include "object_bytes.h"
 #include "roomgraph/base/write_file.h"
 

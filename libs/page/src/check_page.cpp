@@ -138,7 +138,6 @@ std::string breaksHtml(const RunCheck& check, const Run& run) {
   return html + "</section>\n";
 }
 
-/** The scan of a key frame. */
 std::size_t scanOf(std::size_t keyFrame, const RunCheck& check) {
   const auto found =
       std::find_if(check.path.begin(), check.path.end(),

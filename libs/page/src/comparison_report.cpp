@@ -5,7 +5,7 @@
 #include "page_files.h"
 #include "page_tables.h"
 #else
-#include "bare_report.h"
+#include "page_summary.h"
 #endif
 
 namespace roomgraph {

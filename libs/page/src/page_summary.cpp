@@ -1,14 +1,42 @@
 #include "page_summary.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "page_data.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/xml_text.h"
+#include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/page/simple_page.h"
 #include "roomgraph/report/comparison_sentences.h"
 
 namespace roomgraph {
 namespace {
+
+/** In quotes where a shell would take it apart. */
+std::string quoted(const std::string& word) {
+  const auto isPlain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) ||
+           std::string("-_./=+:,%@").find(c) != std::string::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/** As an argument; nothing for an option that has its default. */
+std::string argumentOf(const UsedOption& option) {
+  static const std::map<std::string, std::string> flags = {{"aligned", " --aligned"},
+                                                           {"estimate_scale", " --estimate-scale"}};
+  if (option.section != "compare")
+    return " --set " + quoted(option.section + "." + option.name + "=" + option.value);
+  if (option.name == "reference") return " --reference " + quoted(fileName(option.value));
+  const auto flag = flags.find(option.name);
+  return flag == flags.end() ? "" : flag->second;
+}
 
 std::string goneSentence(const Comparison& comparison) {
   std::vector<std::string> names;
@@ -65,6 +93,38 @@ std::string toDrive(const Comparison& comparison) {
 }
 
 }  // namespace
+
+std::string bareReport(const Comparison& comparison) {
+  SimplePage page;
+  page.title = "Comparison of maps", page.subject = "comparison of maps";
+  page.heading = xmlText(comparison.verdict), page.counts = xmlText(pageCounts(comparison));
+  page.body = "<section>\n<ul>\n";
+  for (const std::string& sentence : pageSummary(comparison))
+    page.body += "<li>" + xmlText(sentence) + "</li>\n";
+  page.body += "</ul>\n</section>\n";
+  page.footer =
+      "It was built without mustache, Leaflet and D3, which draw the maps and tables of this page: "
+      "the figures are in comparison.json.";
+  return simplePage(page);
+}
+
+std::string commandLine(const Comparison& comparison) {
+  std::vector<std::string> files;
+  for (const ComparedRun& run : comparison.runs)
+    if (run.name != comparison.reference) files.push_back(fileName(run.file));
+  for (const LeftOutRun& run : comparison.leftOut) files.push_back(fileName(run.file));
+  std::sort(files.begin(), files.end());
+  std::string text = "roomgraph compare";
+  for (const std::string& file : files) text += " " + quoted(file);
+  std::map<std::string, std::string> defaults;
+  for (const UsedOption& option : usedOptions({}))
+    defaults[option.section + "." + option.name] = option.value;
+  for (const UsedOption& option : comparison.options) {
+    const auto usual = defaults.find(option.section + "." + option.name);
+    if (usual == defaults.end() || usual->second != option.value) text += argumentOf(option);
+  }
+  return text;
+}
 
 std::string pageCounts(const Comparison& comparison) {
   std::string text = counted(comparison.runs.size(), "run", "runs") + " of one site, " +

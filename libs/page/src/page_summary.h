@@ -19,4 +19,12 @@ std::vector<std::string> pageSummary(const Comparison& comparison);
  *  the table of docs/scoring.md. Empty where there is no best map. */
 std::string navigationWord(const Comparison& comparison);
 
+/** The call of the program that repeats a comparison, as a shell takes it: its maps by the names of
+ *  their files, by name, and all options that differ from the defaults. */
+std::string commandLine(const Comparison& comparison);
+
+/** What stands for the report where roomgraph was built without mustache, Leaflet and D3: one HTML
+ *  file with the verdict, what stands out, and a sentence on what is missing. */
+std::string bareReport(const Comparison& comparison);
+
 }  // namespace roomgraph

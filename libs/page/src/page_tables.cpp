@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "command_line.h"
 #include "page_data.h"
 #include "page_summary.h"
 #include "page_values.h"
@@ -135,7 +134,6 @@ class Tables {
   }
 
  private:
-  /** Mark and name of a run. */
   data runCell(const std::string& name) const {
     const auto found = places_.find(name);
     const std::size_t place = found == places_.end() ? 0 : found->second;

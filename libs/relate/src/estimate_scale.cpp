@@ -6,7 +6,6 @@
 
 #include "choose_runs.h"
 #include "fitted_relate.h"
-#include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/align/fit_scale.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"

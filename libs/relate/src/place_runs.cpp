@@ -1,7 +1,6 @@
 #include "roomgraph/relate/place_runs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -24,7 +23,6 @@ Point middleOfWalls(const WallMap& map) {
   return map.walls.empty() ? sum : (1.0 / double(map.walls.size())) * sum;
 }
 
-/** Which pairs join their runs into one site. */
 class JoinedPairs {
  public:
   explicit JoinedPairs(const MapPairs& related) : related_(related) {}

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {

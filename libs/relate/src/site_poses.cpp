@@ -69,7 +69,6 @@ Row rowOf(const PairPose& pair, const Transform2D& a, const Transform2D& b) {
   return row;
 }
 
-/** Normal equations, term by term. */
 class NormalEquations {
  public:
   explicit NormalEquations(std::size_t runs)

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "roomgraph/align/find_scan.h"
-#include "roomgraph/consensus/solve_site.h"
+#include "roomgraph/consensus/site_consensus.h"
 
 namespace roomgraph {
 

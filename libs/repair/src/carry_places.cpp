@@ -9,7 +9,6 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/relate/relate_maps.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {

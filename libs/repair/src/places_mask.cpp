@@ -19,7 +19,6 @@
 namespace roomgraph {
 namespace {
 
-/** A mask as it was read. */
 class Mask {
  public:
   Mask(const std::string& text, const std::string& file)

@@ -1,7 +1,6 @@
 #include "roomgraph/repair/rejoin_pieces.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "OtherWalls.h"
 #include "fitted_repair.h"

@@ -1,11 +1,10 @@
 #include "roomgraph/repair/repair_runs.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "OtherWalls.h"
 #include "fitted_repair.h"
-#include "moved_run.h"
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/consensus/pose_covariances.h"
@@ -13,6 +12,61 @@
 
 namespace roomgraph {
 namespace {
+
+// Parts of a repair that are the same with other runs and alone.
+
+/** Stretches of scans that were not seen at another time, or by another run. */
+std::vector<KeyFrames> unseenIn(const Run& run, const std::vector<bool>& isSeen) {
+  std::vector<KeyFrames> stretches;
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    if (isSeen[k]) continue;
+    if (k == 0 || isSeen[k - 1]) stretches.push_back({run.scans[k].keyFrame, 0});
+    stretches.back().to = run.scans[k].keyFrame;
+  }
+  return stretches;
+}
+
+/** Moves the scans of a run to `real` (site <- robot) by `repaired.frame`, and tells how far. */
+void moveTo(const std::vector<Transform2D>& real, const Run& run, RepairedRun& repaired) {
+  double squares = 0;
+  for (std::size_t k = 0; k < real.size(); ++k) {
+    repaired.poses[k] = repaired.frame * real[k];
+    const double apart = poseDistance(run.scans[k].pose, repaired.poses[k]);
+    squares += apart * apart;
+    if (apart <= repaired.movedMost) continue;
+    repaired.movedMost = apart, repaired.movedMostAt = run.scans[k].keyFrame;
+  }
+  repaired.moved = std::sqrt(squares / double(real.size()));
+}
+
+/** A covariance along axes that are turned by `angle` from those that it is along [rad]. */
+PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
+  const auto& [xx, yy, pp, xy, xp, yp] = covariance;
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * c * xx - 2 * c * s * xy + s * s * yy,
+          s * s * xx + 2 * c * s * xy + c * c * yy,
+          pp,
+          c * s * (xx - yy) + (c * c - s * s) * xy,
+          c * xp - s * yp,
+          s * xp + c * yp};
+}
+
+/** Why a run is better left as it was; mended where nothing speaks for that. */
+void judge(const RunCheck& check, RepairedRun& repaired) {
+  if (!check.selfError) {
+    repaired.reason = "left as it was: " + check.sentence;
+  } else if (check.low <= 0) {
+    repaired.reason =
+        formatted("left as it was: its self error of %.3f m may be none", *check.selfError);
+  } else if (!check.isConfirmed) {
+    repaired.reason =
+        "left as it was: what it saw twice does not bear out how its parts lie to each other";
+  } else {
+    repaired.state = RepairState::mended;
+    repaired.reason = formatted("mended: it was %.3f m from agreeing with itself (%.3f to %.3f)",
+                                *check.selfError, check.low, check.high);
+  }
+}
 
 /** Why a run is better left as it was; mended where nothing speaks for that. */
 void judge(const MapError& error, RepairedRun& repaired) {
@@ -96,6 +150,19 @@ std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& r
     if (!solved.site.runs[i]->scans.empty()) all.push_back(repairedRun(solved, real[i], i));
   tellCovariances(solved.consensus, all);
   return all;
+}
+
+RepairedRun repairAlone(const Run& run, const RunCheck& check) {
+  RepairedRun repaired;
+  repaired.poses = drawnPoses(run.scans);
+  const std::vector<Transform2D> agreed = agreedPoses(check);
+  std::vector<bool> isSeen;
+  for (const CheckedPose& at : check.path) isSeen.push_back(at.isSeenTwice);
+  repaired.frame = soundFrame(repaired.poses, agreed);
+  repaired.unseen = unseenIn(run, isSeen);
+  judge(check, repaired);
+  if (repaired.state == RepairState::mended) moveTo(agreed, run, repaired);
+  return repaired;
 }
 
 }  // namespace roomgraph

@@ -6,7 +6,6 @@
 #include "roomgraph/base/csv_text.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/measures/measure_kinds.h"
-#include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
 namespace {
@@ -20,7 +19,6 @@ std::string ofBreaks(const Comparison& comparison, const std::string& run,
   return text;
 }
 
-/** The columns of the breaks. */
 std::string breakFields(const Comparison& comparison, const std::string& run) {
   const auto keyFrame = [](const MapBreak& tear) {
     return tear.keyFrame ? std::to_string(*tear.keyFrame) : "-";

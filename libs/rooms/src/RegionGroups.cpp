@@ -1,10 +1,7 @@
 #include "RegionGroups.h"
 
-#include <cmath>
 #include <tuple>
-#include <utility>
 
-#include "roomgraph/geometry/Polyline.h"
 #include "roomgraph/topology/face_areas.h"
 
 namespace roomgraph {

@@ -4,9 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "label_cells.h"
+#include "area_parts.h"
 #include "passage_evidence.h"
-#include "reached_regions.h"
 
 namespace roomgraph {
 namespace {

@@ -11,7 +11,6 @@
 #include "place_on_paths.h"
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/grid/polygon_cells.h"
-#include "split_ways.h"
 #include "straight_ways.h"
 
 namespace roomgraph {

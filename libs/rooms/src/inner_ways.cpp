@@ -7,7 +7,6 @@
 #include "place_on_paths.h"
 #include "roomgraph/base/UnionFind.h"
 #include "roomgraph/topology/dead_ends.h"
-#include "split_ways.h"
 
 namespace roomgraph {
 namespace {

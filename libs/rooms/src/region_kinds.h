@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "RegionGroups.h"
@@ -11,5 +12,13 @@ namespace roomgraph {
  *  wall shares. */
 std::vector<RegionKind> regionKinds(RegionGroups& regions, const SplitAtDoorsOptions& options,
                                     const std::vector<double>& widths);
+
+/** Per vertex that stands for a region, its own width [m]: between walls that face each other about
+ *  as far apart everywhere, where most of it lies between such; else that of its largest disc, and
+ *  never more. So a corridor is as wide as it is nearly everywhere, whatever opens into it and
+ *  however it bends. About as far apart is up to a square's side and its diagonal; of several such
+ *  ranges the one with the largest area counts. `isWall`, per obstacle, tells walls from the edge
+ *  of the unknown. O(n log n). */
+std::vector<double> ownWidths(RegionGroups& regions, const std::vector<std::uint8_t>& isWall);
 
 }  // namespace roomgraph

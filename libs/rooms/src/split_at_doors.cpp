@@ -9,7 +9,6 @@
 #include "follow_corridors.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
-#include "own_widths.h"
 #include "region_kinds.h"
 
 namespace roomgraph {

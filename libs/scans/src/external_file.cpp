@@ -24,7 +24,6 @@ fs::path stemOf(const std::string& map) {
   return stem;
 }
 
-/** Whether a map of that stem is in the folder. */
 bool hasMap(const fs::path& folder, const std::string& stem) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))

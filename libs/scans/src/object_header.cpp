@@ -53,6 +53,16 @@ void readObjectEnd(ByteReader& reader, const ObjectHeader& header) {
            kSaveMapAgain);
 }
 
+void skipObject(ByteReader& reader, const std::function<bool(ByteView)>& follows) {
+  while (reader.left() > 0) {
+    const void* end = std::memchr(reader.peek(), kObjectEnd, reader.left());
+    if (!end) break;
+    reader.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - reader.peek()) + 1);
+    if (follows({reader.peek(), reader.left()})) return;
+  }
+  refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
+}
+
 void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newest) {
   if (header.version < 0 || header.version > newest)
     refuse(reader.file(),

@@ -10,8 +10,8 @@
 
 #include "external_file.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/scans/find_slice.h"
 #include "roomgraph/scans/read_cloud.h"
-#include "roomgraph/scans/slice_scan.h"
 
 namespace roomgraph {
 namespace {
@@ -189,7 +189,6 @@ void addSlices(const Recording& recording, Decoded decoded, const Slice& slice,
   }
 }
 
-/** Cuts the clouds to slices, and notes how. */
 void cutClouds(const Recording& recording, Decoded decoded, const Contents& contents,
                const LoadGridOptions& options, PlacedScans& placed) {
   const Slice slice = decoded.arePlanar ? wholePlane() : findSlice(decoded.voxels, options);

@@ -7,7 +7,6 @@
 namespace roomgraph {
 namespace {
 
-/** Fills in the beams. */
 void readBeams(ByteReader& reader, int version, RangeScan& scan) {
   const auto count = reader.get<std::uint32_t>();
   if (count > 100'000)  // MRPT keeps them on the stack while it inserts them

@@ -53,13 +53,7 @@ void skipObservation(ByteReader& reader, const ObjectHeader& header, bool isLast
   if (header.isOldFormat)
     refuse(reader.file(), "holds a " + header.className + " in the format of MRPT before 0.5.5",
            "load and save the map with a newer MRPT");
-  while (reader.left() > 0) {
-    const void* end = std::memchr(reader.peek(), kObjectEnd, reader.left());
-    if (!end) break;
-    reader.skip(std::uint64_t(static_cast<const std::uint8_t*>(end) - reader.peek()) + 1);
-    if (followsObservation({reader.peek(), reader.left()}, isLast, mapVersion)) return;
-  }
-  refuse(reader.file(), "it is cut short or damaged", kSaveMapAgain);
+  skipObject(reader, [&](ByteView next) { return followsObservation(next, isLast, mapVersion); });
 }
 
 /** One observation of those that are known, or the step over it. */

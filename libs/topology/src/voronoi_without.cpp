@@ -4,7 +4,6 @@
 #include <optional>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "edge_clearance.h"
 #include "roomgraph/base/UnionFind.h"

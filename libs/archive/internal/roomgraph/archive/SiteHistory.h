@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/compare/Comparison.h"
 #include "roomgraph/ledger/SiteFile.h"
 #include "roomgraph/ledger/SiteRoom.h"
 #include "roomgraph/measures/Measure.h"
@@ -50,5 +51,17 @@ std::optional<double> figureOf(const HistoryRun& run, const char* name);
 
 /** The value of a figure that has one and can be trusted; nothing else. */
 std::optional<double> trustedFigure(const HistoryRun& run, const char* name);
+
+/** All figures of a compared run, with those of its score, as an archive keeps them. */
+std::vector<Measure> figuresOf(const ComparedRun& run, const Comparison& comparison);
+
+/** What a compared run has of each room of the comparison. */
+std::vector<RoomSeen> roomsOf(const ComparedRun& run, const Comparison& comparison);
+
+/** The run whose file as listed, the name of that file, or at least eight digits of its SHA-256 is
+ *  `name`. `archive` is named in errors.
+ *  @throws DataError where there is no such run, or where several could be meant. */
+const HistoryRun& namedRun(const std::vector<HistoryRun>& runs, const std::string& name,
+                           const std::string& archive);
 
 }  // namespace roomgraph

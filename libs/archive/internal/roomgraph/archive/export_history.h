@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"
 
 namespace roomgraph {
@@ -32,5 +33,12 @@ std::string historyPrometheus(const std::vector<WatchedSite>& sites);
 
 /** A few lines for people: each robot, then the rooms that have changed. */
 std::string historyText(const WatchedSite& site);
+
+/** One line of JSON of format "roomgraph/watch", version 1; see the schema in
+ *  share/roomgraph/schema. `robot` is none where no run of it can be judged. */
+std::string addedRunJson(const std::string& file, const AddedRun& run, const RobotWatch* robot);
+
+/** The same of a file that could not be added, and why. */
+std::string failedRunJson(const std::string& file, const std::string& error);
 
 }  // namespace roomgraph

@@ -35,4 +35,14 @@ ZstdContent readZstd(ByteView frame, std::size_t headSize, std::uint64_t most,
 /** Decompresses what readZstd() has checked to `out`, which has room for its size. */
 void decompressZstd(ByteView frame, std::uint8_t* out, std::uint64_t size, const std::string& file);
 
+/** From how many bytes on content is first decompressed to nowhere: where it is damaged near its
+ *  end, that costs no memory. */
+constexpr std::uint64_t kProveFrom = 100'000'000;
+
+enum class Deflated { asGzip, asZlib };
+
+/** Whether the pieces, one after the other, are one whole stream of `size` bytes with the right
+ *  checksum. No memory but 64 KiB; O(size). */
+bool isWholeStream(const std::vector<ByteView>& pieces, Deflated kind, std::uint64_t size);
+
 }  // namespace roomgraph

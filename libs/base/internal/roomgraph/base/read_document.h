@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/base/JsonNode.h"
+#include "roomgraph/base/Json.h"
 
 namespace roomgraph {
 

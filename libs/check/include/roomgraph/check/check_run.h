@@ -1,4 +1,8 @@
 #pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "roomgraph/check/RunCheck.h"
 #include "roomgraph/relate/Run.h"
 
@@ -14,5 +18,17 @@ namespace roomgraph {
  *  sections. Of a run without scans no error is told and no break, only what its map alone shows.
  *  Deterministic. About 1 s for 300 key frames. */
 [[nodiscard]] RunCheck checkRun(const Run& run);
+
+/** What must not be. */
+struct CheckGateOptions {
+  std::optional<double> maxError;  ///< each run must have a self error, and at most this one [m]
+  bool failsOnBreaks = false;      ///< a run has a break
+  bool failsOnDoubled = false;     ///< it has drawn a place twice, or laid one over another
+};
+
+/** What is wrong with a run, a sentence each; none where it passes. Where nothing can be told of a
+ *  run that must have a self error, that is a complaint. */
+[[nodiscard]] std::vector<std::string> complaintsOf(const RunCheck& check,
+                                                    const CheckGateOptions& options);
 
 }  // namespace roomgraph

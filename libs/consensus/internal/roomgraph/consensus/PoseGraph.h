@@ -7,6 +7,7 @@
 #include "roomgraph/align/scan_walls.h"
 #include "roomgraph/base/ById.h"
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/relate/Run.h"
 
 namespace roomgraph {
 
@@ -112,5 +113,9 @@ struct GraphTrust {
 inline std::array<HalfEdge, 2> halvesOf(const PoseEdge& edge) {
   return {{{edge.to, edge.from, edge.measured}, {edge.from, edge.to, edge.measured.inverse()}}};
 }
+
+/** Adds a run to a graph that has no matches yet: its key frames where it has scans, else its wall
+ *  patches. O(scans), or O(walls). */
+RunId addRunNodes(const Run& run, PoseGraph& graph);
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 
 #include "roomgraph/grid/LabelMap.h"
 
@@ -58,5 +59,13 @@ struct RoomScore {
  *  mcc. Deterministic. Expected O(pixels + p log p) for p pairs that share a pixel.
  *  @throws DataError where the maps differ in size; it names both. */
 RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth, std::size_t largestDropped = 100);
+
+/** One number per line, with its name before it and what it is behind it; "-" where it has no
+ *  value. The columns are aligned. */
+std::string roomScoreText(const RoomScore& score);
+
+/** The same, with the hashes of the files and the program's version; null where there is no value.
+ *  Rounded to 4 decimals, mcc to 6. One member per line. */
+std::string roomScoreJson(const RoomScore& score);
 
 }  // namespace roomgraph

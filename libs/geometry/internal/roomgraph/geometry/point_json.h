@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "roomgraph/base/Json.h"
-#include "roomgraph/base/JsonNode.h"
 #include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {

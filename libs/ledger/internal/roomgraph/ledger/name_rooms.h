@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/ledger/SiteFile.h"
+#include "roomgraph/rooms/AreaGraph.h"
 
 namespace roomgraph {
 
@@ -27,5 +28,16 @@ struct NamedRooms {
  *  @throws DataError where the site cannot be found in the file, or in several ways, as in a
  *  symmetric building. */
 NamedRooms nameRooms(std::vector<SiteRoom> rooms, SiteFile file, const std::string& name);
+
+struct NamedAreas {
+  std::vector<std::string> names;  ///< by AreaId, no two the same
+  SiteFile file;
+};
+
+/** Gives each area the name of its room in the file, or that of a new one, see nameRooms. Where
+ *  users have given one name to several rooms, their ids tell them apart: "Office (R3)". `name` of
+ *  the file, for messages.
+ *  @throws DataError like nameRooms. */
+NamedAreas nameAreas(const AreaGraph& areas, SiteFile file, const std::string& name);
 
 }  // namespace roomgraph

@@ -1,4 +1,5 @@
 #pragma once
+#include "roomgraph/align/WallMap.h"
 #include "roomgraph/align/align_maps.h"
 #include "roomgraph/relate/follow_walls.h"
 
@@ -56,5 +57,9 @@ void follow(MapPair& pair, const WallMap& a, const WallMap& b,
  *  has seen free space. Furniture is seldom straight; walls that were built or torn down are there
  *  in one map only; and maps that bend or break are not asked. O(walls). */
 bool areStoreys(const MapPair& pair, const WallMap& a, const WallMap& b);
+
+/** The mirror image of a map: what a scanner that was mounted upside down draws. Its x axis points
+ *  the other way. Complete, if the map is. O(cells + walls * walls within 4 m). */
+WallMap mirrored(const WallMap& map);
 
 }  // namespace roomgraph

@@ -31,7 +31,10 @@ class CellVotes {
 
   /** A beam from `eye` to where it met something; both must lie in the frame. The cell of the end
    *  gets a hit, all between a pass. */
-  void addBeam(Point eye, Point end);
+  void addBeam(Point eye, Point end) {
+    passBeam(frame_, eye, end, [&](std::size_t cell) { ++votes_[cell].passes; });
+    ++votes_[frame_.index(frame_.cellAt(end))].hits;
+  }
 
   std::uint32_t seen(std::size_t cell) const { return votes_[cell].hits + votes_[cell].passes; }
   /** Share of the beams that ended there, 0 to 1; 0 where none came. */

@@ -42,4 +42,9 @@ struct MarkedFile {
   std::function<std::vector<NamedBytes>(const std::vector<CarriedThing>&, const GridFrame&)> write;
 };
 
+/** Reads what somebody has marked on a map. The content tells the format: a table, GeoJSON, a
+ *  site.json, osmAG, or a mask of nav2.
+ *  @throws DataError with one line where it is none, or damaged. */
+MarkedFile readMarked(const std::string& file);
+
 }  // namespace roomgraph

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "roomgraph/base/enum_names.h"
-#include "roomgraph/scans/move_poses.h"
+#include "roomgraph/scans/rewrite_simplemap.h"
 
 namespace roomgraph {
 

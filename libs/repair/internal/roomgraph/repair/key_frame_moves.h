@@ -1,9 +1,10 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/repair/RepairedRun.h"
-#include "roomgraph/scans/move_poses.h"
+#include "roomgraph/scans/rewrite_simplemap.h"
 
 namespace roomgraph {
 
@@ -16,5 +17,10 @@ namespace roomgraph {
  *  and behind it, with the nearer one more. O(key frames). */
 std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
                                     const StoredPoses& stored);
+
+/** "time x y z qx qy qz qw", a line for each key frame, in their order [s, m]. A key frame without
+ *  a time has one between those of its neighbours that have; where none has, times are the numbers
+ *  of the key frames. O(key frames). */
+std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>& moves);
 
 }  // namespace roomgraph

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/solve_site.h"
+#include "roomgraph/consensus/site_consensus.h"
 
 namespace roomgraph {
 

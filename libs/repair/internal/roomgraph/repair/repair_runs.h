@@ -1,7 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "roomgraph/consensus/solve_site.h"
+#include "roomgraph/check/RunCheck.h"
+#include "roomgraph/consensus/site_consensus.h"
+#include "roomgraph/relate/Run.h"
 #include "roomgraph/repair/RepairedRun.h"
 #include "roomgraph/repair/rejoin_pieces.h"
 
@@ -20,5 +22,12 @@ std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& r
 
 /** Whether others have seen enough of a run to tell where it really lies. */
 bool isTrusted(const MapError& error);
+
+/** A run laid as it would lie if it agreed with itself (checkRun), in its own frame, whose sound
+ *  majority stays where it was. It is left as it was, with the reason, where nothing can be told of
+ *  it, where its self error may be none, and where what was seen twice does not bear out how its
+ *  parts lie to each other. Slow bends of what was driven once stay: nothing shows them.
+ *  Deterministic. O(scans). */
+RepairedRun repairAlone(const Run& run, const RunCheck& check);
 
 }  // namespace roomgraph

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "roomgraph/base/checked_file.h"
+
 namespace roomgraph {
 
 /** A pose of a key frame as a simplemap stores it, and where. */
@@ -21,5 +23,10 @@ struct StoredPoses {
   std::size_t headEnd = 0;  ///< where the first key frame begins, behind their number
   std::vector<StoredPose> frames;
 };
+
+/** The poses of all key frames of a simplemap, those without a scan, too, and the places of their
+ *  bytes in its content. Checks as loadGrid does. O(file).
+ *  @throws DataError where the file is damaged or no simplemap. */
+StoredPoses readStoredPoses(CheckedFile& file);
 
 }  // namespace roomgraph

@@ -1,5 +1,6 @@
 #pragma once
 #include <mrpt/math/TPoint3D.h>
+#include <mrpt/poses/CPose3D.h>
 
 #include <cstdint>
 #include <string>
@@ -8,6 +9,8 @@
 
 #include "roomgraph/grid/GridFrame.h"
 #include "roomgraph/grid/LoadGridOptions.h"
+#include "roomgraph/scans/PlacedScan.h"
+#include "roomgraph/scans/PointCloud.h"
 
 namespace roomgraph {
 
@@ -61,5 +64,15 @@ std::string sliceText(const Slice& slice);
 /** How many of the cells lie in straight, thin pieces of at least ten, as those of walls do, along
  *  any of 36 directions. Cells may be repeated, and stand in any order. O(cells log cells). */
 std::size_t countStraightCells(std::vector<Cell> cells);
+
+/** The identity of a scan: of its valid ranges, and where the others are. */
+std::uint64_t rangesId(const RangeScan& scan);
+
+/** What a scanner at the place of the points' sensor (map <- sensor), all round and level, would
+ *  have seen in the slice: of each direction the nearest point, and between two points of one
+ *  surface what joins them. Other directions are invalid. Heights of the slice count from
+ *  `ground`. Fills `from`, the id, and the ranges of the scan. */
+PlacedScan sliceScan(const CloudPoints& points, const mrpt::poses::CPose3D& sensor, double ground,
+                     const Slice& slice);
 
 }  // namespace roomgraph

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -24,6 +25,9 @@ ObjectHeader readObjectHeader(ByteReader& reader);
 /** The mark at an object's end. */
 constexpr std::uint8_t kObjectEnd = 0x88;
 void readObjectEnd(ByteReader& reader, const ObjectHeader& header);
+/** Steps over what is left of an object of any layout: to the first such mark behind which the
+ *  bytes are what `follows` asks for. Throws DataError where there is none. */
+void skipObject(ByteReader& reader, const std::function<bool(ByteView)>& follows);
 /** Throws DataError unless the version is one of 0 to `newest`. */
 void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newest);
 

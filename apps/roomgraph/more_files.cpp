@@ -1,0 +1,170 @@
+#include "more_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "output_names.h"
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/InputFile.h"
+#include "roomgraph/graph_files/ros_map.h"
+#include "roomgraph/grid/binarize.h"
+#include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/read_recording.h"
+#include "roomgraph/mrpt_plugin/break_files.h"
+#include "roomgraph/mrpt_plugin/mrpt_files.h"
+#include "roomgraph/relate/estimate_scale.h"
+#include "roomgraph/report/evo_files.h"
+#include "roomgraph/report/site_json.h"
+#include "roomgraph/scans/place_scans.h"
+
+namespace roomgraph {
+namespace {
+
+std::vector<PlacedScan> scansOf(const std::string& file, const LoadGridOptions& reading) {
+  auto recording = readRecording(file);
+  if (!recording) return {};
+  return placeScans(std::move(*recording), reading).scans;
+}
+
+/** Stages a file of a comparison, and returns its name with the folder.
+ *  @throws UsageError where it would replace one of the maps that are compared. */
+std::string stageResult(const Comparison& comparison, const std::filesystem::path& folder,
+                        const std::string& name, const std::string& bytes, StagedFiles& staged) {
+  std::string file = (folder / name).string();
+  for (const ComparedRun& run : comparison.runs)
+    if (areSameFile(file, run.file))
+      throw UsageError(file + ": would replace a map: choose another folder with --output");
+  staged.add(file, bytes);
+  return file;
+}
+
+/** The name of a run as part of that of a file, another one than those that are taken: names may be
+ *  paths, and YAML and TOML have signs of their own. */
+std::string fileWord(const std::string& name, std::set<std::string>& taken) {
+  std::string word;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    word += byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '.' ? c : '_';
+  }
+  while (!taken.insert(word).second) word += '_';
+  return word;
+}
+
+/** The run's own cells; the wall maps that are compared are coarser. */
+Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {
+  Grid grid = binarize(loadGrid(run.file, options.loadGrid), options.binarize);
+  if (run.isScaleEstimated) grid = rescaled(std::move(grid), run.resolution);
+  return grid;
+}
+
+}  // namespace
+
+std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                                       const LoadGridOptions& reading,
+                                       const std::filesystem::path& folder, StagedFiles& staged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    names.push_back((folder / name).string());
+    staged.add(names.back(), bytes);
+  };
+  std::map<std::string, std::vector<PlacedScan>> read;  // by run
+  for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
+    const MapBreak& tear = comparison.breaks[i];
+    const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
+    const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
+    const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
+    if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
+    const auto [known, isNew] = read.try_emplace(tear.run);
+    if (isNew) known->second = scansOf(run->file, reading);
+    const std::vector<PlacedScan>& scans = known->second;
+    const std::string stem = "comparison.break" + std::to_string(i + 1);
+    for (const bool isUntorn : {false, true})
+      add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
+          rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
+    add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
+  }
+  return names;
+}
+
+void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
+                  StagedFiles& staged) {
+  if (check.breaks.empty() && check.doubled.empty()) return;
+  const std::vector<PlacedScan> scans = scansOf(check.file, reading);
+  const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
+    const std::string name = stem + "." + kind + std::to_string(number);
+    staged.add(name + ".rawlog", rawlogBytes(scansAt(false)));
+    if (hasFit) staged.add(name + ".untorn.rawlog", rawlogBytes(scansAt(true)));
+  };
+  for (std::size_t i = 0; i < check.breaks.size(); ++i) {
+    const MapBreak& tear = check.breaks[i];
+    const auto at = [&](bool isUntorn) { return scansAtBreak(tear, {}, scans, isUntorn); };
+    add("break", i + 1, at, tear.torn.has_value());
+  }
+  for (std::size_t i = 0; i < check.doubled.size(); ++i) {
+    const auto at = [&](bool isUntorn) {
+      return scansAtDoubled(check.doubled[i], scans, isUntorn);
+    };
+    add("doubled", i + 1, at, true);
+  }
+}
+
+std::string scanLog(const std::string& file, const LoadGridOptions& reading,
+                    const KeyFrameStretch& stretch) {
+  std::vector<PlacedScan> scans = scansOf(file, reading);
+  if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
+  const std::size_t last = scans.back().keyFrame, to = stretch.to.value_or(last);
+  if (std::max(stretch.from, to) > last)
+    throw DataError(file + ": its last key frame is " + std::to_string(last) +
+                    ": choose --from and --to up to that");
+  scans.erase(std::remove_if(scans.begin(), scans.end(),
+                             [&](const PlacedScan& scan) {
+                               return scan.keyFrame < stretch.from || scan.keyFrame > to;
+                             }),
+              scans.end());
+  return rawlogBytes(scans);
+}
+
+SiteFile readSite(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  return parseSiteJson(readFile(file), file);
+}
+
+std::vector<std::string> addTrajectories(const Comparison& comparison,
+                                         const std::filesystem::path& folder, StagedFiles& staged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    if (!bytes.empty()) names.push_back(stageResult(comparison, folder, name, bytes, staged));
+  };
+  std::set<std::string> taken;
+  for (const ComparedRun& run : comparison.runs) {
+    const std::string word = fileWord(run.name, taken);
+    add("comparison." + word + ".tum", pathTum(run));
+    add("comparison." + word + ".evo.zip", evoResult(run, word));
+  }
+  return names;
+}
+
+std::vector<std::string> addSiteMaps(const Comparison& comparison, const ExtractOptions& options,
+                                     const std::filesystem::path& folder, StagedFiles& staged) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name, const std::string& bytes) {
+    names.push_back(stageResult(comparison, folder, name, bytes, staged));
+  };
+  std::set<std::string> taken;
+  std::vector<SessionMap> session;
+  for (const ComparedRun& run : comparison.runs) {
+    const Grid grid = gridOf(run, options);
+    const std::string word = fileWord(run.name, taken), stem = "comparison." + word;
+    session.push_back({stem + ".yaml", stem + ".pgm", grid.frame, run.pose});
+    add(stem + ".yaml", rosMapYaml(grid.frame, stem + ".pgm", run.pose));
+    add(stem + ".pgm", mapPgm(grid));
+    add(stem + ".pose.yaml", mapsPoseYaml(run.pose, word));
+  }
+  add("comparison.maps.toml", mapsSession(session));
+  return names;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,89 @@
+#include "roomgraph/archive/SiteHistory.h"
+
+#include <algorithm>
+
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/file_name.h"
+
+namespace roomgraph {
+namespace {
+
+bool isMeant(const std::string& name, const HistoryRun& run) {
+  return name == run.file || name == fileName(run.file) ||
+         (name.size() >= 8 && run.sha256.compare(0, name.size(), name) == 0);
+}
+
+Measure figure(const char* name, double value, const char* unit, const RunScore& score) {
+  Measure measure;
+  measure.name = name, measure.value = value, measure.unit = unit;
+  measure.support = score.support, measure.isMeaningful = score.isMeaningful;
+  return measure;
+}
+
+void addScore(std::vector<Measure>& figures, const RunScore& score) {
+  Measure error = figure(kMapError, score.mapError, "m", score);
+  error.low = score.errorLow, error.high = score.errorHigh;
+  Measure points = figure(kScore, score.score, "1", score);
+  points.low = score.low, points.high = score.high;
+  figures.push_back(error);
+  figures.push_back(points);
+  figures.push_back(figure("shared_walls", score.share, "1", score));
+  figures.push_back(figure("trust", score.trust, "1", score));
+}
+
+}  // namespace
+
+const HistoryRun& namedRun(const std::vector<HistoryRun>& runs, const std::string& name,
+                           const std::string& archive) {
+  const HistoryRun* meant = nullptr;
+  for (const HistoryRun& run : runs) {
+    if (!isMeant(name, run)) continue;
+    if (meant)
+      throw DataError(archive + ": has several runs named " + name +
+                      ": name one by its whole file or its SHA-256, which 'export' tells");
+    meant = &run;
+  }
+  if (!meant)
+    throw DataError(archive + ": has no run " + name + ": 'list' names those that it has");
+  return *meant;
+}
+
+std::vector<Measure> figuresOf(const ComparedRun& run, const Comparison& comparison) {
+  std::vector<Measure> figures;
+  if (run.score) {
+    addScore(figures, *run.score);
+    const auto breaks = std::count_if(comparison.breaks.begin(), comparison.breaks.end(),
+                                      [&](const MapBreak& one) { return one.run == run.name; });
+    figures.push_back(figure(kBreaks, double(breaks), "1", *run.score));
+  }
+  figures.insert(figures.end(), run.measures.begin(), run.measures.end());
+  return figures;
+}
+
+std::vector<RoomSeen> roomsOf(const ComparedRun& run, const Comparison& comparison) {
+  std::vector<RoomSeen> rooms;
+  for (const SiteRoom& room : comparison.rooms)
+    for (const RoomInRun& in : room.runs) {
+      if (in.run != run.name) continue;
+      RoomSeen seen;
+      seen.room = room.id, seen.sighting = in.sighting;
+      seen.pieces = in.pieces, seen.isMerged = in.isMerged;
+      seen.doors = std::max(0, int(room.doors.size()) + in.doorsGained - in.doorsLost);
+      if (in.areaChange) seen.area = room.area * (1 + *in.areaChange);
+      seen.shift = in.shift, seen.boundaryAgreement = in.boundaryAgreement;
+      rooms.push_back(seen);
+    }
+  return rooms;
+}
+
+std::optional<double> figureOf(const HistoryRun& run, const char* name) {
+  const Measure* measure = find(run.figures, name);
+  return measure ? measure->value : std::nullopt;
+}
+
+std::optional<double> trustedFigure(const HistoryRun& run, const char* name) {
+  const Measure* measure = find(run.figures, name);
+  return measure && measure->isMeaningful ? measure->value : std::nullopt;
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,130 @@
+#include "roomgraph/measures/match_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "roomgraph/base/OneToOne.h"
+#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
+#include "roomgraph/grid/polygon_cells.h"
+
+namespace roomgraph {
+namespace {
+
+/** The room of each cell, and how many cells each room has. */
+struct LabelledCells {
+  std::vector<RoomId> room;
+  std::vector<std::size_t> count;
+};
+
+void label(const Polygon& polygon, RoomId room, const GridFrame& frame, LabelledCells& cells) {
+  for (const Cell c : cellsIn(polygon, frame)) {
+    RoomId& owner = cells.room[frame.index(c)];
+    if (owner) continue;  // rooms touch, but do not overlap
+    owner = room;
+    ++cells.count[room.index()];
+  }
+}
+
+LabelledCells labelled(const std::vector<GraphRoom>& rooms, const GridFrame& frame) {
+  LabelledCells cells{std::vector<RoomId>(frame.cellCount()),
+                      std::vector<std::size_t>(rooms.size())};
+  for (std::size_t i = 0; i < rooms.size(); ++i)
+    label(rooms[i].shape.polygon, RoomId(i), frame, cells);
+  return cells;
+}
+
+std::vector<std::uint32_t> fromLeftToRight(const std::vector<Vertex>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tie(vertices[a].place.x, a) < std::tie(vertices[b].place.x, b);
+  });
+  return order;
+}
+
+std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const TopologyGraph& other,
+                                          double maxDistance) {
+  const std::vector<Vertex>&a = base.vertices(), &b = other.vertices();
+  const auto orderA = fromLeftToRight(a), orderB = fromLeftToRight(b);
+  std::vector<MatchedVertices> pairs;
+  std::size_t first = 0;
+  for (const std::uint32_t i : orderA) {
+    while (first < orderB.size() && b[orderB[first]].place.x < a[i].place.x - maxDistance) ++first;
+    for (std::size_t k = first; k < orderB.size(); ++k) {
+      const std::uint32_t j = orderB[k];
+      if (b[j].place.x > a[i].place.x + maxDistance) break;
+      const double apart = distance(a[i].place, b[j].place);
+      if (apart <= maxDistance) pairs.push_back({VertexId(i), VertexId(j), apart});
+    }
+  }
+  return pairs;
+}
+
+std::optional<double> percentile(const std::vector<MatchedVertices>& pairs, double share) {
+  if (pairs.empty()) return std::nullopt;
+  std::vector<double> distances;
+  for (const MatchedVertices& pair : pairs) distances.push_back(pair.distance);
+  return quantile(std::move(distances), share);
+}
+
+std::optional<double> unmatched(std::size_t pairs, std::size_t count) {
+  if (count == 0) return std::nullopt;
+  return double(count - pairs) / double(count);
+}
+
+}  // namespace
+
+std::vector<MatchedRooms> matchRooms(const std::vector<GraphRoom>& base,
+                                     const std::vector<GraphRoom>& other, const GridFrame& frame) {
+  if (base.empty() || other.empty()) return {};
+  const LabelledCells a = labelled(base, frame), b = labelled(other, frame);
+  std::map<std::pair<RoomId, RoomId>, std::size_t> common;
+  for (std::size_t i = 0; i < a.room.size(); ++i)
+    if (a.room[i] && b.room[i]) ++common[{a.room[i], b.room[i]}];
+  std::vector<MatchedRooms> matched;
+  for (const auto& [pair, both] : common) {
+    const std::size_t either = a.count[pair.first.index()] + b.count[pair.second.index()] - both;
+    const double overlap = double(both) / double(either);
+    if (overlap > kMajority) matched.push_back({pair.first, pair.second, overlap});
+  }
+  return matched;
+}
+
+std::vector<MatchedVertices> matchVertices(const TopologyGraph& base, const TopologyGraph& other,
+                                           double maxDistance) {
+  std::vector<MatchedVertices> pairs = pairsInReach(base, other, maxDistance);
+  std::sort(pairs.begin(), pairs.end(), [](const MatchedVertices& p, const MatchedVertices& q) {
+    return std::tie(p.distance, p.base, p.other) < std::tie(q.distance, q.base, q.other);
+  });
+  OneToOne pairing(base.vertices().size(), other.vertices().size());
+  std::vector<MatchedVertices> matched;
+  for (const MatchedVertices& pair : pairs)
+    if (pairing.take(pair.base.index(), pair.other.index())) matched.push_back(pair);
+  return matched;
+}
+
+VertexAgreement vertexAgreement(const std::vector<MatchedVertices>& pairs, std::size_t baseCount,
+                                std::size_t otherCount) {
+  return {percentile(pairs, 0.5), percentile(pairs, 0.9), unmatched(pairs.size(), baseCount),
+          unmatched(pairs.size(), otherCount)};
+}
+
+std::optional<double> nearestVertices(const TopologyGraph& base, const TopologyGraph& other) {
+  if (base.vertices().empty() || other.vertices().empty()) return std::nullopt;
+  double sum = 0;
+  for (const Vertex& vertex : base.vertices()) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vertex& candidate : other.vertices())
+      nearest = std::min(nearest, squaredNorm(candidate.place - vertex.place));
+    sum += std::sqrt(nearest);
+  }
+  return sum / double(base.vertices().size());
+}
+
+}  // namespace roomgraph

@@ -1,0 +1,38 @@
+#include "roomgraph/repair/MarkedFile.h"
+
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/images/read_image.h"
+#include "roomgraph/repair/places_csv.h"
+#include "roomgraph/repair/places_json.h"
+#include "roomgraph/repair/places_mask.h"
+#include "roomgraph/repair/places_osm.h"
+
+namespace roomgraph {
+namespace {
+
+struct MarkedFormat {
+  bool (*looksLike)(const std::string& text);
+  MarkedFile (*read)(const std::string& text, const std::string& file);
+};
+
+/** The first that a text looks like is read. */
+constexpr MarkedFormat kFormats[] = {
+    {looksLikeSite, sitePlaces},
+    {looksLikeGeojson, geojsonPlaces},
+    {looksLikeXml, osmPlaces},
+    {looksLikeMask, maskPlaces},
+    {[](const std::string&) { return true; }, csvPlaces},
+};
+
+}  // namespace
+
+MarkedFile readMarked(const std::string& file) {
+  const std::string text = readFile(file);
+  const ByteView head{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+  if (isImage(head)) refuse(file, "is a picture", "name the yaml that tells where it lies");
+  for (const MarkedFormat& format : kFormats)
+    if (format.looksLike(text)) return format.read(text, file);
+  return {};
+}
+
+}  // namespace roomgraph

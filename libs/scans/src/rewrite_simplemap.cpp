@@ -1,0 +1,234 @@
+#include "roomgraph/scans/rewrite_simplemap.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "roomgraph/base/remedies.h"
+#include "roomgraph/scans/object_header.h"
+
+namespace roomgraph {
+namespace {
+
+template <class T>
+std::string raw(T value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+std::string textBytes(const std::string& text) { return raw(std::uint32_t(text.size())) + text; }
+
+/** What MRPT writes for a speed that is not known. */
+std::string noTwist() { return textBytes("std::optional") + textBytes("TTwist3D") + '\0'; }
+
+/** Numbers one after the other, in the order of a matrix by rows. */
+struct Numbers {
+  std::size_t begin = 0;
+  bool areDouble = true;
+};
+
+/** A symmetric matrix of n x n as MRPT streams it: the diagonal, then what is above it, by rows. */
+std::size_t symmetricIndex(std::size_t n, std::size_t row, std::size_t column) {
+  if (row == column) return row;
+  std::size_t index = n;
+  for (std::size_t r = 0; r < row; ++r) index += n - 1 - r;
+  return index + column - row - 1;
+}
+
+/** The inverse of a covariance; its entries have the names of the covariance's. */
+PlanarCovariance inverseOf(const PlanarCovariance& c) {
+  const double xx = c.yy * c.pp - c.yp * c.yp, xy = c.xp * c.yp - c.xy * c.pp;
+  const double xp = c.xy * c.yp - c.yy * c.xp;
+  const double scale = 1 / (c.xx * xx + c.xy * xy + c.xp * xp);
+  PlanarCovariance i;
+  i.xx = scale * xx, i.xy = scale * xy, i.xp = scale * xp;
+  i.yy = scale * (c.xx * c.pp - c.xp * c.xp), i.yp = scale * (c.xy * c.xp - c.xx * c.yp);
+  i.pp = scale * (c.xx * c.yy - c.xy * c.xy);
+  return i;
+}
+
+/** Walks along the objects of a pose, and changes its numbers in place. */
+class Mover {
+ public:
+  Mover(ByteView content, const std::string& file, std::string& bytes)
+      : content_(content), file_(file), bytes_(bytes) {}
+
+  void move(std::size_t begin, const PoseMove& move) {
+    motion_ = move.motion;
+    ByteReader reader(content_, file_);
+    reader.skip(begin);
+    const ObjectHeader header = readObjectHeader(reader);
+    const std::string& name = header.className;
+    const bool isInformation = name == "CPosePDFGaussianInf" || name == "CPose3DPDFGaussianInf";
+    if (name == "CPose3DPDFGaussian" || name == "CPose3DPDFGaussianInf") {
+      movePose3D(reader);
+      if (move.covariance) setBlock({reader.position(), true}, 6, *move.covariance, isInformation);
+    } else if (name == "CPosePDFGaussian" || name == "CPosePDFGaussianInf") {
+      movePose2D(reader, isInformation);
+      if (move.covariance) setPlanar(reader, header, *move.covariance, isInformation);
+    } else {
+      moveParticles(reader, name == "CPose3DPDFParticles", header.version);
+    }
+  }
+
+ private:
+  double number(const Numbers& numbers, std::size_t index) const {
+    if (!numbers.areDouble) return double(value<float>(numbers.begin + index * sizeof(float)));
+    return value<double>(numbers.begin + index * sizeof(double));
+  }
+  void set(const Numbers& numbers, std::size_t index, double to) {
+    if (numbers.areDouble)
+      put(numbers.begin + index * sizeof(double), to);
+    else
+      put(numbers.begin + index * sizeof(float), float(to));
+  }
+  template <class T>
+  T value(std::size_t index) const {
+    T result;
+    std::memcpy(&result, content_.data + index, sizeof result);
+    return result;
+  }
+  template <class T>
+  void put(std::size_t index, T value) {
+    std::memcpy(bytes_.data() + index, &value, sizeof value);
+  }
+
+  /** Turns two numbers that are the x and y of a vector. */
+  void turnPair(const Numbers& numbers, std::size_t x, std::size_t y, double angle,
+                Point shift = {}) {
+    const Point to = turned({number(numbers, x), number(numbers, y)}, angle) + shift;
+    set(numbers, x, to.x), set(numbers, y, to.y);
+  }
+  void movePlace(const Numbers& place) { turnPair(place, 0, 1, motion_.phi, motion_.shift()); }
+
+  /** x, y and phi, or x, y, z and yaw. */
+  void moveCoordinates(const Numbers& pose, std::size_t yaw) {
+    movePlace(pose);
+    set(pose, yaw, wrappedAngle(number(pose, yaw) + motion_.phi));
+  }
+
+  Numbers matrix(ByteReader& reader) const {
+    const ObjectHeader header = readObjectHeader(reader);
+    const bool areDouble = header.className.back() == 'D';
+    const auto rows = reader.get<std::uint32_t>(), columns = reader.get<std::uint32_t>();
+    const Numbers numbers{reader.position(), areDouble};
+    reader.skip(std::uint64_t(rows) * columns * (areDouble ? sizeof(double) : sizeof(float)));
+    readObjectEnd(reader, header);
+    return numbers;
+  }
+
+  /** Leaves `reader` behind the object. */
+  void movePose3D(ByteReader& reader) {
+    const ObjectHeader header = readObjectHeader(reader);
+    if (header.version <= 1) {
+      const Numbers m = matrix(reader);  // 4 x 4
+      for (std::size_t c = 0; c < 3; ++c) turnPair(m, c, 4 + c, motion_.phi);
+      turnPair(m, 3, 7, motion_.phi, motion_.shift());
+    } else {
+      movePlace({reader.position(), true});
+      reader.skip(3 * sizeof(double));
+      const Numbers turn{reader.position(), true};
+      if (header.version == 2) {  // a quaternion, r x y z
+        turnPair(turn, 0, 3, motion_.phi / 2), turnPair(turn, 1, 2, motion_.phi / 2);
+      } else {
+        for (std::size_t c = 0; c < 3; ++c) turnPair(turn, c, 3 + c, motion_.phi);
+      }
+      reader.skip((header.version == 2 ? 4 : 9) * sizeof(double));
+    }
+    readObjectEnd(reader, header);
+  }
+
+  /** An object, or with `isBare` its coordinates alone. */
+  void movePose2D(ByteReader& reader, bool isBare) {
+    ObjectHeader header;
+    if (!isBare) header = readObjectHeader(reader);
+    const bool areDouble = isBare || header.version > 0;
+    moveCoordinates({reader.position(), areDouble}, 2);
+    reader.skip(3 * (areDouble ? sizeof(double) : sizeof(float)));
+    if (!isBare) readObjectEnd(reader, header);
+  }
+
+  void moveParticles(ByteReader& reader, bool are3D, int version) {
+    for (auto left = reader.get<std::uint32_t>(); left > 0; --left) {
+      reader.skip(sizeof(double));  // its weight
+      if (version == 0) {
+        if (are3D) movePose3D(reader);
+        if (!are3D) movePose2D(reader, false);
+        continue;
+      }
+      moveCoordinates({reader.position(), true}, are3D ? 3 : 2);
+      reader.skip((are3D ? 6 : 3) * sizeof(double));
+    }
+  }
+
+  void setPlanar(ByteReader& reader, const ObjectHeader& header, const PlanarCovariance& covariance,
+                 bool isInformation) {
+    if (isInformation || header.version > 0)
+      return setBlock({reader.position(), isInformation || header.version > 1}, 3, covariance,
+                      isInformation);
+    const Numbers m = matrix(reader);
+    const std::array<double, 9> all{covariance.xx, covariance.xy, covariance.xp,
+                                    covariance.xy, covariance.yy, covariance.yp,
+                                    covariance.xp, covariance.yp, covariance.pp};
+    for (std::size_t i = 0; i < all.size(); ++i) set(m, i, all[i]);
+  }
+
+  /** Of a symmetric matrix over x, y, phi, or x, y, z, yaw, pitch, roll. */
+  void setBlock(const Numbers& symmetric, std::size_t n, const PlanarCovariance& covariance,
+                bool isInformation) {
+    const PlanarCovariance c = isInformation ? inverseOf(covariance) : covariance;
+    const std::size_t yaw = n == 3 ? 2 : 3;
+    for (const std::size_t row : {std::size_t(0), std::size_t(1), yaw})
+      for (std::size_t k = 0; k < n; ++k)
+        if (k != row) set(symmetric, symmetricIndex(n, std::min(row, k), std::max(row, k)), 0);
+    set(symmetric, 0, c.xx), set(symmetric, 1, c.yy), set(symmetric, yaw, c.pp);
+    set(symmetric, symmetricIndex(n, 0, 1), c.xy);
+    set(symmetric, symmetricIndex(n, 0, yaw), c.xp);
+    set(symmetric, symmetricIndex(n, 1, yaw), c.yp);
+  }
+
+  ByteView content_;
+  const std::string& file_;
+  std::string& bytes_;
+  Transform2D motion_;
+};
+
+bool isMoved(const PoseMove& move) {
+  return move.covariance || move.motion.x != 0 || move.motion.y != 0 || move.motion.phi != 0;
+}
+
+}  // namespace
+
+std::string joinSimplemaps(const std::vector<SimplemapPart>& parts) {
+  if (parts.empty()) return {};
+  const auto newest = std::max_element(parts.begin(), parts.end(),
+                                       [](const SimplemapPart& l, const SimplemapPart& r) {
+                                         return l.stored.mapVersion < r.stored.mapVersion;
+                                       });
+  std::uint32_t count = 0;
+  for (const SimplemapPart& part : parts) count += std::uint32_t(part.frames.size());
+  std::string joined =
+      newest->content.substr(0, newest->stored.headEnd - sizeof count) + raw(count);
+  for (const SimplemapPart& part : parts) {
+    const bool lacksTwist = newest->stored.mapVersion >= 2 && part.stored.mapVersion < 2;
+    for (const std::size_t k : part.frames) {
+      const StoredPose& frame = part.stored.frames[k];
+      joined.append(part.content, frame.begin, frame.end - frame.begin);
+      if (lacksTwist) joined += noTwist();
+    }
+  }
+  return joined + char(kObjectEnd);
+}
+
+std::string movePoses(ByteView content, const std::string& file, const StoredPoses& poses,
+                      const std::vector<PoseMove>& moves) {
+  if (poses.frames.size() != moves.size() ||
+      (!poses.frames.empty() && poses.frames.back().end > content.size))
+    refuse(file, "has changed while it was read", kSaveMapAgain);
+  std::string bytes(reinterpret_cast<const char*>(content.data), content.size);
+  Mover mover(content, file, bytes);
+  for (std::size_t k = 0; k < moves.size(); ++k)
+    if (isMoved(moves[k])) mover.move(poses.frames[k].begin, moves[k]);
+  return bytes;
+}
+
+}  // namespace roomgraph
