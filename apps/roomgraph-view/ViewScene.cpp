@@ -4,7 +4,6 @@
 
 #include "draw_marks.h"
 #include "draw_stage.h"
-#include "heights.h"
 #include "read_place.h"
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/break_files.h"

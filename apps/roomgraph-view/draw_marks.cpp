@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "heights.h"
+#include "draw_stage.h"
 #include "read_place.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "heights.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"

@@ -40,12 +40,10 @@ void Pen::trace(const Polyline& line) const {
 }
 
 void Pen::trace(const Polygon& polygon) const {
-  const auto traceRing = [&](const Ring& ring) {
+  forEachRing(polygon, [&](const Ring& ring) {
     trace(ring);
     if (!ring.empty()) cairo_close_path(cairo_);
-  };
-  traceRing(polygon.outer);
-  for (const Ring& hole : polygon.holes) traceRing(hole);
+  });
 }
 
 void Pen::stroke(double widthPx) const {

@@ -68,20 +68,14 @@ double area(const Polygon& polygon) {
 
 double perimeter(const Polygon& polygon) {
   double sum = 0;
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      sum += distance(ring[i], ring[(i + 1) % ring.size()]);
-  };
-  add(polygon.outer);
-  for (const Ring& hole : polygon.holes) add(hole);
+  forEachEdge(polygon, [&](Point a, Point b) { sum += distance(a, b); });
   return sum;
 }
 
 Point centroid(const Polygon& polygon) {
   const Point origin = polygon.outer.front();
   Moments sum;
-  addMoments(polygon.outer, origin, sum);
-  for (const Ring& hole : polygon.holes) addMoments(hole, origin, sum);
+  forEachRing(polygon, [&](const Ring& ring) { addMoments(ring, origin, sum); });
   if (sum.area2 != 0) return origin + (1 / (3 * sum.area2)) * Point{sum.x6, sum.y6};
   Point mean;
   for (const Point p : polygon.outer) mean = mean + (1.0 / double(polygon.outer.size())) * p;

@@ -57,9 +57,9 @@ std::string edgeText(const TopologyGraph& graph, std::size_t id, const Edge& edg
 }
 
 Polygon roundedPolygon(Polygon polygon) {
-  for (Point& p : polygon.outer) p = rounded(p);
-  for (Ring& ring : polygon.holes)
+  forEachRing(polygon, [](Ring& ring) {
     for (Point& p : ring) p = rounded(p);
+  });
   return polygon;
 }
 

@@ -11,7 +11,7 @@ namespace {
  *  for its own rows only: a long corridor has as many points as rows. */
 std::vector<std::pair<int, double>> crossings(const Polygon& polygon, const GridFrame& frame) {
   std::vector<std::pair<int, double>> found;  // row, x
-  const auto addEdge = [&](Point a, Point b) {
+  forEachEdge(polygon, [&](Point a, Point b) {
     const int low = std::max(0, frame.cellAt({a.x, std::min(a.y, b.y)}).y);
     const int high = std::min(frame.height - 1, frame.cellAt({a.x, std::max(a.y, b.y)}).y);
     for (int row = low; row <= high; ++row) {
@@ -19,13 +19,7 @@ std::vector<std::pair<int, double>> crossings(const Polygon& polygon, const Grid
       if ((a.y <= y) != (b.y <= y))
         found.push_back({row, a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)});
     }
-  };
-  const auto addRing = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      addEdge(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
-  };
-  addRing(polygon.outer);
-  for (const Ring& hole : polygon.holes) addRing(hole);
+  });
   std::sort(found.begin(), found.end());
   return found;
 }

@@ -12,17 +12,12 @@
 namespace roomgraph {
 namespace {
 
-Ring moved(Ring ring, const Motion2D& motion) {
-  for (Point& p : ring) p = motion(p);
-  return ring;
-}
-
 AreaGraph moved(AreaGraph areas, const Transform2D& pose) {
   const Motion2D motion(pose);
-  for (Area& area : areas.areas) {
-    area.polygon.outer = moved(std::move(area.polygon.outer), motion);
-    for (Ring& hole : area.polygon.holes) hole = moved(std::move(hole), motion);
-  }
+  for (Area& area : areas.areas)
+    forEachRing(area.polygon, [&](Ring& ring) {
+      for (Point& p : ring) p = motion(p);
+    });
   for (Passage& passage : areas.passages)
     passage.from = motion(passage.from), passage.to = motion(passage.to);
   return areas;

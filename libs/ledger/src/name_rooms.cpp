@@ -41,9 +41,9 @@ template <class Room>
 Room moved(Room room, const Transform2D& pose) {
   const Motion2D motion(pose);
   room.center = motion(room.center);
-  for (Point& p : room.polygon.outer) p = motion(p);
-  for (Ring& hole : room.polygon.holes)
-    for (Point& p : hole) p = motion(p);
+  forEachRing(room.polygon, [&](Ring& ring) {
+    for (Point& p : ring) p = motion(p);
+  });
   for (SiteDoor& door : room.doors) door.place = motion(door.place);
   return room;
 }
@@ -76,14 +76,11 @@ std::vector<const Polygon*> polygonsOf(const std::vector<Room>& rooms) {
   return polygons;
 }
 
-void drawRing(const Ring& ring, Grid& grid) {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-    const int steps = 1 + int(2 * distance(a, b) / grid.frame.resolution);
-    for (int k = 0; k <= steps; ++k) {
-      const Cell c = grid.frame.cellAt(a + (double(k) / steps) * (b - a));
-      if (grid.frame.contains(c)) grid.cells[grid.frame.index(c)] = State::occupied;
-    }
+void drawWall(Point a, Point b, Grid& grid) {
+  const int steps = 1 + int(2 * distance(a, b) / grid.frame.resolution);
+  for (int k = 0; k <= steps; ++k) {
+    const Cell c = grid.frame.cellAt(a + (double(k) / steps) * (b - a));
+    if (grid.frame.contains(c)) grid.cells[grid.frame.index(c)] = State::occupied;
   }
 }
 
@@ -106,10 +103,8 @@ WallMap mapOf(const std::vector<Room>& rooms) {
   Grid grid{frame, std::vector<State>(frame.cellCount(), State::unknown)};
   for (const Room& room : rooms)
     for (const Cell c : cellsIn(room.polygon, frame)) grid.cells[frame.index(c)] = State::free;
-  for (const Room& room : rooms) {
-    drawRing(room.polygon.outer, grid);
-    for (const Ring& hole : room.polygon.holes) drawRing(hole, grid);
-  }
+  for (const Room& room : rooms)
+    forEachEdge(room.polygon, [&](Point a, Point b) { drawWall(a, b, grid); });
   for (const Room& room : rooms)
     for (const SiteDoor& door : room.doors) drawDoor(door, grid);
   return wallMap(grid);

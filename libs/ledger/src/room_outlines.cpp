@@ -60,8 +60,7 @@ Eigen::Vector3d stepOf(const RoomOutline& room, const RoomOutline& inRun, const 
 }  // namespace
 
 RoomOutline::RoomOutline(const Polygon& polygon) {
-  addRing(polygon.outer);
-  for (const Ring& hole : polygon.holes) addRing(hole);
+  forEachRing(polygon, [&](const Ring& ring) { addRing(ring); });
   if (places_.empty()) return;
   const Box box = boundingBox(places_);
   const Point size = box.high - box.low;

@@ -10,9 +10,9 @@ std::vector<GraphRoom> roomsInSite(const Run& run, const Transform2D& pose) {
   std::vector<GraphRoom> rooms = run.rooms;
   for (GraphRoom& room : rooms) {
     room.center = pose(room.center);
-    for (Point& p : room.shape.polygon.outer) p = pose(p);
-    for (Ring& hole : room.shape.polygon.holes)
-      for (Point& p : hole) p = pose(p);
+    forEachRing(room.shape.polygon, [&](Ring& ring) {
+      for (Point& p : ring) p = pose(p);
+    });
   }
   return rooms;
 }

@@ -37,41 +37,27 @@ viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double heig
   lines->setName("rooms");
   lines->setColor_u8(mrptColour(kRoomOutlineColour));
   lines->setLineWidth(2);
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      lines->appendLine(a.x, a.y, height, b.x, b.y, height);
-    }
-  };
-  for (const SiteRoom& room : rooms) {
-    add(room.polygon.outer);
-    for (const Ring& hole : room.polygon.holes) add(hole);
-  }
+  for (const SiteRoom& room : rooms)
+    forEachEdge(room.polygon,
+                [&](Point a, Point b) { lines->appendLine(a.x, a.y, height, b.x, b.y, height); });
   return lines;
 }
 
 /** Where the horizontal line at `y` crosses the polygon, ascending. */
 std::vector<double> crossings(const Polygon& polygon, double y) {
   std::vector<double> xs;
-  const auto add = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      if ((a.y > y) != (b.y > y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-    }
-  };
-  add(polygon.outer);
-  for (const Ring& hole : polygon.holes) add(hole);
+  forEachEdge(polygon, [&](Point a, Point b) {
+    if ((a.y > y) != (b.y > y)) xs.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+  });
   std::sort(xs.begin(), xs.end());
   return xs;
 }
 
 /** The same polygon with x and y exchanged. */
 Polygon exchangeAxes(Polygon polygon) {
-  const auto exchange = [](Ring& ring) {
+  forEachRing(polygon, [](Ring& ring) {
     for (Point& p : ring) std::swap(p.x, p.y);
-  };
-  exchange(polygon.outer);
-  for (Ring& hole : polygon.holes) exchange(hole);
+  });
   return polygon;
 }
 

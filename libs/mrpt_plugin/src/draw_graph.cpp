@@ -115,14 +115,11 @@ viz::CSetOfTriangles::Ptr drawFloors(const RoomGraph& graph, const Sheet& sheet)
 
 viz::CSetOfTriangles::Ptr drawOutlines(const RoomGraph& graph, const Sheet& sheet) {
   auto outlines = makeTriangles("room outlines");
-  const auto add = [&](const Ring& ring) {
-    addRibbon(*outlines, sheet, ring, true, 0.25 * sheet.discRadius, kOutlineLayer,
-              kRoomOutlineColour);
-  };
-  for (const GraphRoom& room : graph.rooms) {
-    add(room.shape.polygon.outer);
-    for (const Ring& hole : room.shape.polygon.holes) add(hole);
-  }
+  for (const GraphRoom& room : graph.rooms)
+    forEachRing(room.shape.polygon, [&](const Ring& ring) {
+      addRibbon(*outlines, sheet, ring, true, 0.25 * sheet.discRadius, kOutlineLayer,
+                kRoomOutlineColour);
+    });
   return outlines;
 }
 

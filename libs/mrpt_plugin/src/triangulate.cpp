@@ -61,8 +61,7 @@ std::vector<Triangle> triangulate(const Polygon& polygon) {
   setUp(glu.get());
   Tessellation work;
   gluTessBeginPolygon(glu.get(), &work);
-  addRing(glu.get(), polygon.outer, work);
-  for (const Ring& hole : polygon.holes) addRing(glu.get(), hole, work);
+  forEachRing(polygon, [&](const Ring& ring) { addRing(glu.get(), ring, work); });
   gluTessEndPolygon(glu.get());
   std::vector<Triangle> triangles;
   for (std::size_t i = 0; i + 2 < work.out.size(); i += 3)

@@ -36,15 +36,10 @@ RoomIndex::Rows RoomIndex::makeRows(const Polygon& polygon) {
   rows.rowHeight = (rows.box.high.y - rows.box.low.y) / double(count);
   rows.first.assign(count + 1, 0);
   const auto forEachTouch = [&](const auto& visit) {
-    const auto visitRing = [&](const Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point a = ring[i], b = ring[i + 1 < ring.size() ? i + 1 : 0];
-        const auto last = rows.rowOf(std::max(a.y, b.y));
-        for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row) visit(row, a, b);
-      }
-    };
-    visitRing(polygon.outer);
-    for (const Ring& hole : polygon.holes) visitRing(hole);
+    forEachEdge(polygon, [&](Point a, Point b) {
+      const auto last = rows.rowOf(std::max(a.y, b.y));
+      for (auto row = rows.rowOf(std::min(a.y, b.y)); row <= last; ++row) visit(row, a, b);
+    });
   };
   forEachTouch([&](std::size_t row, Point, Point) { ++rows.first[row + 1]; });
   std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
@@ -87,18 +82,12 @@ void RoomIndex::addRooms(const Rooms& rooms) {
 
 void RoomIndex::addOpenings(const Rooms& rooms, double shortest) {
   double sum = 0;
-  const auto addRing = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point a = ring[i], b = ring[(i + 1) % ring.size()];
-      if (distance(a, b) < shortest) continue;
+  for (const Room& room : rooms)
+    forEachEdge(room.polygon, [&](Point a, Point b) {
+      if (distance(a, b) < shortest) return;
       openings_.push_back({a, b});
       sum += distance(a, b);
-    }
-  };
-  for (const Room& room : rooms) {
-    addRing(room.polygon.outer);
-    for (const Ring& hole : room.polygon.holes) addRing(hole);
-  }
+    });
   if (sum > 0) openingBuckets_.size = sum / double(openings_.size());
   for (std::uint32_t i = 0; i < openings_.size(); ++i)
     openingBuckets_.add(i, openings_[i].first, openings_[i].second);

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "roomgraph/geometry/Point.h"
@@ -16,6 +17,23 @@ struct Polygon {
   Ring outer;               ///< counter-clockwise
   std::vector<Ring> holes;  ///< clockwise
 };
+
+/** Calls `visit(ring)` for each ring: the outer one, then the holes. */
+template <class SomePolygon, class Visit>
+void forEachRing(SomePolygon& polygon, const Visit& visit) {
+  visit(polygon.outer);
+  for (auto& hole : polygon.holes) visit(hole);
+}
+
+/** Calls `visit(a, b)` for each two points that follow each other on a ring, also for the last and
+ *  the first. In the order of the rings. */
+template <class Visit>
+void forEachEdge(const Polygon& polygon, const Visit& visit) {
+  forEachRing(polygon, [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+  });
+}
 
 /** Area that the ring encloses [m2], positive where it runs counter-clockwise (paper III-G). */
 [[nodiscard]] double signedArea(const Ring& ring);
