@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -183,19 +182,15 @@ int run(const StabilityArguments& arguments) {
   checkOutputNames(arguments.maps, task.folder,
                    {"stability.csv", "stability.json", "stability.partial.json"});
   makeWritableFolder(task.folder);
-  int exitCode = kDone;
-  for (const std::string& map : arguments.maps) try {
-      exitCode = std::max(exitCode, measureMap(map, task));
-    } catch (...) {
-      const Failure failure = currentFailure(map);
-      std::fputs(failure.line.c_str(), stderr);
-      exitCode = std::max(exitCode, failure.exitCode);
-    }
+  int worst = kDone;
+  const int exitCode = doEach(arguments.maps, [&](const std::string& map) {
+    worst = std::max(worst, measureMap(map, task));
+  });
   if (!task.isQuiet)
     print(
         "The distances of the paper's text are 1, 2, 3 and 5, those of its tables are "
         "labelled 1 to 4.");
-  return exitCode;
+  return std::max(exitCode, worst);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "roomgraph/images/pgm_bytes.h"
 #include "roomgraph/images/png_bytes.h"
 #include "text.h"
 

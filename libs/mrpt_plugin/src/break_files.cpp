@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "look_from_above.h"
 #include "object_bytes.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/report/upright_turn.h"
 

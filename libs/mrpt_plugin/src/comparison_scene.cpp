@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "look_from_above.h"
 #include "object_bytes.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {

@@ -1,6 +1,5 @@
 #include "roomgraph/mrpt_plugin/scene_file.h"
 
-#include "look_from_above.h"
 #include "object_bytes.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 

@@ -11,7 +11,6 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/geometry/Polygon.h"
-#include "roomgraph/images/pgm_bytes.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/repair/CellVotes.h"

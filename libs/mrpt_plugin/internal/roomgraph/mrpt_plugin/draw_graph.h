@@ -1,4 +1,5 @@
 #pragma once
+#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/grid/Grid.h"
 #include "roomgraph/mrpt_plugin/MappedGraph.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
@@ -24,5 +25,9 @@ constexpr int kMostTexels = 2048;
 /** The map as a textured plane at z = 0, shifted by -`anchor`. A cell of the picture shows the
  *  darkest of the map cells that it stands for, so that thin walls stay. O(cells). */
 viz::CTexturedPlane::Ptr drawMap(const Grid& map, Point anchor);
+
+/** Makes the camera look at all of the box [m] from above, slightly tilted, in even light. The box
+ *  is one of the scene turned by `turn` [rad] about its origin, as the camera shows it. */
+void lookFromAbove(MrptScene& scene, const Box& box, double turn = 0);
 
 }  // namespace roomgraph
