@@ -18,7 +18,7 @@
 #include "room_rules.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 #include "roomgraph/pipeline/extract.h"
 #include "turn_map.h"
 #include "write_map.h"

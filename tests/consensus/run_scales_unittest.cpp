@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_pose_graph.h"
-#include "error_parts.h"
+#include "extend_errors.h"
 
 namespace roomgraph {
 namespace {

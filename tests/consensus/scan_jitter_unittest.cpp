@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "drawn_drive.h"
-#include "error_parts.h"
+#include "extend_errors.h"
 #include "roomgraph/align/LocalScan.h"
 #include "sample_drives.h"
 

@@ -9,7 +9,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/evaluation/write_stability.h"
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 #include "small_experiment.h"
 
 namespace roomgraph {

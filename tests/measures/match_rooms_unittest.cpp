@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 
 namespace roomgraph {
 namespace {

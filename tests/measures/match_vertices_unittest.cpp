@@ -3,7 +3,7 @@
 #include <random>
 
 #include "places.h"
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 
 namespace roomgraph {
 namespace {

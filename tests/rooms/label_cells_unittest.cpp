@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "area_parts.h"
+#include "label_areas.h"
 
 namespace roomgraph {
 namespace {

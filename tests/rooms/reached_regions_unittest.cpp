@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "area_parts.h"
+#include "label_areas.h"
 
 namespace roomgraph {
 namespace {

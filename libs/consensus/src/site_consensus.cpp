@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "confirm_runs.h"
-#include "error_parts.h"
+#include "extend_errors.h"
 #include "fitted_consensus.h"
 #include "match_runs.h"
 #include "own_matches.h"

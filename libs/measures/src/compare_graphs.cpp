@@ -7,7 +7,7 @@
 #include "fitted_measures.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 
 namespace roomgraph {
 namespace {

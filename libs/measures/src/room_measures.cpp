@@ -1,6 +1,6 @@
 #include "room_measures.h"
 
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 #include "run_measures.h"
 
 namespace roomgraph {

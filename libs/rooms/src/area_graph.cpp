@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "area_parts.h"
+#include "label_areas.h"
 #include "passage_evidence.h"
 
 namespace roomgraph {

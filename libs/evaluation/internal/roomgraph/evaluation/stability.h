@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "roomgraph/grid/add_wall_noise.h"
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 #include "roomgraph/pipeline/extract.h"
 
 namespace roomgraph {

@@ -1,4 +1,4 @@
-#include "area_parts.h"
+#include "label_areas.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "error_parts.h"
+#include "extend_errors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "roomgraph/measures/match_parts.h"
+#include "roomgraph/measures/match_elements.h"
 
 #include <algorithm>
 #include <cmath>
