@@ -1,3 +1,4 @@
+#include "roomgraph/consensus/add_to_consensus.h"
 
 #include <gtest/gtest.h>
 

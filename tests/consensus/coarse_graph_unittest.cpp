@@ -1,10 +1,11 @@
+#include "coarse_graph.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "drawn_pose_graph.h"
-#include "roomgraph/consensus/find_consensus.h"
 
 namespace roomgraph {
 namespace {

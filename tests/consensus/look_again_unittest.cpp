@@ -1,7 +1,8 @@
+#include "look_again.h"
+
 #include <gtest/gtest.h>
 
 #include "drive_in_building.h"
-#include "roomgraph/consensus/match_nodes.h"
 
 namespace roomgraph {
 namespace {

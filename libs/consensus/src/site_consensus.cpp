@@ -12,6 +12,7 @@
 #include "own_matches.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/consensus/PoseGraph.h"
+#include "roomgraph/consensus/add_to_consensus.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/find_consensus.h"
 #include "roomgraph/relate/place_runs.h"
