@@ -1,3 +1,5 @@
+#include "roomgraph/breaks/find_breaks.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <optional>
 
 #include "drive_in_building.h"
-#include "roomgraph/breaks/site_breaks.h"
 
 namespace roomgraph {
 namespace {

@@ -1,7 +1,8 @@
+#include "roomgraph/check/find_revisits.h"
+
 #include <gtest/gtest.h>
 
 #include "sample_drives.h"
-#include "self_consensus.h"
 
 namespace roomgraph {
 namespace {

@@ -2,7 +2,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/map_errors.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "roomgraph/relate/Run.h"
@@ -38,16 +37,5 @@ constexpr std::size_t kFitsPerMiss = 2;  ///< revisits that fit for each that do
  *  the parts lie to each other is what one scan says, and buildings repeat themselves.
  *  O(revisits * breaks). */
 bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks);
-
-/** What was found again in one go, as edges of the pose graph of the run, whose nodes are its
- *  scans: from where it was drawn at another time to the scan that was found there. */
-using Revisit = std::vector<PoseEdge>;
-
-/** Looks for each scan in the maps that the run has drawn far from it in path, near where `poses`
- *  have it and the farther around the longer the way between. What could lie in several places, or
- *  slide, is left out. Each group is a stretch of scans that was found in one stretch of the run.
- *  Deterministic. O(scans * poses in the window). */
-std::vector<Revisit> findRevisits(const std::vector<LocalScan>& scans,
-                                  const std::vector<Transform2D>& poses);
 
 }  // namespace roomgraph

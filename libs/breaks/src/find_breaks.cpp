@@ -1,0 +1,146 @@
+#include "roomgraph/breaks/find_breaks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "roomgraph/align/step_hold.h"
+#include "roomgraph/base/majority.h"
+#include "roomgraph/base/statistics.h"
+
+namespace roomgraph {
+namespace {
+
+constexpr std::size_t kMinSteps = 20;  // of a track, to know what is usual
+constexpr double kOutlier = 4;         // times the 95th percentile of the run's other steps
+// In so many steps a break may come about; as many on either side bear it out, and are quiet around
+// a sharp one.
+constexpr std::size_t kFewSteps = 3;
+
+double rotationOf(const ScanBreak& at) { return std::abs(at.rotation); }
+double shiftOf(const ScanBreak& at) { return at.shift; }
+
+/** Whether two breaks begin or end within a few scans of each other. */
+bool areOne(const ScanBreak& l, const ScanBreak& r) {
+  return l.before <= r.behind + kFewSteps && r.before <= l.behind + kFewSteps;
+}
+
+void addUnlessKnown(const ScanBreak& found, std::vector<ScanBreak>& breaks) {
+  if (std::none_of(breaks.begin(), breaks.end(),
+                   [&](const ScanBreak& known) { return areOne(known, found); }))
+    breaks.push_back(found);
+}
+
+class BreakFinder {
+ public:
+  BreakFinder(const std::vector<ScanWalls>& scans, const ScanTrack& track,
+              const FindBreaksOptions& options)
+      : scans_(scans), track_(track), options_(options) {
+    for (std::size_t k = 1; k < track.size(); ++k) steps_.push_back(change(k - 1, k));
+  }
+
+  /** Those that stand out of the other steps. */
+  std::vector<ScanBreak> sharp() const {
+    std::vector<ScanBreak> found;
+    if (steps_.size() < kMinSteps) return found;
+    const double rotation = std::max(options_.minRotation, kOutlier * usual(rotationOf));
+    const double shift = std::max(options_.minShift, kOutlier * usual(shiftOf));
+    for (std::size_t i = kFewSteps; i + kFewSteps < steps_.size(); ++i) {
+      const ScanBreak& step = steps_[i];
+      const bool isTurned = rotationOf(step) >= rotation && isQuietAround(i, rotationOf);
+      const bool isMoved = step.shift >= shift && isQuietAround(i, shiftOf);
+      if (isTurned || isMoved) found.push_back(step);
+    }
+    return found;
+  }
+
+  /** Those that turn or shift too far for any noise, in one step or in a few, and stay so: at least
+   *  kApartRotation or kApartShift. Of those that are one only the sharpest. */
+  std::vector<ScanBreak> wide() const {
+    std::vector<std::pair<double, ScanBreak>> all;  // by sharpness
+    for (std::size_t from = kFewSteps; from + kFewSteps < track_.size(); ++from)
+      for (std::size_t to = from + 1; to <= from + kFewSteps && to + kFewSteps < track_.size();
+           ++to) {
+        const ScanBreak at = between(from, to);
+        const double size = sizeOf(at);
+        if (size >= 1 && sizeOf(between(from, to + kFewSteps)) >= size / 2 &&
+            sizeOf(between(from - kFewSteps, to)) >= size / 2)
+          all.emplace_back(size / std::sqrt(double(to - from)), at);
+      }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& l, const auto& r) { return l.first > r.first; });
+    std::vector<ScanBreak> kept;
+    for (const auto& [sharpness, at] : all) addUnlessKnown(at, kept);
+    return kept;
+  }
+
+ private:
+  /** What the run turns and shifts too far from one scan to another: the map shows its error the
+   *  other way round. */
+  ScanBreak change(std::size_t before, std::size_t behind) const {
+    const Transform2D &from = track_[before], &to = track_[behind];
+    const Point place = scans_[behind].robot();
+    return {behind, before, behind, wrappedAngle(from.phi - to.phi),
+            distance(from(place), to(place))};
+  }
+
+  /** The same over several steps, at the largest of them. */
+  ScanBreak between(std::size_t from, std::size_t to) const {
+    ScanBreak all = change(from, to);
+    double most = -1;
+    for (std::size_t i = from; i < to; ++i)
+      if (const double size = sizeOf(steps_[i]); size > most) most = size, all.scan = i + 1;
+    return all;
+  }
+
+  double sizeOf(const ScanBreak& at) const {
+    return std::max(rotationOf(at) / std::max(kApartRotation, options_.minRotation),
+                    at.shift / std::max(kApartShift, options_.minShift));
+  }
+
+  double usual(double (*size)(const ScanBreak&)) const {
+    std::vector<double> sizes;
+    for (const ScanBreak& step : steps_) sizes.push_back(size(step));
+    return quantile(std::move(sizes), 0.95);
+  }
+
+  bool isQuietAround(std::size_t i, double (*size)(const ScanBreak&)) const {
+    for (std::size_t k = i - kFewSteps; k <= i + kFewSteps; ++k)
+      if (k != i && size(steps_[k]) > size(steps_[i]) / 2) return false;
+    return true;
+  }
+
+  const std::vector<ScanWalls>& scans_;
+  const ScanTrack& track_;
+  const FindBreaksOptions& options_;
+  std::vector<ScanBreak> steps_;  // to each scan but the first
+};
+
+constexpr std::size_t kFar = 5;
+
+}  // namespace
+
+std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
+                                  const FindBreaksOptions& options) {
+  const BreakFinder finder(scans, track, options);
+  std::vector<ScanBreak> breaks = finder.sharp();
+  for (const ScanBreak& wide : finder.wide()) addUnlessKnown(wide, breaks);
+  std::sort(breaks.begin(), breaks.end(),
+            [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });
+  return breaks;
+}
+
+std::size_t placeBreak(const std::vector<ScanWalls>& scans, const std::vector<bool>& isSeen,
+                       std::size_t found) {
+  std::size_t first = found, last = found;
+  while (first > 1 && found - first < kFar && !isSeen[first - 1]) --first;
+  while (last + 1 < scans.size() && last - found < kFar && !isSeen[last]) ++last;
+  std::size_t place = found;
+  double least = kMajority * commonWalls(scans[found - 1], scans[found]);
+  for (std::size_t k = first; k <= last; ++k)
+    if (const double share = commonWalls(scans[k - 1], scans[k]); share < least)
+      least = share, place = k;
+  return place;
+}
+
+}  // namespace roomgraph
