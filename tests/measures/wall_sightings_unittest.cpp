@@ -108,7 +108,7 @@ TEST(WallSightings, aRoomThatIsDrawnMirroredIsWrongThere) {
   EXPECT_LT(*four.measured(wallsAddedOf, 3).value, 0.05) << "two others have all that it has";
 }
 
-TEST(WallSightings, whomARunWithScansIsTrustedFarMoreThanIsNoWitness) {
+TEST(WallSightings, othersWithFarLessTrustThanARunWithScansAreNoWitnesses) {
   Four four(withoutMiddle(State::free));
   four.trust = {1, 1e-4, 1e-4, 1e-4};
   EXPECT_GT(*four.measured(wallsMissingOf).value, 0.1) << "without scans";

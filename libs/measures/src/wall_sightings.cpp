@@ -23,8 +23,8 @@ std::vector<std::vector<bool>> straightOf(const Site& site, const ForEach& forEa
   return straight;
 }
 
-/** The other voices that were related to a run. Whom a run with scans is trusted far more than is
- *  none: what such a map lacks tells of itself. Without scans the error rests on the same walls. */
+/** The other voices that were related to a run. Beside a run with scans those with far less trust
+ *  are none: what such a map lacks tells of itself. Without scans, trust rests on the walls. */
 std::vector<std::size_t> othersOf(const SightingTable& sightings, const DistinctMaps& maps,
                                   const Trust& trust, std::size_t run) {
   const double least = sightings.hasScans[run] ? fitted::kLeastTrust * trust[run] : 0;
