@@ -98,11 +98,8 @@ class Tracker {
       for (const Candidate& candidate : std::vector<Candidate>(*before)) tryFrom(k, candidate.pose);
     if (way == Way::forth && bestQuality(k) < fitted::kSure) {
       for (const Transform2D& pose : posesNear(scans_[k].robot())) tryFrom(k, pose);
-      for (const auto* poses : {&likely_.whole, &likely_.lost})
-        for (const Transform2D& pose : *poses)
-          if (!isKnown(k, pose, kSameScanStart) &&
-              roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
-            tryFrom(k, pose);
+      tryLikely(k, likely_.whole);
+      tryLikely(k, likely_.lost);
     }
     if (before && bestQuality(k) < fitted::kWell && isJustLost(k, before->front()))
       spin(k, before->front());
@@ -139,6 +136,13 @@ class Tracker {
     return std::any_of(candidates_[k].begin(), candidates_[k].end(), [&](const Candidate& c) {
       return areNear(c.pose, pose, scans_[k].robot(), within);
     });
+  }
+
+  void tryLikely(std::size_t k, const std::vector<Transform2D>& poses) {
+    for (const Transform2D& pose : poses)
+      if (!isKnown(k, pose, kSameScanStart) &&
+          roughQualityAt(k, pose, fitted::kLeastQuality) >= fitted::kLeastQuality)
+        tryFrom(k, pose);
   }
 
   void tryFrom(std::size_t k, const Transform2D& start) {
@@ -218,13 +222,12 @@ class Tracker {
     if (bend < 1) return kMostBend * bend * bend;
     const double way = distance(from.pose(scans_[from.scan].robot()), to.pose(place));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
-    const auto costs = [&, hold = holdBetween(from.scan, to.scan)](double holding, double parted) {
-      return hold * holding + (1 - hold) * parted;
-    };
-    // Where the run's own scans part, to begin anew costs little more than what a start does.
-    if (!isOnTheWay) return costs(fitted::kFarCost, kStartCost);
-    const bool isLookedFor = isNearAny(likely_.lost, to.pose, place, kRoughly);
-    return isLookedFor ? costs(fitted::kJumpCost, kMostBend) : fitted::kJumpCost;
+    if (isOnTheWay && !isNearAny(likely_.lost, to.pose, place, kRoughly)) return fitted::kJumpCost;
+    // Where the run's own scans part, to go on where it was looked for costs little more than a bend
+    // does, and to begin anew than a start.
+    const double hold = holdBetween(from.scan, to.scan);
+    return isOnTheWay ? hold * fitted::kJumpCost + (1 - hold) * kMostBend
+                      : hold * fitted::kFarCost + (1 - hold) * kStartCost;
   }
 
   /** How far the run's own scans hold together from one scan to another. */
