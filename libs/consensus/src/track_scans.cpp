@@ -222,9 +222,10 @@ class Tracker {
     if (bend < 1) return kMostBend * bend * bend;
     const double way = distance(from.pose(scans_[from.scan].robot()), to.pose(place));
     const bool isOnTheWay = way <= fitted::kScanStride * double(to.scan - from.scan);
-    if (isOnTheWay && !isNearAny(likely_.lost, to.pose, place, kRoughly)) return fitted::kJumpCost;
-    // Where the run's own scans part, to go on where it was looked for costs little more than a bend
-    // does, and to begin anew than a start.
+    const bool isLookedFor = isNearAny(likely_.lost, to.pose, place, kRoughly);
+    if (isOnTheWay && !isLookedFor) return fitted::kJumpCost;
+    // Where the run's own scans part, to go on where it was looked for costs little more than a
+    // bend does, and to begin anew than a start.
     const double hold = holdBetween(from.scan, to.scan);
     return isOnTheWay ? hold * fitted::kJumpCost + (1 - hold) * kMostBend
                       : hold * fitted::kFarCost + (1 - hold) * kStartCost;
