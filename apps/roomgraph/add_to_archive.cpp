@@ -5,11 +5,11 @@
 #include <set>
 
 #include "commands.h"
+#include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
@@ -59,7 +59,7 @@ std::string writeRepaired(const Run& run, const RepairedRun& repaired) {
       movePoses(file.content(), file.name(), stored, keyFrameMoves(run, repaired, stored));
   const std::string there =
       (std::filesystem::path(run.file).parent_path() / repairedName(run.file)).string();
-  writeFileAtomically(there, compressed(content, file.compression()));
+  writeFileAtomically(there, packedMap(content, file.compression()));
   return printable(there + ": " + repaired.reason) +
          formatted(", moved by up to %.2f m\n", repaired.movedMost);
 }

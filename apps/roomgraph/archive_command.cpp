@@ -2,10 +2,10 @@
 #include <memory>
 
 #include "ArchiveArguments.h"
+#include "CallFiles.h"
 #include "add_to_archive.h"
 #include "commands.h"
 #include "option_arguments.h"
-#include "output_names.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/export_history.h"
 #include "roomgraph/archive/history_page.h"
@@ -166,11 +166,14 @@ int nameRoom(const ArchiveArguments& arguments) {
   return kDone;
 }
 
-void writeOutput(const ArchiveArguments& arguments, const std::string& file,
-                 const std::string& text) {
-  if (wouldBeSameFile(file, arguments.archive))
-    throw UsageError(file + ": is the archive itself: choose another file with --output");
-  writeFileAtomically(file, text);
+/** Throws where the file for what is told would take the place of what is not to be replaced. */
+void checkOutput(const std::string& file, const std::vector<WatchedSite>& sites,
+                 const ArchiveArguments& arguments) {
+  CallFiles files;
+  files.reads(arguments.archive);
+  for (const WatchedSite& site : sites)
+    for (const HistoryRun& run : site.history.runs) files.reads(run.file);
+  files.writesTo("--output", file);
 }
 
 /** One line on stderr for each robot whose maps are not as they should be; whether there is one.
@@ -193,22 +196,24 @@ bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& a
 
 int report(const ArchiveArguments& arguments) {
   const std::vector<WatchedSite> sites = sitesToTell(arguments);
+  checkOutput(arguments.page, sites, arguments);
   if (!arguments.isQuiet)
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
-    writeOutput(arguments, arguments.page, historyPage(sites, arguments.watch));
+    writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));
   return tellFaults(sites, arguments) ? kGateFailed : kDone;
 }
 
 int exportAll(const ArchiveArguments& arguments) {
   const std::vector<WatchedSite> sites = sitesToTell(arguments);
+  checkOutput(arguments.output, sites, arguments);
   const std::string text = arguments.format == "csv"    ? historyCsv(sites)
                            : arguments.format == "json" ? historyJson(sites)
                                                         : historyPrometheus(sites);
   if (arguments.output.empty())
     print(text);
   else
-    writeOutput(arguments, arguments.output, text);
+    writeFileAtomically(arguments.output, text);
   return kDone;
 }
 

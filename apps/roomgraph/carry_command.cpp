@@ -7,8 +7,10 @@
 #include "commands.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/carry_things.h"
 #include "run_in_order.h"
@@ -87,31 +89,41 @@ bool isAllCarried(const std::vector<CarriedThing>& carried) {
                      [](const CarriedThing& thing) { return thing.state == CarryState::carried; });
 }
 
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const CarryArguments& arguments, const std::vector<MarkedFile>& marked) {
+  CallFiles files = filesReadBy(arguments.things, arguments.site.options);
+  files.reads({arguments.from, arguments.to});
+  files.reads(arguments.via);
+  files.reads(arguments.site.reference);
+  files.reads(arguments.archive.archive);
+  for (std::size_t i = 0; i < marked.size(); ++i)
+    for (const std::string& name : marked[i].files)
+      files.writes(inFolder(arguments.site.folder, name), arguments.things[i]);
+}
+
 int run(const CarryArguments& given) {
   const CarryArguments arguments = withFiles(given);
-  std::vector<std::string> inputs = {arguments.from, arguments.to};
-  inputs.insert(inputs.end(), arguments.via.begin(), arguments.via.end());
-  inputs.insert(inputs.end(), arguments.things.begin(), arguments.things.end());
-  ResultFolder results(arguments.site.folder, inputs);
   std::vector<MarkedFile> files;
   for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
+  checkFiles(arguments, files);
+  makeWritableFolder(arguments.site.folder);
   const auto runs = solveBoth(arguments);
   const std::size_t from = placeIn(runs->solved.site, arguments.from),
                     to = placeIn(runs->solved.site, arguments.to);
   const RealPoses real = rejoinPieces(runs->solved);
   const RunningArguments& running = arguments.site.running;
   const ForEach forEach = onThreads(running.threads, !running.isQuiet);
+  StagedFiles staged;
   std::string lines;
   bool areCarried = true;
   for (const MarkedFile& file : files) {
     const auto carried = carryThings(file, runs->solved, real, from, to, forEach);
-    std::vector<std::string> names;
     for (const NamedBytes& one : file.write(carried, runs->solved.site.mapOf(to).frame))
-      names.push_back(results.add(one.name, one.bytes));
-    lines += lineOf(names.front(), file.kind, carried);
+      staged.add(inFolder(arguments.site.folder, one.name), one.bytes);
+    lines += lineOf(inFolder(arguments.site.folder, file.files.front()), file.kind, carried);
     areCarried = areCarried && isAllCarried(carried);
   }
-  results.commit();
+  staged.commit();
   if (!running.isQuiet) print(lines);
   return areCarried ? runs->exitCode() : kBadData;
 }

@@ -79,6 +79,18 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
   return report;
 }
 
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const CheckArguments& arguments) {
+  CallFiles files = filesReadBy(arguments.files, arguments.options);
+  files.writesOfEach(arguments.files, arguments.folder, {"check.json", "check.html"});
+  files.writesTo("--junit", arguments.junit);
+  files.writesTo("--summary", arguments.summary);
+  if (!arguments.writesBreaks) return;
+  for (const std::string& file : arguments.files)
+    for (const char* kind : {"check.break", "check.doubled"})
+      files.writesNumbered(outputFile(arguments.folder, file, kind), file);
+}
+
 int run(CheckArguments arguments) {
   if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
     throw UsageError("--fail-above: nan is not a length: give one in metres");
@@ -88,7 +100,7 @@ int run(CheckArguments arguments) {
   };
   arguments.gate.failsOnBreaks = failsOn("broken"),
   arguments.gate.failsOnDoubled = failsOn("doubled");
-  checkOutputNames(arguments.files, arguments.folder, {"check.json", "check.html"});
+  checkFiles(arguments);
   makeWritableFolder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());
   JobList jobs;

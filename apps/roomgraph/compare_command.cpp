@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/compare/run_names.h"
 #include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/site_json.h"
@@ -90,19 +90,32 @@ std::vector<std::string> allFiles(const CompareArguments& arguments) {
   return files;
 }
 
-void checkNotReplaced(const CompareArguments& arguments, const ResultFiles& files) {
-  std::vector<std::string> inputs = allFiles(arguments), results = files.names();
-  for (const std::string& result : results)
-    if (!arguments.names.empty() && wouldBeSameFile(arguments.names, result))
-      throw UsageError(arguments.names + ": would be replaced by a result: choose another file " +
-                       "with --names");
-  for (const std::string& more : {arguments.names, arguments.gate.junit, arguments.gate.summary})
-    results.push_back(more);
-  inputs.push_back(arguments.reference);
-  for (const std::string& result : results)
-    for (const std::string& input : inputs)
-      if (areSameFile(result, input))
-        throw UsageError(result + ": would replace a map: choose another folder with --output");
+/** The folder of a site: that of the call for the first, in it "site2" for the second. */
+std::string folderOf(std::size_t site, const CompareArguments& arguments) {
+  if (site < 2) return arguments.folder;
+  return inFolder(arguments.folder, "site" + std::to_string(site));
+}
+
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const CompareArguments& arguments) {
+  std::vector<std::string> maps = allFiles(arguments);
+  if (!arguments.reference.empty()) maps.push_back(arguments.reference);
+  CallFiles files = filesReadBy(maps, arguments.options);
+  files.updates("--names", arguments.names);
+  files.writesTo("--junit", arguments.gate.junit);
+  files.writesTo("--summary", arguments.gate.summary);
+  const std::size_t sites = arguments.comparesEachSite ? maps.size() / 2 : 1;
+  for (std::size_t site = 1; site <= sites; ++site) {
+    const std::string folder = folderOf(site, arguments);
+    const ResultFiles results(folder, arguments.formats);
+    for (const std::string& result : results.names()) files.writes(result);
+    const auto addNames = [&](const std::vector<std::string>& names) {
+      for (const std::string& name : names) files.writes(inFolder(folder, name));
+    };
+    if (results.hasTrajectories()) addNames(trajectoryNames(runNames(maps)));
+    if (arguments.writesSiteMaps) addNames(siteMapNames(runNames(maps)));
+    if (arguments.writesBreaks) files.writesNumbered(inFolder(folder, "comparison.break"));
+  }
 }
 
 std::vector<std::string> candidatesOf(const CompareArguments& arguments,
@@ -199,13 +212,12 @@ void writeResults(Comparison comparison, const std::vector<Run>& runs,
 
 /** Compares the sites beside the first, the one with most runs before the others. */
 void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArguments& arguments) {
-  for (int number = 2;; ++number) {
+  for (std::size_t number = 2;; ++number) {
     read = otherSitesIn(std::move(read), comparison);
     if (read.runs.size() < 2) return;
     comparison = compare(read, arguments);
     if (comparison.runs.size() < 2) return;
-    const auto folder =
-        (std::filesystem::path(arguments.folder) / ("site" + std::to_string(number))).string();
+    const std::string folder = folderOf(number, arguments);
     makeWritableFolder(folder);
     StagedFiles staged;
     writeResults(comparison, read.runs, arguments, folder, staged);
@@ -226,8 +238,7 @@ bool printLeftOut(const Comparison& comparison) {
 int run(const CompareArguments& arguments) {
   check(arguments);
   GateOptions gate = gateOf(arguments.gate);
-  const ResultFiles files(arguments.folder, arguments.formats);
-  checkNotReplaced(arguments, files);
+  checkFiles(arguments);
   makeWritableFolder(arguments.folder);
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);

@@ -78,7 +78,8 @@ void convert(const std::string& file, const MapOutput& output, const ExtractOpti
 int run(const ConvertArguments& arguments) {
   const ExtractOptions options = toOptions(arguments.options);
   const MapOutput& output = outputNamed(arguments.format);
-  checkOutputNames(arguments.maps, arguments.folder, output.extensions);
+  filesReadBy(arguments.maps, arguments.options)
+      .writesOfEach(arguments.maps, arguments.folder, output.extensions);
   makeWritableFolder(arguments.folder);
   return doEach(arguments.maps,
                 [&](const std::string& file) { convert(file, output, options, arguments.folder); });

@@ -24,7 +24,8 @@ int run(const RawlogArguments& arguments) {
   if (arguments.stretch.to && *arguments.stretch.to < arguments.stretch.from)
     throw UsageError("export-rawlog: --to is before --from: exchange them");
   const ExtractOptions options = toOptions(arguments.options);
-  checkOutputNames(arguments.runs, arguments.folder, {"rawlog"});
+  filesReadBy(arguments.runs, arguments.options)
+      .writesOfEach(arguments.runs, arguments.folder, {"rawlog"});
   makeWritableFolder(arguments.folder);
   return doEach(arguments.runs, [&](const std::string& file) {
     const std::string name = outputFile(arguments.folder, file, "rawlog");

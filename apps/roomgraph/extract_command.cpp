@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "Laps.h"
@@ -39,6 +38,11 @@ struct ExtractTask {
   std::vector<OutputFormat> formats;
   std::vector<RoomId> keptOut;  ///< of the format keepout
 };
+
+/** Where the steps of a map are drawn. */
+std::string stagesOf(const std::string& mapFile, const ExtractArguments& arguments) {
+  return inFolder(arguments.stagesFolder, mapStem(mapFile));
+}
 
 std::string summaryLine(const std::string& mapFile, const RoomGraph& result) {
   return printable(mapFile) + ": " + counted(result.rooms.size(), "room", "rooms") + ", " +
@@ -99,9 +103,9 @@ class Extraction {
       lap(format.name);
     }
     if (!arguments_.stagesFolder.empty()) {
-      const auto folder = std::filesystem::path(arguments_.stagesFolder) / mapStem(mapFile_);
-      drawStages(stages, folder.string(), staged);
-      files_.push_back(folder.string() + "/");
+      const std::string folder = stagesOf(mapFile_, arguments_);
+      drawStages(stages, folder, staged);
+      files_.push_back(folder + "/");
       lap("stages");
     }
     const auto add = [&](const std::string& extension, const std::string& bytes) {
@@ -192,7 +196,12 @@ int run(const ExtractArguments& arguments) {
     extensions.push_back(format.extension);
     if (format.map) extensions.push_back(format.yamlExtension());
   }
-  checkOutputNames(arguments.maps, arguments.folder, extensions);
+  CallFiles files = filesReadBy(arguments.maps, arguments.options);
+  files.writesOfEach(arguments.maps, arguments.folder, extensions);
+  if (!arguments.stagesFolder.empty())
+    for (const std::string& map : arguments.maps)
+      for (const std::string& name : stageFiles())
+        files.writes(inFolder(stagesOf(map, arguments), name), map);
   makeWritableFolder(arguments.folder);
   if (!arguments.stagesFolder.empty()) makeWritableFolder(arguments.stagesFolder);
 

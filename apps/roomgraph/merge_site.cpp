@@ -6,13 +6,15 @@
 #include <memory>
 
 #include "commands.h"
+#include "file_authors.h"
 #include "more_files.h"
 #include "output_formats.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/compressed.h"
+#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/ledger/name_rooms.h"
@@ -32,6 +34,7 @@ namespace roomgraph {
 namespace {
 
 constexpr const char* kGraphFormats = "json,svg,geojson,osm";
+const std::string kGraphStem = "site.graph.";
 
 struct Merging {
   std::vector<MergedRun> runs;
@@ -101,7 +104,7 @@ std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
     for (std::size_t k = 0; k < isLeftOut.size() && !isWhollyOut; ++k)
       if (!isLeftOut[k]) part.frames.push_back(k);
   }
-  return compressed(joinSimplemaps(parts), Compression::gzip);
+  return packedMap(joinSimplemaps(parts), Compression::gzip);
 }
 
 /** A grey of 16 bits for each cell, as `levelOf` tells it by its number; the highest row on top. */
@@ -135,16 +138,28 @@ std::optional<SiteFile> knownRooms(const MergeArguments& arguments) {
 /** The graph of the site, with the names of its rooms. */
 void addGraph(const Stages& stages, const MergeArguments& arguments,
               const std::function<void(const std::string&, const std::string&)>& add,
-              ResultFolder& results) {
+              StagedFiles& staged) {
   std::vector<std::string> names;
   if (std::optional<SiteFile> known = knownRooms(arguments)) {
     const std::string& source = arguments.names.empty() ? "archive" : arguments.names;
     NamedAreas named = nameAreas(stages.areas, std::move(*known), source);
     names = std::move(named.names);
-    if (!arguments.names.empty()) results.addBeside(arguments.names, siteJson(named.file));
+    if (!arguments.names.empty()) staged.add(arguments.names, siteJson(named.file));
   }
   for (const OutputFormat& format : parseFormats(kGraphFormats))
-    add(std::string("site.graph.") + format.extension, format.bytes(stages, {names, {}}));
+    add(kGraphStem + format.extension, format.bytes(stages, {names, {}}));
+}
+
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const MergeArguments& arguments) {
+  CallFiles files = filesReadBy(arguments.site.files, arguments.site.options);
+  files.reads(arguments.site.reference);
+  files.updates("--names", arguments.names);
+  for (const char* name : {"site.simplemap.gz", "site.gridmap.gz", "site.yaml", "site.pgm",
+                           "site.runs.png", "site.age.png"})
+    files.writes(inFolder(arguments.site.folder, name));
+  for (const OutputFormat& format : parseFormats(kGraphFormats))
+    files.writes(inFolder(arguments.site.folder, kGraphStem + format.extension));
 }
 
 }  // namespace
@@ -164,7 +179,8 @@ int mergeSite(const MergeArguments& arguments) {
   const SiteArguments& site = arguments.site;
   if (site.files.size() < 2)
     throw UsageError("merge: one run is a map of its own: name two or more");
-  ResultFolder results(site.folder, site.files);
+  checkFiles(arguments);
+  makeWritableFolder(site.folder);
   const CompareMapsOptions options = toCompareOptions(site.options);
   const auto runs = solveRuns(site);
   Merging merging = chooseRuns(*runs, options.extract.loadGrid);
@@ -174,9 +190,12 @@ int mergeSite(const MergeArguments& arguments) {
       mergeRuns(merging.runs, how, onThreads(site.running.threads, !site.running.isQuiet));
   tellLeftOut(map, merging);
   const Stages stages = extract(map.map, options.extract);
+  StagedFiles staged;
   std::string lines;
   const auto add = [&](const std::string& name, const std::string& bytes) {
-    lines += printable(results.add(name, bytes)) + "\n";
+    const std::string file = inFolder(site.folder, name);
+    staged.add(file, bytes);
+    lines += printable(file) + "\n";
   };
   add("site.simplemap.gz", siteSimplemap(merging, map));
   add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
@@ -184,8 +203,8 @@ int mergeSite(const MergeArguments& arguments) {
   add("site.pgm", mapPgm(stages.grid));
   add("site.runs.png", runsPng(map));
   add("site.age.png", agePng(map));
-  addGraph(stages, arguments, add, results);
-  results.commit();
+  addGraph(stages, arguments, add, staged);
+  staged.commit();
   for (const std::string& text : merging.leftOut) printError(text + ": left out");
   if (!site.running.isQuiet) print(lines);
   return runs->exitCode();

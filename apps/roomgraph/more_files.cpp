@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "output_names.h"
+#include "file_authors.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/graph_files/ros_map.h"
@@ -28,18 +28,6 @@ std::vector<PlacedScan> scansOf(const std::string& file, const LoadGridOptions& 
   return placeScans(std::move(*recording), reading).scans;
 }
 
-/** Stages a file of a comparison, and returns its name with the folder.
- *  @throws UsageError where it would replace one of the maps that are compared. */
-std::string stageResult(const Comparison& comparison, const std::filesystem::path& folder,
-                        const std::string& name, const std::string& bytes, StagedFiles& staged) {
-  std::string file = (folder / name).string();
-  for (const ComparedRun& run : comparison.runs)
-    if (areSameFile(file, run.file))
-      throw UsageError(file + ": would replace a map: choose another folder with --output");
-  staged.add(file, bytes);
-  return file;
-}
-
 /** The name of a run as part of that of a file, another one than those that are taken: names may be
  *  paths, and YAML and TOML have signs of their own. */
 std::string fileWord(const std::string& name, std::set<std::string>& taken) {
@@ -51,6 +39,24 @@ std::string fileWord(const std::string& name, std::set<std::string>& taken) {
   while (!taken.insert(word).second) word += '_';
   return word;
 }
+
+/** What the files of each run begin with: "comparison.RUN". */
+std::vector<std::string> stemsOf(const std::vector<std::string>& runs) {
+  std::vector<std::string> stems;
+  std::set<std::string> taken;
+  for (const std::string& run : runs) stems.push_back("comparison." + fileWord(run, taken));
+  return stems;
+}
+
+std::vector<std::string> stemsOf(const Comparison& comparison) {
+  std::vector<std::string> names;
+  for (const ComparedRun& run : comparison.runs) names.push_back(run.name);
+  return stemsOf(names);
+}
+
+constexpr const char* kTrajectoryKinds[] = {".tum", ".evo.zip"};
+constexpr const char* kSiteMapKinds[] = {".yaml", ".pgm", ".pose.yaml"};
+constexpr char kSession[] = "comparison.maps.toml";
 
 /** The run's own cells; the wall maps that are compared are coarser. */
 Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {
@@ -132,17 +138,34 @@ SiteFile readSite(const std::string& file) {
   return parseSiteJson(readFile(file), file);
 }
 
+std::vector<std::string> trajectoryNames(const std::vector<std::string>& runs) {
+  std::vector<std::string> names;
+  for (const std::string& stem : stemsOf(runs))
+    for (const char* kind : kTrajectoryKinds) names.push_back(stem + kind);
+  return names;
+}
+
+std::vector<std::string> siteMapNames(const std::vector<std::string>& runs) {
+  std::vector<std::string> names{kSession};
+  for (const std::string& stem : stemsOf(runs))
+    for (const char* kind : kSiteMapKinds) names.push_back(stem + kind);
+  return names;
+}
+
 std::vector<std::string> addTrajectories(const Comparison& comparison,
                                          const std::filesystem::path& folder, StagedFiles& staged) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name, const std::string& bytes) {
-    if (!bytes.empty()) names.push_back(stageResult(comparison, folder, name, bytes, staged));
+    names.push_back((folder / name).string());
+    staged.add(names.back(), bytes);
   };
-  std::set<std::string> taken;
-  for (const ComparedRun& run : comparison.runs) {
-    const std::string word = fileWord(run.name, taken);
-    add("comparison." + word + ".tum", pathTum(run));
-    add("comparison." + word + ".evo.zip", evoResult(run, word));
+  const std::vector<std::string> stems = stemsOf(comparison);
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    const ComparedRun& run = comparison.runs[i];
+    const auto [tum, evo] = kTrajectoryKinds;
+    if (const std::string path = pathTum(run); !path.empty()) add(stems[i] + tum, withAuthor(path));
+    const std::string errors = evoResult(run, stems[i].substr(stems[i].find('.') + 1));
+    if (!errors.empty()) add(stems[i] + evo, errors);
   }
   return names;
 }
@@ -151,19 +174,22 @@ std::vector<std::string> addSiteMaps(const Comparison& comparison, const Extract
                                      const std::filesystem::path& folder, StagedFiles& staged) {
   std::vector<std::string> names;
   const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back(stageResult(comparison, folder, name, bytes, staged));
+    names.push_back((folder / name).string());
+    staged.add(names.back(), bytes);
   };
-  std::set<std::string> taken;
+  const std::vector<std::string> stems = stemsOf(comparison);
   std::vector<SessionMap> session;
-  for (const ComparedRun& run : comparison.runs) {
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    const ComparedRun& run = comparison.runs[i];
     const Grid grid = gridOf(run, options);
-    const std::string word = fileWord(run.name, taken), stem = "comparison." + word;
-    session.push_back({stem + ".yaml", stem + ".pgm", grid.frame, run.pose});
-    add(stem + ".yaml", rosMapYaml(grid.frame, stem + ".pgm", run.pose));
-    add(stem + ".pgm", mapPgm(grid));
-    add(stem + ".pose.yaml", mapsPoseYaml(run.pose, word));
+    const auto [yaml, picture, pose] = kSiteMapKinds;
+    const std::string &stem = stems[i], word = stem.substr(stem.find('.') + 1);
+    session.push_back({stem + yaml, stem + picture, grid.frame, run.pose});
+    add(stem + yaml, rosMapYaml(grid.frame, stem + picture, run.pose));
+    add(stem + picture, mapPgm(grid));
+    add(stem + pose, withAuthor(mapsPoseYaml(run.pose, word)));
   }
-  add("comparison.maps.toml", mapsSession(session));
+  add(kSession, mapsSession(session));
   return names;
 }
 

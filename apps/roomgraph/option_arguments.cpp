@@ -177,6 +177,13 @@ CompareMapsOptions toCompareOptions(const OptionArguments& arguments) {
   return options;
 }
 
+CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArguments& arguments) {
+  CallFiles files;
+  files.reads(maps);
+  files.consults(arguments.configFile.value_or(""));
+  return files;
+}
+
 std::optional<std::size_t> numberAfter(char letter, const std::string& word) {
   std::size_t number = 0;
   const char *begin = word.data(), *end = begin + word.size();

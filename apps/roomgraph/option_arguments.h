@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "CallFiles.h"
 #include "roomgraph/compare/compare_maps.h"
 
 namespace roomgraph {
@@ -31,6 +32,9 @@ void declareReading(OptionArguments& arguments, CLI::App& app);
 void declareOptions(OptionArguments& arguments, CLI::App& app);
 /** Declares --room-width, --alpha-px2, --all-components and --robot-width. */
 void declareRooms(OptionArguments& arguments, CLI::App& app);
+
+/** The files that a call reads: its maps, and first its options. */
+CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArguments& arguments);
 
 /** The number of a room or corridor in a word like "R3"; none where it is another one. */
 std::optional<std::size_t> numberAfter(char letter, const std::string& word);

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
+#include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
@@ -28,6 +28,8 @@
 namespace roomgraph {
 namespace {
 
+constexpr char kPage[] = "repair.html", kPoseGraph[] = "site.g2o";
+
 struct RepairArguments {
   SiteArguments site;
   std::vector<std::string> only;
@@ -40,19 +42,18 @@ void addRun(const Run& run, const RepairedRun& repaired, const std::string& fold
   const StoredPoses stored = readStoredPoses(file);
   const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
   const std::string content = movePoses(file.content(), file.name(), stored, moves);
-  const auto path = [&](const std::string& name) {
-    return (std::filesystem::path(folder) / name).string();
-  };
-  staged.add(path(repairedName(run.file)), compressed(content, file.compression()));
-  staged.add(path(mapStem(run.file) + ".repaired.tum"), trajectoryTum(stored, moves));
+  const auto path = [&](const std::string& name) { return inFolder(folder, name); };
+  const std::string map = packedMap(content, file.compression());
+  staged.add(path(repairedName(run.file)), map);
+  staged.add(path(mapStem(run.file) + ".repaired.tum"),
+             withAuthor(hashLine(map) + trajectoryTum(stored, moves)));
 }
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
 void addConstraints(const Run& run, const std::vector<Transform2D>& real, const std::string& folder,
                     StagedFiles& staged) {
   const std::string name = mapStem(run.file) + ".loop_constraints.yaml";
-  staged.add((std::filesystem::path(folder) / name).string(),
-             molaConstraints(loopConstraints(run, real)));
+  staged.add(inFolder(folder, name), withAuthor(molaConstraints(loopConstraints(run, real))));
 }
 
 /** The grids of what was mended, made of the simplemaps that are written now. */
@@ -64,7 +65,7 @@ void writeGrids(const std::vector<std::string>& files, const SiteArguments& site
     const auto path = [&](const char* extension) {
       return outputFile(site.folder, file, extension);
     };
-    const std::string name = (std::filesystem::path(site.folder) / repairedName(file)).string();
+    const std::string name = inFolder(site.folder, repairedName(file));
     const GreyMap map = loadGrid(name, options.loadGrid);
     const Grid grid = binarize(map, options.binarize);
     staged.add(path("repaired.gridmap.gz"), gridmapBytes(map, grid));
@@ -79,10 +80,15 @@ void check(const RepairArguments& arguments) {
   if (!arguments.format.empty() && arguments.format != "mola")
     throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
   std::vector<std::string> extensions;
-  for (const char* map :
-       {"simplemap", "simplemap.gz", "simplemap.zst", "tum", "gridmap.gz", "yaml", "pgm"})
-    extensions.push_back(std::string("repaired.") + map);
-  checkOutputNames(site.files, site.folder, extensions);
+  for (const char* kind : {"tum", "gridmap.gz", "yaml", "pgm"})
+    extensions.push_back(std::string("repaired.") + kind);
+  if (!arguments.format.empty()) extensions.emplace_back("loop_constraints.yaml");
+  CallFiles files = filesReadBy(site.files, site.options);
+  files.reads(site.reference);
+  for (const std::string& run : site.files)
+    files.writes(inFolder(site.folder, repairedName(run)), run);
+  files.writesOfEach(site.files, site.folder, extensions);
+  for (const char* name : {kPage, kPoseGraph}) files.writes(inFolder(site.folder, name));
 }
 
 bool isAskedFor(const Run& run, const RepairArguments& arguments) {
@@ -114,7 +120,7 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
 
 /** The page of all runs, and its lines on the terminal. */
 void tell(const std::vector<ShownRepair>& shown, const SiteArguments& site, StagedFiles& staged) {
-  staged.add((std::filesystem::path(site.folder) / "repair.html").string(), repairPage(shown));
+  staged.add(inFolder(site.folder, kPage), repairPage(shown));
   staged.commit();
   std::string lines;
   for (const ShownRepair& one : shown) lines += printable(one.run->name + ": " + one.line) + "\n";
@@ -159,8 +165,7 @@ int run(const RepairArguments& arguments) {
   }
   if (shown.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
-  staged.add((std::filesystem::path(site.folder) / "site.g2o").string(),
-             graphG2o(runs->solved.consensus));
+  staged.add(inFolder(site.folder, kPoseGraph), withAuthor(graphG2o(runs->solved.consensus)));
   tell(shown, site, staged);
   writeGrids(mended, site);
   return runs->exitCode();

@@ -3,10 +3,10 @@
 #include <memory>
 #include <utility>
 
+#include "CallFiles.h"
 #include "commands.h"
 #include "comparison_results.h"
 #include "option_arguments.h"
-#include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
@@ -64,6 +64,18 @@ FoundMaps findMaps(const ReportArguments& arguments, const Comparison& compariso
   return maps;
 }
 
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const ReportArguments& arguments, const Comparison& comparison,
+                const ResultFiles& results) {
+  CallFiles files;
+  files.reads(arguments.maps);
+  for (const ComparedRun& run : comparison.runs) files.reads(mapsNear(run, arguments.comparison));
+  files.consults(arguments.comparison);
+  for (const std::string& result : results.names()) files.writes(result);
+  files.writesTo("--junit", arguments.gate.junit);
+  files.writesTo("--summary", arguments.gate.summary);
+}
+
 /** Where the maps are, as seen from the folder of the results. */
 void tellPlaces(Comparison& comparison, const FoundMaps& maps, const ReportArguments& arguments) {
   const auto before = std::filesystem::path(arguments.comparison).parent_path();
@@ -93,12 +105,9 @@ int run(const ReportArguments& arguments) {
   GateOptions gate = gateOf(arguments.gate);
   gate.candidates = arguments.candidates;
   ResultFiles files(folderOf(arguments));
-  for (const std::string& map : arguments.maps)
-    for (const std::string& result : files.names())
-      if (areSameFile(map, result))
-        throw UsageError(result + ": would replace a map: choose another folder with --output");
   Comparison comparison = readComparison(arguments.comparison);
   checkCandidates(arguments, comparison);
+  checkFiles(arguments, comparison, files);
   const FoundMaps maps = findMaps(arguments, comparison);
   keepOthers(maps, comparison, arguments, files);
   addGate(comparison, gate);

@@ -179,8 +179,9 @@ int run(const StabilityArguments& arguments) {
   StabilityTask task = arguments.task;
   task.extract = toOptions(arguments.options);
   static_cast<void>(stabilityRuns(task.options));  // throws where they make no sense
-  checkOutputNames(arguments.maps, task.folder,
-                   {"stability.csv", "stability.json", "stability.partial.json"});
+  filesReadBy(arguments.maps, arguments.options)
+      .writesOfEach(arguments.maps, task.folder,
+                    {"stability.csv", "stability.json", "stability.partial.json"});
   makeWritableFolder(task.folder);
   int worst = kDone;
   const int exitCode = doEach(arguments.maps, [&](const std::string& map) {

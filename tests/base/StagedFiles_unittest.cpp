@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <climits>
 #include <filesystem>
 
 #include "TestFolder.h"
@@ -65,6 +66,12 @@ TEST(StagedFiles, oneThatCannotBeWrittenLeavesAllAsTheyWere) {
   }
   older.expectUntouched();
   EXPECT_EQ(older.folder.names(), (Names{"a", "b", "sub"}));
+}
+
+TEST(StagedFiles, aNameMayBeAsLongAsItsFolderHasRoomForItsSuffix) {
+  const TestFolder folder;
+  writeFileAtomically(folder / std::string(NAME_MAX - StagedFiles::kLongestSuffix, 'x'), "text");
+  EXPECT_THROW(writeFileAtomically(folder / std::string(NAME_MAX, 'x'), "text"), DataError);
 }
 
 TEST(StagedFiles, whatCannotTakeItsPlaceIsRemoved) {

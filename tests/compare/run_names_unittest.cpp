@@ -1,4 +1,4 @@
-#include "run_names.h"
+#include "roomgraph/compare/run_names.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "TestFolder.h"
@@ -49,7 +50,10 @@ TEST(DrawStages, ofAnEmptyMapAreWritten) {
   Stages stages;
   stages.grid = {{3, 3, 0.05, {}}, std::vector<State>(9, State::unknown)};
   writeStages(stages, folder.path());
-  EXPECT_EQ(folder.names().size(), 17u);
+  std::vector<std::string> names = stageFiles();
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(folder.names(), names);
+  EXPECT_EQ(names.size(), 17u);
 }
 
 TEST(DrawStages, aFileInTheWayIsAnError) {

@@ -8,6 +8,7 @@
 #include "carried_by.h"
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/map_files/ros_map_yaml.h"
 
@@ -50,6 +51,8 @@ class PlacesMask : public testing::Test {
     const auto files = file.write(test::carriedBy(motion, file), frame());
     EXPECT_EQ(files.size(), 2u);
     EXPECT_EQ(files[0].name, "mask.yaml");
+    EXPECT_EQ(file.files, (std::vector<std::string>{files[0].name, files[1].name}));
+    EXPECT_EQ(files[0].bytes.rfind(kRosMapMark, 0), 0u) << "it is ours from now on";
     Written written{readRosMapYaml(files[0].bytes, "mask.yaml"), files[0].bytes, {}};
     EXPECT_EQ(written.yaml.image, files[1].name);
     CheckedFile picture(folder_.write("carried_" + files[1].name, files[1].bytes));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "carried_by.h"
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/repair/MarkedFile.h"
@@ -31,6 +32,23 @@ TEST(ReadMarked, othersAreRefusedInOneLine) {
       EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }
   EXPECT_THROW(readMarked(folder.path("none")), DataError);
+}
+
+TEST(ReadMarked, filesHaveTheirNamesBeforeAndAStateAfterTheyAreCarried) {
+  const test::TempDir folder;
+  for (const std::string text :
+       {"name,x,y\ndock,1,2\n", "{\"type\":\"Point\",\"coordinates\":[1,2]}",
+        "<osm>\n<node id='1' lat='0' lon='0'><tag k='name' v='root'/></node>\n<node id='2' lat='0' "
+        "lon='0'/>\n<node id='3' lat='0' lon='0'/>\n<way id='4'>\n<nd ref='2'/>\n<nd "
+        "ref='3'/>\n</way>\n</osm>\n"}) {
+    SCOPED_TRACE(text);
+    EXPECT_FALSE(isCarried(text));
+    const MarkedFile marked = readMarked(folder.write("things", text));
+    const auto written = marked.write(test::carriedBy({1, 2, 0}, marked), {});
+    ASSERT_EQ(written.size(), 1u);
+    EXPECT_EQ(marked.files, std::vector<std::string>{written[0].name});
+    EXPECT_TRUE(isCarried(written[0].bytes)) << written[0].bytes;
+  }
 }
 
 }  // namespace

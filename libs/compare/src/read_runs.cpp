@@ -11,10 +11,10 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/prepare_run.h"
+#include "roomgraph/compare/run_names.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/relate/estimate_scale.h"
-#include "run_names.h"
 
 namespace roomgraph {
 namespace {

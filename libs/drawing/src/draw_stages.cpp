@@ -161,6 +161,13 @@ std::string twoDigits(std::size_t number) {
   return (number < 10 ? "0" : "") + std::to_string(number);
 }
 
+/** Of the picture of a step, by its place in stageNames(). */
+std::string pictureName(std::size_t step) {
+  return twoDigits(step + 1) + "_" + stageNames()[step].name + ".png";
+}
+
+constexpr char kList[] = "stages.json";
+
 void makeFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -171,6 +178,13 @@ void makeFolder(const std::string& folder) {
 
 }  // namespace
 
+std::vector<std::string> stageFiles() {
+  std::vector<std::string> names;
+  for (std::size_t step = 0; step < stageNames().size(); ++step) names.push_back(pictureName(step));
+  names.emplace_back(kList);
+  return names;
+}
+
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeFolder(folder);
   const std::string map = fileName(stages.source.file);
@@ -178,8 +192,8 @@ void drawStages(const Stages& stages, const std::string& folder, StagedFiles& fi
   std::size_t number = 0;
   for (Picture& picture : pictures(stages)) {
     const StageName& stage = stageNames()[number];
+    const std::string file = pictureName(number);
     const std::string heading = twoDigits(++number) + " " + stage.name;
-    const std::string file = twoDigits(number) + "_" + stage.name + ".png";
     picture.scene.title = heading + "  ·  " + stage.paper + "  ·  " + stage.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
     files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
@@ -188,7 +202,7 @@ void drawStages(const Stages& stages, const std::string& folder, StagedFiles& fi
     list += (list.empty() ? "\n" : ",\n") + entry.dump();
   }
   files.add(
-      folder + "/stages.json",
+      folder + "/" + kList,
       "{\n\"format\": \"roomgraph/stages\",\n\"version\": 1,\n\"stages\": [" + list + "\n]\n}\n");
 }
 

@@ -35,4 +35,17 @@ MarkedFile readMarked(const std::string& file) {
   return {};
 }
 
+bool isCarried(const std::string& text) {
+  const auto holds = [](const std::string& whole, const std::string& part) {
+    return whole.find(part) != std::string::npos;
+  };
+  for (const CarryState state :
+       {CarryState::carried, CarryState::unsure, CarryState::gone, CarryState::unseen}) {
+    const std::string name = std::string("\"") + nameOf(state) + "\"";
+    if (holds(text, "\"state\":" + name) || holds(text, "k=\"state\" v=" + name)) return true;
+  }
+  const std::string columns = text.substr(0, text.find('\n'));
+  return holds(columns, "state") && holds(columns, "error_m") && holds(columns, "reason");
+}
+
 }  // namespace roomgraph

@@ -117,6 +117,7 @@ MarkedFile csvPlaces(const std::string& text, const std::string& file) {
     marked.places.push_back(table.placeOf(cells));
     marked.things.push_back({marked.places.back().name, {marked.places.size() - 1}});
   }
+  marked.files = {fileName(file)};
   marked.write = [text, file](const std::vector<CarriedThing>& carried, const GridFrame&) {
     return std::vector<NamedBytes>{{fileName(file), carriedCsv(text, file, carried)}};
   };

@@ -90,7 +90,7 @@ std::string writtenJson(Json document, const JsonThings& things,
 
 MarkedFile marked(Json document, const std::string& file, const JsonThings& things) {
   MarkedFile result;
-  result.kind = things.kind;
+  result.kind = things.kind, result.files = {file};
   PlaceIndex placeOf(result.places);
   for (Json* json : things.in(document)) {
     Thing thing{things.nameOf(*json), {}};

@@ -11,6 +11,7 @@
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/geometry/Polygon.h"
+#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/repair/CellVotes.h"
@@ -44,7 +45,7 @@ class Mask {
 
   MarkedFile marked() const {
     MarkedFile result;
-    result.kind = "region";
+    result.kind = "region", result.files = {fileName(file_), pictureName()};
     std::map<std::pair<int, int>, std::size_t> corners;
     for (const MaskRegion& region : regions_) {
       Thing& thing = result.things.emplace_back();
@@ -74,18 +75,24 @@ class Mask {
       draw(i, bent[i], frame, grey);
       regions.push_back(regionJson(i, carried[i]));
     }
-    std::filesystem::path picture = std::filesystem::path(yaml_.image).filename();
-    if (!isPgm_) picture.replace_extension(".png");
+    const std::string picture = pictureName();
     const Json origin = {rounded(frame.origin.x), rounded(frame.origin.y), 0};
-    return {{fileName(file_), rosMapYamlWith(text_,
-                                             {{"image", lineOf(Json(picture.string()))},
-                                              {"origin", lineOf(origin)},
-                                              {"regions", lineOf(regions)}},
-                                             file_)},
-            {picture.string(), pictureBytes(grey, frame)}};
+    const std::string yaml = rosMapYamlWith(text_,
+                                            {{"image", lineOf(Json(picture))},
+                                             {"origin", lineOf(origin)},
+                                             {"regions", lineOf(regions)}},
+                                            file_);
+    return {{fileName(file_), std::string(kRosMapMark) + "\n" + yaml},
+            {picture, pictureBytes(grey, frame)}};
   }
 
  private:
+  std::string pictureName() const {
+    std::filesystem::path picture = std::filesystem::path(yaml_.image).filename();
+    if (!isPgm_) picture.replace_extension(".png");
+    return picture.string();
+  }
+
   /** Where the corners of the blocks of a region lie on the new map. */
   using Bent = std::map<std::pair<int, int>, Point>;
 

@@ -164,7 +164,7 @@ class OsmFile {
 
   MarkedFile marked() const {
     MarkedFile result;
-    result.kind = "way";
+    result.kind = "way", result.files = {name_};
     result.places = places_;
     for (const Element* element : things())
       result.things.push_back({nameOfElement(*element), placesOf(*element)});

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@ namespace roomgraph {
  *  a process that was killed leaves behind, X.roomgraph-part0, goes when X is written again. */
 class StagedFiles {
  public:
+  /** By how much the name of a file is longer while it is written [bytes]. */
+  static constexpr std::size_t kLongestSuffix = 18;
+
   StagedFiles();  ///< without any file
   StagedFiles(const StagedFiles&) = delete;
   StagedFiles& operator=(const StagedFiles&) = delete;

@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/pipeline/Stages.h"
@@ -9,6 +10,9 @@ namespace roomgraph {
 // Ours
 // In:   Stages
 // Out:  a folder with a picture of each step
+
+/** The names of the files of drawStages(). */
+[[nodiscard]] std::vector<std::string> stageFiles();
 
 /** Adds to `files` one PNG for each step in `folder`, which is made if it is not there: 01_grid.png
  *  to 16_areas.png in the order of the pipeline, each with the section of the paper in its title;

@@ -37,6 +37,7 @@ struct MarkedFile {
   const char* kind = "place";  ///< what its things are called, one of them
   std::vector<Place> places;   ///< each once, however many things it belongs to
   std::vector<Thing> things;
+  std::vector<std::string> files{};  ///< names of what write() gives, in its order
   /** The same file with its things on another map, which has this frame; all else stays. The
    *  files that belong to it come with it. */
   std::function<std::vector<NamedBytes>(const std::vector<CarriedThing>&, const GridFrame&)> write;
@@ -46,5 +47,8 @@ struct MarkedFile {
  *  site.json, osmAG, or a mask of nav2.
  *  @throws DataError with one line where it is none, or damaged. */
 MarkedFile readMarked(const std::string& file);
+
+/** Whether this is the content of a file whose things have been carried: they have a state. */
+[[nodiscard]] bool isCarried(const std::string& text);
 
 }  // namespace roomgraph

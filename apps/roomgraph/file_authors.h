@@ -1,0 +1,32 @@
+#pragma once
+#include <string>
+
+#include "roomgraph/base/checked_file.h"
+
+namespace roomgraph {
+
+/** The text with a first line that says who has written it, for kinds in which a line may be a
+ *  comment that begins with #. */
+std::string withAuthor(const std::string& text);
+
+/** The content of a simplemap as its file holds it. */
+std::string packedMap(const std::string& content, Compression how);
+/** A comment on which simplemap its path belongs to; a simplemap that is no gzip file has no other
+ *  place for its author. */
+std::string hashLine(const std::string& map);
+
+/** The picture that a ROS map's yaml names; empty for any other file. */
+std::string pictureOf(const std::string& mapFile);
+
+/** The ROS map of somebody else that has a file for its picture; empty for none. */
+std::string foreignMapOf(const std::string& file);
+
+/** Whether a file is a map or an archive, by its content. */
+bool isMapOrArchive(const std::string& file);
+
+/** Whether a file that is there may be taken for a result of this program: of the kinds that it
+ *  reads (maps, logs, paths, graphs, tables of places) that is one with a mark of it, or a file of
+ *  places that it has carried; of all others one that is neither a map nor an archive. */
+bool isOurs(const std::string& file);
+
+}  // namespace roomgraph
