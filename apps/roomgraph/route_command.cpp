@@ -30,9 +30,10 @@ GraphFile graphOfMap(const std::string& file, const ExtractOptions& options) {
   return graphFile(extractGraph(loadGrid(file, options.loadGrid), options));
 }
 
-/** "R3" for a room, "C7" for a corridor by the number of its area, "nowhere" for none. */
+/** The name that was given to it; where none were given "R3" for a room, and "C7" for a corridor by
+ *  the number of its area. */
 std::string areaName(const GraphFile& file, AreaId area) {
-  if (!area) return "nowhere";
+  if (!file.areaNames.empty()) return file.areaNames.at(area.index());
   const Area& found = file.areas.areas[area.index()];
   return found.isRoom() ? "R" + std::to_string(found.room.index())
                         : "C" + std::to_string(area.index());
@@ -48,6 +49,18 @@ std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
   return formatted("  passage %zu at (%.2f, %.2f), %.2f m wide, to %s\n", id.index(),
                    passage.middle().x, passage.middle().y, passage.width,
                    areaName(file, to).c_str());
+}
+
+std::string placeText(Point place) { return formatted("(%.2f, %.2f)", place.x, place.y); }
+
+/** Where a place is. @throws DataError where it is in no area: no free cell of the map is in none. */
+Whereabouts whereItIs(const GraphFile& file, Point place, const std::string& map) {
+  const Whereabouts where = whereIs(file.graph, file.areas, place);
+  if (where.area) return where;
+  const std::string off = formatted("%.2f m off, at ", distance(where.on, place));
+  throw DataError(map + ": " + placeText(place) + " lies in no room and no corridor" +
+                  (where.edge ? ", and the nearest way is " + off + placeText(where.on) : "") +
+                  ": give a place in free space");
 }
 
 struct RouteArguments {
@@ -67,22 +80,30 @@ bool isPlace(Point place) {
   return std::abs(place.x) < kFarthestPlace && std::abs(place.y) < kFarthestPlace;
 }
 
-/** R3 is where its vertex stands; C7 the widest place of a corridor; or x and y [m]. */
+/** Where one stands that is in an area: where the vertex of a room is, or in its widest place. */
+Point placeIn(const GraphFile& file, AreaId id) {
+  const Area& area = file.areas.areas[id.index()];
+  return area.isRoom() ? file.graph.rooms[area.room.index()].center : area.widestPlace;
+}
+
+/** "R0 to R11", or the names that were given. */
+std::string knownAreas(const GraphFile& file) {
+  constexpr std::size_t kMostNames = 10;
+  if (!file.areaNames.empty()) return listed(file.areaNames, kMostNames);
+  const std::size_t last = std::max<std::size_t>(file.graph.rooms.size(), 1) - 1;
+  return formatted("R0 to R%zu, C and the number of the area of a corridor", last);
+}
+
+/** An area by what it is called, see areaName; or x and y [m]. */
 Point placeOf(const GraphFile& file, const std::vector<std::string>& words, const char* option) {
   Point place;
   if (words.size() == 2 && isNumber(words[0], place.x) && isNumber(words[1], place.y) &&
       isPlace(place))
     return place;
-  if (words.size() == 1) {
-    const auto room = numberAfter('R', words[0]), corridor = numberAfter('C', words[0]);
-    if (room && *room < file.graph.rooms.size()) return file.graph.rooms[*room].center;
-    if (corridor && *corridor < file.areas.areas.size())
-      return file.areas.areas[*corridor].widestPlace;
-  }
-  throw UsageError(
-      formatted("%s takes a room of this map (R0 to R%zu), a corridor (C and the number "
-                "of its area), or x and y in metres, such as '%s 1.5 2'",
-                option, std::max<std::size_t>(file.graph.rooms.size(), 1) - 1, option));
+  for (std::size_t a = 0; a < file.areas.areas.size() && words.size() == 1; ++a)
+    if (areaName(file, AreaId(a)) == words[0]) return placeIn(file, AreaId(a));
+  throw UsageError(std::string(option) + " takes a room or corridor of this map (" +
+                   knownAreas(file) + "), or x and y in metres, such as '" + option + " 1.5 2'");
 }
 
 /** One line for each area and passage on the way. */
@@ -101,8 +122,10 @@ std::string routeText(const GraphFile& file, const Route& route, AreaId from, Ar
 
 int run(const RouteArguments& arguments) {
   const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
-  const Whereabouts from = whereIs(file.graph, file.areas, placeOf(file, arguments.from, "--from"));
-  const Whereabouts to = whereIs(file.graph, file.areas, placeOf(file, arguments.to, "--to"));
+  const auto find = [&](const std::vector<std::string>& words, const char* option) {
+    return whereItIs(file, placeOf(file, words, option), arguments.map);
+  };
+  const Whereabouts from = find(arguments.from, "--from"), to = find(arguments.to, "--to");
   const auto route = findRoute(file.graph, file.areas, from, to);
   print(route ? routeText(file, *route, from.area, to.area)
               : "there is no way along the graph between these places\n");
@@ -129,8 +152,8 @@ std::string areaText(const GraphFile& file, AreaId id) {
 int run(const WhereArguments& arguments) {
   if (!isPlace(arguments.place)) throw UsageError("where: X and Y are no place: give metres");
   const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
-  const Whereabouts where = whereIs(file.graph, file.areas, arguments.place);
-  std::string text = where.area ? areaText(file, where.area) : "in no room and no corridor\n";
+  const Whereabouts where = whereItIs(file, arguments.place, arguments.map);
+  std::string text = areaText(file, where.area);
   if (where.edge)
     text += formatted("  the nearest way is %.2f m off, at (%.2f, %.2f)\n",
                       distance(where.on, arguments.place), where.on.x, where.on.y);
@@ -146,7 +169,8 @@ std::function<int()> routeCommand(CLI::App& app) {
   const auto add = [&](const char* name, std::vector<std::string>& words, const char* sentence) {
     app.add_option(name, words, sentence)->type_name("PLACE")->required()->expected(1, 2);
   };
-  add("--from", arguments->from, "Where to start: a room as R3, a corridor as C7, or x and y. (m)");
+  add("--from", arguments->from, "Where to start: a room or corridor by its name, or as R3 or C7 where none were given, or x "
+      "and y. (m)");
   add("--to", arguments->to, "Where to go, in the same words.");
   declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);

@@ -11,8 +11,32 @@ for map in g/a.json "a.pgm --resolution 0.05"; do
   [ "$(sed -n 2p out)" = "  R0" ] || fail "does not start in R0: $map"
   tail -n 1 out | grep -q 'to R1$' || fail "does not end in R1: $map"
 done
-expect 0 "$roomgraph" where g/a.json -5 -5
-grep -q 'in no room' out || fail "a place outside"
+# A place that is in no free space is told, however far the nearest way is.
+expect 1 "$roomgraph" where g/a.json -5 -5
+one_line err g/a.json "(-5.00, -5.00)" "in no room and no corridor" "nearest way is" "free space"
+[ ! -s out ] || fail "it tells of a place outside"
+for places in "--from -100 -100 --to R1" "--from R0 --to 400 -1"; do
+  # shellcheck disable=SC2086
+  expect 1 "$roomgraph" route g/a.json $places
+  one_line err "in no room and no corridor"
+  [ ! -s out ] || fail "a way that leads to nowhere"
+done
+# Rooms have the names that they were given, and no number beside.
+python3 - <<'P'
+import json
+graph = json.load(open("g/a.json"))
+for area, name in zip(graph["areas"], ["Kitchen", "R1"]):
+    area["name"] = name
+open("g/named.json", "w").write(json.dumps(graph))
+P
+kitchen=$(python3 -c 'import json; print(*json.load(open("g/named.json"))["areas"][0]["widest_place"])')
+# shellcheck disable=SC2086
+expect 0 "$roomgraph" where g/named.json $kitchen
+grep -q '^Kitchen: a room' out || fail "not by its name"
+expect 0 "$roomgraph" route g/named.json --from Kitchen --to R1
+[ "$(sed -n 2p out)" = "  Kitchen" ] && tail -n 1 out | grep -q 'to R1$' || fail "not by their names"
+expect 2 "$roomgraph" route g/named.json --from Kitchen --to R0
+one_line err "--to" "Kitchen and R1"
 expect 2 "$roomgraph" route g/a.json --from R7 --to R0
 one_line err "--from" "R0 to R1"
 expect 1 "$roomgraph" where none.json 1 1
