@@ -195,12 +195,11 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
                   const std::vector<std::string>& more) {
   std::string text = comparisonText(comparison) + printable(comparison.verdict) + "\n";
   std::vector<std::string> sentences{breaksSentence(comparison), doubtSentence(comparison)};
-  if (comparison.gate && comparison.gate->isPassed())
-    sentences.push_back(gateSentence(*comparison.gate));
   for (const std::string& sentence : sentences)
     if (!sentence.empty()) text += printable(sentence) + "\n";
   for (const std::string& file : files.names()) text += "  " + printable(file) + "\n";
   for (const std::string& file : more) text += "  " + printable(file) + "\n";
+  if (comparison.gate) text += printable(gateLine(*comparison.gate)) + "\n";
   print(text);
 }
 

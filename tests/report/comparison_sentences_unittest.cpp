@@ -70,6 +70,10 @@ TEST(ComparisonSentences, aGateSaysByHowMuchItPassesOrWhyItFails) {
             "The gate of c passes (no break): c: has no break.");
   EXPECT_EQ(gateSentence({{"c: breaks"}, {"c"}, {"no break"}, {}}),
             "The gate of c fails (no break): c: breaks.");
+  EXPECT_EQ(gateLine({}), "PASS");
+  EXPECT_EQ(gateLine({{}, {"c"}, {"no break"}, {"c: has no break"}}), "PASS c: has no break");
+  EXPECT_EQ(gateLine({{}, {"c"}, {"no break"}, {}}), "PASS c");
+  EXPECT_EQ(gateLine({{"c: breaks"}, {"c"}, {"no break"}, {}}), "FAIL c: breaks");
 }
 
 }  // namespace

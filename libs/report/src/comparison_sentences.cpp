@@ -64,4 +64,10 @@ std::string gateSentence(const GateVerdict& gate) {
          (lines.empty() ? "" : ": " + listed(lines, kMostNames)) + ".";
 }
 
+std::string gateLine(const GateVerdict& gate) {
+  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
+  const std::string text = listed(lines.empty() ? gate.candidates : lines, kMostNames);
+  return std::string(gate.isPassed() ? "PASS" : "FAIL") + (text.empty() ? "" : " " + text);
+}
+
 }  // namespace roomgraph

@@ -23,4 +23,7 @@ constexpr std::size_t kMostNames = 4;
 /** What the gate says, what was asked, and by how much it passes or why it fails. */
 [[nodiscard]] std::string gateSentence(const GateVerdict& gate);
 
+/** The same for a terminal and for programs: "PASS" or "FAIL", then by how much or why. */
+[[nodiscard]] std::string gateLine(const GateVerdict& gate);
+
 }  // namespace roomgraph
