@@ -12,6 +12,7 @@
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/page/check_page.h"
 #include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/run_check_json.h"
@@ -32,16 +33,17 @@ struct CheckArguments {
   RunningArguments running;
 };
 
+constexpr char kNoUseForResolution[] =
+    "what scans tell of a run does not depend on --resolution: it was not used";
+
 void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
   addOption(app, "--fail-above M", arguments.gate.maxError,
             "Exit with 3 if a run has a self error above this [m], or none.")
       ->check(CLI::Range(0.0, 1e6));
-  addOption(app, "--fail-on LIST", arguments.failOn,
-            "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), 'doubled' "
-            "(it has drawn a place twice, or laid one over another).")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"broken", "doubled"}));
+  declareFailOn(arguments.failOn, {"broken", "doubled"},
+                "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), "
+                "'doubled' (it has drawn a place twice, or laid one over another).",
+                app);
   addOption(app, "--junit FILE", arguments.junit,
             "Also write the verdict of the gate as JUnit XML, for CI systems.");
   addOption(app, "--summary FILE", arguments.summary,
@@ -59,6 +61,8 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
       notes.push_back({noted, note});
     };
     const Run run = readRun(file, options);
+    if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
+      notes.insert(notes.begin(), {file, {kUnusedOption, kNoUseForResolution, std::nullopt}});
     if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
     check = checkRun(run);
     check->complaints = complaintsOf(*check, arguments.gate);
@@ -94,12 +98,8 @@ void checkFiles(const CheckArguments& arguments) {
 int run(CheckArguments arguments) {
   if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
     throw UsageError("--fail-above: nan is not a length: give one in metres");
-  const auto failsOn = [&](const char* fault) {
-    return std::find(arguments.failOn.begin(), arguments.failOn.end(), fault) !=
-           arguments.failOn.end();
-  };
-  arguments.gate.failsOnBreaks = failsOn("broken"),
-  arguments.gate.failsOnDoubled = failsOn("doubled");
+  arguments.gate.failsOnBreaks = isListed(arguments.failOn, "broken"),
+  arguments.gate.failsOnDoubled = isListed(arguments.failOn, "doubled");
   checkFiles(arguments);
   makeWritableFolder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());

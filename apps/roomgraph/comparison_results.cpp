@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "option_arguments.h"
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
@@ -128,19 +129,17 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
             "Exit with 3 if the map error of a run exceeds the median of the three best other "
             "runs by more than this [m], or cannot be trusted.")
       ->check(CLI::Range(0.0, 1e6));
-  addOption(app, "--fail-on LIST", arguments.failOn,
-            "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
-            "less than " +
-                nearlyAll +
-                " % of what at least two runs have seen), 'broken' (a run has a break that is "
-                "not slight), 'unconfirmed' (other runs bear out less than " +
-                nearlyAll +
-                " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
-                "run is of another site, or mirrored), 'walls' (walls that others have are "
-                "gone from a run, it has some that no other has, or thicker ones).")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->check(CLI::IsMember({"broken", "unconfirmed", "coverage", "not-same-site", "walls"}));
+  declareFailOn(arguments.failOn, {"broken", "unconfirmed", "coverage", "not-same-site", "walls"},
+                "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
+                "less than " +
+                    nearlyAll +
+                    " % of what at least two runs have seen), 'broken' (a run has a break that is "
+                    "not slight), 'unconfirmed' (other runs bear out less than " +
+                    nearlyAll +
+                    " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
+                    "run is of another site, or mirrored), 'walls' (walls that others have are "
+                    "gone from a run, it has some that no other has, or thicker ones).",
+                app);
   addOption(app, "--junit FILE", arguments.junit,
             "Also write the verdict of the gate as JUnit XML, for CI systems.");
   addOption(app, "--summary FILE", arguments.summary,
@@ -150,9 +149,7 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
 GateOptions gateOf(const GateArguments& arguments) {
   if (arguments.failBelow && std::isnan(*arguments.failBelow))
     throw UsageError("--fail-below: nan is not a score: give one from 0 to 100");
-  const auto isAsked = [&](const char* what) {
-    return std::count(arguments.failOn.begin(), arguments.failOn.end(), what) > 0;
-  };
+  const auto isAsked = [&](const char* what) { return isListed(arguments.failOn, what); };
   for (const auto& most : {arguments.failAbove, arguments.failWorseBy})
     if (most && std::isnan(*most))
       throw UsageError("--fail-above, --fail-worse-by: nan is not a length: give one in metres");

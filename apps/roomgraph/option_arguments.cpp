@@ -1,5 +1,6 @@
 #include "option_arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/read_document.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/report/comparison_json.h"
 #include "terminal.h"
@@ -87,6 +89,17 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
   if (!options.loadGrid.isResolutionGiven) options.loadGrid.resolution = assumed;
 }
 
+/** What stands between commas; "a,,b," has four words. */
+std::vector<std::string> wordsOf(const std::string& list) {
+  std::vector<std::string> words(1);
+  for (const char c : list)
+    if (c == ',')
+      words.emplace_back();
+    else
+      words.back() += c;
+  return words;
+}
+
 }  // namespace
 
 void underHeading(const std::string& heading, CLI::App& app, const std::function<void()>& declare) {
@@ -134,6 +147,27 @@ void declareRooms(OptionArguments& arguments, CLI::App& app) {
       ->excludes(width);
   app.add_flag("--all-components", arguments.allComponents, help("keep_largest", "all_components"));
   addOption(app, "--robot-width M", arguments.robotWidth, help("room_graph", "robot_width"));
+}
+
+void declareFailOn(std::vector<std::string>& lists, const std::vector<std::string>& known,
+                   const std::string& sentence, CLI::App& app) {
+  // CLI11's own lists pass over what is empty.
+  const auto fault = [known](const std::string& list) -> std::string {
+    for (const std::string& word : wordsOf(list))
+      if (std::find(known.begin(), known.end(), word) == known.end())
+        return "'" + word + "' is none of " + listed(known) + ", separated by commas";
+    return {};
+  };
+  addOption(app, "--fail-on LIST", lists, sentence)
+      ->allow_extra_args(false)
+      ->check(CLI::Validator(fault, ""));
+}
+
+bool isListed(const std::vector<std::string>& lists, const std::string& word) {
+  return std::any_of(lists.begin(), lists.end(), [&](const std::string& list) {
+    const std::vector<std::string> words = wordsOf(list);
+    return std::find(words.begin(), words.end(), word) != words.end();
+  });
 }
 
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app) {

@@ -39,6 +39,12 @@ CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArgument
 /** The number of a room or corridor in a word like "R3"; none where it is another one. */
 std::optional<std::size_t> numberAfter(char letter, const std::string& word);
 
+/** Declares --fail-on, comma-separated lists of `known` words; may be repeated. */
+void declareFailOn(std::vector<std::string>& lists, const std::vector<std::string>& known,
+                   const std::string& sentence, CLI::App& app);
+/** Whether a word is in one of such lists. */
+bool isListed(const std::vector<std::string>& lists, const std::string& word);
+
 /** Declares --output, the folder for `results`. A command writes several files for each map, which
  *  would be hard to tell from others: where no folder is named, they go into roomgraph-COMMAND. */
 void declareOutput(std::string& folder, const std::string& results, CLI::App& app);

@@ -130,7 +130,11 @@ void tell(const std::vector<ShownRepair>& shown, const SiteArguments& site, Stag
 /** Mends one run by what it tells of itself. */
 int runAlone(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
-  const Run run = readRun(site.files.front(), toCompareOptions(site.options));
+  CompareMapsOptions options = toCompareOptions(site.options);
+  UnusedOptions unused;
+  options.onNote = unused.listener();
+  const Run run = readRun(site.files.front(), options);
+  unused.tell();
   checkNames({run}, arguments);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);

@@ -169,7 +169,8 @@ std::function<int()> routeCommand(CLI::App& app) {
   const auto add = [&](const char* name, std::vector<std::string>& words, const char* sentence) {
     app.add_option(name, words, sentence)->type_name("PLACE")->required()->expected(1, 2);
   };
-  add("--from", arguments->from, "Where to start: a room or corridor by its name, or as R3 or C7 where none were given, or x "
+  add("--from", arguments->from,
+      "Where to start: a room or corridor by its name, or as R3 or C7 where none were given, or x "
       "and y. (m)");
   add("--to", arguments->to, "Where to go, in the same words.");
   declareOptions(arguments->options, app);

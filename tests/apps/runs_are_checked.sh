@@ -55,3 +55,19 @@ one_line err junk.simplemap
 expect 2 "$roomgraph" check
 expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz -o mixed -q --fail-on broken,doubled
 expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms
+for list in broken,,doubled ,broken broken, ''; do
+  expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on "$list"
+  one_line err --fail-on "'' is none of broken and doubled"
+done
+# An option of no use is told, by other commands, too.
+for options in "--layer nosuch" "--resolution 10"; do
+  # shellcheck disable=SC2086
+  expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz -o mixed $options
+  one_line err "note: " "${options%% *}" "not used"
+done
+for runs in "office_run1" "office_run1 office_run2"; do
+  files=()
+  for run in $runs; do files+=("$maps/$run.simplemap.gz"); done
+  expect 0 "$roomgraph" repair "${files[@]}" -o unused --layer nosuch
+  grep -q 'note: --layer is for metric maps' err || fail "an unused layer is not told"
+done

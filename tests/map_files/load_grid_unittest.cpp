@@ -65,6 +65,18 @@ TEST(LoadGrid, gridmapEqualsWhatMrptReads) {
   EXPECT_TRUE(map.notes.empty());
 }
 
+TEST(LoadGrid, optionsThatAreOfNoUseAreNotedFirst) {
+  const TempDir dir;
+  LoadGridOptions given;
+  given.layer = "walls", given.isResolutionGiven = true;
+  const std::string file = dir.write("a.gridmap", test::streamed(test::smallGrid()));
+  const Notes notes = loadGrid(file, given).notes;
+  ASSERT_EQ(notes.size(), 2u);
+  for (const Note& note : notes) EXPECT_EQ(note.code, kUnusedOption);
+  EXPECT_EQ(notes[0].text.rfind("--layer", 0), 0u) << notes[0].text;
+  EXPECT_EQ(notes[1].text.rfind("--resolution", 0), 0u) << notes[1].text;
+}
+
 TEST(LoadGrid, unknownCellsLieBetweenTheThresholds) {
   const TempDir dir;
   const COccupancyGridMap2D grid(0, 1, 0, 1, 0.1f);

@@ -114,6 +114,22 @@ const MapFormat& formatOf(CheckedFile& file) {
   refuseUnknown(file);
 }
 
+/** Notes on options that this kind of map has no use for. */
+Notes unusedOptions(const MapFormat& format, const LoadGridOptions& options) {
+  const std::string kind = format.kind;
+  Notes notes;
+  if (!options.layer.empty() && kind != "metric_map")
+    notes.push_back({kUnusedOption,
+                     "--layer is for metric maps (.mm), and this is none: it was not used",
+                     std::nullopt});
+  if (options.isResolutionGiven && format.readGrid && kind != "image")
+    notes.push_back({kUnusedOption,
+                     "--resolution is for pictures and scans, and this map tells its own: it was "
+                     "not used",
+                     std::nullopt});
+  return notes;
+}
+
 LoadedMap readMap(const std::string& name, const LoadGridOptions& options, bool wantsKeyframes) {
   CheckedFile file(name);
   const MapFormat& format = formatOf(file);
@@ -123,6 +139,8 @@ LoadedMap readMap(const std::string& name, const LoadGridOptions& options, bool 
   result.map = format.readGrid ? format.readGrid(file, options) : gridOfScans(*scans, options);
   if (scans && wantsKeyframes)
     result.keyframes = makeKeyframes(*scans, options.maxDistanceInsertion);
+  const Notes unused = unusedOptions(format, options);
+  result.map.notes.insert(result.map.notes.begin(), unused.begin(), unused.end());
   result.map.source.kind = format.kind;
   result.map.source.file = name;
   if (result.map.source.sha256.empty()) result.map.source.sha256 = file.sha256();

@@ -39,6 +39,9 @@ namespace roomgraph {
  *    a guess unless it was given ("assumed_resolution"); lower left corner at (0, 0). Transparent
  *    pixels show a mid-grey background, which means unknown.
  *
+ *  A layer or a resolution that is given and of no use for this kind of map is noted, too
+ *  (kUnusedOption).
+ *
  *  No byte reaches MRPT's readers unchecked: sizes, counts and checksums are verified first, and
  *  nothing is allocated on the word of a header alone. At most 400 million cells. Peak memory for a
  *  gridmap: 2 bytes per cell besides the compressed file. Deterministic; O(file + cells). Prints
@@ -46,6 +49,9 @@ namespace roomgraph {
  *  @throws DataError with one line (file, problem, remedy) where the file is missing, damaged,
  *  absurd or of no known kind. */
 [[nodiscard]] GreyMap loadGrid(const std::string& file, const LoadGridOptions& options);
+
+/** The code of notes on options that were given and of no use. */
+constexpr char kUnusedOption[] = "unused_option";
 
 /** A map, and what was seen where it was made. */
 struct LoadedMap {
