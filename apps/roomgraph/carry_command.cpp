@@ -84,9 +84,27 @@ std::string lineOf(const std::string& file, const char* kind,
          "\n";
 }
 
-bool isAllCarried(const std::vector<CarriedThing>& carried) {
-  return std::all_of(carried.begin(), carried.end(),
-                     [](const CarriedThing& thing) { return thing.state == CarryState::carried; });
+/** What becomes of the files, for the terminal. */
+struct Told {
+  std::string lines;  ///< one for each file
+  std::vector<std::string>
+      failures;  ///< one for each thing that was not carried, of many the first
+};
+
+void addFile(const std::string& written, const MarkedFile& file,
+             const std::vector<CarriedThing>& carried, Told& told) {
+  constexpr std::size_t kMostTold = 10;
+  told.lines += lineOf(written, file.kind, carried);
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    const CarriedThing& thing = carried[i];
+    if (thing.state == CarryState::carried || ++failed > kMostTold) continue;
+    told.failures.push_back(written + ": " + file.kind + " " + file.things[i].name + ": " +
+                            nameOf(thing.state) + (thing.reason.empty() ? "" : ": ") +
+                            thing.reason);
+  }
+  if (failed > kMostTold)
+    told.failures.push_back(written + ": and " + std::to_string(failed - kMostTold) + " more");
 }
 
 /** Throws where a result would take the place of what is not to be replaced. */
@@ -114,18 +132,17 @@ int run(const CarryArguments& given) {
   const RunningArguments& running = arguments.site.running;
   const ForEach forEach = onThreads(running.threads, !running.isQuiet);
   StagedFiles staged;
-  std::string lines;
-  bool areCarried = true;
+  Told told;
   for (const MarkedFile& file : files) {
     const auto carried = carryThings(file, runs->solved, real, from, to, forEach);
     for (const NamedBytes& one : file.write(carried, runs->solved.site.mapOf(to).frame))
       staged.add(inFolder(arguments.site.folder, one.name), one.bytes);
-    lines += lineOf(inFolder(arguments.site.folder, file.files.front()), file.kind, carried);
-    areCarried = areCarried && isAllCarried(carried);
+    addFile(inFolder(arguments.site.folder, file.files.front()), file, carried, told);
   }
   staged.commit();
-  if (!running.isQuiet) print(lines);
-  return areCarried ? runs->exitCode() : kBadData;
+  if (!running.isQuiet) print(told.lines);
+  for (const std::string& line : told.failures) printError(line);
+  return told.failures.empty() ? runs->exitCode() : kBadData;
 }
 
 }  // namespace

@@ -74,6 +74,13 @@ P
 # A mask is a map: it opens again.
 expect 0 "$roomgraph" convert carried/zone.yaml -o again
 
+# What could not be carried is named with its reason, the first ten of a file.
+{ echo name,x,y; for i in $(seq 12); do echo "far$i,900,$i"; done; } > far.csv
+expect 1 carry far.csv -o far
+[ "$(wc -l < err)" -eq 11 ] || { cat err; fail "not a line for each of ten, and one for the rest"; }
+grep -q '^roomgraph: far/far.csv: place far3: unseen: ' err || fail "it does not say what and why"
+grep -q 'far.csv: and 2 more$' err || fail "it does not say how many more"
+
 # Nothing that is read is replaced, and what cannot be read is one line.
 cp marked/goals.csv before.csv
 expect 2 carry marked/goals.csv -o marked
@@ -85,7 +92,7 @@ one_line err zone.yaml zone.pgm
 mkdir other
 cp marked/goals.csv other
 expect 2 carry marked/goals.csv other/goals.csv -o none
-one_line err goals.csv twice
+one_line err marked/goals.csv other/goals.csv "would both be written"
 for broken in '{"type":"FeatureCollection"' '<osm>' 'a,b' '{"type":"Point","coordinates":["x",1]}'; do
   printf '%s' "$broken" > broken
   expect 1 carry broken -o none
