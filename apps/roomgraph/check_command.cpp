@@ -50,6 +50,20 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
             "Also write a table of the runs, with the verdict of the gate, as Markdown.");
 }
 
+/** The results of a run, whose names begin with `stem`. Returns their names. */
+std::vector<std::string> writeResults(const RunCheck& check, const Run& run,
+                                      const std::string& stem, const LoadGridOptions* logs) {
+  StagedFiles staged;
+  std::vector<std::string> names{stem + ".json", stem + ".html"};
+  staged.add(names[0], runCheckJson(check));
+  staged.add(names[1], checkPage(check, run));
+  if (logs)
+    for (std::string& name : addCheckLogs(check, *logs, stem, staged))
+      names.push_back(std::move(name));
+  staged.commit();
+  return names;
+}
+
 /** Checks one run, and writes what it tells of itself. */
 JobReport checkFile(const std::string& file, const CheckArguments& arguments,
                     std::optional<RunCheck>& check) {
@@ -66,14 +80,9 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
     if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
     check = checkRun(run);
     check->complaints = complaintsOf(*check, arguments.gate);
-    StagedFiles files;
-    files.add(outputFile(arguments.folder, file, "check.json"), runCheckJson(*check));
-    files.add(outputFile(arguments.folder, file, "check.html"), checkPage(*check, run));
-    if (arguments.writesBreaks)
-      addCheckLogs(*check, options.extract.loadGrid, outputFile(arguments.folder, file, "check"),
-                   files);
-    files.commit();
-    if (!arguments.running.isQuiet) report.out = runCheckText(*check);
+    const auto names = writeResults(*check, run, outputFile(arguments.folder, file, "check"),
+                                    arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
+    if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
     for (const std::string& complaint : check->complaints)
       report.err += errorLine(check->name + ": " + complaint);
   } catch (...) {

@@ -194,8 +194,7 @@ void printResults(const Comparison& comparison, const ResultFiles& files,
   std::vector<std::string> sentences{breaksSentence(comparison), doubtSentence(comparison)};
   for (const std::string& sentence : sentences)
     if (!sentence.empty()) text += printable(sentence) + "\n";
-  for (const std::string& file : files.names()) text += "  " + printable(file) + "\n";
-  for (const std::string& file : more) text += "  " + printable(file) + "\n";
+  text += fileLines(files.names()) + fileLines(more);
   if (comparison.gate) text += printable(gateLine(*comparison.gate)) + "\n";
   print(text);
 }

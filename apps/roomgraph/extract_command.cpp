@@ -140,9 +140,9 @@ class Extraction {
     for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
     report_.err += noteLines(notes, arguments_.running.isVerbose);
     report_.out += summaryLine(mapFile_, stages.result);
-    for (const std::string& file : files_) report_.out += "  " + printable(file) + "\n";
+    report_.out += fileLines(files_);
     if (isMadeOfScans(stages.source.kind))
-      report_.out += "  'roomgraph check' estimates from its scans how good the map is\n";
+      report_.out += "To see how good this run is: roomgraph check " + printable(mapFile_) + "\n";
   }
 
   const std::string& mapFile_;

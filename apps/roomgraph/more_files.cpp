@@ -94,14 +94,18 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
   return names;
 }
 
-void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
-                  StagedFiles& staged) {
-  if (check.breaks.empty() && check.doubled.empty()) return;
+std::vector<std::string> addCheckLogs(const RunCheck& check, const LoadGridOptions& reading,
+                                      const std::string& stem, StagedFiles& staged) {
+  if (check.breaks.empty() && check.doubled.empty()) return {};
   const std::vector<PlacedScan> scans = scansOf(check.file, reading);
+  std::vector<std::string> names;
   const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
     const std::string name = stem + "." + kind + std::to_string(number);
-    staged.add(name + ".rawlog", rawlogBytes(scansAt(false)));
-    if (hasFit) staged.add(name + ".untorn.rawlog", rawlogBytes(scansAt(true)));
+    for (const bool isUntorn : {false, true}) {
+      if (isUntorn && !hasFit) continue;
+      names.push_back(name + (isUntorn ? ".untorn.rawlog" : ".rawlog"));
+      staged.add(names.back(), rawlogBytes(scansAt(isUntorn)));
+    }
   };
   for (std::size_t i = 0; i < check.breaks.size(); ++i) {
     const MapBreak& tear = check.breaks[i];
@@ -114,6 +118,7 @@ void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const s
     };
     add("doubled", i + 1, at, true);
   }
+  return names;
 }
 
 std::string scanLog(const std::string& file, const LoadGridOptions& reading,

@@ -44,10 +44,11 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
 
 /** For each break of a run and each place that it has drawn twice logs of the scans on both sides,
  *  as the run has them and as they fit, beside its other results: `stem`.breakN.rawlog and so on,
- *  numbered as in its check.json, from 1. Of what has no size there is only the first.
+ *  numbered as in its check.json, from 1. Of what has no size there is only the first. Returns
+ *  their names.
  *  @throws DataError where the run cannot be read any more. */
-void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
-                  StagedFiles& staged);
+std::vector<std::string> addCheckLogs(const RunCheck& check, const LoadGridOptions& reading,
+                                      const std::string& stem, StagedFiles& staged);
 
 /** Key frames by their numbers in the file, both included. */
 struct KeyFrameStretch {

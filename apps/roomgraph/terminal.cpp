@@ -54,6 +54,12 @@ void print(const std::string& lines) {
   std::fflush(stdout);
 }
 
+std::string fileLines(const std::vector<std::string>& files) {
+  std::string lines;
+  for (const std::string& file : files) lines += "  " + printable(file) + "\n";
+  return lines;
+}
+
 void checkPrinted() {
   std::cout.flush();  // CLI11's help
   const bool isWhole = std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;

@@ -11,6 +11,9 @@ namespace roomgraph {
  *  hold line ends. */
 void print(const std::string& lines);
 
+/** A line for each file that was written, below what was done. */
+std::string fileLines(const std::vector<std::string>& files);
+
 /** Throws DataError where not all that was printed has arrived, as on a full disk. */
 void checkPrinted();
 
