@@ -132,6 +132,17 @@ class Extraction {
                       mapFile_.c_str(), room.index(), graph.rooms.size()));
   }
 
+  /** Which rooms robots must not enter. */
+  std::string keptOutLines(const RoomGraph& graph) const {
+    std::string lines;
+    for (const RoomId id : task_.keptOut) {
+      const GraphRoom& room = graph.rooms[id.index()];
+      lines += formatted("  keeps robots out of R%zu: %.1f m2 at (%.2f, %.2f)\n", id.index(),
+                         area(room.shape.polygon), room.center.x, room.center.y);
+    }
+    return lines;
+  }
+
   void describe(const Stages& stages) {
     if (arguments_.running.showsTimings) report_.err += laps_.table(mapFile_);
     if (arguments_.running.isQuiet) return;
@@ -140,7 +151,7 @@ class Extraction {
     for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
     report_.err += noteLines(notes, arguments_.running.isVerbose);
     report_.out += summaryLine(mapFile_, stages.result);
-    report_.out += fileLines(files_);
+    report_.out += keptOutLines(stages.result) + fileLines(files_);
     if (isMadeOfScans(stages.source.kind))
       report_.out += "To see how good this run is: roomgraph check " + printable(mapFile_) + "\n";
   }

@@ -30,3 +30,6 @@ cp a.pgm a.areas.pgm
 expect 2 "$roomgraph" extract a.pgm a.areas.pgm -o p --format png,labels
 one_line err a.pgm a.areas.pgm p/a.areas.png
 [ ! -e p ] || fail "a folder was made"
+# Which room robots are kept out of is told by its size and its place.
+expect 0 "$roomgraph" extract a.pgm -o masks --format keepout --keep-out R1
+grep -qE '^  keeps robots out of R1: 1[0-9]\.[0-9] m2 at \([0-9.-]+, [0-9.-]+\)$' out || { cat out; fail "which room?"; }
