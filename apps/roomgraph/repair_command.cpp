@@ -11,6 +11,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
+#include "roomgraph/compare/run_names.h"
 #include "roomgraph/consensus/Consensus.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
@@ -36,43 +37,51 @@ struct RepairArguments {
   std::string format;
 };
 
-void addRun(const Run& run, const RepairedRun& repaired, const std::string& folder,
-            StagedFiles& staged) {
+/** The files of a call, which appear together, and their names. */
+struct RepairFiles {
+  std::string folder;
+  StagedFiles staged;
+  std::vector<std::string> names;
+
+  void add(const std::string& name, const std::string& bytes) {
+    names.push_back(inFolder(folder, name));
+    staged.add(names.back(), bytes);
+  }
+};
+
+void addRun(const Run& run, const RepairedRun& repaired, RepairFiles& files) {
   CheckedFile file(run.file);
   const StoredPoses stored = readStoredPoses(file);
   const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
   const std::string content = movePoses(file.content(), file.name(), stored, moves);
-  const auto path = [&](const std::string& name) { return inFolder(folder, name); };
   const std::string map = packedMap(content, file.compression());
-  staged.add(path(repairedName(run.file)), map);
-  staged.add(path(mapStem(run.file) + ".repaired.tum"),
-             withAuthor(hashLine(map) + trajectoryTum(stored, moves)));
+  files.add(repairedName(run.file), map);
+  files.add(mapStem(run.file) + ".repaired.tum",
+            withAuthor(hashLine(map) + trajectoryTum(stored, moves)));
 }
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
-void addConstraints(const Run& run, const std::vector<Transform2D>& real, const std::string& folder,
-                    StagedFiles& staged) {
-  const std::string name = mapStem(run.file) + ".loop_constraints.yaml";
-  staged.add(inFolder(folder, name), withAuthor(molaConstraints(loopConstraints(run, real))));
+void addConstraints(const Run& run, const std::vector<Transform2D>& real, RepairFiles& files) {
+  files.add(mapStem(run.file) + ".loop_constraints.yaml",
+            withAuthor(molaConstraints(loopConstraints(run, real))));
 }
 
-/** The grids of what was mended, made of the simplemaps that are written now. */
-void writeGrids(const std::vector<std::string>& files, const SiteArguments& site) {
-  const ExtractOptions options = toCompareOptions(site.options).extract;
-  StagedFiles staged;
-  for (const std::string& file : files) {
-    const std::string stem = mapStem(file);
-    const auto path = [&](const char* extension) {
-      return outputFile(site.folder, file, extension);
-    };
-    const std::string name = inFolder(site.folder, repairedName(file));
-    const GreyMap map = loadGrid(name, options.loadGrid);
+/** The grids of what was mended, made of the simplemaps that are there now. */
+void addGrids(const std::vector<std::string>& mended, const ExtractOptions& options,
+              RepairFiles& files) {
+  for (const std::string& file : mended) {
+    const std::string stem = mapStem(file) + ".repaired";
+    const GreyMap map = loadGrid(inFolder(files.folder, repairedName(file)), options.loadGrid);
     const Grid grid = binarize(map, options.binarize);
-    staged.add(path("repaired.gridmap.gz"), gridmapBytes(map, grid));
-    staged.add(path("repaired.pgm"), mapPgm(grid));
-    staged.add(path("repaired.yaml"), rosMapYaml(grid.frame, stem + ".repaired.pgm"));
+    files.add(stem + ".gridmap.gz", gridmapBytes(map, grid));
+    files.add(stem + ".pgm", mapPgm(grid));
+    files.add(stem + ".yaml", rosMapYaml(grid.frame, stem + ".pgm"));
   }
-  staged.commit();
+}
+
+bool isAskedFor(const std::string& run, const RepairArguments& arguments) {
+  const std::vector<std::string>& only = arguments.only;
+  return only.empty() || std::find(only.begin(), only.end(), run) != only.end();
 }
 
 void check(const RepairArguments& arguments) {
@@ -85,15 +94,13 @@ void check(const RepairArguments& arguments) {
   if (!arguments.format.empty()) extensions.emplace_back("loop_constraints.yaml");
   CallFiles files = filesReadBy(site.files, site.options);
   files.reads(site.reference);
-  for (const std::string& run : site.files)
-    files.writes(inFolder(site.folder, repairedName(run)), run);
-  files.writesOfEach(site.files, site.folder, extensions);
+  const std::vector<std::string> names = runNames(site.files);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!isAskedFor(names[i], arguments)) continue;
+    files.writes(inFolder(site.folder, repairedName(site.files[i])), site.files[i]);
+    files.writesOfEach({site.files[i]}, site.folder, extensions);
+  }
   for (const char* name : {kPage, kPoseGraph}) files.writes(inFolder(site.folder, name));
-}
-
-bool isAskedFor(const Run& run, const RepairArguments& arguments) {
-  const std::vector<std::string>& only = arguments.only;
-  return only.empty() || std::find(only.begin(), only.end(), run.name) != only.end();
 }
 
 /** Runs that --only names and that are not there. */
@@ -118,13 +125,29 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
   return line;
 }
 
-/** The page of all runs, and its lines on the terminal. */
-void tell(const std::vector<ShownRepair>& shown, const SiteArguments& site, StagedFiles& staged) {
-  staged.add(inFolder(site.folder, kPage), repairPage(shown));
-  staged.commit();
+/** The page of all runs and all files; then what became of them, on the terminal. */
+void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, RepairFiles& files) {
+  files.add(kPage, repairPage(shown));
+  files.staged.commit();
   std::string lines;
-  for (const ShownRepair& one : shown) lines += printable(one.run->name + ": " + one.line) + "\n";
-  if (!site.running.isQuiet) print(lines);
+  std::vector<std::string> mended;
+  for (const ShownRepair& one : shown) {
+    lines += printable(one.run->name + ": " + one.line) + "\n";
+    if (one.repaired->state == RepairState::mended) mended.push_back(one.run->file);
+  }
+  addGrids(mended, toCompareOptions(site.options).extract, files);
+  files.staged.commit();
+  if (!site.running.isQuiet) print(lines + fileLines(files.names));
+}
+
+/** What the call ends with: a run that does not lie in the site of the others is not mended. */
+int exitCodeOf(const SolvedRuns& runs, const RepairArguments& arguments) {
+  const std::vector<std::size_t>& members = runs.solved.site.members;
+  for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
+    if (isAskedFor(runs.read.runs[i].name, arguments) &&
+        !std::binary_search(members.begin(), members.end(), i))
+      return kBadData;
+  return runs.exitCode();
 }
 
 /** Mends one run by what it tells of itself. */
@@ -139,11 +162,10 @@ int runAlone(const RepairArguments& arguments) {
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);
   const RepairedRun repaired = repairAlone(run, check);
-  StagedFiles staged;
-  addRun(run, repaired, site.folder, staged);
-  if (arguments.format == "mola") addConstraints(run, agreedPoses(check), site.folder, staged);
-  tell({{&run, &repaired, lineOf(repaired, "driven once")}}, site, staged);
-  if (repaired.state == RepairState::mended) writeGrids({run.file}, site);
+  RepairFiles files{site.folder, {}, {}};
+  addRun(run, repaired, files);
+  if (arguments.format == "mola") addConstraints(run, agreedPoses(check), files);
+  finish({{&run, &repaired, lineOf(repaired, "driven once")}}, site, files);
   return kDone;
 }
 
@@ -154,25 +176,22 @@ int run(const RepairArguments& arguments) {
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
   checkNames(runs->read.runs, arguments);
-  StagedFiles staged;
+  RepairFiles files{site.folder, {}, {}};
   std::vector<ShownRepair> shown;
-  std::vector<std::string> mended;
   const RealPoses real = rejoinPieces(runs->solved);
   const std::vector<RepairedRun> repaired = repairRuns(runs->solved, real);
   for (const RepairedRun& one : repaired) {
     const Run& run = runs->read.runs[one.run];
-    if (!isAskedFor(run, arguments)) continue;
-    addRun(run, one, site.folder, staged);
-    if (one.state == RepairState::mended) mended.push_back(run.file);
-    if (arguments.format == "mola") addConstraints(run, real[one.siteRun], site.folder, staged);
+    if (!isAskedFor(run.name, arguments)) continue;
+    addRun(run, one, files);
+    if (arguments.format == "mola") addConstraints(run, real[one.siteRun], files);
     shown.push_back({&run, &one, lineOf(one, "seen by no other run")});
   }
   if (shown.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
-  staged.add(inFolder(site.folder, kPoseGraph), withAuthor(graphG2o(runs->solved.consensus)));
-  tell(shown, site, staged);
-  writeGrids(mended, site);
-  return runs->exitCode();
+  files.add(kPoseGraph, withAuthor(graphG2o(runs->solved.consensus)));
+  finish(shown, site, files);
+  return exitCodeOf(*runs, arguments);
 }
 
 }  // namespace
@@ -180,7 +199,9 @@ int run(const RepairArguments& arguments) {
 std::function<int()> repairCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RepairArguments>();
   addArgument(app, "RUN", arguments->site.files,
-              "Simplemaps of one site, each of a drive. One alone is mended by what it saw twice.");
+              "Simplemaps of one site, each of a drive. One alone is mended by what it saw twice. "
+              "The exit code "
+              "is 1 if one could not be read, or does not lie in the site of the others.");
   declareSite(
       arguments->site,
       "repair.html, X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "

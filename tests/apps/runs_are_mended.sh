@@ -16,7 +16,8 @@ P
 less() { python3 -c "import sys; sys.exit(not $1 < $2)" || fail "$1 is not less than $2"; }
 
 expect 0 "$roomgraph" repair "$maps"/office_run3.simplemap.gz -o alone
-one_line out office_run3 "mended" "driven once"
+grep -q '^office_run3: mended.*driven once' out || fail "does not say what became of it"
+[ "$(grep '^  ' out | sort)" = "$(ls -d alone/* | sed 's/^/  /' | LC_ALL=C sort)" ] || { cat out; fail "not each file"; }
 for file in simplemap.gz tum gridmap.gz yaml pgm; do
   [ -s alone/office_run3.repaired.$file ] || fail "no $file"
 done
@@ -26,7 +27,7 @@ less "$(error "${others[@]}" alone/office_run3.repaired.simplemap.gz)" \
   "0.5 * $(error "${others[@]}" "$maps"/office_run3.simplemap.gz)"
 
 expect 0 "$roomgraph" repair "$maps"/office_run[134].simplemap.gz -o together
-[ "$(wc -l < out)" -eq 3 ] || fail "not a line for each run"
+[ "$(grep -c '^office_run' out)" -eq 3 ] || fail "not a line for each run"
 [ -s together/site.g2o ] || fail "no pose graph of the site"
 [ "$(grep -c '<section>' together/repair.html)" -eq 3 ] || fail "not a picture of each run"
 less "$(error "${others[@]}" together/office_run3.repaired.simplemap.gz)" \
@@ -34,7 +35,7 @@ less "$(error "${others[@]}" together/office_run3.repaired.simplemap.gz)" \
 
 # A sound run keeps its bytes, but for how they are packed.
 expect 0 "$roomgraph" repair "$maps"/office_run1.simplemap.gz -o sound --format mola
-one_line out "left as it was"
+grep -q '^office_run1: left as it was' out || fail "a sound run is mended"
 cmp <(zcat sound/office_run1.repaired.simplemap.gz) <(zcat "$maps"/office_run1.simplemap.gz) ||
   fail "a sound run was changed"
 [ -s sound/office_run1.loop_constraints.yaml ] || fail "no constraints"
@@ -43,3 +44,13 @@ expect 1 "$roomgraph" repair "$maps"/office.gridmap.gz -o grid
 one_line err office.gridmap.gz "no scans" simplemap
 expect 2 "$roomgraph" repair "$maps"/office_run1.simplemap.gz --only another -o grid
 one_line err another
+
+# A run that does not lie in the site of the others is not mended, which is no success; nor does it matter where another
+# run was asked for.
+cp "$maps"/office_run1.simplemap.gz run1.simplemap.gz
+rooms other.pgm 162 7
+expect 1 "$roomgraph" repair run1.simplemap.gz "$maps"/office_run2.simplemap.gz other.pgm --resolution 0.05 -o apart
+grep -q 'other.pgm: does not lie in the site of the others: left out' err || fail "it does not say what was left out"
+expect 0 "$roomgraph" repair run1.simplemap.gz "$maps"/office_run2.simplemap.gz other.pgm --resolution 0.05 \
+  --only run1 -o apart
+[ -s apart/run1.repaired.simplemap.gz ] || fail "the others were not written"
