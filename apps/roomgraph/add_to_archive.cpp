@@ -5,11 +5,9 @@
 #include <set>
 
 #include "commands.h"
-#include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/archive/record_files.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
@@ -20,7 +18,6 @@
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/repair_runs.h"
 #include "roomgraph/report/PairFolder.h"
-#include "roomgraph/scans/StoredPose.h"
 #include "run_in_order.h"
 #include "site_runs.h"
 #include "terminal.h"
@@ -53,13 +50,9 @@ std::string missingText(const std::set<std::string>& files) {
 std::string writeRepaired(const Run& run, const RepairedRun& repaired) {
   if (repaired.state != RepairState::mended)
     return printable(run.file + ": " + repaired.reason) + "\n";
-  CheckedFile file(run.file);
-  const StoredPoses stored = readStoredPoses(file);
-  const std::string content =
-      movePoses(file.content(), file.name(), stored, keyFrameMoves(run, repaired, stored));
   const std::string there =
       (std::filesystem::path(run.file).parent_path() / repairedName(run.file)).string();
-  writeFileAtomically(there, packedMap(content, file.compression()));
+  writeFileAtomically(there, movedRun(run, repaired).simplemap);
   return printable(there + ": " + repaired.reason) +
          formatted(", moved by up to %.2f m\n", repaired.movedMost);
 }

@@ -96,15 +96,6 @@ bool isCarriedFile(const std::string& file) {
 
 std::string withAuthor(const std::string& text) { return std::string(kRosMapMark) + "\n" + text; }
 
-std::string packedMap(const std::string& content, Compression how) {
-  return how == Compression::gzip ? gzipped(content, kGzipMark) : compressed(content, how);
-}
-
-std::string hashLine(const std::string& map) {
-  return "# Of the simplemap with the SHA-256 " +
-         sha256Of({reinterpret_cast<const std::uint8_t*>(map.data()), map.size()}) + ".\n";
-}
-
 std::string pictureOf(const std::string& mapFile) {
   if (!endsWith(mapFile, ".yaml") && !endsWith(mapFile, ".yml")) return {};
   std::istringstream in(firstLines(mapFile));

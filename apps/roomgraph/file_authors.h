@@ -1,19 +1,11 @@
 #pragma once
 #include <string>
 
-#include "roomgraph/base/checked_file.h"
-
 namespace roomgraph {
 
 /** The text with a first line that says who has written it, for kinds in which a line may be a
  *  comment that begins with #. */
 std::string withAuthor(const std::string& text);
-
-/** The content of a simplemap as its file holds it. */
-std::string packedMap(const std::string& content, Compression how);
-/** A comment on which simplemap its path belongs to; a simplemap that is no gzip file has no other
- *  place for its author. */
-std::string hashLine(const std::string& map);
 
 /** The picture that a ROS map's yaml names; empty for any other file. */
 std::string pictureOf(const std::string& mapFile);

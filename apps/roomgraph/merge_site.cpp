@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "commands.h"
-#include "file_authors.h"
 #include "more_files.h"
 #include "output_formats.h"
 #include "output_names.h"

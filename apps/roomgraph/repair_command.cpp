@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <memory>
+#include <set>
 
 #include "commands.h"
 #include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/StagedFiles.h"
-#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
@@ -22,7 +22,6 @@
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/loop_constraints.h"
 #include "roomgraph/repair/repair_runs.h"
-#include "roomgraph/scans/StoredPose.h"
 #include "site_runs.h"
 #include "terminal.h"
 
@@ -50,14 +49,9 @@ struct RepairFiles {
 };
 
 void addRun(const Run& run, const RepairedRun& repaired, RepairFiles& files) {
-  CheckedFile file(run.file);
-  const StoredPoses stored = readStoredPoses(file);
-  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
-  const std::string content = movePoses(file.content(), file.name(), stored, moves);
-  const std::string map = packedMap(content, file.compression());
-  files.add(repairedName(run.file), map);
-  files.add(mapStem(run.file) + ".repaired.tum",
-            withAuthor(hashLine(map) + trajectoryTum(stored, moves)));
+  const MovedRun moved = movedRun(run, repaired);
+  files.add(repairedName(run.file), moved.simplemap);
+  files.add(mapStem(run.file) + ".repaired.tum", moved.tum);
 }
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
@@ -97,8 +91,10 @@ void check(const RepairArguments& arguments) {
   const std::vector<std::string> names = runNames(site.files);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!isAskedFor(names[i], arguments)) continue;
-    files.writes(inFolder(site.folder, repairedName(site.files[i])), site.files[i]);
-    files.writesOfEach({site.files[i]}, site.folder, extensions);
+    std::set<std::string> results{inFolder(site.folder, repairedName(site.files[i]))};
+    for (const std::string& extension : extensions)  // a grid is not mended, and may have its name
+      results.insert(outputFile(site.folder, site.files[i], extension));
+    for (const std::string& result : results) files.writes(result, site.files[i]);
   }
   for (const char* name : {kPage, kPoseGraph}) files.writes(inFolder(site.folder, name));
 }

@@ -3,18 +3,17 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "PythonThreads.h"
 #include "bindings.h"
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/compressed.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/repair/carry_places.h"
 #include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/repair_runs.h"
-#include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph {
 namespace {
@@ -54,12 +53,8 @@ struct MendedRun {
 };
 
 MendedRun mendedRun(const Run& run, const RepairedRun& repaired) {
-  CheckedFile file(run.file);
-  const StoredPoses stored = readStoredPoses(file);
-  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
-  const std::string content = movePoses(file.content(), file.name(), stored, moves);
-  return {run.name, run.file, compressed(content, file.compression()), trajectoryTum(stored, moves),
-          repaired};
+  MovedRun moved = movedRun(run, repaired);
+  return {run.name, run.file, std::move(moved.simplemap), std::move(moved.tum), repaired};
 }
 
 /** A run by what it saw twice. */

@@ -25,4 +25,4 @@ grep -o '"overlap": *[0-9.]*' a/comparison.json | awk -F: '{ if ($2 < 0.7) exit 
 cp o/comparison.run__2_.* .
 expect 2 "$roomgraph" compare --site-maps comparison.run__2_.yaml o/comparison.office_run1.yaml \
   'odd/run "2".simplemap.gz' -o . -q
-grep -q 'would replace a map' err || fail "a map was replaced"
+grep -q 'would replace a file that is read' err || fail "a map was replaced"

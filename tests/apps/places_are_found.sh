@@ -25,8 +25,8 @@ done
 python3 - <<'P'
 import json
 graph = json.load(open("g/a.json"))
-for area, name in zip(graph["areas"], ["Kitchen", "R1"]):
-    area["name"] = name
+for number, area in enumerate(graph["areas"]):
+    area["name"] = f"R{number}" if number else "Kitchen"
 open("g/named.json", "w").write(json.dumps(graph))
 P
 kitchen=$(python3 -c 'import json; print(*json.load(open("g/named.json"))["areas"][0]["widest_place"])')
@@ -36,7 +36,7 @@ grep -q '^Kitchen: a room' out || fail "not by its name"
 expect 0 "$roomgraph" route g/named.json --from Kitchen --to R1
 [ "$(sed -n 2p out)" = "  Kitchen" ] && tail -n 1 out | grep -q 'to R1$' || fail "not by their names"
 expect 2 "$roomgraph" route g/named.json --from Kitchen --to R0
-one_line err "--to" "Kitchen and R1"
+one_line err "--to" "Kitchen" "R1"
 expect 2 "$roomgraph" route g/a.json --from R7 --to R0
 one_line err "--from" "R0 to R1"
 expect 1 "$roomgraph" where none.json 1 1

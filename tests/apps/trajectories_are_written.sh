@@ -18,7 +18,8 @@ for run in comparison["runs"]:
     if not run["path"]:
         continue
     name = run["name"].replace("/", "_")
-    lines = [[float(word) for word in line.split()] for line in open(f"o/comparison.{name}.tum")]
+    lines = [[float(word) for word in line.split()] for line in open(f"o/comparison.{name}.tum")
+             if not line.startswith("#")]
     assert len(lines) == len(run["path"]) > 10
     for line, at in zip(lines, run["path"]):
         time, x, y, z, qx, qy, qz, qw = line
@@ -43,5 +44,5 @@ one_line err "roomgraph, all or evo"
 mv office_run1.simplemap.gz comparison.run.tum
 cp comparison.run.tum run
 expect 2 "$roomgraph" compare run comparison.run.tum office.gridmap.gz -q -o . --format evo
-one_line err "would replace a map"
+one_line err "would replace a file that is read"
 cmp -s run comparison.run.tum || fail "a map was replaced"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "roomgraph/base/compressed.h"
+
 namespace roomgraph {
 namespace {
 
@@ -56,6 +58,11 @@ TEST(KeyFrameMoves, aRunThatIsLeftAsItWasDoesNotMove) {
     EXPECT_EQ(move.motion.phi, 0);
     EXPECT_FALSE(move.covariance);
   }
+}
+
+TEST(KeyFrameMoves, aMapThatIsGzipSaysWhoHasWrittenIt) {
+  EXPECT_NE(packedMap("content", Compression::gzip).find(kGzipMark), std::string::npos);
+  EXPECT_EQ(packedMap("content", Compression::none), "content");
 }
 
 }  // namespace

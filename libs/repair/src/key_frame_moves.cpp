@@ -3,7 +3,10 @@
 #include <cmath>
 #include <optional>
 
+#include "roomgraph/base/compressed.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/graph_files/ros_map.h"
+#include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph {
 namespace {
@@ -94,6 +97,25 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
       moves[k].covariance = between(sure[*before], sure[next], share);
   }
   return moves;
+}
+
+std::string packedMap(const std::string& content, Compression how) {
+  return how == Compression::gzip ? gzipped(content, kGzipMark) : compressed(content, how);
+}
+
+MovedRun movedRun(const Run& run, const RepairedRun& repaired) {
+  CheckedFile file(run.file);
+  const StoredPoses stored = readStoredPoses(file);
+  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
+  const std::string content = movePoses(file.content(), file.name(), stored, moves);
+  MovedRun moved;
+  moved.simplemap = packedMap(content, file.compression());
+  const std::string& map = moved.simplemap;
+  const std::string sha256 =
+      sha256Of({reinterpret_cast<const std::uint8_t*>(map.data()), map.size()});
+  moved.tum = std::string(kRosMapMark) + "\n# Its simplemap has the SHA-256 " + sha256 + ".\n" +
+              trajectoryTum(stored, moves);
+  return moved;
 }
 
 }  // namespace roomgraph

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/checked_file.h"
 #include "roomgraph/relate/Run.h"
 #include "roomgraph/repair/RepairedRun.h"
 #include "roomgraph/scans/rewrite_simplemap.h"
@@ -11,7 +12,7 @@ namespace roomgraph {
 // Ours
 // In:   RepairedRun, and the poses of the key frames in its file
 // Out:  PoseMove of each key frame
-// Next: movePoses, trajectoryTum
+// Next: movePoses, trajectoryTum; movedRun does both
 
 /** How each key frame of the run's file is moved. One without a scan goes along with those before
  *  and behind it, with the nearer one more. O(key frames). */
@@ -22,5 +23,17 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
  *  a time has one between those of its neighbours that have; where none has, times are the numbers
  *  of the key frames. O(key frames). */
 std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>& moves);
+
+/** The content of a simplemap as its file holds it; as gzip with a comment on who has written it. */
+std::string packedMap(const std::string& content, Compression how);
+
+/** The files of a run whose key frames have moved: the map, packed as it was, and its path, which
+ *  begins with a comment on who has written both, and has the SHA-256 of the map. */
+struct MovedRun {
+  std::string simplemap, tum;
+};
+
+/** @throws DataError where the file of the run cannot be read any more. */
+MovedRun movedRun(const Run& run, const RepairedRun& repaired);
 
 }  // namespace roomgraph
