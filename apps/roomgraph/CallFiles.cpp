@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestName = NAME_MAX - StagedFiles::kLongestSuffix;  // [bytes]
+constexpr std::size_t kLongestFileName = NAME_MAX - StagedFiles::kLongestSuffix;  // [bytes]
 
 [[noreturn]] void refuseBoth(const std::string& one, const std::string& other,
                              const std::string& file) {
@@ -93,9 +93,9 @@ std::string CallFiles::Output::remedy() const {
 void CallFiles::add(const Output& output) {
   const std::string name = fileName(output.file);
   const bool isOfMap = output.place == Place::inFolder && output.source != kFolderOption;
-  if (name.size() > kLongestName)
+  if (name.size() > kLongestFileName)
     throw UsageError(formatted("%s: its name is too long for a file (%zu bytes, at most %zu): ",
-                               output.file.c_str(), name.size(), kLongestName) +
+                               output.file.c_str(), name.size(), kLongestFileName) +
                      (isOfMap ? "rename " + output.source : output.remedy()));
   const auto [known, isNew] = sources_.emplace(placeOnDisk(output.file), output.source);
   if (!isNew) refuseBoth(known->second, output.source, output.file);

@@ -53,7 +53,7 @@ std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
 
 std::string placeText(Point place) { return formatted("(%.2f, %.2f)", place.x, place.y); }
 
-/** Where a place is. @throws DataError where it is in no area: no free cell of the map is in none. */
+/** Where a place is. @throws DataError where it is in no area; each free cell is in one. */
 Whereabouts whereItIs(const GraphFile& file, Point place, const std::string& map) {
   const Whereabouts where = whereIs(file.graph, file.areas, place);
   if (where.area) return where;

@@ -42,7 +42,8 @@ bool isCarried(const std::string& text) {
   for (const CarryState state :
        {CarryState::carried, CarryState::unsure, CarryState::gone, CarryState::unseen}) {
     const std::string name = std::string("\"") + nameOf(state) + "\"";
-    if (holds(text, "\"state\":" + name) || holds(text, "k=\"state\" v=" + name)) return true;
+    for (const char* member : {"\"state\":", "\"state\": ", "k=\"state\" v="})
+      if (holds(text, member + name)) return true;
   }
   const std::string columns = text.substr(0, text.find('\n'));
   return holds(columns, "state") && holds(columns, "error_m") && holds(columns, "reason");

@@ -24,7 +24,7 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
  *  of the key frames. O(key frames). */
 std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>& moves);
 
-/** The content of a simplemap as its file holds it; as gzip with a comment on who has written it. */
+/** The content of a simplemap as its file holds it; gzip has a comment on who has written it. */
 std::string packedMap(const std::string& content, Compression how);
 
 /** The files of a run whose key frames have moved: the map, packed as it was, and its path, which
