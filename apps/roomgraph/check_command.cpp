@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
 #include "option_arguments.h"
@@ -66,17 +67,17 @@ std::vector<std::string> writeResults(const RunCheck& check, const Run& run,
 
 /** Checks one run, and writes what it tells of itself. */
 JobReport checkFile(const std::string& file, const CheckArguments& arguments,
-                    std::optional<RunCheck>& check) {
+                    std::optional<RunCheck>& check, UnusedOptions& unused) {
   JobReport report;
   try {
     CompareMapsOptions options = toCompareOptions(arguments.options);
     std::vector<MapNote> notes;
     options.onNote = [&](const std::string& noted, const Note& note) {
-      notes.push_back({noted, note});
+      if (!unused.take(note)) notes.push_back({noted, note});
     };
     const Run run = readRun(file, options);
     if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
-      notes.insert(notes.begin(), {file, {kUnusedOption, kNoUseForResolution, std::nullopt}});
+      (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
     if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
     check = checkRun(run);
     check->complaints = complaintsOf(*check, arguments.gate);
@@ -112,14 +113,16 @@ int run(CheckArguments arguments) {
   checkFiles(arguments);
   makeWritableFolder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());
+  UnusedOptions unused;
   JobList jobs;
   jobs.count = arguments.files.size();
   jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
-    JobReport report = checkFile(arguments.files[index], arguments, found[index]);
+    JobReport report = checkFile(arguments.files[index], arguments, found[index], unused);
     stepDone();
     return report;
   };
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
+  unused.tell(arguments.files.size());
   std::vector<RunCheck> checks;
   for (std::optional<RunCheck>& check : found)
     if (check) checks.push_back(std::move(*check));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "Laps.h"
+#include "UnusedOptions.h"
 #include "commands.h"
 #include "comparison_results.h"
 #include "more_files.h"
@@ -145,11 +146,14 @@ CompareMapsOptions optionsOf(const CompareArguments& arguments) {
 ReadRuns readMaps(const CompareArguments& arguments) {
   CompareMapsOptions options = optionsOf(arguments);
   std::vector<MapNote> notes;
+  UnusedOptions unused;
   options.onNote = [&](const std::string& file, Note note) {
+    if (unused.take(note)) return;
     if (note.code == "assumed_resolution") note.text += "; --estimate-scale finds it";
     notes.push_back({file, std::move(note)});
   };
   ReadRuns read = readRuns(allFiles(arguments), options);
+  unused.tell(allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1));
   if (!arguments.running.isQuiet)
     std::fputs(noteLines(notes, arguments.running.isVerbose).c_str(), stderr);
   return read;

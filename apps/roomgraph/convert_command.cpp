@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -60,7 +61,7 @@ const MapOutput& outputNamed(const std::string& name) {
 
 /** Prints the notes of the map and the names of what is written. */
 void convert(const std::string& file, const MapOutput& output, const ExtractOptions& options,
-             const std::string& folder) {
+             const std::string& folder, UnusedOptions& unused) {
   const GreyMap map = loadGrid(file, options.loadGrid);
   const auto contents = output.bytes(map, binarize(map, options.binarize), mapStem(file));
   StagedFiles staged;
@@ -71,7 +72,8 @@ void convert(const std::string& file, const MapOutput& output, const ExtractOpti
     lines += printable(name) + "\n";
   }
   staged.commit();
-  for (const Note& note : map.notes) printError(file + ": note: " + note.text);
+  for (const Note& note : map.notes)
+    if (!unused.take(note)) printError(file + ": note: " + note.text);
   print(lines);
 }
 
@@ -81,8 +83,12 @@ int run(const ConvertArguments& arguments) {
   filesReadBy(arguments.maps, arguments.options)
       .writesOfEach(arguments.maps, arguments.folder, output.extensions);
   makeWritableFolder(arguments.folder);
-  return doEach(arguments.maps,
-                [&](const std::string& file) { convert(file, output, options, arguments.folder); });
+  UnusedOptions unused;
+  const int exitCode = doEach(arguments.maps, [&](const std::string& file) {
+    convert(file, output, options, arguments.folder, unused);
+  });
+  unused.tell(arguments.maps.size());
+  return exitCode;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "Laps.h"
+#include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_formats.h"
@@ -37,6 +38,7 @@ struct ExtractTask {
   ExtractOptions options;
   std::vector<OutputFormat> formats;
   std::vector<RoomId> keptOut;  ///< of the format keepout
+  UnusedOptions& unused;
 };
 
 /** Where the steps of a map are drawn. */
@@ -148,7 +150,8 @@ class Extraction {
     if (arguments_.running.isQuiet) return;
     if (arguments_.running.isVerbose) report_.err += verboseLine(mapFile_, stages);
     std::vector<MapNote> notes;
-    for (const Note& note : stages.notes) notes.push_back({mapFile_, note});
+    for (const Note& note : stages.notes)
+      if (!task_.unused.take(note)) notes.push_back({mapFile_, note});
     report_.err += noteLines(notes, arguments_.running.isVerbose);
     report_.out += summaryLine(mapFile_, stages.result);
     report_.out += keptOutLines(stages.result) + fileLines(files_);
@@ -200,7 +203,9 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
 }
 
 int run(const ExtractArguments& arguments) {
-  ExtractTask task{arguments, toOptions(arguments.options), parseFormats(arguments.formats), {}};
+  UnusedOptions unused;
+  ExtractTask task{
+      arguments, toOptions(arguments.options), parseFormats(arguments.formats), {}, unused};
   task.keptOut = keptOutRooms(arguments, task.formats);
   std::vector<std::string> extensions;
   for (const OutputFormat& format : task.formats) {
@@ -228,7 +233,9 @@ int run(const ExtractArguments& arguments) {
       return {"", failure.line, failure.exitCode};
     }
   };
-  return runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
+  const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
+  unused.tell(arguments.maps.size());
+  return exitCode;
 }
 
 }  // namespace

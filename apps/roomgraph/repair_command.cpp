@@ -2,6 +2,7 @@
 #include <memory>
 #include <set>
 
+#include "UnusedOptions.h"
 #include "commands.h"
 #include "file_authors.h"
 #include "output_names.h"
@@ -151,9 +152,9 @@ int runAlone(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   CompareMapsOptions options = toCompareOptions(site.options);
   UnusedOptions unused;
-  options.onNote = unused.listener();
+  options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
   const Run run = readRun(site.files.front(), options);
-  unused.tell();
+  unused.tell(1);
   checkNames({run}, arguments);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);

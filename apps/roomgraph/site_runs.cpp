@@ -1,13 +1,13 @@
 #include "site_runs.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
-#include "roomgraph/map_files/load_grid.h"
+#include "UnusedOptions.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -57,20 +57,12 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
   declareOptions(arguments.options, app);
 }
 
-std::function<void(const std::string&, const Note&)> UnusedOptions::listener() {
-  return [this](const std::string& file, const Note& note) {
-    if (note.code == kUnusedOption) notes_.push_back({file, note});
-  };
-}
-
-void UnusedOptions::tell() const { std::fputs(noteLines(notes_, false).c_str(), stderr); }
-
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   CompareMapsOptions options = optionsOf(arguments);
   UnusedOptions unused;
-  options.onNote = unused.listener();
+  options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
   ReadRuns read = readRuns(arguments.files, options);
-  unused.tell();
+  unused.tell(arguments.files.size() + (arguments.reference.empty() ? 0 : 1));
   if (!arguments.takesCopies) leaveOutCopies(read);
   options.compare.reference = read.reference;
   PairFolder cache(arguments.cache);

@@ -1,6 +1,5 @@
 #pragma once
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,7 +7,6 @@
 #include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/consensus/site_consensus.h"
-#include "terminal.h"
 
 namespace roomgraph {
 
@@ -32,17 +30,6 @@ struct SolvedRuns {
 
   /** What a command ends with that could do the rest. */
   ExitCode exitCode() const { return read.leftOut.empty() ? kDone : kBadData; }
-};
-
-/** Tells on stderr which options were given and of no use for the maps that were read. */
-class UnusedOptions {
- public:
-  /** For CompareMapsOptions::onNote. */
-  std::function<void(const std::string& file, const Note& note)> listener();
-  void tell() const;
-
- private:
-  std::vector<MapNote> notes_;
 };
 
 /** Reads, relates and solves as `compare` does, and tells on stderr what is left out. */

@@ -73,3 +73,11 @@ for runs in "office_run1" "office_run1 office_run2"; do
   expect 0 "$roomgraph" repair "${files[@]}" -o unused --layer nosuch
   grep -q 'note: --layer is for metric maps' err || fail "an unused layer is not told"
 done
+# It is of use where one of the maps needs it.
+rooms a.pgm
+for maps in "a.pgm:0" "grid.gridmap.gz:1" "a.pgm grid.gridmap.gz:0"; do
+  cp "$source_dir/share/roomgraph/maps/office.gridmap.gz" grid.gridmap.gz
+  # shellcheck disable=SC2086
+  expect 0 "$roomgraph" extract ${maps%:*} --resolution 0.05 -o use --format json
+  [ "$(grep -c -- '--resolution' err)" -eq "${maps#*:}" ] || { cat err; fail "${maps%:*}: told wrongly"; }
+done

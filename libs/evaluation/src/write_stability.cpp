@@ -199,7 +199,8 @@ std::string stabilityKey(const GreyMap::Source& source, const ExtractOptions& ex
 
 std::string progressText(const std::string& key, const std::vector<StabilityRun>& runs,
                          const RunsDone& done) {
-  std::string text = "{\n\"key\": " + key + ",\n\"runs\": [";
+  std::string text =
+      "{\n\"format\": \"roomgraph/stability_progress\",\n\"key\": " + key + ",\n\"runs\": [";
   const char* separator = "\n";
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!done[i]) continue;

@@ -119,14 +119,12 @@ Notes unusedOptions(const MapFormat& format, const LoadGridOptions& options) {
   const std::string kind = format.kind;
   Notes notes;
   if (!options.layer.empty() && kind != "metric_map")
-    notes.push_back({kUnusedOption,
-                     "--layer is for metric maps (.mm), and this is none: it was not used",
-                     std::nullopt});
+    notes.push_back({kUnusedOption, "--layer is for metric maps (.mm): it was not used", {}});
   if (options.isResolutionGiven && format.readGrid && kind != "image")
     notes.push_back({kUnusedOption,
-                     "--resolution is for pictures and scans, and this map tells its own: it was "
-                     "not used",
-                     std::nullopt});
+                     "--resolution is for pictures and scans, not for maps that tell their own: it "
+                     "was not used",
+                     {}});
   return notes;
 }
 
