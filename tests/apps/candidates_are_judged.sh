@@ -8,6 +8,7 @@ record=(run1.simplemap.gz run2.simplemap.gz run4.simplemap.gz)
 expect 3 "$roomgraph" compare "${record[@]}" --candidate run3.simplemap.gz -o o --fail-worse-by 0.2 \
   --fail-on broken --junit o/junit.xml --summary o/summary.md
 one_line err run3 "more than the median of the three best others"
+tail -n 1 out | grep -q '^FAIL run3: .* more than the median' || fail "no verdict at the end"
 python3 - <<'P'
 import json, xml.etree.ElementTree as xml
 gate = json.load(open("o/comparison.json"))["gate"]
@@ -24,6 +25,7 @@ grep -q 'The gate of run3 fails' o/report.html || fail "no verdict in the page"
 # The same figures, another candidate: the torn run of the record is not its fault.
 expect 0 "$roomgraph" report o/comparison.json -o o2 --candidate run1 --fail-worse-by 0.2 \
   --fail-above 0.1 --fail-on broken
+tail -n 1 out | grep -q '^PASS run1: its map error of .* below 0.1 m' || fail "no verdict at the end"
 grep -q 'The gate of run1 passes' o2/report.html || fail "no pass in the page"
 expect 3 "$roomgraph" report o/comparison.json -o o2 --candidate run4 --fail-above 0.2
 # A break of less than five degrees is slight: it is told, and fails no gate.
