@@ -111,7 +111,8 @@ void CallFiles::checkReplaced(const Output& output) const {
   const std::string& file = output.file;
   if (const auto identity = identityOf(file)) {
     const auto input = inputs_.find(*identity);
-    const bool isRenewed = output.place == Place::inFolder && endsWith(file, ".json");
+    const bool isRenewed =
+        output.place == Place::inFolder && (endsWith(file, ".json") || endsWith(file, ".ini"));
     if (input != inputs_.end() && !(input->second && isRenewed)) refuseTo("a file that is read");
   }
   if (!hasContent(file)) return;

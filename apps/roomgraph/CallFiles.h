@@ -16,7 +16,7 @@ class CallFiles {
   /** Of a ROS map its picture is read, too. An empty name is none. */
   void reads(const std::string& file);
   void reads(const std::vector<std::string>& files);
-  /** What is read before all else, such as options: a JSON result may take its place. */
+  /** What is read before all else, such as options: a JSON or ini result may take its place. */
   void consults(const std::string& file);
 
   /** A result in the folder of --output, of a map or another `source`. */

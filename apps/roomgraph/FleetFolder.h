@@ -28,6 +28,7 @@ class FleetFolder {
    *  no such file. @throws DataError where it cannot be read. */
   static std::vector<std::string> failuresIn(const std::filesystem::path& file);
 
+  std::filesystem::path optionsFile() const { return folder_ / "options.ini"; }
   std::filesystem::path taskFile() const { return folder_ / "tasks.jsonl"; }
   std::filesystem::path resultOf(const FleetTask& task) const {
     return of(task, "comparison.json");
@@ -37,7 +38,6 @@ class FleetFolder {
   std::filesystem::path failuresOf(const FleetTask& task) const { return of(task, "failures.txt"); }
 
  private:
-  std::filesystem::path optionsFile() const { return folder_ / "options.ini"; }
   std::filesystem::path of(const FleetTask& task, const char* name) const {
     return folder_ / "results" / task.key / name;
   }

@@ -18,10 +18,20 @@ struct PlanArguments {
   bool isQuiet = false;
 };
 
+/** Throws where a file of the plan would take the place of what is not to be replaced. */
+void checkFiles(const PlanArguments& arguments) {
+  CallFiles files = filesReadBy({arguments.list}, arguments.options);
+  files.reads(arguments.archive);
+  const FleetFolder fleet(arguments.folder);
+  for (const auto& file : {fleet.optionsFile(), fleet.taskFile(), fleet.failures()})
+    files.writes(file.string());
+}
+
 int run(const PlanArguments& arguments) {
   PlanFleetOptions options;
   options.most = arguments.most;
   options.compare = toCompareOptions(arguments.options);
+  checkFiles(arguments);
   std::vector<std::string> unread;
   options.onUnread = [&](const std::string& line) {
     printError(line);

@@ -117,6 +117,11 @@ expect 2 "$roomgraph" carry goals.csv --from run1.simplemap.gz --to run2.simplem
 one_line err k/goals.csv "has not written"
 expect 0 cmp goals.csv k/goals.csv
 
+# A plan of many sites.
+mkdir plan && printf 'site,file\nhall,%s\n' "$PWD/run1.simplemap.gz" > plan/tasks.jsonl
+expect 2 "$roomgraph" plan plan/tasks.jsonl --archive a.roomgraph -o plan
+one_line err plan/tasks.jsonl "file that is read"
+
 # A name that is too long with what results add to it is told before the work.
 long=$(printf 'x%.0s' {1..235})
 cp run1.simplemap.gz "$long.simplemap.gz" || exit 77
