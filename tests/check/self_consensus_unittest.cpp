@@ -39,10 +39,12 @@ SelfConsensus seenAgain(const std::vector<std::pair<std::size_t, std::size_t>>& 
 TEST(IsConfirmed, whereBothSidesOfABreakWereSeenTogether) {
   EXPECT_TRUE(isConfirmed(seenAgain({{1, 8}, {9, 2}}, 0.1), {5}));
   EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}}, 0.1), {5})) << "one may be a look-alike";
-  EXPECT_FALSE(isConfirmed(seenAgain({{1, 4}, {2, 4}}, 0.1), {5})) << "both lie before it";
-  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 1.0), {5})) << "they do not fit";
-  EXPECT_TRUE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 0.1), {3, 8}));
-  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}, {2, 8}}, 0.1), {5, 9})) << "each break by itself";
+  EXPECT_FALSE(isConfirmed(seenAgain({{4, 8}, {4, 9}}, 0.1), {5})) << "one scan, seen twice";
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 4}, {2, 3}}, 0.1), {5})) << "both lie before it";
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 8}, {2, 9}}, 1.0), {5})) << "they do not fit";
+  EXPECT_TRUE(isConfirmed(seenAgain({{1, 8}, {2, 9}}, 0.1), {3, 8}));
+  EXPECT_TRUE(isConfirmed(seenAgain({{1, 9}, {2, 9}}, 0.1), {9})) << "one scan is all behind it";
+  EXPECT_FALSE(isConfirmed(seenAgain({{1, 7}, {2, 8}}, 0.1), {5, 9})) << "each break by itself";
 }
 
 TEST(IsConfirmed, notWhereMuchOfWhatWasSeenTwiceDoesNotFit) {

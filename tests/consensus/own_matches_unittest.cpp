@@ -9,12 +9,11 @@
 namespace roomgraph {
 namespace {
 
-std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames,
-                                  AskedSteps steps = AskedSteps::all) {
+std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames) {
   const Run run = test::runOf(frames);
   PoseGraph graph;
   const RunId id = addRunNodes(run, graph);
-  return ownMatches(graph, id, run, steps);
+  return ownMatches(graph, id, run);
 }
 
 TEST(OwnMatches, aSoundRunHasNone) {
@@ -37,14 +36,9 @@ TEST(OwnMatches, behindATearTheScansAreFoundInTheOneBeforeIt) {
   }
 }
 
-TEST(OwnMatches, askedNearTheEndsOfTheRunItTellsOfNothingElse) {
-  const auto torn = test::broken(test::driveOnce(), 18, 0.8, {2, -1});
-  EXPECT_TRUE(matchesOf(torn, AskedSteps::nearEnds).empty());
-}
-
 TEST(OwnMatches, theVeryEndTellsToo) {
   const std::vector<Keyframe>& once = test::driveOnce();
-  const auto groups = matchesOf(test::broken(once, once.size() - 2, 0.8, {}), AskedSteps::nearEnds);
+  const auto groups = matchesOf(test::broken(once, once.size() - 2, 0.8, {}));
   ASSERT_EQ(groups.size(), 1u);
   EXPECT_EQ(groups[0].matches.size(), 2u);
 }

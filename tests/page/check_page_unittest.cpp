@@ -91,7 +91,7 @@ TEST(CheckPage, mapAndScansStandUpright) {
 
 TEST(CheckPage, namesAreTextAndNothingElse) {
   const std::string page = checkPage(torn(), twoScans());
-  EXPECT_TRUE(has(page, "<h1>a&lt;b</h1>"));
+  EXPECT_TRUE(has(page, "<h1>a&lt;b: 1 break"));
   EXPECT_FALSE(has(page, "a<b"));
 }
 

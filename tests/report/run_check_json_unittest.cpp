@@ -25,7 +25,7 @@ RunCheck sampleCheck() {
   check.evidence = {{"beams_through_walls", "Walls", "1", 0.25, {}, 400}};
   check.path = {{0, std::nullopt, {}, {0.1, 0, 0}, 0.1, true},
                 {17, 12.5, {1, 2, 0.5}, {}, 1, false}};
-  check.sentence = "agrees with itself within 0.51 m";
+  check.sentence = "contradicts itself by 0.51 m";
   return check;
 }
 
@@ -82,17 +82,17 @@ TEST(RunCheckJson, followsItsSchema) {
 TEST(RunCheckText, isOneLineWithTheLargestBreak) {
   EXPECT_EQ(
       runCheckText(sampleCheck()),
-      "a: agrees with itself within 0.51 m; 1 break, the largest before key frame 17, "
+      "a: 1 break, the largest before key frame 17, "
       "45.0 degrees and -0.50 m; 1 place drawn twice, the worst at (3.0, 4.0) by key frames 12 "
       "to 30 and, 0.80 m beside, at (3.0, 4.8) by key frames 210 to 228; 1 place laid over "
       "another, the largest at (1.0, 1.0) by key frames 40 to 45 and at (1.0, 1.5) by key "
-      "frames 80 to 86\n");
+      "frames 80 to 86; contradicts itself by 0.51 m\n");
 }
 
 TEST(RunCheckText, aBreakOfUnknownSizeIsCounted) {
   RunCheck check = sampleCheck();
   check.breaks.front().torn.reset(), check.doubled.clear(), check.welded.clear();
-  EXPECT_EQ(runCheckText(check), "a: agrees with itself within 0.51 m; 1 break\n");
+  EXPECT_EQ(runCheckText(check), "a: 1 break; contradicts itself by 0.51 m\n");
   EXPECT_EQ(selfBreakText(check.breaks.front()),
             "before key frame 17, by how much its scans do not tell");
 }

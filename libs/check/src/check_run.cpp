@@ -93,14 +93,21 @@ std::string sentenceOf(const RunCheck& check) {
         check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
   if (!check.selfError && !check.breaks.empty())
     return formatted(
-        "cannot tell: it breaks before key frame %zu, and by how much its scans do not tell",
-        *check.breaks.back().keyFrame);
+        "cannot tell: it breaks before key frame %zu, and too little was seen from both sides of "
+        "its breaks to say how its parts lie to each other",
+        *check.breaks.front().keyFrame);
+  if (!check.selfError && check.seenTwice > 0.1)
+    return formatted(
+        "cannot tell: %.0f %% of its path was seen twice, and these revisits contradict each other",
+        percent);
   if (!check.selfError)
     return formatted("cannot tell: %.0f %% of its path was seen twice", percent);
+  const bool isSound = check.breaks.empty() && check.doubled.empty();
   return formatted(
-      "agrees with itself within %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was "
-      "driven once, and nothing is known of slow bends there",
-      *check.selfError, percent, 100 - percent);
+      "%s %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was driven once, and "
+      "nothing is known of slow bends there",
+      isSound ? "agrees with itself within" : "contradicts itself by", *check.selfError, percent,
+      100 - percent);
 }
 
 /** Of a run without scans. */
@@ -155,11 +162,9 @@ RunCheck checkRun(const Run& run) {
   const BeamsThroughWalls agreedBeams = beamsThroughWalls(scans, agreed.poses);
   check.welded = findWelded(run, beams, agreedBeams);
   check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
-  const bool isLost = !check.breaks.empty() && !check.breaks.back().torn;
   // It has not parted what cannot be one place, so that nothing says how far it is off.
   const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
-  const bool mayLieAnywhere = (isLost && !check.isConfirmed && agreed.error.low <= 0) || isBlind;
-  if (!mayLieAnywhere && (check.seenTwice > 0.1 || !check.breaks.empty())) {
+  if (check.isConfirmed && !isBlind && (check.seenTwice > 0.1 || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
   }

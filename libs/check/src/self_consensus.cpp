@@ -1,6 +1,8 @@
 #include "self_consensus.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "roomgraph/check/find_revisits.h"
 #include "roomgraph/consensus/belief.h"
@@ -67,18 +69,19 @@ SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
 }
 
 bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks) {
-  std::vector<std::size_t> across(breaks.size(), 0);
-  std::size_t fits = 0;
-  for (const PoseEdge& edge : consensus.revisits) {
-    const std::size_t from = edge.from.index(), to = edge.to.index();
-    if (!isBorneOut(edge, consensus.poses)) continue;
-    ++fits;
-    for (std::size_t i = 0; i < breaks.size(); ++i)
-      if (std::min(from, to) < breaks[i] && breaks[i] <= std::max(from, to)) ++across[i];
-  }
-  return fits > kFitsPerMiss * (consensus.revisits.size() - fits) &&
-         std::all_of(across.begin(), across.end(),
-                     [](std::size_t count) { return count >= kLeastAcross; });
+  std::vector<std::pair<std::size_t, std::size_t>> fits;
+  for (const PoseEdge& edge : consensus.revisits)
+    if (isBorneOut(edge, consensus.poses))
+      fits.push_back(std::minmax(edge.from.index(), edge.to.index()));
+  const auto isSeenAcross = [&](std::size_t k) {
+    std::set<std::size_t> before, behind;
+    for (const auto& [earlier, later] : fits)
+      if (earlier < k && k <= later) before.insert(earlier), behind.insert(later);
+    return before.size() >= std::min(kLeastAcross, k) &&
+           behind.size() >= std::min(kLeastAcross, consensus.poses.size() - k);
+  };
+  return fits.size() > kFitsPerMiss * (consensus.revisits.size() - fits.size()) &&
+         std::all_of(breaks.begin(), breaks.end(), isSeenAcross);
 }
 
 }  // namespace roomgraph

@@ -12,6 +12,7 @@ namespace roomgraph {
 namespace {
 
 constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next is looked for
+constexpr std::size_t kScansAround = 24;  // the same, where it was not found so
 constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
 constexpr std::size_t kTogether = 3;     // scans that are looked for as one, or in one map
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
@@ -35,15 +36,15 @@ constexpr double kClearerBehind = 0.25, kGainBehind = 8;
 class Mender {
  public:
   Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-         const std::vector<bool>& asked, bool looksBack)
-      : scans_(scans), drawn_(drawn), asked_(asked), looksBack_(looksBack), gait_(scans, drawn) {}
+         const std::vector<bool>& asked)
+      : scans_(scans), drawn_(drawn), asked_(asked), gait_(scans, drawn) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
     result_.evidence.assign(drawn_.size(), StepEvidence::none);
     for (std::size_t k = 1; k < drawn_.size(); ++k) {
       mend(k);
-      if (looksBack_ && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
+      if (asked_[k] && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
     }
     return std::move(result_);
   }
@@ -84,12 +85,33 @@ class Mender {
     }
     if (aheadOf_ != k) drawAhead(k);
     result_.evidence[k] = judge(k);
+    if (result_.evidence[k] != StepEvidence::lost) return;
+    drawAround(k);
+    result_.evidence[k] = judge(k);
+    ahead_.walls.clear();  // of the steps behind those before it tell more
   }
 
   void drawAhead(std::size_t k) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = k; i-- > 0 && chosen.size() < kScansAhead;)
       if (scans_[i].isTelling()) chosen.push_back(i);
+    draw(chosen, k);
+  }
+
+  /** What was drawn about the robot at any time before: it may turn its back on what it saw last. */
+  void drawAround(std::size_t k) {
+    const Point robot = result_.poses[k - 1].shift();
+    std::vector<std::pair<double, std::size_t>> near;
+    for (std::size_t i = 0; i < k; ++i)
+      if (scans_[i].isTelling()) near.emplace_back(distance(result_.poses[i].shift(), robot), i);
+    const std::size_t count = std::min(near.size(), kScansAround);
+    std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i) chosen.push_back(near[i].second);
+    draw(chosen, k);
+  }
+
+  void draw(const std::vector<std::size_t>& chosen, std::size_t k) {
     ahead_ = scanMap(scans_, result_.poses, chosen, range());
     aheadOf_ = k;
   }
@@ -141,7 +163,7 @@ class Mender {
     if (behind.walls.empty()) return;
     const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
     const ScanFit drawn = asDrawn(scan, behind, back);
-    if (drawn.quality + kClearerBehind > 1) return;
+    if (drawn.known < kMaySpeak || drawn.quality + kClearerBehind > 1) return;
     const std::vector<ScanFit> found = findScan(scan, behind, back, kSlipped, 2);
     const auto best = bestOf(found);
     if (best == found.end() || areNear(best->pose, back, {}, kAsDrawn)) return;
@@ -247,7 +269,6 @@ class Mender {
   const std::vector<LocalScan>& scans_;
   const std::vector<Transform2D>& drawn_;
   const std::vector<bool>& asked_;
-  const bool looksBack_;
   Gait gait_;
   MendedSteps result_;
   bool isMended_ = false;
@@ -260,17 +281,17 @@ class Mender {
 }  // namespace
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn) {
-  return Mender(scans, drawn, std::vector<bool>(scans.size(), true), true).mended();
+  return Mender(scans, drawn, std::vector<bool>(scans.size(), true)).mended();
 }
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {
-  return Mender(scans, drawn, asked, false).mended();
+  return Mender(scans, drawn, asked).mended();
 }
 
 bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                std::size_t k, const Transform2D& step) {
-  return Mender(scans, drawn, {}, false).refutes(k, step);
+  return Mender(scans, drawn, {}).refutes(k, step);
 }
 
 }  // namespace roomgraph

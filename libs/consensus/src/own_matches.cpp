@@ -54,13 +54,9 @@ std::vector<PoseEdgeId> heldBy(const Run& run, const GraphRun& nodes, const Cons
 
 }  // namespace
 
-std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
-                                   AskedSteps steps) {
+std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run) {
   std::vector<bool> asked(run.scans.size());
-  for (std::size_t k = 1; k < asked.size(); ++k) {
-    const bool isNearEnd = std::min(k, asked.size() - k) < fitted::kLongScans;
-    asked[k] = (isNearEnd || steps == AskedSteps::all) && stepHold(run.scans, k) < 1;
-  }
+  for (std::size_t k = 1; k < asked.size(); ++k) asked[k] = stepHold(run.scans, k) < 1;
   if (std::find(asked.begin(), asked.end(), true) == asked.end()) return {};
   const MendedSteps mended = mendSteps(localScans(run.scans), drawnPoses(run.scans), asked);
   std::vector<FoundGroup> groups;

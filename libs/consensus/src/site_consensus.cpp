@@ -73,11 +73,10 @@ void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
                 const ForEach& forEach) {
   PoseGraph& graph = consensus.graph;
   ById<RunId, std::vector<FoundGroup>> own(graph.runs.size());
-  const AskedSteps steps = own.size() > 2 ? AskedSteps::nearEnds : AskedSteps::all;
   forEach(own.size(), [&](std::size_t index) {
     const RunId run(index);
     if (graph.runs[run].hasScans && run != graph.reference)
-      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]], steps);
+      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]]);
   });
   std::vector<FoundGroup> all = matchRuns(site, pairs, graph, consensus.siteRuns, forEach);
   for (const RunId run : own.ids())

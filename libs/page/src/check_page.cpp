@@ -224,12 +224,25 @@ std::string figuresHtml(const RunCheck& check) {
          std::to_string(check.doubled.size()) + "</td></tr></tbody></table>\n";
 }
 
+std::string verdictOf(const RunCheck& check) {
+  std::vector<std::string> faults;
+  const auto add = [&](std::size_t count, const std::string& one, const std::string& more) {
+    if (count > 0) faults.push_back(counted(count, one, more));
+  };
+  add(check.breaks.size(), "break", "breaks");
+  add(check.doubled.size(), "place drawn twice", "places drawn twice");
+  add(check.welded.size(), "place laid over another", "places laid over others");
+  if (faults.empty()) return check.selfError ? "no fault found" : "cannot tell";
+  return listed(faults);
+}
+
 }  // namespace
 
 std::string checkPage(const RunCheck& check, const Run& run) {
   SimplePage page;
   page.title = xmlText(check.name) + " by itself", page.subject = "one run by itself";
-  page.heading = xmlText(check.name), page.counts = "It " + xmlText(check.sentence) + ".";
+  page.heading = xmlText(check.name) + ": " + verdictOf(check);
+  page.counts = "It " + xmlText(check.sentence) + ".";
   page.style =
       "svg.map{width:100%;max-height:80vh;background:#fff;border:1px solid var(--line)} "
       ".pair{display:flex;gap:16px;flex-wrap:wrap} .pair figure{margin:0;flex:1 1 320px} "

@@ -58,9 +58,6 @@ void judge(const RunCheck& check, RepairedRun& repaired) {
   } else if (check.low <= 0) {
     repaired.reason =
         formatted("left as it was: its self error of %.3f m may be none", *check.selfError);
-  } else if (!check.isConfirmed) {
-    repaired.reason =
-        "left as it was: what it saw twice does not bear out how its parts lie to each other";
   } else {
     repaired.state = RepairState::mended;
     repaired.reason = formatted("mended: it was %.3f m from agreeing with itself (%.3f to %.3f)",

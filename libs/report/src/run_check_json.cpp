@@ -81,18 +81,19 @@ std::string runCheckJson(const RunCheck& check) {
 }
 
 std::string toldText(const RunCheck& check) {
-  std::string text = check.sentence;
+  std::string text;
   if (!check.breaks.empty()) {
-    text += "; " + counted(check.breaks.size(), "break", "breaks");
+    text += counted(check.breaks.size(), "break", "breaks");
     if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
+    text += "; ";
   }
   if (!check.doubled.empty())
-    text += "; " + counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
-            doubledText(check.doubled.front());
+    text += counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
+            doubledText(check.doubled.front()) + "; ";
   if (!check.welded.empty())
-    text += "; " + counted(check.welded.size(), "place", "places") +
-            " laid over another, the largest " + weldedText(check.welded.front());
-  return text;
+    text += counted(check.welded.size(), "place", "places") +
+            " laid over another, the largest " + weldedText(check.welded.front()) + "; ";
+  return text + check.sentence;
 }
 
 std::string runCheckText(const RunCheck& check) {

@@ -25,15 +25,16 @@ struct MendedSteps {
 };
 
 /** Fits each scan into the map of the few before it: where it was drawn and, where it does not fit
- *  there, at any turn about the place where the robot has just been. A scan that fits about as well
+ *  there, at any turn about the place where the robot has just been; where that leaves it nowhere,
+ *  into what all scans before have drawn about that place. A scan that fits about as well
  *  where it was drawn is left there, so a corridor on which it may slide contradicts nothing. Where
  *  that leaves a step as it was, the one scan before it is held against the few behind it, which
  *  tells slips that the next step takes back: the scan between lies wrong, and both steps do.
  *  Deterministic. O(scans * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn);
 
-/** The same of some steps only, those to the scans that are `asked` for, by the scans before them
- *  alone; of all others there is no evidence. O(scans + asked * (cells around a few scans)). */
+/** The same of some steps only, those to the scans that are `asked` for; of all others there is no
+ *  evidence. O(scans + asked * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked);
 
