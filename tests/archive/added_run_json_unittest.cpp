@@ -37,17 +37,21 @@ TEST(AddedRunJson, tellsTheFiguresAndTheAlarm) {
   run.score->mapError = 0.25, run.score->isMeaningful = true;
   RobotWatch robot;
   robot.sentence = "its maps get worse", robot.errors.isOverLimit = true;
+  robot.rollout = Rollout::no, robot.advice = "no, keep that of yesterday";
   const auto json = checked(addedRunJson("maps/a b.simplemap", run, &robot));
   EXPECT_STREQ(json["file"].GetString(), "maps/a b.simplemap");
   EXPECT_TRUE(json["error"].IsNull());
   EXPECT_EQ(json["map_error_m"].GetDouble(), 0.25);
   EXPECT_TRUE(json["meaningful"].GetBool() && json["placed"].GetBool() && json["alarm"].GetBool());
   EXPECT_STREQ(json["robot_says"].GetString(), "its maps get worse");
+  EXPECT_FALSE(json["may_roll_out"].GetBool());
+  EXPECT_STREQ(json["advice"].GetString(), "no, keep that of yesterday");
 }
 
 TEST(AddedRunJson, saysWhatIsNotKnown) {
   const auto json = checked(addedRunJson("a", {}, nullptr));
   EXPECT_TRUE(json["map_error_m"].IsNull() && json["robot_says"].IsNull());
+  EXPECT_TRUE(json["may_roll_out"].IsNull() && json["advice"].IsNull());
   EXPECT_FALSE(json["alarm"].GetBool() || json["placed"].GetBool());
 }
 

@@ -81,6 +81,23 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
   EXPECT_FALSE(annaIn(history).isAlarm()) << "one bad night is no trend";
 }
 
+TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
+  const auto adviceWith = [](const char* name, double value) {
+    SiteHistory history = twelveNights();
+    Measure figure = history.runs.back().figures.front();
+    figure.name = name, figure.value = value;
+    history.runs.back().figures.push_back(figure);
+    return annaIn(history).advice;
+  };
+  const std::string no = "no, the map of 1970-01-12 ", stays = ": keep that of 1970-01-11";
+  EXPECT_EQ(adviceWith("coverage", 0.37), no + "shows only 37 % of the site" + stays);
+  EXPECT_EQ(adviceWith("walls_missing", 0.2),
+            no + "lacks 20 % of the walls that others have" + stays);
+  EXPECT_EQ(adviceWith("walls_added", 0.33),
+            no + "has, in one place, 33 % of its walls where others have seen free space" + stays);
+  EXPECT_EQ(adviceWith("coverage", 0.71), "yes, the map of 1970-01-12 may be rolled out");
+}
+
 TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
   SiteHistory history = twelveNights();
   history.runs.push_back(historyRun("anna", 11, 2.5));

@@ -68,6 +68,11 @@ Json runOrNull(const SiteHistory& history, std::optional<std::size_t> run) {
           {"sha256", history.runs[*run].sha256}};
 }
 
+/** Null where nobody knows yet. */
+Json mayRollOut(const RobotWatch& robot) {
+  return robot.rollout == Rollout::unknown ? Json(nullptr) : Json(robot.rollout == Rollout::yes);
+}
+
 Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
   const ErrorWatch& errors = robot.errors;
   Json change = nullptr;
@@ -78,8 +83,7 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
               {"p", errors.change->p}};
   return {{"robot", utf8Text(robot.robot)},
           {"judged_runs", robot.runs.size()},
-          {"may_roll_out",
-           robot.rollout == Rollout::unknown ? Json(nullptr) : Json(robot.rollout == Rollout::yes)},
+          {"may_roll_out", mayRollOut(robot)},
           {"advice", utf8Text(robot.advice)},
           {"unjudged_nights", robot.unjudged},
           {"alarm", robot.isAlarm()},
@@ -201,7 +205,9 @@ std::string addedRunJson(const std::string& file, const AddedRun& run, const Rob
   json["score"] = figure(&RunScore::score);
   json["meaningful"] = run.score && run.score->isMeaningful;
   json["reason"] = run.reason;
-  json["alarm"] = robot && robot->errors.isAlarm();
+  json["may_roll_out"] = robot ? mayRollOut(*robot) : Json(nullptr);
+  json["advice"] = robot ? Json(robot->advice) : Json(nullptr);
+  json["alarm"] = robot && robot->isAlarm();
   json["robot_says"] = robot ? Json(robot->sentence) : Json(nullptr);
   return lineOf(json);
 }

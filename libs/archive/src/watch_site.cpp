@@ -8,6 +8,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/compare/gate.h"
 
 namespace roomgraph {
 namespace {
@@ -33,6 +34,24 @@ bool isSteady(const Level& level) { return 4 * level.off <= level.count; }
 
 bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
 
+/** What is wrong with a map that was judged; empty for nothing. */
+std::string mapFault(const HistoryRun& run, const WatchOptions& options) {
+  const auto figure = [&](const char* name) { return trustedFigure(run, name).value_or(0); };
+  const double breaks = figure(kBreaks), error = figure(kMapError);
+  const double seen = trustedFigure(run, "coverage").value_or(1);
+  if (breaks > 0)
+    return formatted(breaks == 1 ? "breaks in %.0f place" : "breaks in %.0f places", breaks);
+  if (error > options.limit)
+    return formatted("is %.2f m off, with a limit of %.2f m", error, options.limit);
+  if (seen < kNearlyAll) return formatted("shows only %.0f %% of the site", 100 * seen);
+  if (figure("walls_missing") > kMostMissing)
+    return formatted("lacks %.0f %% of the walls that others have", 100 * figure("walls_missing"));
+  if (figure("walls_added") > kMostAdded)
+    return formatted("has, in one place, %.0f %% of its walls where others have seen free space",
+                     100 * figure("walls_added"));
+  return "";
+}
+
 RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
                       const WatchOptions& options) {
   RobotWatch watch;
@@ -50,7 +69,7 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
     if (!error) continue;
     watch.runs.push_back(i);
     errors.push_back({run.time / kDay, *error});
-    if (*error <= options.limit && !isTorn(run)) watch.lastGood = i;
+    if (mapFault(run, options).empty()) watch.lastGood = i;
   }
   watch.errors = watchErrors(errors, options);
   return watch;
@@ -60,14 +79,8 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
 std::string faultOf(const RobotWatch& watch, const HistoryRun& latest,
                     const WatchOptions& options) {
   if (!latest.isPlaced) return "fits no other map of the site";
-  const auto error = trustedFigure(latest, kMapError);
-  if (!error) return watch.unjudged > 0 ? "cannot be judged" : "";
-  const double breaks = trustedFigure(latest, kBreaks).value_or(0);
-  if (breaks > 0)
-    return formatted(breaks == 1 ? "breaks in %.0f place" : "breaks in %.0f places", breaks);
-  if (*error > options.limit)
-    return formatted("is %.2f m off, with a limit of %.2f m", *error, options.limit);
-  return "";
+  if (!trustedFigure(latest, kMapError)) return watch.unjudged > 0 ? "cannot be judged" : "";
+  return mapFault(latest, options);
 }
 
 /** May the latest map be rolled out; if not, which one stays? */

@@ -22,12 +22,12 @@ struct RobotWatch {
   std::string robot;
   std::vector<std::size_t> runs;  ///< whose errors can be trusted: indices into SiteHistory::runs
   ErrorWatch errors;              ///< its indices are ones into `runs`
-  std::optional<std::size_t> lastGood;  ///< into SiteHistory::runs: not above the limit, not torn
+  std::optional<std::size_t> lastGood;  ///< into SiteHistory::runs: may be rolled out
   std::size_t latest = 0;               ///< into SiteHistory::runs
   /** Latest runs in a row that lie elsewhere, or cannot be judged though the site is known. */
   std::size_t unjudged = 0;
-  /** Of `latest`: yes where it is judged, has no break and is not above the limit; unknown while
-   *  the site has fewer than three runs. */
+  /** Of `latest`: yes where it is judged, has no break, is not above the limit, shows nearly all of
+   *  the site, and lacks or adds few walls; unknown while the site has fewer than three runs. */
   Rollout rollout = Rollout::unknown;
   std::string advice;    ///< for people: whether it may, why not, and which map stays
   std::string sentence;  ///< for people, without the name of the robot: what is seen over time
