@@ -49,7 +49,7 @@ Evidence beamsThrough(const BeamsThroughWalls& drawn, const BeamsThroughWalls& a
     if (beams.walls == 0) return std::nullopt;
     return double(beams.through) / double(beams.walls);
   };
-  return {"beams_through_walls",
+  return {kBeamsThroughWalls,
           "Walls that beams of another time go through",
           "1",
           share(drawn),

@@ -1,5 +1,6 @@
 #include "roomgraph/repair/repair_runs.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "OtherWalls.h"
@@ -51,6 +52,16 @@ PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
           s * xp + c * yp};
 }
 
+/** Whether beams of a run go through more of its walls where it would agree with itself: then what
+ *  it agrees on is not right, as where each key frame lies off on its own. */
+bool seesThroughMore(const RunCheck& check) {
+  const auto beams =
+      std::find_if(check.evidence.begin(), check.evidence.end(),
+                   [](const Evidence& row) { return row.name == kBeamsThroughWalls; });
+  return beams != check.evidence.end() && beams->drawn && beams->agreed &&
+         *beams->agreed > fitted::kMoreBeams * *beams->drawn;
+}
+
 /** Why a run is better left as it was; mended where nothing speaks for that. */
 void judge(const RunCheck& check, RepairedRun& repaired) {
   if (!check.selfError) {
@@ -58,6 +69,8 @@ void judge(const RunCheck& check, RepairedRun& repaired) {
   } else if (check.low <= 0) {
     repaired.reason =
         formatted("left as it was: its self error of %.3f m may be none", *check.selfError);
+  } else if (seesThroughMore(check)) {
+    repaired.reason = "left as it was: moved, it would see through more of its own walls";
   } else {
     repaired.state = RepairState::mended;
     repaired.reason = formatted("mended: it was %.3f m from agreeing with itself (%.3f to %.3f)",
