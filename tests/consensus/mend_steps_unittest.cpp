@@ -107,10 +107,10 @@ TEST(MendSteps, whoTurnsToWhatHeHasNotSeenIsNotTorn) {
   EXPECT_EQ(contradictions(mended(frames)), 0);
 }
 
-/** What a robot that turns all the time sees of a bay without two walls alike, within a sector. */
-Keyframe seenInBay(std::size_t k, double bearing, double half) {
+/** What a robot sees of a bay without two walls alike, within a sector. */
+Keyframe seenInBay(std::size_t k, const Transform2D& pose, double bearing, double half) {
   Keyframe frame;
-  frame.number = k, frame.pose = {0.1 * double(k) - 1, 0, wrappedAngle(0.9 * double(k))};
+  frame.number = k, frame.pose = pose;
   for (int i = -314; i < 314; ++i) {
     const double a = 0.01 * i, range = 4 + 1.2 * std::sin(3 * a + 1) + 0.8 * std::cos(5 * a);
     if (std::abs(wrappedAngle(a - bearing)) < half)
@@ -122,13 +122,32 @@ Keyframe seenInBay(std::size_t k, double bearing, double half) {
 TEST(MendSteps, whatNoneOfTheLastScansHasSeenIsLookedForInThoseBefore) {
   constexpr std::size_t kBreak = 20;
   std::vector<Keyframe> frames;
-  for (std::size_t k = 0; k < 26; ++k)
-    frames.push_back(k < 8 ? seenInBay(k, 0, M_PI) : seenInBay(k, k < kBreak ? 0 : M_PI, 1.2));
+  for (std::size_t k = 0; k < 26; ++k)  // it turns all the time
+    frames.push_back(seenInBay(k, {0.1 * double(k) - 1, 0, wrappedAngle(0.9 * double(k))},
+                               k < kBreak ? 0 : M_PI, k < 8 ? M_PI : 1.2));
   for (const double turn : {-1.2, 0.8, 1.2}) {
     const MendedSteps steps = mended(test::broken(frames, kBreak, turn, {}));
     EXPECT_EQ(steps.evidence[kBreak], StepEvidence::contradicts) << turn;
     EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(frames)), 0.05) << turn;
   }
+}
+
+TEST(MendSteps, whoDrivesBackForOnceToWhatHeHasNotSeenIsNotTorn) {
+  std::vector<Keyframe> frames;
+  for (std::size_t k = 0; k < 60; ++k)
+    frames.push_back(seenInBay(k, {0.03 * double(k) - 1, 0, 0}, 0, 1.2));
+  frames.push_back(seenInBay(60, {0.25, 0, 0}, M_PI, 1.2));
+  EXPECT_EQ(contradictions(mended(frames)), 0);
+}
+
+TEST(MendSteps, aClockThatIsSetBackBeginsAnotherDrive) {
+  const std::vector<Keyframe>& once = test::driveOnce();
+  std::vector<Keyframe> frames(once.begin(), once.begin() + 8);
+  frames.insert(frames.end(), once.end() - 8, once.end());
+  for (std::size_t k = 0; k < frames.size(); ++k) frames[k].number = k, frames[k].time = double(k);
+  EXPECT_GT(contradictions(mended(frames)), 0) << "nobody drives so fast";
+  for (std::size_t k = 8; k < frames.size(); ++k) *frames[k].time -= 20;
+  EXPECT_EQ(contradictions(mended(frames)), 0);
 }
 
 TEST(MendSteps, onlyStepsThatAreAskedForAreTold) {

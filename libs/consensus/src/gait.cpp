@@ -17,19 +17,22 @@ Gait::Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& 
     if (const double time = secondsTo(scans, k); time > 0) speeds.push_back(ways.back() / time);
   }
   back = std::min(0.0, quantile(ahead, 0.02) - 0.5);
-  longest = {std::min(M_PI, 1.3 * quantile(turns, 0.98) + 0.2), 1.3 * quantile(ways, 0.98) + 0.5};
+  longest = {1.3 * quantile(turns, 0.98) + 0.2, 1.3 * quantile(ways, 0.98) + 0.5};
   speed = 1.3 * quantile(speeds, 0.98);
 }
 
 double Gait::secondsTo(const std::vector<LocalScan>& scans, std::size_t k) {
   if (!scans[k].time || !scans[k - 1].time) return 0;
-  return std::max(0.0, *scans[k].time - *scans[k - 1].time);
+  return *scans[k].time - *scans[k - 1].time;
 }
 
-bool Gait::isPossible(const Transform2D& step, double seconds) const {
-  const double most = std::max(longest.place, seconds * speed);
-  return norm(step.shift()) < most && step.x > std::min(back, longest.place - most) &&
-         std::abs(step.phi) < longest.turn;
+bool Gait::isInReach(const Transform2D& step, double seconds) const {
+  return seconds < 0 ||
+         (norm(step.shift()) < reachIn(seconds) && std::abs(step.phi) < longest.turn);
+}
+
+bool Gait::isLikely(const Transform2D& step, double seconds) const {
+  return isInReach(step, seconds) && step.x > std::min(back, longest.place - reachIn(seconds));
 }
 
 }  // namespace roomgraph

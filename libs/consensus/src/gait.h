@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,11 +21,18 @@ struct Gait {
 
   Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses);
 
-  /** From the scan before; 0 where that is not known. */
+  /** From the scan before; 0 where that is not known. Negative behind a clock that was set back. */
   static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k);
 
-  /** Whether the robot may go so in so many seconds. */
-  bool isPossible(const Transform2D& step, double seconds) const;
+  /** Whether the robot may come so far in so many seconds; anywhere, if these are negative: that is
+   *  another drive. */
+  bool isInReach(const Transform2D& step, double seconds) const;
+
+  /** The same of a step that is only guessed: it leads not farther back than others do, either. */
+  bool isLikely(const Transform2D& step, double seconds) const;
+
+ private:
+  double reachIn(double seconds) const { return std::max(longest.place, seconds * speed); }
 };
 
 }  // namespace roomgraph

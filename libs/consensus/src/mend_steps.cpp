@@ -57,7 +57,7 @@ class Mender {
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
     const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
     return drawn.quality >= kMajority &&
-           (drawn.score - fit.score > kClearSlip.leastGain || !isPossible(k, other));
+           (drawn.score - fit.score > kClearSlip.leastGain || !isLikely(k, other));
   }
 
  private:
@@ -68,8 +68,12 @@ class Mender {
   /** Of the walls that count [m]. */
   double range() const { return 10 + 2 * gait_.longest.place; }
 
-  bool isPossible(std::size_t k, const Transform2D& by) const {
-    return gait_.isPossible(by, Gait::secondsTo(scans_, k));
+  bool isInReach(std::size_t k) const {
+    return gait_.isInReach(step(k - 1, k), Gait::secondsTo(scans_, k));
+  }
+
+  bool isLikely(std::size_t k, const Transform2D& by) const {
+    return gait_.isLikely(by, Gait::secondsTo(scans_, k));
   }
 
   void mend(std::size_t k) {
@@ -224,10 +228,9 @@ class Mender {
   StepEvidence judge(std::size_t k) {
     const StepView view = viewOf(k);
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
-    const bool isPossibleAsDrawn = isPossible(k, step(k - 1, k));
-    if (isPossibleAsDrawn && drawn.quality >= kSlip.mostAsDrawn)
+    if (isInReach(k) && drawn.quality >= kSlip.mostAsDrawn)
       return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
-    const bool mayBeTorn = !isPossibleAsDrawn || drawn.quality < kTear.mostAsDrawn;
+    const bool mayBeTorn = !isInReach(k) || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
     for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
       found.push_back(weighed(k, view, fit));
@@ -238,12 +241,12 @@ class Mender {
     std::vector<ScanFit> found = findScan(after, ahead_, result_.poses[k], kSlipped, 2);
     if (!mayBeTorn) return found;
     for (const ScanFit& fit : findScan(after, ahead_, result_.poses[k - 1], gait_.longest, 4))
-      if (isPossible(k, result_.poses[k - 1].inverse() * fit.pose)) found.push_back(fit);
+      if (isLikely(k, result_.poses[k - 1].inverse() * fit.pose)) found.push_back(fit);
     return found;
   }
 
   StepEvidence decide(std::size_t k, const ScanFit& drawn, const std::vector<ScanFit>& found) {
-    const bool isImpossible = !isPossible(k, step(k - 1, k)) && drawn.quality < kSlip.mostAsDrawn;
+    const bool isImpossible = !isInReach(k) && drawn.quality < kSlip.mostAsDrawn;
     const auto best = bestOf(found);
     const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
     const StepEvidence unmended = isRefuted ? StepEvidence::lost : StepEvidence::none;
