@@ -148,6 +148,20 @@ TEST(VerdictOf, aRunThatMayBeTheWorstIsNotCalledTheBest) {
   EXPECT_EQ(verdictOf(unsure).rfind("a has the smallest error", 0), 0u) << verdictOf(unsure);
 }
 
+TEST(VerdictOf, aReferenceThatIsFoundInPartsOnlyIsNamed) {
+  Comparison broken = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
+  broken.reference = "c";
+  broken.runs[0].score->givenUp = 0.36, broken.runs[0].score->isMeaningful = false;
+  EXPECT_NE(verdictOf(broken).find("But a fits the reference only in part, which may be broken "
+                                   "itself."),
+            std::string::npos)
+      << verdictOf(broken);
+  EXPECT_NE(reasonOf(broken.runs[0], broken).find("; 36 % of what it and the reference found"),
+            std::string::npos);
+  broken.runs[0].score->givenUp = 0.05;
+  EXPECT_EQ(verdictOf(broken).find("reference only"), std::string::npos);
+}
+
 TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
   Comparison partial = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
   partial.runs[0].measures = {{"coverage", 0.42, "1", 5000, {}, {}, true}};

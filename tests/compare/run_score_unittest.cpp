@@ -125,6 +125,15 @@ TEST(ScoreRuns, aReferenceIsTheTruth) {
   EXPECT_THROW(scored(allBends(3, 0.6), errorsOf({0, 0}), {}, {}), UsageError);
 }
 
+TEST(ScoreRuns, aReferenceThatIsBrokenItselfMeansNothing) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.6, 0});
+  errors[0].givenUp = 0.36, errors[1].givenUp = 0.05;
+  const auto scores = scored(allBends(3, 0.6), errors, 2, {});
+  EXPECT_FALSE(scores[0]->isMeaningful);
+  EXPECT_FALSE(scores[0]->fitsReference());
+  EXPECT_TRUE(scores[1]->isMeaningful);
+}
+
 TEST(ScoreRuns, twoRunsOrFewWallsAreNotEnough) {
   const auto isMeaningful = [](std::size_t runs, double walls) {
     const std::vector<double> values(runs, 0.1);

@@ -53,6 +53,18 @@ TEST(Belief, allowsMoreBeforeThePosesAreSolved) {
   EXPECT_EQ(two.belief(kRoughly), 1);
 }
 
+TEST(GivenUpBetween, isTheShareOfMatchesThatThePosesContradict) {
+  BelievedRuns two;
+  const auto givenUp = [&](RunId a, RunId b) {
+    return givenUpBetween(two.graph, test::posesOf(two.truth), a, b);
+  };
+  EXPECT_EQ(givenUp(RunId(0), RunId(1)), 0);
+  two.shift(20, 0.5);
+  EXPECT_NEAR(givenUp(RunId(0), RunId(1)), 0.5, 0.02);
+  EXPECT_EQ(givenUp(RunId(1), RunId(0)), givenUp(RunId(0), RunId(1)));
+  EXPECT_EQ(givenUp(RunId(0), RunId(0)), 0);
+}
+
 TEST(Belief, isFullOfWhatBothHaveScannedAsOne) {
   BelievedRuns two;
   two.shift(20);

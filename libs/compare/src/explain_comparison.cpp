@@ -41,7 +41,13 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
         "; of its walls round (%.1f, %.1f) %.0f %% stand where the others have seen "
         "free space",
         added->place->x, added->place->y, 100 * *added->value);
-  if (!score.isMeaningful) text += "; too little to judge by";
+  if (!score.fitsReference())
+    text += formatted(
+        "; %.0f %% of what it and the reference found of each other contradicts the rest: the "
+        "reference may be broken itself",
+        100 * score.givenUp);
+  else if (!score.isMeaningful)
+    text += "; too little to judge by";
   return text;
 }
 
@@ -85,7 +91,10 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
   if (!best.score->isBorneOut())
     doubts.push_back(formatted("has only %.0f %% of what it has drawn borne out by another run",
                                std::floor(100 * best.score->confirmed)));
-  if (!best.score->isMeaningful) doubts.push_back("has too little to judge by");
+  if (!best.score->fitsReference())
+    doubts.push_back("fits the reference only in part, which may be broken itself");
+  else if (!best.score->isMeaningful)
+    doubts.push_back("has too little to judge by");
   return doubts;
 }
 

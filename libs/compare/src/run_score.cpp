@@ -14,7 +14,7 @@ void grade(RunScore& score, const MapError& error, const CompareRunsOptions& opt
   const auto at = [&](double e) { return 100 * std::exp(-e / options.scoreScale); };
   score.mapError = error.error, score.errorLow = error.low, score.errorHigh = error.high;
   score.confirmed = error.confirmed, score.contradicted = error.contradicted;
-  score.jitter = error.jitter;
+  score.givenUp = error.givenUp, score.jitter = error.jitter;
   score.scale = error.scale, score.isScaleDisputed = error.scaleSet != ScaleSet::one;
   score.score = at(error.error), score.low = at(error.high), score.high = at(error.low);
 }
@@ -81,9 +81,10 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
   const bool haveWitness = reference || maps.count() > 1;
   for (std::size_t i = 0; i < scores.size(); ++i)
     if (auto& score = scores[i])
-      score->isMeaningful =
-          haveWitness && score->support >= kFewestWalls && score->others >= minOthers &&
-          mostShare(bends, i) >= options.leastShare && score->confirmed >= kMajority;
+      score->isMeaningful = haveWitness && score->support >= kFewestWalls &&
+                            score->others >= minOthers &&
+                            mostShare(bends, i) >= options.leastShare &&
+                            score->confirmed >= kMajority && score->fitsReference();
   return scores;
 }
 

@@ -60,6 +60,18 @@ ById<MatchGroupId, double> beliefIn(const PoseGraph& graph, const NodePoses& pos
   return belief;
 }
 
+double givenUpBetween(const PoseGraph& graph, const NodePoses& poses, RunId a, RunId b) {
+  double all = 0, givenUp = 0;
+  for (const MatchGroup& group : graph.groups) {
+    if (std::minmax(group.from, group.to) != std::minmax(a, b)) continue;
+    for (const PoseEdgeId id : group.edges) {
+      const PoseEdge& edge = graph.edges[id];
+      ++all, givenUp += !isInlier(edge, gapOf(edge, poses), kInlier);
+    }
+  }
+  return all > 0 ? givenUp / all : 0;
+}
+
 double costOfDisbelief(const PoseGraph& graph, const ById<MatchGroupId, double>& belief) {
   double cost = 0;
   for (const MatchGroupId id : graph.groups.ids())

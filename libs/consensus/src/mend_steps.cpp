@@ -11,10 +11,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kScansAhead = 8;   // that draw the map in which the next is looked for
+constexpr std::size_t kScansAhead = 8;    // that draw the map in which the next is looked for
 constexpr std::size_t kScansAround = 24;  // the same, where it was not found so
-constexpr std::size_t kScansBehind = 6;  // that draw the map in which those ahead are looked for
-constexpr std::size_t kTogether = 3;     // scans that are looked for as one, or in one map
+constexpr std::size_t kScansBehind = 6;   // that draw the map in which those ahead are looked for
+constexpr std::size_t kTogether = 3;      // scans that are looked for as one, or in one map
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 

@@ -217,6 +217,9 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
     agree(consensus, runs.core, forEach);
   if (graph.runs.size() == 1 && site.runs.size() > 1)
     consensus.errors[RunId(0)].seen = 1;  // by its copies
+  for (const RunId run : graph.runs.ids())
+    if (graph.reference && run != graph.reference)
+      consensus.errors[run].givenUp = givenUpBetween(graph, consensus.poses, run, graph.reference);
   const auto lost = lostScans(site, pairs, consensus);
   for (const RunId run : lost.ids()) addLost(consensus.errors[run], graph, run, lost[run]);
   addJitter(consensus, site);

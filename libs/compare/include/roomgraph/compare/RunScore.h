@@ -10,6 +10,10 @@ constexpr double kNearlyAll = 0.7;
  *  them [m]. */
 constexpr double kSmeared = 0.1;
 
+/** Of what a run and the reference found of each other, the share that the consensus may give up:
+ *  more does not stray, one of both is broken. */
+constexpr double kMostGivenUp = 0.1;
+
 /** What the walls of one run say against those of the others. */
 struct RunScore {
   double share = 0;  ///< of the walls that the others have, too, each weighted by its trust
@@ -21,14 +25,17 @@ struct RunScore {
   /** Shares of what it has drawn: what another run bears out, and what others contradict without
    *  knowing where it belongs. What is neither lies where no other run has been. */
   double confirmed = 1, contradicted = 0;
-  double jitter = 0;  ///< RMS by which its key frames lie off each on its own, in mapError [m]
-  double scale = 1;   ///< how long it has drawn what the consensus has 1 m long
+  double givenUp = 0;  ///< share of the matches with the reference that contradict the rest
+  double jitter = 0;   ///< RMS by which its key frames lie off each on its own, in mapError [m]
+  double scale = 1;    ///< how long it has drawn what the consensus has 1 m long
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
   bool isMeaningful = false;  ///< see scoreRuns
 
   /** Whether others bear out so much that it can be spoken of as a whole. */
   [[nodiscard]] bool isBorneOut() const { return confirmed >= kNearlyAll && contradicted <= 0; }
+  /** Whether it and the reference fit each other as wholes; true where there is none. */
+  [[nodiscard]] bool fitsReference() const { return givenUp <= kMostGivenUp; }
 };
 
 }  // namespace roomgraph

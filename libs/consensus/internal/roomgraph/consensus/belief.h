@@ -27,6 +27,9 @@ double costOfGivingUp(const MatchGroup& group);
 ById<MatchGroupId, double> beliefIn(const PoseGraph& graph, const NodePoses& poses,
                                     const PoseTolerance& within);
 
+/** The share of the matches between two runs that the poses contradict; 0 if there are none. */
+double givenUpBetween(const PoseGraph& graph, const NodePoses& poses, RunId a, RunId b);
+
 /** What giving up groups costs altogether. */
 double costOfDisbelief(const PoseGraph& graph, const ById<MatchGroupId, double>& belief);
 

@@ -30,8 +30,9 @@ struct MapError {
    *  where it belongs; 0 to 1. */
   double confirmed = 1, contradicted = 0;
   std::vector<bool> isConfirmed;  ///< of each node; empty where nothing was asked
-  double jitter = 0;  ///< how far its key frames lie off each on its own, part of `error` [m]
-  double scale = 1;   ///< how long it has drawn what the consensus has 1 m long
+  double givenUp = 0;  ///< share of what it and a reference found of each other that is given up
+  double jitter = 0;   ///< how far its key frames lie off each on its own, part of `error` [m]
+  double scale = 1;    ///< how long it has drawn what the consensus has 1 m long
   ScaleSet scaleSet = ScaleSet::one;
 };
 
