@@ -132,12 +132,17 @@ TEST(MendSteps, whatNoneOfTheLastScansHasSeenIsLookedForInThoseBefore) {
   }
 }
 
-TEST(MendSteps, whoDrivesBackForOnceToWhatHeHasNotSeenIsNotTorn) {
-  std::vector<Keyframe> frames;
-  for (std::size_t k = 0; k < 60; ++k)
-    frames.push_back(seenInBay(k, {0.03 * double(k) - 1, 0, 0}, 0, 1.2));
-  frames.push_back(seenInBay(60, {0.25, 0, 0}, M_PI, 1.2));
-  EXPECT_EQ(contradictions(mended(frames)), 0);
+TEST(MendSteps, whoTurnsMayComeFromBehind) {
+  const auto contradictionsWith = [](double turn) {
+    std::vector<Keyframe> frames;
+    for (std::size_t k = 0; k < 60; ++k)
+      frames.push_back(
+          seenInBay(k, {0.03 * double(k) - 1, 0, k / 10 % 2 == 0 ? 2.0 : 0.0}, 0, 1.2));
+    frames.push_back(seenInBay(60, {0.25, 0, turn}, M_PI, 1.2));  // what it has not seen yet
+    return contradictions(mended(frames));
+  };
+  EXPECT_EQ(contradictionsWith(2), 0);
+  EXPECT_GT(contradictionsWith(0), 0) << "it never drives back";
 }
 
 TEST(MendSteps, aClockThatIsSetBackBeginsAnotherDrive) {

@@ -31,8 +31,14 @@ bool Gait::isInReach(const Transform2D& step, double seconds) const {
          (norm(step.shift()) < reachIn(seconds) && std::abs(step.phi) < longest.turn);
 }
 
+bool Gait::isPossible(const Transform2D& step, double seconds) const {
+  const bool hasTurned = std::abs(step.phi) > M_PI_4;
+  return hasTurned ? isInReach(step, seconds) : isLikely(step, seconds);
+}
+
 bool Gait::isLikely(const Transform2D& step, double seconds) const {
-  return isInReach(step, seconds) && step.x > std::min(back, longest.place - reachIn(seconds));
+  const double most = reachIn(seconds);
+  return isInReach(step, seconds) && (seconds < 0 || step.x > std::min(back, longest.place - most));
 }
 
 }  // namespace roomgraph

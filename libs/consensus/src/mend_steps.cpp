@@ -68,8 +68,8 @@ class Mender {
   /** Of the walls that count [m]. */
   double range() const { return 10 + 2 * gait_.longest.place; }
 
-  bool isInReach(std::size_t k) const {
-    return gait_.isInReach(step(k - 1, k), Gait::secondsTo(scans_, k));
+  bool isPossible(std::size_t k) const {
+    return gait_.isPossible(step(k - 1, k), Gait::secondsTo(scans_, k));
   }
 
   bool isLikely(std::size_t k, const Transform2D& by) const {
@@ -228,9 +228,9 @@ class Mender {
   StepEvidence judge(std::size_t k) {
     const StepView view = viewOf(k);
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
-    if (isInReach(k) && drawn.quality >= kSlip.mostAsDrawn)
+    if (isPossible(k) && drawn.quality >= kSlip.mostAsDrawn)
       return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
-    const bool mayBeTorn = !isInReach(k) || drawn.quality < kTear.mostAsDrawn;
+    const bool mayBeTorn = !isPossible(k) || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
     for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
       found.push_back(weighed(k, view, fit));
@@ -246,7 +246,7 @@ class Mender {
   }
 
   StepEvidence decide(std::size_t k, const ScanFit& drawn, const std::vector<ScanFit>& found) {
-    const bool isImpossible = !isInReach(k) && drawn.quality < kSlip.mostAsDrawn;
+    const bool isImpossible = !isPossible(k) && drawn.quality < kSlip.mostAsDrawn;
     const auto best = bestOf(found);
     const bool isRefuted = drawn.quality < kTear.mostAsDrawn && drawn.score < -kTear.leastGain / 2;
     const StepEvidence unmended = isRefuted ? StepEvidence::lost : StepEvidence::none;
