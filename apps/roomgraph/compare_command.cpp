@@ -172,8 +172,9 @@ Comparison compare(const ReadRuns& read, const CompareArguments& arguments) {
 void check(const CompareArguments& arguments) {
   if (allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1) < 2)
     throw UsageError(
-        "compare: one run cannot be compared: name two, or a --reference; what it tells of itself "
-        "says 'roomgraph check'");
+        "compare: one run cannot be compared: name two, or a --reference; 'roomgraph check' judges "
+        "a "
+        "single run");
   const bool isOfOneSite = !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
                            !arguments.candidates.empty() || !arguments.reference.empty();
   if (arguments.comparesEachSite && isOfOneSite)

@@ -21,9 +21,11 @@ constexpr Command kCommands[] = {
     {"where", "Tell in which room or corridor a place of a map is.", whereCommand},
     {"compare", "Rank several maps of one site, and tell how far off each of them is.",
      compareCommand},
-    {"check", "Tell of runs, each by itself, how far they are from agreeing with themselves.",
+    {"check",
+     "Estimate from the scans of each run by itself how far it contradicts itself, and where it "
+     "breaks.",
      checkCommand},
-    {"repair", "Put the key frames of runs where all runs of a site together have them.",
+    {"repair", "Correct the key frames of runs by what all runs of a site agree on.",
      repairCommand},
     {"merge", "Make one map of a site from several runs.", mergeCommand},
     {"carry", "Carry places from one map of a site to another.", carryCommand},

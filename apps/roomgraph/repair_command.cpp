@@ -118,7 +118,8 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
   std::vector<std::string> stretches;
   for (const KeyFrames& stretch : repaired.unseen) stretches.push_back(stretch.text());
   if (!stretches.empty())
-    line += "; key frames " + listed(stretches, 3) + " were " + unseen + " and stay on their links";
+    line += "; key frames " + listed(stretches, 3) + " were " + unseen +
+            " and keep their pose relative to their neighbours";
   return line;
 }
 

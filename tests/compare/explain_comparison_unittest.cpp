@@ -129,7 +129,7 @@ TEST(ReasonOf, saysWherePlacesAreDoubtful) {
     pair.a = a, pair.b = b, pair.isSameSite = true, pair.confidence = confidence;
     comparison.pairs.push_back(pair);
   }
-  const std::string doubt = "; doubtful, as no pair that is sure joins it to most of the others";
+  const std::string doubt = "; doubtful, as no reliable alignment links it to most of the others";
   EXPECT_EQ(reasonOf(comparison.runs[0], comparison).find(doubt), std::string::npos);
   EXPECT_NE(reasonOf(comparison.runs[2], comparison).find(doubt), std::string::npos);
   EXPECT_EQ(verdictOf(comparison).rfind("a is the best map", 0), 0u);

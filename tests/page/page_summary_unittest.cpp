@@ -196,9 +196,10 @@ TEST(NavigationWord, doubtIsNeverGoodEnough) {
   comparison.pairs.resize(1);
   comparison.pairs[0].a = "best", comparison.pairs[0].isSameSite = true;
   comparison.pairs[0].confidence = 0.6;
-  EXPECT_EQ(navigationWord(comparison),
-            "Navigation with best: cannot be told, no pair that is sure joins it to most of the "
-            "others.");
+  EXPECT_EQ(
+      navigationWord(comparison),
+      "Navigation with best: cannot be told, as no reliable alignment links it to most of the "
+      "others.");
 }
 
 TEST(NavigationWord, saysNothingOfMapsThatCannotBeJudged) {

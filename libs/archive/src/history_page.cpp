@@ -180,7 +180,7 @@ std::string historyPage(const std::vector<WatchedSite>& sites, const WatchOption
       ".state.bad{color:var(--alarm)} .state.unsure{color:var(--soft);font-weight:400} "
       "@media screen and (max-width:700px){.plot{overflow-x:auto} .plot svg{max-width:none}}";
   page.body = robotsHtml(rows, options) + sitesHtml(rows, options);
-  page.footer = "What alarms, and why, stands in roomgraph's docs/archive.md.";
+  page.footer = "roomgraph's docs/archive.md explains the alarms.";
   return simplePage(page);
 }
 

@@ -25,7 +25,7 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (score.jitter > 0)
     text += formatted("; its key frames lie %.2f m off each on its own", score.jitter);
   if (comparison.isPlaceDoubtful(run.name))
-    text += "; doubtful, as no pair that is sure joins it to most of the others";
+    text += "; doubtful, as no reliable alignment links it to most of the others";
   if (score.share < kNearlyAll)
     text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
   if (score.contradicted > 0)
@@ -84,7 +84,7 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
     doubts.push_back(
         formatted("has seen only %.0f %% of what at least two runs have seen", 100 * *coverage));
   if (comparison.isPlaceDoubtful(best.name))
-    doubts.push_back("is joined to most of the others by no pair that is sure");
+    doubts.push_back("has no reliable alignment to most of the others");
   if (const Measure* added = best.addedWalls())
     doubts.push_back(formatted("has a place where others show no such walls, round (%.1f, %.1f)",
                                added->place->x, added->place->y));

@@ -253,7 +253,7 @@ std::string checkPage(const RunCheck& check, const Run& run) {
                   : figuresHtml(check) + mapHtml(check, run) + breaksHtml(check, run) +
                         doubledHtml(check, run) + weldedHtml(check, run);
   page.body += evidenceHtml(check);
-  page.footer = "What the figures mean stands in roomgraph's docs/check.md.";
+  page.footer = "roomgraph's docs/check.md explains the figures.";
   return simplePage(page);
 }
 

@@ -171,7 +171,7 @@ std::string navigationWord(const Comparison& comparison) {
   if (certainty == Certainty::cannotTell)
     return start + "cannot be told, there is too little to judge by.";
   if (certainty == Certainty::doubtful)
-    return start + "cannot be told, no pair that is sure joins it to most of the others.";
+    return start + "cannot be told, as no reliable alignment links it to most of the others.";
   if (comparison.isScaleUsual())
     return start + "cannot be told in metres, as no map tells its scale.";
   if (comparison.countBreaks(best.name) > 0)

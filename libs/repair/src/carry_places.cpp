@@ -101,8 +101,9 @@ class Carrier {
     };
     carried.state = CarryState::carried;
     if (route.onward.nearest > fitted::kBeenThere)
-      return flag(CarryState::unseen,
-                  formatted("the new map was made no nearer than %.1f m", route.onward.nearest));
+      return flag(
+          CarryState::unseen,
+          formatted("the nearest key frame of the new map is %.1f m away", route.onward.nearest));
     const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
     if (wasFree && stateAt(new_, point) == State::occupied &&
         !isFreeNear(new_, point, 3 * carried.error))

@@ -221,7 +221,7 @@ void describe(RoomGraphOptions& options, FieldTable& table) {
              "Join rooms to their border vertices by straight edges from the centroid, whatever "
              "lies between, as the paper does.");
   table.number("room_graph", "robot_width", options.robotWidth, "m", 0, 10,
-               "Ways inside of rooms are as wide as this, and lead where they tell something.");
+               "Least width of the ways inside rooms; ways that add nothing are left out.");
 }
 
 RoomGraph roomGraph(const TopologyGraph& graph, const Rooms& rooms, const ObstacleRows& obstacles,
