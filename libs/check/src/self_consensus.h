@@ -34,8 +34,8 @@ constexpr std::size_t kFitsPerMiss = 2;  ///< revisits that fit for each that do
 /** Whether a run may be laid as its self-consensus has it: of what was seen twice much more fits
  *  there than does not, and of each break (the place in `consensus.poses` of the first scan behind
  *  it) two scans on either side were seen from the other side and fit. Without that a break may be
- *  real, but how the parts lie to each other is what one scan says, and buildings repeat themselves.
- *  O(revisits * breaks). */
+ *  real, but how the parts lie to each other is what one scan says, and buildings repeat
+ *  themselves. O(revisits * breaks). */
 bool isConfirmed(const SelfConsensus& consensus, const std::vector<std::size_t>& breaks);
 
 }  // namespace roomgraph

@@ -24,12 +24,12 @@ struct Gait {
   /** From the scan before; 0 where that is not known. Negative behind a clock that was set back. */
   static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k);
 
-  /** Whether the robot may have gone so in so many seconds; anywhere, if these are negative: that is
-   *  another drive. Who has turned may come from any side. */
+  /** Whether the robot may have gone so in so many seconds; anywhere, if these are negative: that
+   *  is another drive. Who has turned may come from any side. */
   bool isPossible(const Transform2D& step, double seconds) const;
 
-  /** The same of a step that is only guessed: whether it has turned or not, it does not lead farther
-   *  back than others do. */
+  /** The same of a step that is only guessed: whether it has turned or not, it does not lead
+   *  farther back than others do. */
   bool isLikely(const Transform2D& step, double seconds) const;
 
  private:

@@ -102,7 +102,7 @@ class Mender {
     draw(chosen, k);
   }
 
-  /** What was drawn about the robot at any time before: it may turn its back on what it saw last. */
+  /** What was drawn about the robot at any time before: it may turn to what only that shows. */
   void drawAround(std::size_t k) {
     const Point robot = result_.poses[k - 1].shift();
     std::vector<std::pair<double, std::size_t>> near;

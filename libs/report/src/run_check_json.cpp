@@ -91,8 +91,8 @@ std::string toldText(const RunCheck& check) {
     text += counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
             doubledText(check.doubled.front()) + "; ";
   if (!check.welded.empty())
-    text += counted(check.welded.size(), "place", "places") +
-            " laid over another, the largest " + weldedText(check.welded.front()) + "; ";
+    text += counted(check.welded.size(), "place", "places") + " laid over another, the largest " +
+            weldedText(check.welded.front()) + "; ";
   return text + check.sentence;
 }
 
