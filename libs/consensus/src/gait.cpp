@@ -27,18 +27,16 @@ double Gait::secondsTo(const std::vector<LocalScan>& scans, std::size_t k) {
 }
 
 bool Gait::isInReach(const Transform2D& step, double seconds) const {
-  return seconds < 0 ||
-         (norm(step.shift()) < reachIn(seconds) && std::abs(step.phi) < longest.turn);
+  return norm(step.shift()) < reachIn(seconds) && std::abs(step.phi) < longest.turn;
 }
 
 bool Gait::isPossible(const Transform2D& step, double seconds) const {
-  const bool hasTurned = std::abs(step.phi) > M_PI_4;
-  return hasTurned ? isInReach(step, seconds) : isLikely(step, seconds);
+  return isLikely(step, seconds) || (std::abs(step.phi) > M_PI_4 && isInReach(step, seconds));
 }
 
 bool Gait::isLikely(const Transform2D& step, double seconds) const {
-  const double most = reachIn(seconds);
-  return isInReach(step, seconds) && (seconds < 0 || step.x > std::min(back, longest.place - most));
+  const double farthestBack = std::min(back, longest.place - reachIn(seconds));
+  return seconds < 0 || (isInReach(step, seconds) && step.x > farthestBack);
 }
 
 }  // namespace roomgraph
