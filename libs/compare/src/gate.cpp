@@ -188,11 +188,14 @@ class Judge {
                       "its map error cannot be told in metres, as no map tells its scale: give "
                       "--resolution");
     const auto error = trustedError(run);
-    if (!error && run.score && !run.score->fitsReference())
+    if (!error) {
+      const bool isOfReference = run.score && !run.score->fitsReference();
       return complain(run.name,
-                      "its map error cannot be told: it fits the reference only in part, which may "
-                      "be broken itself");
-    if (!error) return complain(run.name, "its map error cannot be told: too little to compare");
+                      std::string("its map error cannot be told: ") +
+                          (isOfReference ? "it fits the reference only in part, which may be "
+                                           "broken itself"
+                                         : "too little to compare"));
+    }
     if (options_.maxError) {
       const double left = *options_.maxError - *error;
       hold("error", run.name, left,
