@@ -13,7 +13,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kSeenBeside = 2;  // scans
+constexpr std::size_t kSeenBeside = 2;   // scans
+constexpr double kLeastSeenTwice = 0.1;  // share of the path, to tell of a run without a break
 
 /** Of steps that were drawn wrong, by how much nothing tells, the first of each series; without
  *  those next to a step that is known to be broken. */
@@ -96,7 +97,7 @@ std::string sentenceOf(const RunCheck& check) {
         "cannot tell: it breaks before key frame %zu, and too little was seen from both sides of "
         "its breaks to say how its parts lie to each other",
         *check.breaks.front().keyFrame);
-  if (!check.selfError && check.seenTwice > 0.1)
+  if (!check.selfError && check.seenTwice > kLeastSeenTwice)
     return formatted(
         "cannot tell: %.0f %% of its path was seen twice, and these revisits contradict each other",
         percent);
@@ -164,7 +165,8 @@ RunCheck checkRun(const Run& run) {
   check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
   // It has not parted what cannot be one place, so that nothing says how far it is off.
   const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
-  if (check.isConfirmed && !isBlind && (check.seenTwice > 0.1 || !check.breaks.empty())) {
+  if (check.isConfirmed && !isBlind &&
+      (check.seenTwice > kLeastSeenTwice || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
   }
