@@ -97,10 +97,16 @@ std::string folderOf(std::size_t site, const CompareArguments& arguments) {
   return inFolder(arguments.folder, "site" + std::to_string(site));
 }
 
-/** Throws where a result would take the place of what is not to be replaced. */
-void checkFiles(const CompareArguments& arguments) {
+/** The same with the reference. */
+std::vector<std::string> allMaps(const CompareArguments& arguments) {
   std::vector<std::string> maps = allFiles(arguments);
   if (!arguments.reference.empty()) maps.push_back(arguments.reference);
+  return maps;
+}
+
+/** Throws where a result would take the place of what is not to be replaced. */
+void checkFiles(const CompareArguments& arguments) {
+  const std::vector<std::string> maps = allMaps(arguments);
   CallFiles files = filesReadBy(maps, arguments.options);
   files.updates("--names", arguments.names);
   files.writesTo("--junit", arguments.gate.junit);
@@ -153,7 +159,7 @@ ReadRuns readMaps(const CompareArguments& arguments) {
     notes.push_back({file, std::move(note)});
   };
   ReadRuns read = readRuns(allFiles(arguments), options);
-  unused.tell(allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1));
+  unused.tell(allMaps(arguments).size());
   if (!arguments.running.isQuiet)
     std::fputs(noteLines(notes, arguments.running.isVerbose).c_str(), stderr);
   return read;
@@ -170,11 +176,10 @@ Comparison compare(const ReadRuns& read, const CompareArguments& arguments) {
 }
 
 void check(const CompareArguments& arguments) {
-  if (allFiles(arguments).size() + (arguments.reference.empty() ? 0 : 1) < 2)
+  if (allMaps(arguments).size() < 2)
     throw UsageError(
-        "compare: one run cannot be compared: name two, or a --reference; 'roomgraph check' judges "
-        "a "
-        "single run");
+        "compare: one run cannot be compared: name two, or a --reference; 'roomgraph check' "
+        "judges a single run");
   const bool isOfOneSite = !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
                            !arguments.candidates.empty() || !arguments.reference.empty();
   if (arguments.comparesEachSite && isOfOneSite)

@@ -198,8 +198,8 @@ std::function<int()> repairCommand(CLI::App& app) {
   const auto arguments = std::make_shared<RepairArguments>();
   addArgument(app, "RUN", arguments->site.files,
               "Simplemaps of one site, each of a drive. One alone is mended by what it saw twice. "
-              "The exit code "
-              "is 1 if one could not be read, or does not lie in the site of the others.");
+              "The exit code is 1 if one could not be read, or does not lie in the site of the "
+              "others.");
   declareSite(
       arguments->site,
       "repair.html, X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
