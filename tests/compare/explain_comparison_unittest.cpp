@@ -152,14 +152,27 @@ TEST(VerdictOf, aReferenceThatIsFoundInPartsOnlyIsNamed) {
   Comparison broken = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
   broken.reference = "c";
   broken.runs[0].score->givenUp = 0.36, broken.runs[0].score->isMeaningful = false;
-  EXPECT_NE(verdictOf(broken).find("But a fits the reference only in part, which may be broken "
-                                   "itself."),
+  EXPECT_NE(verdictOf(broken).find("But a cannot be measured (36 % of what it and the reference"),
             std::string::npos)
       << verdictOf(broken);
   EXPECT_NE(reasonOf(broken.runs[0], broken).find("; 36 % of what it and the reference found"),
             std::string::npos);
   broken.runs[0].score->givenUp = 0.05;
-  EXPECT_EQ(verdictOf(broken).find("reference only"), std::string::npos);
+  EXPECT_EQ(broken.faultOfReference(broken.runs[0]), "");
+}
+
+TEST(VerdictOf, aReferenceThatBreaksIsNamed) {
+  Comparison broken = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
+  broken.reference = "c";
+  broken.breaks = {{"a", {}, 0.1, 0, 7, {}}, {"c", {}, 0.05, 0, 8, {}}};
+  EXPECT_EQ(broken.faultOfReference(broken.runs[0]), "") << "a slight one";
+  broken.breaks.push_back({"c", {}, M_PI / 30, 0.3, 117, {}});
+  const std::string fault =
+      "the reference itself breaks at key frame 117, by 6.0 degrees and 0.30 m";
+  EXPECT_EQ(broken.faultOfReference(broken.runs[0]), fault);
+  EXPECT_NE(verdictOf(broken).find("But a cannot be measured (" + fault + ")."), std::string::npos)
+      << verdictOf(broken);
+  EXPECT_NE(reasonOf(broken.runs[1], broken).find("; " + fault), std::string::npos);
 }
 
 TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {

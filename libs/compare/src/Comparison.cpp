@@ -1,11 +1,13 @@
 #include "roomgraph/compare/Comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
@@ -55,6 +57,22 @@ std::size_t Comparison::countBreaks(const std::string& run) const {
   return std::size_t(std::count_if(breaks.begin(), breaks.end(), [&](const MapBreak& found) {
     return found.run == run && found.kind() != BreakClass::slight;
   }));
+}
+
+std::string Comparison::faultOfReference(const ComparedRun& run) const {
+  for (const MapBreak& found : breaks) {
+    if (found.run != reference || found.kind() == BreakClass::slight) continue;
+    const std::string at =
+        found.keyFrame ? formatted("at key frame %zu, ", *found.keyFrame) : std::string();
+    return "the reference itself breaks " + at +
+           formatted("by %.1f degrees and %.2f m", found.rotation * 180 / M_PI, found.shift);
+  }
+  if (!run.score || run.score->fitsReference()) return "";
+  return formatted(
+      "%.0f %% of what it and the reference found of each other contradicts the rest: the "
+      "reference "
+      "may be broken itself",
+      100 * run.score->givenUp);
 }
 
 bool Comparison::isPlaceDoubtful(const std::string& run) const {

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 
+#include "ask_reference.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
@@ -56,10 +57,11 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
   const std::vector<MapError> errors = siteErrors(site, bends, maps, consensus);
-  const RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
+  RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
-  const auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
+  auto breaks = siteBreaks(site, pairs, consensus, trust, breaking, forEach);
+  if (site.reference) breaks[*site.reference] = askReference(site, scores);
   const SiteMeasures measures = measureSite(site, pairs, bends, maps, trust, breaks, forEach);
   const std::vector<SiteRoom> rooms = siteRooms(site, trust, forEach);
   returnMemory();

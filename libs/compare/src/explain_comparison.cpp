@@ -41,11 +41,8 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
         "; of its walls round (%.1f, %.1f) %.0f %% stand where the others have seen "
         "free space",
         added->place->x, added->place->y, 100 * *added->value);
-  if (!score.fitsReference())
-    text += formatted(
-        "; %.0f %% of what it and the reference found of each other contradicts the rest: the "
-        "reference may be broken itself",
-        100 * score.givenUp);
+  if (const std::string fault = comparison.faultOfReference(run); !fault.empty())
+    text += "; " + fault;
   else if (!score.isMeaningful)
     text += "; too little to judge by";
   return text;
@@ -91,8 +88,8 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
   if (!best.score->isBorneOut())
     doubts.push_back(formatted("has only %.0f %% of what it has drawn borne out by another run",
                                std::floor(100 * best.score->confirmed)));
-  if (!best.score->fitsReference())
-    doubts.push_back("fits the reference only in part, which may be broken itself");
+  if (const std::string fault = comparison.faultOfReference(best); !fault.empty())
+    doubts.push_back("cannot be measured (" + fault + ")");
   else if (!best.score->isMeaningful)
     doubts.push_back("has too little to judge by");
   return doubts;

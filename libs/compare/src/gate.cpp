@@ -189,12 +189,9 @@ class Judge {
                       "--resolution");
     const auto error = trustedError(run);
     if (!error) {
-      const bool isOfReference = run.score && !run.score->fitsReference();
-      return complain(run.name,
-                      std::string("its map error cannot be told: ") +
-                          (isOfReference ? "it fits the reference only in part, which may be "
-                                           "broken itself"
-                                         : "too little to compare"));
+      const std::string fault = comparison_.faultOfReference(run);
+      return complain(run.name, "its map error cannot be told: " +
+                                    (fault.empty() ? "too little to compare" : fault));
     }
     if (options_.maxError) {
       const double left = *options_.maxError - *error;

@@ -122,6 +122,10 @@ struct Comparison {
   /** The breaks of a run that are not slight. O(breaks). */
   [[nodiscard]] std::size_t countBreaks(const std::string& run) const;
 
+  /** Why nobody can be measured by the reference: it breaks itself, or fits the run only in part;
+   *  empty where it is sound, and without one. O(breaks). */
+  [[nodiscard]] std::string faultOfReference(const ComparedRun& run) const;
+
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
    *  shows less than kNearlyAll of the site, where the others have less than kNearlyAll of
