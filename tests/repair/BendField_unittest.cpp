@@ -88,5 +88,17 @@ TEST(BendField, aSmallPieceThatLiesElsewhereIsNotBelieved) {
   EXPECT_GT(BendField(site.solved, 0, 2)(place)->rival, BendField::kSameCopy) << "a torn map";
 }
 
+TEST(BendField, aPlaceThatTheOtherMapHasTwiceIsToldByTheWayBack) {
+  test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const Transform2D place = besideScan(site.runs[0], site.runs[0].scans.size() / 2);
+  const auto before = BendField(site.solved, 0, 2)(place);
+  for (FollowedPatch& patch : site.solved.pairs(0, 2).bInA.patches) patch.pose.x += 1.9;
+  const auto after = BendField(site.solved, 0, 2)(place);
+  ASSERT_TRUE(before && after);
+  EXPECT_LT(before->rival, BendField::kSameCopy);
+  EXPECT_NEAR(after->rival, 1.9, 0.3);
+  EXPECT_EQ(poseDistance(after->pose, before->pose), 0);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "fitted_repair.h"
 #include "roomgraph/align/nearest_wall.h"
@@ -82,13 +83,23 @@ BendField::BendField(const SolvedSite& solved, const RealPoses& poses, std::size
   }
 }
 
-BendField::BendField(const SolvedSite& solved, std::size_t from, std::size_t to) {
+std::vector<BendField::Node> BendField::nodesOf(const SolvedSite& solved, std::size_t from,
+                                                std::size_t to) {
   const WallPatches& patches = solved.site.mapOf(from).patches;
+  std::vector<Node> nodes;
   for (const FollowedPatch& patch : believedPatches(followedIn(solved.pairs, from, to), patches)) {
     const Point middle = patches[patch.patch].middle;
     const Transform2D node{middle.x, middle.y, 0};
-    nodes_.push_back({node, patch.pose * node, true, {}});
+    nodes.push_back({node, patch.pose * node, true, {}});
   }
+  return nodes;
+}
+
+BendField::BendField(const SolvedSite& solved, std::size_t from, std::size_t to) {
+  nodes_ = nodesOf(solved, from, to);
+  // Where a map has a place twice, both of them lead back to the one.
+  rivals_ = nodesOf(solved, to, from);
+  for (Node& node : rivals_) std::swap(node.from, node.to);
 }
 
 std::size_t BendField::sectorOf(Point inNode) {
@@ -153,6 +164,10 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
   for (const Word& word : words)
     if (word.distance < (word.isSeen ? 2 : 1) * fitted::kMeant)
       carried.rival = std::max(carried.rival, distance(word.pose.shift(), about.shift()));
+  for (const Node& node : rivals_)
+    if (distance(node.from.shift(), place.shift()) < fitted::kMeant)
+      carried.rival = std::max(
+          carried.rival, distance((node.to * node.from.inverse() * place).shift(), about.shift()));
   words.erase(std::remove_if(words.begin(), words.end(),
                              [&](const Word& word) {
                                return distance(word.pose.shift(), about.shift()) >= kSameCopy;

@@ -114,8 +114,9 @@ class Carrier {
       return flag(CarryState::unsure, doubt);
   }
 
-  /** What speaks against it, in words; empty for nothing. */
-  std::string doubtOf(const Place& place, const Route& route, const CarriedPlace& carried) const {
+  /** What speaks against it, in words; empty for nothing. Where what lies around it is found
+   *  beside it, the error grows by that. */
+  std::string doubtOf(const Place& place, const Route& route, CarriedPlace& carried) const {
     if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy)
       return "one of the maps has the place twice";
     if (carried.error > fitted::kLargeError) return "the maps bend here";
@@ -129,6 +130,7 @@ class Carrier {
     if (here.known < kMajority) return "the new map has hardly seen what lies around it";
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), pose.shift());
+    carried.error = std::hypot(carried.error, off);
     if (off > fitted::kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
     for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)

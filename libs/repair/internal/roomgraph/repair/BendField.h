@@ -48,11 +48,13 @@ class BendField {
     bool isSeen = false, isKnown = true;
   };
 
+  static std::vector<Node> nodesOf(const SolvedSite& solved, std::size_t from, std::size_t to);
   std::vector<Word> wordsOn(const Transform2D& place) const;
   static std::size_t sectorOf(Point inNode);
   bool isInSight(const Node& node, Point place, Point carried) const;
 
   std::vector<Node> nodes_;
+  std::vector<Node> rivals_;  ///< as the other map tells it; only of walls
   const WallMap* map_ = nullptr;  ///< of the run; null where nodes are no key frames
   Way way_ = Way::toSite;
 };
