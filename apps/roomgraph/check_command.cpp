@@ -3,17 +3,18 @@
 #include <memory>
 #include <optional>
 
+#include "FolderFiles.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/page/check_page.h"
 #include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/run_check_json.h"
@@ -51,18 +52,16 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
             "Also write a table of the runs, with the verdict of the gate, as Markdown.");
 }
 
-/** The results of a run, whose names begin with `stem`. Returns their names. */
+/** Writes the results of a run. Returns their names. */
 std::vector<std::string> writeResults(const RunCheck& check, const Run& run,
-                                      const std::string& stem, const LoadGridOptions* logs) {
-  StagedFiles staged;
-  std::vector<std::string> names{stem + ".json", stem + ".html"};
-  staged.add(names[0], runCheckJson(check));
-  staged.add(names[1], checkPage(check, run));
-  if (logs)
-    for (std::string& name : addCheckLogs(check, *logs, stem, staged))
-      names.push_back(std::move(name));
-  staged.commit();
-  return names;
+                                      const std::string& folder, const LoadGridOptions* logs) {
+  FolderFiles files{folder};
+  const std::string stem = mapStem(run.file) + ".check";
+  files.add(stem + ".json", runCheckJson(check));
+  files.add(stem + ".html", checkPage(check, run));
+  if (logs) addCheckLogs(check, *logs, stem, files);
+  files.staged.commit();
+  return files.names;
 }
 
 /** Checks one run, and writes what it tells of itself. */
@@ -81,7 +80,7 @@ JobReport checkFile(const std::string& file, const CheckArguments& arguments,
     if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
     check = checkRun(run);
     check->complaints = complaintsOf(*check, arguments.gate);
-    const auto names = writeResults(*check, run, outputFile(arguments.folder, file, "check"),
+    const auto names = writeResults(*check, run, arguments.folder,
                                     arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
     if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
     for (const std::string& complaint : check->complaints)
