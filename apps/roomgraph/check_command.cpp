@@ -65,31 +65,24 @@ std::vector<std::string> writeResults(const RunCheck& check, const Run& run,
 }
 
 /** Checks one run, and writes what it tells of itself. */
-JobReport checkFile(const std::string& file, const CheckArguments& arguments,
-                    std::optional<RunCheck>& check, UnusedOptions& unused) {
-  JobReport report;
-  try {
-    CompareMapsOptions options = toCompareOptions(arguments.options);
-    std::vector<MapNote> notes;
-    options.onNote = [&](const std::string& noted, const Note& note) {
-      if (!unused.take(note)) notes.push_back({noted, note});
-    };
-    const Run run = readRun(file, options);
-    if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
-      (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
-    if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
-    check = checkRun(run);
-    check->complaints = complaintsOf(*check, arguments.gate);
-    const auto names = writeResults(*check, run, arguments.folder,
-                                    arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
-    if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
-    for (const std::string& complaint : check->complaints)
-      report.err += errorLine(check->name + ": " + complaint);
-  } catch (...) {
-    const Failure failure = currentFailure(file);
-    report.err += failure.line, report.exitCode = failure.exitCode;
-  }
-  return report;
+void checkFile(const std::string& file, const CheckArguments& arguments,
+               std::optional<RunCheck>& check, UnusedOptions& unused, JobReport& report) {
+  CompareMapsOptions options = toCompareOptions(arguments.options);
+  std::vector<MapNote> notes;
+  options.onNote = [&](const std::string& noted, const Note& note) {
+    if (!unused.take(note)) notes.push_back({noted, note});
+  };
+  const Run run = readRun(file, options);
+  if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
+    (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
+  if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
+  check = checkRun(run);
+  check->complaints = complaintsOf(*check, arguments.gate);
+  const auto names = writeResults(*check, run, arguments.folder,
+                                  arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
+  if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
+  for (const std::string& complaint : check->complaints)
+    report.err += errorLine(check->name + ": " + complaint);
 }
 
 /** Throws where a result would take the place of what is not to be replaced. */
@@ -115,10 +108,10 @@ int run(CheckArguments arguments) {
   UnusedOptions unused;
   JobList jobs;
   jobs.count = arguments.files.size();
-  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
-    JobReport report = checkFile(arguments.files[index], arguments, found[index], unused);
+  jobs.fileOf = [&](std::size_t index) { return arguments.files[index]; };
+  jobs.run = [&](std::size_t index, JobReport& report, const std::function<void()>& stepDone) {
+    checkFile(arguments.files[index], arguments, found[index], unused, report);
     stepDone();
-    return report;
   };
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.files.size());

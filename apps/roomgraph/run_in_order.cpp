@@ -65,7 +65,14 @@ int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress) {
     return next < jobs.count ? std::exchange(reports[next], std::nullopt) : std::nullopt;
   };
   Workers workers(threads, jobs.count, [&](std::size_t i) {
-    JobReport report = jobs.run(i, [&] { ++stepsDone; });
+    JobReport report;
+    try {
+      jobs.run(i, report, [&] { ++stepsDone; });
+    } catch (...) {
+      if (!jobs.fileOf) throw;
+      const Failure failure = currentFailure(jobs.fileOf(i));
+      report.err += failure.line, report.exitCode = failure.exitCode;
+    }
     const std::lock_guard<std::mutex> lock(mutex);
     reports[i] = std::move(report);
   });
@@ -85,10 +92,9 @@ ForEach onThreads(std::size_t threads, bool showProgress) {
   return [threads, showProgress](std::size_t count, const std::function<void(std::size_t)>& job) {
     JobList jobs;
     jobs.count = count;
-    jobs.run = [&](std::size_t i, const std::function<void()>& stepDone) {
+    jobs.run = [&](std::size_t i, JobReport&, const std::function<void()>& stepDone) {
       job(i);
       stepDone();
-      return JobReport();
     };
     runInOrder(jobs, threads, showProgress);
   };
