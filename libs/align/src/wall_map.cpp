@@ -84,19 +84,13 @@ Point normalAt(const Grid& grid, Cell cell) {
   return length < 1e-9 ? Point{} : (1 / length) * sum;
 }
 
-bool isBesideWall(const Grid& grid, Cell c) {
-  return grid.atOrUnknown({c.x - 1, c.y}) == State::occupied ||
-         grid.atOrUnknown({c.x + 1, c.y}) == State::occupied ||
-         grid.atOrUnknown({c.x, c.y - 1}) == State::occupied ||
-         grid.atOrUnknown({c.x, c.y + 1}) == State::occupied;
-}
-
 /** Every free cell beside a wall. */
 std::vector<WallPoint> wallSides(const Grid& grid) {
   std::vector<WallPoint> sides;
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x) {
-      if (grid.at({x, y}) != State::free || !isBesideWall(grid, {x, y})) continue;
+      if (grid.at({x, y}) != State::free) continue;
+      if (grid.countBeside({x, y}, State::occupied) == 0) continue;
       const Point normal = normalAt(grid, {x, y});
       if (normal == Point{}) continue;
       sides.push_back({grid.frame.center({x, y}) - 0.5 * grid.frame.resolution * normal, normal});
@@ -128,11 +122,7 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
 }
 
 bool isEdge(const Grid& grid, Cell c) {
-  if (grid.at(c) != State::occupied) return false;
-  for (const Cell beside :
-       {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}})
-    if (grid.atOrUnknown(beside) != State::occupied) return true;
-  return false;
+  return grid.at(c) == State::occupied && grid.countBeside(c, State::occupied) < 4;
 }
 
 DrawnEdges edgesOf(const Grid& grid) {

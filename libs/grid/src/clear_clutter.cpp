@@ -85,7 +85,7 @@ class ClutterFinder {
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           if (!visit({cell.x + dx, cell.y + dy})) return false;
-      countRim(cell);
+      group_.rim += grid_.countBeside(cell, State::free) > 0 ? 1 : 0;
       group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
     return isSmall(group_) || isCompact(group_);
@@ -141,14 +141,6 @@ class ClutterFinder {
     if (marks_[index] == Mark::other) return false;
     open_.push_back(near);
     return !add(near) || sizeOf(group_) <= maxTable_;
-  }
-
-  void countRim(Cell cell) {
-    const auto isFree = [&](int dx, int dy) {
-      return grid_.at({cell.x + dx, cell.y + dy}) == State::free;
-    };
-    if (!isFree(1, 0) && !isFree(-1, 0) && !isFree(0, 1) && !isFree(0, -1)) return;
-    ++group_.rim;
   }
 
   /** Returns whether the box of the group has grown. */
