@@ -73,18 +73,12 @@ void clipFor(double away, MrptScene& scene) {
 }
 
 double lookDown(MrptScene& scene, const Box& box, double turn, double aspect) {
-  const auto view = scene.getViewport();
-  view->setCustomBackgroundColor({kBackgroundColour.red / 255.F, kBackgroundColour.green / 255.F,
-                                  kBackgroundColour.blue / 255.F});
-  makeEven(view->lightParameters());
-  const Point middle = Transform2D{0, 0, -turn}(midpoint(box.low, box.high));
+  lookFromAbove(scene, box, turn);
   const Point size = box.high - box.low;
   const double half = std::max(size.y, size.x / aspect) / 2;
   // Without perspective, so that layers lie on each other. MRPT then shows half of this in height.
   const double away = 2 * 2.16 * half;
-  auto& camera = view->getCamera();
-  camera.setPointingAt(float(middle.x), float(middle.y), 0);
-  camera.setAzimuthDegrees(float(-90 - turn * 180 / M_PI));
+  auto& camera = scene.getViewport()->getCamera();
   camera.setElevationDegrees(90);
   camera.setProjectiveModel(false);
   camera.setZoomDistance(float(away));

@@ -15,10 +15,10 @@ constexpr mrpt::img::TColor kRuler{110, 60, 150}, kRead{230, 0, 120}, kSwipeLine
 constexpr float kDot = 0.08f;      // [m]
 constexpr double kDotStep = 0.06;  // along a line [m]
 
-viz::CDisk::Ptr dotAt(Point place, const mrpt::img::TColor& colour) {
+viz::CDisk::Ptr dotAt(Point place, const mrpt::img::TColor& colour, double height = kMarkHeight) {
   auto dot = viz::CDisk::Create(kDot, 0.0f);
   dot->setColor_u8(colour);
-  dot->setLocation(place.x, place.y, kMarkHeight);
+  dot->setLocation(place.x, place.y, height);
   return dot;
 }
 
@@ -40,8 +40,7 @@ viz::CPointCloud::Ptr lineThrough(const Polyline& points, bool isClosed,
 }
 
 void addOutline(const Polygon& polygon, viz::CSetOfObjects& set) {
-  set.insert(lineThrough(polygon.outer, true, kRead));
-  for (const Ring& hole : polygon.holes) set.insert(lineThrough(hole, true, kRead));
+  forEachRing(polygon, [&](const Ring& ring) { set.insert(lineThrough(ring, true, kRead)); });
 }
 
 /** The walls of a run, as the scene has them, that lie on one side of the line. */
@@ -64,8 +63,6 @@ viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const View& view,
   }
   return cloud;
 }
-
-constexpr float kDotRadius = 0.08f;  // of a key frame [m]
 
 constexpr double kHeatCell = 0.2;  // no finer, so that turned maps leave no gaps [m]
 
@@ -147,12 +144,8 @@ viz::CSetOfObjects::Ptr drawPath(const std::vector<PathPose>& path) {
     piece->appendLine(a.x, a.y, kPathHeight, b.x, b.y, kPathHeight);
     set->insert(piece);
   }
-  for (const PathPose& at : path) {
-    auto disk = viz::CDisk::Create(kDotRadius, 0.0f);
-    disk->setColor_u8(colourOfError(at.error));
-    disk->setLocation(at.pose.x, at.pose.y, kPathHeight);
-    set->insert(disk);
-  }
+  for (const PathPose& at : path)
+    set->insert(dotAt(at.pose.shift(), colourOfError(at.error), kPathHeight));
   return set;
 }
 

@@ -24,10 +24,7 @@ constexpr int kWallsOfScan = 400;  // one scan is drawn at a time
 /** Graphs are JSON as well: who reads maps knows what opens them. */
 bool isComparison(const std::string& file) {
   if (fs::path(file).extension() != ".json") return false;
-  const CheckedFile opened(file);
-  const ByteView head = opened.head();
-  return std::string(reinterpret_cast<const char*>(head.data), head.size)
-             .find("\"roomgraph/comparison\"") != std::string::npos;
+  return CheckedFile(file).head().text().find("\"roomgraph/comparison\"") != std::string::npos;
 }
 
 /** Adds the runs of a map file to the view; says why where there is none. */

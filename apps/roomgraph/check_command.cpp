@@ -3,17 +3,18 @@
 #include <memory>
 #include <optional>
 
+#include "FolderFiles.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/page/check_page.h"
 #include "roomgraph/report/gate_report.h"
 #include "roomgraph/report/run_check_json.h"
@@ -51,46 +52,37 @@ void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
             "Also write a table of the runs, with the verdict of the gate, as Markdown.");
 }
 
-/** The results of a run, whose names begin with `stem`. Returns their names. */
+/** Writes the results of a run. Returns their names. */
 std::vector<std::string> writeResults(const RunCheck& check, const Run& run,
-                                      const std::string& stem, const LoadGridOptions* logs) {
-  StagedFiles staged;
-  std::vector<std::string> names{stem + ".json", stem + ".html"};
-  staged.add(names[0], runCheckJson(check));
-  staged.add(names[1], checkPage(check, run));
-  if (logs)
-    for (std::string& name : addCheckLogs(check, *logs, stem, staged))
-      names.push_back(std::move(name));
-  staged.commit();
-  return names;
+                                      const std::string& folder, const LoadGridOptions* logs) {
+  FolderFiles files{folder};
+  const std::string stem = mapStem(run.file) + ".check";
+  files.add(stem + ".json", runCheckJson(check));
+  files.add(stem + ".html", checkPage(check, run));
+  if (logs) addCheckLogs(check, *logs, stem, files);
+  files.staged.commit();
+  return files.names;
 }
 
 /** Checks one run, and writes what it tells of itself. */
-JobReport checkFile(const std::string& file, const CheckArguments& arguments,
-                    std::optional<RunCheck>& check, UnusedOptions& unused) {
-  JobReport report;
-  try {
-    CompareMapsOptions options = toCompareOptions(arguments.options);
-    std::vector<MapNote> notes;
-    options.onNote = [&](const std::string& noted, const Note& note) {
-      if (!unused.take(note)) notes.push_back({noted, note});
-    };
-    const Run run = readRun(file, options);
-    if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
-      (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
-    if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
-    check = checkRun(run);
-    check->complaints = complaintsOf(*check, arguments.gate);
-    const auto names = writeResults(*check, run, outputFile(arguments.folder, file, "check"),
-                                    arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
-    if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
-    for (const std::string& complaint : check->complaints)
-      report.err += errorLine(check->name + ": " + complaint);
-  } catch (...) {
-    const Failure failure = currentFailure(file);
-    report.err += failure.line, report.exitCode = failure.exitCode;
-  }
-  return report;
+void checkFile(const std::string& file, const CheckArguments& arguments,
+               std::optional<RunCheck>& check, UnusedOptions& unused, JobReport& report) {
+  CompareMapsOptions options = toCompareOptions(arguments.options);
+  std::vector<MapNote> notes;
+  options.onNote = [&](const std::string& noted, const Note& note) {
+    if (!unused.take(note)) notes.push_back({noted, note});
+  };
+  const Run run = readRun(file, options);
+  if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
+    (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
+  if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
+  check = checkRun(run);
+  check->complaints = complaintsOf(*check, arguments.gate);
+  const auto names = writeResults(*check, run, arguments.folder,
+                                  arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
+  if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
+  for (const std::string& complaint : check->complaints)
+    report.err += errorLine(check->name + ": " + complaint);
 }
 
 /** Throws where a result would take the place of what is not to be replaced. */
@@ -116,10 +108,10 @@ int run(CheckArguments arguments) {
   UnusedOptions unused;
   JobList jobs;
   jobs.count = arguments.files.size();
-  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) {
-    JobReport report = checkFile(arguments.files[index], arguments, found[index], unused);
+  jobs.fileOf = [&](std::size_t index) { return arguments.files[index]; };
+  jobs.run = [&](std::size_t index, JobReport& report, const std::function<void()>& stepDone) {
+    checkFile(arguments.files[index], arguments, found[index], unused, report);
     stepDone();
-    return report;
   };
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.files.size());

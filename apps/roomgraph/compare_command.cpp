@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "FolderFiles.h"
 #include "Laps.h"
 #include "UnusedOptions.h"
 #include "commands.h"
@@ -12,7 +13,6 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/run_names.h"
@@ -201,23 +201,16 @@ ReadRuns otherSitesIn(ReadRuns read, const Comparison& comparison) {
 }
 
 void writeResults(Comparison comparison, const std::vector<Run>& runs,
-                  const CompareArguments& arguments, const std::string& folder,
-                  StagedFiles& staged) {
-  const ResultFiles files(folder, arguments.formats);
-  for (ComparedRun& run : comparison.runs) run.relativePath = seenFrom(folder, run.file);
+                  const CompareArguments& arguments, FolderFiles& more) {
+  const ResultFiles files(more.folder, arguments.formats);
+  for (ComparedRun& run : comparison.runs) run.relativePath = seenFrom(more.folder, run.file);
   const ExtractOptions options = toCompareOptions(arguments.options).extract;
-  std::vector<std::string> more;
-  if (arguments.writesBreaks)
-    more = addBreakFiles(comparison, runs, options.loadGrid, folder, staged);
-  if (arguments.writesSiteMaps)
-    for (std::string& name : addSiteMaps(comparison, options, folder, staged))
-      more.push_back(std::move(name));
-  if (files.hasTrajectories())
-    for (std::string& name : addTrajectories(comparison, folder, staged))
-      more.push_back(std::move(name));
-  addResults(comparison, runs, files, more, staged);
-  staged.commit();
-  if (!arguments.running.isQuiet) printResults(comparison, files, more);
+  if (arguments.writesBreaks) addBreakFiles(comparison, runs, options.loadGrid, more);
+  if (arguments.writesSiteMaps) addSiteMaps(comparison, options, more);
+  if (files.hasTrajectories()) addTrajectories(comparison, more);
+  addResults(comparison, runs, files, more.names, more.staged);
+  more.staged.commit();
+  if (!arguments.running.isQuiet) printResults(comparison, files, more.names);
 }
 
 /** Compares the sites beside the first, the one with most runs before the others. */
@@ -227,10 +220,9 @@ void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArgume
     if (read.runs.size() < 2) return;
     comparison = compare(read, arguments);
     if (comparison.runs.size() < 2) return;
-    const std::string folder = folderOf(number, arguments);
-    makeWritableFolder(folder);
-    StagedFiles staged;
-    writeResults(comparison, read.runs, arguments, folder, staged);
+    FolderFiles files{folderOf(number, arguments)};
+    makeWritableFolder(files.folder);
+    writeResults(comparison, read.runs, arguments, files);
   }
 }
 
@@ -262,14 +254,14 @@ int run(const CompareArguments& arguments) {
     NamedRooms named = nameRooms(std::move(comparison.rooms), *std::move(site), arguments.names);
     comparison.rooms = std::move(named.rooms), site = std::move(named.file);
   }
-  StagedFiles staged;
+  FolderFiles files{arguments.folder};
   gate.candidates = candidatesOf(arguments, comparison);
   const bool gateFails = addGate(comparison, gate);
   // The rooms of a bad run are not to be remembered.
-  if (site && !gateFails) staged.add(arguments.names, siteJson(*site));
-  addGateFiles(comparison, arguments.gate, staged);
+  if (site && !gateFails) files.staged.add(arguments.names, siteJson(*site));
+  addGateFiles(comparison, arguments.gate, files.staged);
   const bool isUnread = printLeftOut(comparison);
-  writeResults(comparison, read.runs, arguments, arguments.folder, staged);
+  writeResults(comparison, read.runs, arguments, files);
   if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
   laps.end("write_files");
   if (arguments.running.showsTimings) std::fputs(laps.table("compare").c_str(), stderr);

@@ -1,11 +1,10 @@
 #include <memory>
 
+#include "FolderFiles.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
-#include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/ros_map.h"
@@ -64,17 +63,13 @@ void convert(const std::string& file, const MapOutput& output, const ExtractOpti
              const std::string& folder, UnusedOptions& unused) {
   const GreyMap map = loadGrid(file, options.loadGrid);
   const auto contents = output.bytes(map, binarize(map, options.binarize), mapStem(file));
-  StagedFiles staged;
-  std::string lines;
-  for (std::size_t i = 0; i < contents.size(); ++i) {
-    const std::string name = outputFile(folder, file, output.extensions[i]);
-    staged.add(name, contents[i]);
-    lines += printable(name) + "\n";
-  }
-  staged.commit();
+  FolderFiles files{folder};
+  for (std::size_t i = 0; i < contents.size(); ++i)
+    files.add(mapStem(file) + "." + output.extensions[i], contents[i]);
+  files.staged.commit();
   for (const Note& note : map.notes)
     if (!unused.take(note)) printError(file + ": note: " + note.text);
-  print(lines);
+  for (const std::string& name : files.names) print(printable(name) + "\n");
 }
 
 int run(const ConvertArguments& arguments) {

@@ -224,14 +224,9 @@ int run(const ExtractArguments& arguments) {
   JobList jobs;
   jobs.count = arguments.maps.size();
   jobs.stepsPerJob = task.formats.size() + (arguments.stagesFolder.empty() ? 3 : 4);
-  jobs.run = [&](std::size_t index, const std::function<void()>& stepDone) -> JobReport {
-    const std::string& map = arguments.maps[index];
-    try {
-      return Extraction(map, task, stepDone).run();
-    } catch (...) {
-      const Failure failure = currentFailure(map);
-      return {"", failure.line, failure.exitCode};
-    }
+  jobs.fileOf = [&](std::size_t index) { return arguments.maps[index]; };
+  jobs.run = [&](std::size_t index, JobReport& report, const std::function<void()>& stepDone) {
+    report = Extraction(arguments.maps[index], task, stepDone).run();
   };
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.maps.size());

@@ -25,9 +25,7 @@ namespace fs = std::filesystem;
 /** The first lines of a file; none where it cannot be read, which its reader will say. */
 std::string firstLines(const std::string& file) {
   try {
-    const CheckedFile opened(file);
-    const ByteView head = opened.head();
-    return {reinterpret_cast<const char*>(head.data), head.size};
+    return CheckedFile(file).head().text();
   } catch (const DataError&) {
     return {};
   }

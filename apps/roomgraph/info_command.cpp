@@ -34,10 +34,8 @@ struct InfoArguments {
 
 /** The first bytes of a file, unpacked. */
 std::string firstBytes(const std::string& file) {
-  const CheckedFile opened(file);
   constexpr std::size_t kEnough = 64;
-  const ByteView head = opened.head();
-  return {reinterpret_cast<const char*>(head.data), std::min(head.size, kEnough)};
+  return CheckedFile(file).head().text().substr(0, kEnough);
 }
 
 std::string gridText(const GreyMap& map, const ExtractOptions& options) {

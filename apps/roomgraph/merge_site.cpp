@@ -5,12 +5,12 @@
 #include <functional>
 #include <memory>
 
+#include "FolderFiles.h"
 #include "commands.h"
 #include "more_files.h"
 #include "output_formats.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
@@ -135,18 +135,16 @@ std::optional<SiteFile> knownRooms(const MergeArguments& arguments) {
 }
 
 /** The graph of the site, with the names of its rooms. */
-void addGraph(const Stages& stages, const MergeArguments& arguments,
-              const std::function<void(const std::string&, const std::string&)>& add,
-              StagedFiles& staged) {
+void addGraph(const Stages& stages, const MergeArguments& arguments, FolderFiles& files) {
   std::vector<std::string> names;
   if (std::optional<SiteFile> known = knownRooms(arguments)) {
     const std::string& source = arguments.names.empty() ? "archive" : arguments.names;
     NamedAreas named = nameAreas(stages.areas, std::move(*known), source);
     names = std::move(named.names);
-    if (!arguments.names.empty()) staged.add(arguments.names, siteJson(named.file));
+    if (!arguments.names.empty()) files.staged.add(arguments.names, siteJson(named.file));
   }
   for (const OutputFormat& format : parseFormats(kGraphFormats))
-    add(kGraphStem + format.extension, format.bytes(stages, {names, {}}));
+    files.add(kGraphStem + format.extension, format.bytes(stages, {names, {}}));
 }
 
 /** Throws where a result would take the place of what is not to be replaced. */
@@ -189,23 +187,18 @@ int mergeSite(const MergeArguments& arguments) {
       mergeRuns(merging.runs, how, onThreads(site.running.threads, !site.running.isQuiet));
   tellLeftOut(map, merging);
   const Stages stages = extract(map.map, options.extract);
-  StagedFiles staged;
-  std::string lines;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    const std::string file = inFolder(site.folder, name);
-    staged.add(file, bytes);
-    lines += printable(file) + "\n";
-  };
-  add("site.simplemap.gz", siteSimplemap(merging, map));
-  add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
-  add("site.yaml", rosMapYaml(stages.grid.frame, "site.pgm"));
-  add("site.pgm", mapPgm(stages.grid));
-  add("site.runs.png", runsPng(map));
-  add("site.age.png", agePng(map));
-  addGraph(stages, arguments, add, staged);
-  staged.commit();
+  FolderFiles files{site.folder};
+  files.add("site.simplemap.gz", siteSimplemap(merging, map));
+  files.add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
+  files.add("site.yaml", rosMapYaml(stages.grid.frame, "site.pgm"));
+  files.add("site.pgm", mapPgm(stages.grid));
+  files.add("site.runs.png", runsPng(map));
+  files.add("site.age.png", agePng(map));
+  addGraph(stages, arguments, files);
+  files.staged.commit();
   for (const std::string& text : merging.leftOut) printError(text + ": left out");
-  if (!site.running.isQuiet) print(lines);
+  if (site.running.isQuiet) return runs->exitCode();
+  for (const std::string& name : files.names) print(printable(name) + "\n");
   return runs->exitCode();
 }
 

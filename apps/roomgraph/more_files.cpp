@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <map>
 #include <set>
 
@@ -67,14 +68,8 @@ Grid gridOf(const ComparedRun& run, const ExtractOptions& options) {
 
 }  // namespace
 
-std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
-                                       const LoadGridOptions& reading,
-                                       const std::filesystem::path& folder, StagedFiles& staged) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back((folder / name).string());
-    staged.add(names.back(), bytes);
-  };
+void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                   const LoadGridOptions& reading, FolderFiles& files) {
   std::map<std::string, std::vector<PlacedScan>> read;  // by run
   for (std::size_t i = 0; i < comparison.breaks.size(); ++i) {
     const MapBreak& tear = comparison.breaks[i];
@@ -87,25 +82,20 @@ std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::
     const std::vector<PlacedScan>& scans = known->second;
     const std::string stem = "comparison.break" + std::to_string(i + 1);
     for (const bool isUntorn : {false, true})
-      add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
-          rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
-    add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
+      files.add(stem + (isUntorn ? ".untorn.rawlog" : ".rawlog"),
+                rawlogBytes(scansAtBreak(tear, placed->pose, scans, isUntorn)));
+    files.add(stem + ".3Dscene", breakSceneBytes(comparison, tear, runs));
   }
-  return names;
 }
 
-std::vector<std::string> addCheckLogs(const RunCheck& check, const LoadGridOptions& reading,
-                                      const std::string& stem, StagedFiles& staged) {
-  if (check.breaks.empty() && check.doubled.empty()) return {};
+void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
+                  FolderFiles& files) {
+  if (check.breaks.empty() && check.doubled.empty()) return;
   const std::vector<PlacedScan> scans = scansOf(check.file, reading);
-  std::vector<std::string> names;
   const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
     const std::string name = stem + "." + kind + std::to_string(number);
-    for (const bool isUntorn : {false, true}) {
-      if (isUntorn && !hasFit) continue;
-      names.push_back(name + (isUntorn ? ".untorn.rawlog" : ".rawlog"));
-      staged.add(names.back(), rawlogBytes(scansAt(isUntorn)));
-    }
+    files.add(name + ".rawlog", rawlogBytes(scansAt(false)));
+    if (hasFit) files.add(name + ".untorn.rawlog", rawlogBytes(scansAt(true)));
   };
   for (std::size_t i = 0; i < check.breaks.size(); ++i) {
     const MapBreak& tear = check.breaks[i];
@@ -118,7 +108,6 @@ std::vector<std::string> addCheckLogs(const RunCheck& check, const LoadGridOptio
     };
     add("doubled", i + 1, at, true);
   }
-  return names;
 }
 
 std::string scanLog(const std::string& file, const LoadGridOptions& reading,
@@ -157,31 +146,19 @@ std::vector<std::string> siteMapNames(const std::vector<std::string>& runs) {
   return names;
 }
 
-std::vector<std::string> addTrajectories(const Comparison& comparison,
-                                         const std::filesystem::path& folder, StagedFiles& staged) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back((folder / name).string());
-    staged.add(names.back(), bytes);
-  };
+void addTrajectories(const Comparison& comparison, FolderFiles& files) {
   const std::vector<std::string> stems = stemsOf(comparison);
   for (std::size_t i = 0; i < stems.size(); ++i) {
     const ComparedRun& run = comparison.runs[i];
     const auto [tum, evo] = kTrajectoryKinds;
-    if (const std::string path = pathTum(run); !path.empty()) add(stems[i] + tum, withAuthor(path));
+    if (const std::string path = pathTum(run); !path.empty())
+      files.add(stems[i] + tum, withAuthor(path));
     const std::string errors = evoResult(run, stems[i].substr(stems[i].find('.') + 1));
-    if (!errors.empty()) add(stems[i] + evo, errors);
+    if (!errors.empty()) files.add(stems[i] + evo, errors);
   }
-  return names;
 }
 
-std::vector<std::string> addSiteMaps(const Comparison& comparison, const ExtractOptions& options,
-                                     const std::filesystem::path& folder, StagedFiles& staged) {
-  std::vector<std::string> names;
-  const auto add = [&](const std::string& name, const std::string& bytes) {
-    names.push_back((folder / name).string());
-    staged.add(names.back(), bytes);
-  };
+void addSiteMaps(const Comparison& comparison, const ExtractOptions& options, FolderFiles& files) {
   const std::vector<std::string> stems = stemsOf(comparison);
   std::vector<SessionMap> session;
   for (std::size_t i = 0; i < stems.size(); ++i) {
@@ -190,12 +167,11 @@ std::vector<std::string> addSiteMaps(const Comparison& comparison, const Extract
     const auto [yaml, picture, pose] = kSiteMapKinds;
     const std::string &stem = stems[i], word = stem.substr(stem.find('.') + 1);
     session.push_back({stem + yaml, stem + picture, grid.frame, run.pose});
-    add(stem + yaml, rosMapYaml(grid.frame, stem + picture, run.pose));
-    add(stem + picture, mapPgm(grid));
-    add(stem + pose, withAuthor(mapsPoseYaml(run.pose, word)));
+    files.add(stem + yaml, rosMapYaml(grid.frame, stem + picture, run.pose));
+    files.add(stem + picture, mapPgm(grid));
+    files.add(stem + pose, withAuthor(mapsPoseYaml(run.pose, word)));
   }
-  add(kSession, mapsSession(session));
-  return names;
+  files.add(kSession, mapsSession(session));
 }
 
 }  // namespace roomgraph

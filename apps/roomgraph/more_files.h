@@ -1,11 +1,10 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "roomgraph/base/StagedFiles.h"
+#include "FolderFiles.h"
 #include "roomgraph/check/RunCheck.h"
 #include "roomgraph/compare/Comparison.h"
 #include "roomgraph/grid/LoadGridOptions.h"
@@ -24,31 +23,27 @@ std::vector<std::string> trajectoryNames(const std::vector<std::string>& runs);
 std::vector<std::string> siteMapNames(const std::vector<std::string>& runs);
 
 /** The path of each run with scans in the frame of the site (comparison.RUN.tum), and the error
- *  along it for evo_res (comparison.RUN.evo.zip). Returns their names. */
-std::vector<std::string> addTrajectories(const Comparison& comparison,
-                                         const std::filesystem::path& folder, StagedFiles& staged);
+ *  along it for evo_res (comparison.RUN.evo.zip). */
+void addTrajectories(const Comparison& comparison, FolderFiles& files);
 
 /** Each run as a ROS map in the frame of the site (comparison.RUN.yaml and .pgm), its pose in that
- *  frame, and a session of the viewer "maps" with all of them. Returns their names.
+ *  frame, and a session of the viewer "maps" with all of them.
  *  @throws DataError where a run cannot be read any more. */
-std::vector<std::string> addSiteMaps(const Comparison& comparison, const ExtractOptions& options,
-                                     const std::filesystem::path& folder, StagedFiles& staged);
+void addSiteMaps(const Comparison& comparison, const ExtractOptions& options, FolderFiles& files);
 
 /** For each break with a key frame: logs of the scans before and behind it, as the run has them and
  *  as they would lie without the break, and a scene of both. Numbered as in comparison.json, from
- *  1. Those whose run is not among `runs` are left out. Returns their names.
+ *  1. Those whose run is not among `runs` are left out.
  *  @throws DataError where a run cannot be read any more. */
-std::vector<std::string> addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
-                                       const LoadGridOptions& reading,
-                                       const std::filesystem::path& folder, StagedFiles& staged);
+void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
+                   const LoadGridOptions& reading, FolderFiles& files);
 
 /** For each break of a run and each place that it has drawn twice logs of the scans on both sides,
  *  as the run has them and as they fit, beside its other results: `stem`.breakN.rawlog and so on,
- *  numbered as in its check.json, from 1. Of what has no size there is only the first. Returns
- *  their names.
+ *  numbered as in its check.json, from 1. Of what has no size there is only the first.
  *  @throws DataError where the run cannot be read any more. */
-std::vector<std::string> addCheckLogs(const RunCheck& check, const LoadGridOptions& reading,
-                                      const std::string& stem, StagedFiles& staged);
+void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
+                  FolderFiles& files);
 
 /** Key frames by their numbers in the file, both included. */
 struct KeyFrameStretch {

@@ -2,12 +2,12 @@
 #include <memory>
 #include <set>
 
+#include "FolderFiles.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
@@ -37,33 +37,21 @@ struct RepairArguments {
   std::string format;
 };
 
-/** The files of a call, which appear together, and their names. */
-struct RepairFiles {
-  std::string folder;
-  StagedFiles staged;
-  std::vector<std::string> names;
-
-  void add(const std::string& name, const std::string& bytes) {
-    names.push_back(inFolder(folder, name));
-    staged.add(names.back(), bytes);
-  }
-};
-
-void addRun(const Run& run, const RepairedRun& repaired, RepairFiles& files) {
+void addRun(const Run& run, const RepairedRun& repaired, FolderFiles& files) {
   const MovedRun moved = movedRun(run, repaired);
   files.add(repairedName(run.file), moved.simplemap);
   files.add(mapStem(run.file) + ".repaired.tum", moved.tum);
 }
 
 /** The constraints for MOLA are of all runs, mended or not: they are for another back end. */
-void addConstraints(const Run& run, const std::vector<Transform2D>& real, RepairFiles& files) {
+void addConstraints(const Run& run, const std::vector<Transform2D>& real, FolderFiles& files) {
   files.add(mapStem(run.file) + ".loop_constraints.yaml",
             withAuthor(molaConstraints(loopConstraints(run, real))));
 }
 
 /** The grids of what was mended, made of the simplemaps that are there now. */
 void addGrids(const std::vector<std::string>& mended, const ExtractOptions& options,
-              RepairFiles& files) {
+              FolderFiles& files) {
   for (const std::string& file : mended) {
     const std::string stem = mapStem(file) + ".repaired";
     const GreyMap map = loadGrid(inFolder(files.folder, repairedName(file)), options.loadGrid);
@@ -124,7 +112,7 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
 }
 
 /** The page of all runs and all files; then what became of them, on the terminal. */
-void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, RepairFiles& files) {
+void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, FolderFiles& files) {
   files.add(kPage, repairPage(shown));
   files.staged.commit();
   std::string lines;
@@ -160,7 +148,7 @@ int runAlone(const RepairArguments& arguments) {
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);
   const RepairedRun repaired = repairAlone(run, check);
-  RepairFiles files{site.folder, {}, {}};
+  FolderFiles files{site.folder};
   addRun(run, repaired, files);
   if (arguments.format == "mola") addConstraints(run, agreedPoses(check), files);
   finish({{&run, &repaired, lineOf(repaired, "driven once")}}, site, files);
@@ -174,7 +162,7 @@ int run(const RepairArguments& arguments) {
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
   checkNames(runs->read.runs, arguments);
-  RepairFiles files{site.folder, {}, {}};
+  FolderFiles files{site.folder};
   std::vector<ShownRepair> shown;
   const RealPoses real = rejoinPieces(runs->solved);
   const std::vector<RepairedRun> repaired = repairRuns(runs->solved, real);

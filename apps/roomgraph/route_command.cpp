@@ -21,12 +21,7 @@ namespace {
 
 /** The graph in an X.json of 'roomgraph extract', or else that of a map, extracted now. */
 GraphFile graphOfMap(const std::string& file, const ExtractOptions& options) {
-  const bool isJson = [&] {
-    const CheckedFile opened(file);
-    const ByteView head = opened.head();
-    return head.size > 0 && head.data[0] == '{';
-  }();
-  if (isJson) return readGraphJson(file);
+  if (CheckedFile(file).head().text().rfind('{', 0) == 0) return readGraphJson(file);
   return graphFile(extractGraph(loadGrid(file, options.loadGrid), options));
 }
 

@@ -16,14 +16,18 @@ struct JobReport {
 struct JobList {
   std::size_t count = 0;
   std::size_t stepsPerJob = 1;  ///< how often each job reports progress
-  /** Does job `index` and calls `stepDone` after each step. Runs on any thread. */
-  std::function<JobReport(std::size_t index, const std::function<void()>& stepDone)> run;
+  /** Does job `index`, fills in its report and calls `stepDone` after each step. Runs on any
+   *  thread. */
+  std::function<void(std::size_t index, JobReport& report, const std::function<void()>& stepDone)>
+      run;
+  /** The file that a job is done for: what the job throws then is told in its report. */
+  std::function<std::string(std::size_t index)> fileOf{};
 };
 
 /** Runs the jobs on `threads` threads, 0 standing for one per core, and prints what each has to say
  *  in the order of the jobs, as soon as those before it are done. Returns the largest exit code.
- *  Where jobs throw, no further job begins, and what the first of them has thrown is thrown
- *  again. */
+ *  Where jobs without files throw, no further job begins, and what the first of them has thrown is
+ *  thrown again. */
 int runInOrder(const JobList& jobs, std::size_t threads, bool showProgress);
 
 /** Jobs on so many threads, with a bar of their progress where it is wanted. */

@@ -128,17 +128,10 @@ int measurePending(const StabilityBase& base, Progress& progress, const std::str
   const std::vector<std::size_t> pending = progress.pending();
   JobList jobs;
   jobs.count = pending.size();
-  jobs.run = [&](std::size_t job, const std::function<void()>& stepDone) {
-    JobReport report;
-    try {
-      progress.add(pending[job], measureRun(base, progress.run(pending[job])));
-    } catch (...) {
-      const Failure failure = currentFailure(mapFile);
-      report.err = failure.line;
-      report.exitCode = failure.exitCode;
-    }
+  jobs.fileOf = [&](std::size_t) { return mapFile; };
+  jobs.run = [&](std::size_t job, JobReport&, const std::function<void()>& stepDone) {
+    progress.add(pending[job], measureRun(base, progress.run(pending[job])));
     stepDone();
-    return report;
   };
   return runInOrder(jobs, task.threads, !task.isQuiet);
 }

@@ -5,13 +5,17 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "roomgraph/base/Error.h"
+
 namespace roomgraph {
 namespace {
 
 JobList jobsThat(std::size_t count, const std::function<JobReport(std::size_t)>& work) {
   JobList jobs;
   jobs.count = count;
-  jobs.run = [work](std::size_t i, const std::function<void()>&) { return work(i); };
+  jobs.run = [work](std::size_t i, JobReport& report, const std::function<void()>&) {
+    report = work(i);
+  };
   return jobs;
 }
 
@@ -42,6 +46,19 @@ TEST(RunInOrder, whatAJobThrowsReachesTheCaller) {
     }
     EXPECT_GE(done, 5) << "those before it were begun";
   }
+}
+
+TEST(RunInOrder, whatAJobThrowsIsToldOfItsFile) {
+  JobList jobs = jobsThat(3, [](std::size_t i) {
+    if (i == 1) throw DataError("a.pgm: is empty");
+    return JobReport{std::to_string(i) + "\n", "", 0};
+  });
+  jobs.fileOf = [](std::size_t) { return "a.pgm"; };
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(runInOrder(jobs, 2, false), 1);
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "0\n2\n");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "roomgraph: a.pgm: is empty\n");
 }
 
 }  // namespace

@@ -16,9 +16,8 @@ TEST(Database, valuesComeBackAsTheyWere) {
   Database database(folder.file("a.db"), true);
   database.run("CREATE TABLE t (a TEXT, b REAL, c INTEGER, d REAL)");
   const std::string odd("a'b\0c\xc3\xa9", 7);
-  Statement(database, "INSERT INTO t VALUES (?, ?, ?, ?)")
-      .with(odd, 0.1, std::int64_t(1) << 40, std::optional<double>())
-      .run();
+  database.run("INSERT INTO t VALUES (?, ?, ?, ?)", odd, 0.1, std::int64_t(1) << 40,
+               std::optional<double>());
   Statement row(database, "SELECT * FROM t");
   ASSERT_TRUE(row.step());
   EXPECT_EQ(row.text(0), odd);
@@ -41,6 +40,7 @@ TEST(Database, whatIsNotCommittedIsUndone) {
   database.run("INSERT INTO t VALUES (1)");
   transaction.commit();
   EXPECT_EQ(database.number("SELECT count(*) FROM t"), 1);
+  EXPECT_EQ(database.number("SELECT count(*) FROM t WHERE a = ?", 1), 1);
 }
 
 TEST(Database, aNameWithAMeaningForSqliteIsAFile) {

@@ -40,19 +40,6 @@ struct Sums {
   }
 };
 
-Cell lowest(const std::vector<SearchPoint>& points) {
-  Cell low = points.front().cell;
-  for (const SearchPoint& p : points) low = {std::min(low.x, p.cell.x), std::min(low.y, p.cell.y)};
-  return low;
-}
-
-Cell highest(const std::vector<SearchPoint>& points) {
-  Cell high = points.front().cell;
-  for (const SearchPoint& p : points)
-    high = {std::max(high.x, p.cell.x), std::max(high.y, p.cell.y)};
-  return high;
-}
-
 // Most of the search is these sums: with 16 instead of 8 in one instruction they take half as long.
 // Which of them is there is asked before ThreadSanitizer has started, which that does not survive.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
@@ -87,16 +74,18 @@ ROOMGRAPH_WIDE_IF_THERE void add(const std::vector<SearchPoint>& points, const S
  *  are `plusImages` and `minusImages`. */
 Sums bothWays(const std::vector<SearchPoint>& plus, const SearchImages& plusImages,
               const std::vector<SearchPoint>& minus, const SearchImages& minusImages) {
-  const Cell l1 = lowest(plus), h1 = highest(plus), l2 = lowest(minus), h2 = highest(minus);
+  CellBox box;
+  const auto include = [&](const std::vector<SearchPoint>& points, const SearchImages& images) {
+    const auto [low, high] = boundingCells(points);
+    box.include({low.x + images.low.x, low.y + images.low.y});
+    box.include({high.x + images.low.x + images.width, high.y + images.low.y + images.height});
+  };
+  include(plus, plusImages);
+  include(minus, minusImages);
   Sums sums;
-  sums.low = {std::min(l1.x + plusImages.low.x, l2.x + minusImages.low.x),
-              std::min(l1.y + plusImages.low.y, l2.y + minusImages.low.y)};
-  sums.width = std::max(h1.x + plusImages.low.x + plusImages.width,
-                        h2.x + minusImages.low.x + minusImages.width) -
-               sums.low.x;
-  sums.height = std::max(h1.y + plusImages.low.y + plusImages.height,
-                         h2.y + minusImages.low.y + minusImages.height) -
-                sums.low.y;
+  sums.low = box.low;
+  sums.width = box.high.x - box.low.x;
+  sums.height = box.high.y - box.low.y;
   sums.values.assign(
       std::size_t(sums.width) * std::size_t(sums.height) + std::size_t(SearchImages::kMargin), 0);
   add(plus, plusImages, sums);

@@ -18,14 +18,10 @@ Cell cellOf(Point p, double cell) {
 }
 
 void setSize(SearchImages& images, const std::vector<SearchPoint>& points) {
-  Cell low{INT32_MAX, INT32_MAX}, high{INT32_MIN, INT32_MIN};
-  for (const SearchPoint& point : points) {
-    low = {std::min(low.x, point.cell.x), std::min(low.y, point.cell.y)};
-    high = {std::max(high.x, point.cell.x), std::max(high.y, point.cell.y)};
-  }
-  images.low = {low.x - 1, low.y - 1};
-  images.width = high.x - low.x + 3;
-  images.height = high.y - low.y + 3;
+  const CellBox box = boundingCells(points);
+  images.low = {box.low.x - 1, box.low.y - 1};
+  images.width = box.width() + 2;
+  images.height = box.height() + 2;
   images.values[0].assign(images.index(0, images.height), 0);
   images.known.assign(std::size_t(images.height), {images.width, 0});
 }
@@ -76,6 +72,12 @@ std::vector<SearchPoint> searchPoints(const CentredMap& map, double angle, doubl
     points.push_back({{sign * c.x, sign * c.y}, octantOf(turn.turned(map.walls[i].normal))});
   }
   return points;
+}
+
+CellBox boundingCells(const std::vector<SearchPoint>& points) {
+  CellBox box;
+  for (const SearchPoint& point : points) box.include(point.cell);
+  return box;
 }
 
 SearchImages imagesOf(const CentredMap& map, double angle, double cell, int sign) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "roomgraph/align/WallMap.h"
+#include "roomgraph/grid/CellBox.h"
 
 namespace roomgraph {
 
@@ -43,6 +44,9 @@ struct SearchPoint {
   int octant = 0;
   int times = 1;  ///< so many wall points are there
 };
+
+/** The smallest box round the points. */
+CellBox boundingCells(const std::vector<SearchPoint>& points);
 
 /** The walls of the map, turned by `angle`; every so manyth, so that there are at most `maxCount`.
  *  With `sign` -1, mirrored through the origin. */

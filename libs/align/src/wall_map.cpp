@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "roomgraph/align/wall_quality.h"
+#include "roomgraph/grid/CellBox.h"
 #include "roomgraph/grid/clear_wall_rims.h"
 #include "search_data.h"
 
@@ -11,22 +12,6 @@ namespace roomgraph {
 namespace {
 
 constexpr double kNormalRadius = 0.25;  // of the window that gives a wall its direction [m]
-
-/** The cells that are not unknown, as a box of cells; empty where x1 <= x0. */
-struct CellBox {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-CellBox knownBox(const Grid& grid) {
-  CellBox box{grid.frame.width, grid.frame.height, 0, 0};
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      if (grid.at({x, y}) != State::unknown) {
-        box.x0 = std::min(box.x0, x), box.x1 = std::max(box.x1, x + 1);
-        box.y0 = std::min(box.y0, y), box.y1 = std::max(box.y1, y + 1);
-      }
-  return box;
-}
 
 /** What lies in each cell of one row of a coarser map. */
 class CoarseRow {
@@ -56,27 +41,28 @@ class CoarseRow {
 /** The known part of the map on cells of side `cell`, with a margin: occupied where any of its
  *  cells is, free where more are free than unknown. */
 Grid coarser(const Grid& grid, double cell, double margin) {
-  const CellBox box = knownBox(grid);
+  const CellBox known = knownCells(grid);
   const GridFrame& from = grid.frame;
   Grid out;
   out.frame.resolution = cell;
-  if (box.x1 <= box.x0) return out;
-  const Point low{from.origin.x + box.x0 * from.resolution,
-                  from.origin.y + box.y0 * from.resolution};
+  if (known.isEmpty()) return out;
+  const Point low{from.origin.x + known.low.x * from.resolution,
+                  from.origin.y + known.low.y * from.resolution};
   out.frame.origin = low - Point{margin, margin};
-  out.frame.width = int(std::ceil(((box.x1 - box.x0) * from.resolution + 2 * margin) / cell));
-  out.frame.height = int(std::ceil(((box.y1 - box.y0) * from.resolution + 2 * margin) / cell));
+  out.frame.width = int(std::ceil((known.width() * from.resolution + 2 * margin) / cell));
+  out.frame.height = int(std::ceil((known.height() * from.resolution + 2 * margin) / cell));
   out.cells.resize(out.frame.cellCount(), State::unknown);
   std::vector<std::size_t> column(std::size_t(from.width));
   for (int x = 0; x < from.width; ++x)
     column[std::size_t(x)] = std::size_t(out.frame.cellAt(from.center({x, 0})).x);
   CoarseRow sums(out.frame);
   int row = 0;
-  for (int y = box.y0; y < box.y1; ++y) {
+  for (int y = known.low.y; y <= known.high.y; ++y) {
     const int next = out.frame.cellAt(from.center({0, y})).y;
     if (next != row) sums.moveTo(out, row);
     row = next;
-    for (int x = box.x0; x < box.x1; ++x) sums.add(column[std::size_t(x)], grid.at({x, y}));
+    for (int x = known.low.x; x <= known.high.x; ++x)
+      sums.add(column[std::size_t(x)], grid.at({x, y}));
   }
   sums.moveTo(out, row);
   return out;
@@ -98,19 +84,13 @@ Point normalAt(const Grid& grid, Cell cell) {
   return length < 1e-9 ? Point{} : (1 / length) * sum;
 }
 
-bool isBesideWall(const Grid& grid, Cell c) {
-  return grid.atOrUnknown({c.x - 1, c.y}) == State::occupied ||
-         grid.atOrUnknown({c.x + 1, c.y}) == State::occupied ||
-         grid.atOrUnknown({c.x, c.y - 1}) == State::occupied ||
-         grid.atOrUnknown({c.x, c.y + 1}) == State::occupied;
-}
-
 /** Every free cell beside a wall. */
 std::vector<WallPoint> wallSides(const Grid& grid) {
   std::vector<WallPoint> sides;
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x) {
-      if (grid.at({x, y}) != State::free || !isBesideWall(grid, {x, y})) continue;
+      if (grid.at({x, y}) != State::free) continue;
+      if (grid.countBeside({x, y}, State::occupied) == 0) continue;
       const Point normal = normalAt(grid, {x, y});
       if (normal == Point{}) continue;
       sides.push_back({grid.frame.center({x, y}) - 0.5 * grid.frame.resolution * normal, normal});
@@ -142,23 +122,20 @@ std::vector<WallPoint> thinned(const std::vector<WallPoint>& sides, const GridFr
 }
 
 bool isEdge(const Grid& grid, Cell c) {
-  if (grid.at(c) != State::occupied) return false;
-  for (const Cell beside :
-       {Cell{c.x - 1, c.y}, Cell{c.x + 1, c.y}, Cell{c.x, c.y - 1}, Cell{c.x, c.y + 1}})
-    if (grid.atOrUnknown(beside) != State::occupied) return true;
-  return false;
+  return grid.at(c) == State::occupied && grid.countBeside(c, State::occupied) < 4;
 }
 
 DrawnEdges edgesOf(const Grid& grid) {
-  const CellBox box = knownBox(grid);
+  const CellBox known = knownCells(grid);
   const GridFrame& from = grid.frame;
   DrawnEdges edges;
-  if (box.x1 <= box.x0) return edges;
+  if (known.isEmpty()) return edges;
   edges.frame.resolution = from.resolution;
-  edges.frame.origin = from.origin + from.resolution * Point{double(box.x0), double(box.y0)};
-  edges.frame.width = box.x1 - box.x0, edges.frame.height = box.y1 - box.y0;
-  for (int y = box.y0; y < box.y1; ++y)
-    for (int x = box.x0; x < box.x1; ++x) edges.isEdge.push_back(isEdge(grid, {x, y}));
+  edges.frame.origin =
+      from.origin + from.resolution * Point{double(known.low.x), double(known.low.y)};
+  edges.frame.width = known.width(), edges.frame.height = known.height();
+  for (int y = known.low.y; y <= known.high.y; ++y)
+    for (int x = known.low.x; x <= known.high.x; ++x) edges.isEdge.push_back(isEdge(grid, {x, y}));
   return edges;
 }
 

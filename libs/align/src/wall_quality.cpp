@@ -76,10 +76,7 @@ std::vector<std::uint8_t> stepsToFree(const Grid& grid, std::uint8_t most) {
 }
 
 bool isEdge(const Grid& grid, Cell c) {
-  if (grid.at(c) != State::free) return false;
-  for (const Cell d : {Cell{-1, 0}, Cell{1, 0}, Cell{0, -1}, Cell{0, 1}})
-    if (grid.atOrUnknown({c.x + d.x, c.y + d.y}) != State::free) return true;
-  return false;
+  return grid.at(c) == State::free && grid.countBeside(c, State::free) < 4;
 }
 
 }  // namespace

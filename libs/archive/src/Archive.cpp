@@ -62,36 +62,30 @@ class Recorder {
     const std::int64_t id = writeComparison(site, comparison);
     for (const Entry& run : runs) write(run, site, id, comparison);
     for (const ComparedRun& run : comparison.runs)
-      Statement(database_,
-                "INSERT INTO compared SELECT ?, id FROM run WHERE site = ? AND sha256 = ?")
-          .with(id, site, run.sha256)
-          .run();
+      database_.run("INSERT INTO compared SELECT ?, id FROM run WHERE site = ? AND sha256 = ?", id,
+                    site, run.sha256);
     transaction.commit();
     return added;
   }
 
  private:
   std::int64_t siteOf(const std::string& name) {
-    Statement(database_, "INSERT OR IGNORE INTO site (name) VALUES (?)").with(name).run();
-    Statement found(database_, "SELECT id FROM site WHERE name = ?");
-    found.with(name).step();
-    return found.integer(0);
+    database_.run("INSERT OR IGNORE INTO site (name) VALUES (?)", name);
+    return database_.number("SELECT id FROM site WHERE name = ?", name);
   }
 
   /** The key of a run that is there, else 0. */
   std::int64_t keyOf(std::int64_t site, const std::string& sha256) {
-    Statement found(database_, "SELECT id FROM run WHERE site = ? AND sha256 = ?");
-    return found.with(site, sha256).step() ? found.integer(0) : 0;
+    return database_.number("SELECT id FROM run WHERE site = ? AND sha256 = ?", site, sha256);
   }
 
   bool isPlaced(std::int64_t run) {
-    Statement found(database_, "SELECT state = 'placed' FROM run WHERE id = ?");
-    return found.with(run).step() && found.integer(0) != 0;
+    return database_.number("SELECT state = 'placed' FROM run WHERE id = ?", run) != 0;
   }
 
   bool hasTrustedError(std::int64_t run) {
-    Statement found(database_, "SELECT meaningful FROM figure WHERE run = ? AND name = ?");
-    return found.with(run, kMapError).step() && found.integer(0) != 0;
+    return database_.number("SELECT meaningful FROM figure WHERE run = ? AND name = ?", run,
+                            kMapError) != 0;
   }
 
   /** Whether the compared runs are the site that is known: not where a known one was left out for
@@ -155,22 +149,18 @@ class Recorder {
       ledger = {};
       nameKnownRooms(comparison, ledger, database_.file());
     }
-    Statement(database_, "UPDATE site SET ledger = ? WHERE id = ?")
-        .with(siteJson(ledger), site)
-        .run();
+    database_.run("UPDATE site SET ledger = ? WHERE id = ?", siteJson(ledger), site);
     return "";
   }
 
   std::int64_t writeComparison(std::int64_t site, const Comparison& comparison) {
     const std::string options = textOf(comparison.options);
-    Statement(database_, "INSERT OR IGNORE INTO settings (version, options) VALUES (?, ?)")
-        .with(version(), options)
-        .run();
-    Statement(database_,
-              "INSERT INTO comparison (site, settings, verdict) "
-              "SELECT ?, id, ? FROM settings WHERE version = ? AND options = ?")
-        .with(site, comparison.verdict, version(), options)
-        .run();
+    database_.run("INSERT OR IGNORE INTO settings (version, options) VALUES (?, ?)", version(),
+                  options);
+    database_.run(
+        "INSERT INTO comparison (site, settings, verdict) "
+        "SELECT ?, id, ? FROM settings WHERE version = ? AND options = ?",
+        site, comparison.verdict, version(), options);
     return database_.number("SELECT last_insert_rowid()");
   }
 
@@ -178,20 +168,17 @@ class Recorder {
              const Comparison& found) {
     std::int64_t key = entry.known;
     if (key) {
-      Statement(database_,
-                "UPDATE run SET comparison = ?, reason = ?, state = 'placed' WHERE id = ?")
-          .with(comparison, entry.run.reason, key)
-          .run();
-      Statement(database_, "DELETE FROM figure WHERE run = ?").with(key).run();
-      Statement(database_, "DELETE FROM sighting WHERE run = ?").with(key).run();
+      database_.run("UPDATE run SET comparison = ?, reason = ?, state = 'placed' WHERE id = ?",
+                    comparison, entry.run.reason, key);
+      database_.run("DELETE FROM figure WHERE run = ?", key);
+      database_.run("DELETE FROM sighting WHERE run = ?", key);
     } else {
       const HistoryRun& run = entry.run;
-      Statement(database_,
-                "INSERT INTO run (site, sha256, robot, time, file, state, reason, comparison) "
-                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(site, run.sha256, run.robot, run.time, run.file,
-                entry.compared ? "placed" : "other site", run.reason, comparison)
-          .run();
+      database_.run(
+          "INSERT INTO run (site, sha256, robot, time, file, state, reason, comparison) "
+          "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+          site, run.sha256, run.robot, run.time, run.file, entry.compared ? "placed" : "other site",
+          run.reason, comparison);
       key = database_.number("SELECT last_insert_rowid()");
     }
     if (entry.compared) writeFigures(key, *entry.compared, found);
@@ -203,13 +190,13 @@ class Recorder {
       figure
           .with(key, one.name, one.value, one.low, one.high, one.unit, one.support,
                 one.isMeaningful)
-          .run();
+          .step();
     Statement sighting(database_, "INSERT INTO sighting VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const RoomSeen& one : roomsOf(run, comparison))
       sighting
           .with(key, one.room, nameOf(one.sighting), one.pieces, one.isMerged, one.doors, one.area,
                 one.shift, one.boundaryAgreement)
-          .run();
+          .step();
   }
 
   Database& database_;
@@ -240,10 +227,10 @@ std::vector<HistoryRun> Archive::runs(const std::string& site) const {
 }
 
 bool Archive::knows(const std::string& site, const std::string& sha256) const {
-  Statement found(*database_,
-                  "SELECT 1 FROM run JOIN site ON run.site = site.id "
-                  "WHERE site.name = ? AND sha256 = ?");
-  return found.with(site, sha256).step();
+  return database_->number(
+             "SELECT count(*) FROM run JOIN site ON run.site = site.id "
+             "WHERE site.name = ? AND sha256 = ?",
+             site, sha256) > 0;
 }
 
 SiteHistory Archive::history(const std::string& site) const {

@@ -95,11 +95,6 @@ bool Database::tryRun(const std::string& sql) {
   return code == SQLITE_OK;
 }
 
-std::int64_t Database::number(const std::string& sql) {
-  Statement statement(*this, sql);
-  return statement.step() ? statement.integer(0) : 0;
-}
-
 Statement::Statement(Database& database, const std::string& sql) : database_(database) {
   check(sqlite3_prepare_v2(database.handle(), sql.c_str(), -1, &statement_, nullptr));
 }

@@ -22,8 +22,12 @@ class Database {
   void run(const std::string& sql);
   /** The same; false where another program is just writing. */
   bool tryRun(const std::string& sql);
+  /** A statement without results, with the values of its question marks. */
+  template <class Value, class... Values>
+  void run(const std::string& sql, const Value& first, const Values&... others);
   /** The first column of the first row as a number; 0 without a row. */
-  std::int64_t number(const std::string& sql);
+  template <class... Values>
+  std::int64_t number(const std::string& sql, const Values&... values);
 
   const std::string& file() const { return file_; }
   bool isReadOnly() const { return isReadOnly_; }
@@ -55,11 +59,6 @@ class Statement {
 
   /** Goes to the next row; false behind the last one. */
   bool step();
-  /** All of a statement without rows. */
-  void run() {
-    while (step()) {
-    }
-  }
 
   std::string text(int column) const;
   double number(int column) const;
@@ -81,6 +80,17 @@ class Statement {
   sqlite3_stmt* statement_ = nullptr;
   int next_ = 1;
 };
+
+template <class Value, class... Values>
+void Database::run(const std::string& sql, const Value& first, const Values&... others) {
+  Statement(*this, sql).with(first, others...).step();
+}
+
+template <class... Values>
+std::int64_t Database::number(const std::string& sql, const Values&... values) {
+  Statement statement(*this, sql);
+  return statement.with(values...).step() ? statement.integer(0) : 0;
+}
 
 /** From its begin on no other program writes; what is not committed is undone at the end. One that
  *  only reads sees one state of the file, and keeps nobody from writing. */

@@ -16,7 +16,7 @@ void Archive::removeRun(const std::string& site, const std::string& run) {
       "(SELECT run.id FROM run JOIN site ON run.site = site.id WHERE site.name = ? AND sha256 = ?)";
   for (const char* rows :
        {"figure WHERE run", "sighting WHERE run", "compared WHERE run", "run WHERE id"})
-    Statement(database, std::string("DELETE FROM ") + rows + " = " + key).with(site, sha256).run();
+    database.run(std::string("DELETE FROM ") + rows + " = " + key, site, sha256);
   transaction.commit();
 }
 
@@ -24,11 +24,9 @@ void Archive::renameRobot(const std::string& site, const std::string& robot,
                           const std::string& name) {
   Database& database = *database_;
   Transaction transaction(database);
-  Statement(database,
-            "UPDATE run SET robot = ? WHERE robot = ? AND site = (SELECT id FROM site WHERE name = "
-            "?)")
-      .with(name, robot, site)
-      .run();
+  database.run(
+      "UPDATE run SET robot = ? WHERE robot = ? AND site = (SELECT id FROM site WHERE name = ?)",
+      name, robot, site);
   if (database.number("SELECT changes()") == 0)
     throw DataError(database.file() + ": has no robot " + robot + " in " + site +
                     ": 'list' names those that it has");
@@ -46,9 +44,7 @@ void Archive::nameRoom(const std::string& site, const std::string& id, const std
   if (room == ledger.rooms.end())
     throw DataError(database.file() + ": has no room " + id + ": 'rooms' lists those that it has");
   room->name = name;
-  Statement(database, "UPDATE site SET ledger = ? WHERE name = ?")
-      .with(siteJson(ledger), site)
-      .run();
+  database.run("UPDATE site SET ledger = ? WHERE name = ?", siteJson(ledger), site);
   transaction.commit();
 }
 

@@ -92,7 +92,7 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
           {"changed", errors.isChanged},
           {"too_few_nights", errors.isTooShort},
           {"slope_m_per_day", errors.slope ? Json(errors.slope->perDay) : Json(nullptr)},
-          {"p_rising", errors.trend.pRising},
+          {"p_rising", errors.pRising},
           {"days_to_limit", numberOrNull(errors.daysToLimit)},
           {"change", change},
           {"last_good", runOrNull(history, robot.lastGood)},

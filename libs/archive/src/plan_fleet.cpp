@@ -122,7 +122,7 @@ std::string keyOf(const FleetTask& task, const CompareMapsOptions& options) {
   for (const std::string& run : runs) text += run;
   for (const UsedOption& used : usedOptions(options))
     text += used.section + "." + used.name + "=" + used.value + "\n";
-  return sha256Of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  return sha256Of(viewOf(text));
 }
 
 }  // namespace roomgraph

@@ -49,8 +49,8 @@ bool isWorse(double before, double after) {
 void findDecline(ErrorWatch& watch, const Samples& errors, const WatchOptions& options) {
   const Samples window = lastOf(errors, kDeclineNights);
   watch.slope = theilSen(window);
-  watch.trend = mannKendall(window);
-  if (!watch.slope || watch.trend.pRising >= kSurely) return;
+  watch.pRising = mannKendall(window);
+  if (!watch.slope || watch.pRising >= kSurely) return;
   const double start = std::max(0.0, watch.slope->at(window.front().time));
   const double now = watch.slope->at(window.back().time);
   watch.isDeclining = isWorse(start, now);
@@ -77,20 +77,16 @@ double medianOf(const Samples& samples) {
   return median(std::move(values));
 }
 
-TrendTest mannKendall(const Samples& samples) {
-  TrendTest test;
+double mannKendall(const Samples& samples) {
   const double variance = varianceOf(samples);
-  if (samples.size() < 3 || variance <= 0) return test;
+  if (samples.size() < 3 || variance <= 0) return 0.5;
   int sum = 0;
   for (std::size_t i = 0; i < samples.size(); ++i)
     for (std::size_t j = i + 1; j < samples.size(); ++j)
       sum += signOf(samples[j].value - samples[i].value);
-  const double n = double(samples.size());
-  test.tau = sum / (n * (n - 1) / 2);
   // The sum moves in steps of two, hence the one.
   const double z = (sum - signOf(sum)) / std::sqrt(variance);
-  test.pRising = 0.5 * std::erfc(z / std::sqrt(2.0));
-  return test;
+  return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
 
 std::optional<SlopeFit> theilSen(const Samples& samples) {

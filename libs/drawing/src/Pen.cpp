@@ -8,21 +8,12 @@
 namespace roomgraph {
 namespace {
 
-void traceSquare(cairo_t* cairo, Point px, double half) {
-  cairo_rectangle(cairo, px.x - half, px.y - half, 2 * half, 2 * half);
-}
-
 void traceDiamond(cairo_t* cairo, Point px, double half) {
   cairo_move_to(cairo, px.x, px.y - half);
   cairo_line_to(cairo, px.x + half, px.y);
   cairo_line_to(cairo, px.x, px.y + half);
   cairo_line_to(cairo, px.x - half, px.y);
   cairo_close_path(cairo);
-}
-
-void traceDisc(cairo_t* cairo, Point px, double radius) {
-  cairo_new_sub_path(cairo);
-  cairo_arc(cairo, px.x, px.y, radius, 0, 2 * M_PI);
 }
 
 }  // namespace
@@ -46,6 +37,23 @@ void Pen::trace(const Polygon& polygon) const {
   });
 }
 
+void Pen::traceDisc(Point px, double radiusPx) const {
+  cairo_new_sub_path(cairo_);
+  cairo_arc(cairo_, px.x, px.y, radiusPx, 0, 2 * M_PI);
+}
+
+void Pen::traceBox(Point px, Point halfPx) const {
+  cairo_rectangle(cairo_, px.x - halfPx.x, px.y - halfPx.y, 2 * halfPx.x, 2 * halfPx.y);
+}
+
+void Pen::paint(Colour fill, double fillAlpha, Colour edge, double edgeAlpha,
+                double widthPx) const {
+  ink(fill, fillAlpha);
+  cairo_fill_preserve(cairo_);
+  ink(edge, edgeAlpha);
+  stroke(widthPx);
+}
+
 void Pen::stroke(double widthPx) const {
   cairo_set_line_width(cairo_, widthPx);
   cairo_stroke(cairo_);
@@ -55,10 +63,10 @@ void Pen::mark(VertexKind kind, Point px) const {
   Colour fill = ink::blue, edge = ink::paper;
   switch (kind) {
     case VertexKind::junction:
-      traceDisc(cairo_, px, 3.4);
+      traceDisc(px, 3.4);
       break;
     case VertexKind::deadEnd:
-      traceSquare(cairo_, px, 3.2);
+      traceBox(px, {3.2, 3.2});
       fill = ink::vermilion;
       break;
     case VertexKind::border:
@@ -67,20 +75,17 @@ void Pen::mark(VertexKind kind, Point px) const {
       edge = ink::text;
       break;
     case VertexKind::room:
-      traceDisc(cairo_, px, 5);
+      traceDisc(px, 5);
       fill = ink::paper;
       edge = ink::inside;
       break;
     case VertexKind::ring:
-      traceDisc(cairo_, px, 4.2);
+      traceDisc(px, 4.2);
       fill = ink::paper;
       edge = ink::blue;
       break;
   }
-  ink(fill);
-  cairo_fill_preserve(cairo_);
-  ink(edge);
-  stroke(kind == VertexKind::ring || kind == VertexKind::room ? 1.8 : 1);
+  paint(fill, 1, edge, 1, kind == VertexKind::ring || kind == VertexKind::room ? 1.8 : 1);
 }
 
 void Pen::font(double sizePx, bool isBold) const {

@@ -26,7 +26,11 @@ class Pen {
   /** Adds to cairo's current path; points that make no visible difference are left out. */
   void trace(const Polyline& line) const;
   void trace(const Polygon& polygon) const;
+  void traceDisc(Point px, double radiusPx) const;
+  void traceBox(Point px, Point halfPx) const;  ///< round a place on the picture
   void stroke(double widthPx) const;
+  /** Fills cairo's current path, and strokes it in another ink. */
+  void paint(Colour fill, double fillAlpha, Colour edge, double edgeAlpha, double widthPx) const;
 
   /** The mark of a vertex at a place on the picture: a shape and a colour for each kind. */
   void mark(VertexKind kind, Point px) const;

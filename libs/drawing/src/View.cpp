@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "roomgraph/grid/CellBox.h"
+
 namespace roomgraph {
 namespace {
 
@@ -13,28 +15,6 @@ constexpr int kMaxPx = 1600;    // of the longer side
 constexpr int kRoomyPx = 1200;  // magnified maps stay under this
 constexpr int kMaxMagnify = 4;  // but very small maps are brought up to kSmallPx
 constexpr int kSmallPx = 640;
-
-struct Bounds {
-  Cell low, high;
-};
-
-/** The first and last row and column that hold a known cell. */
-Bounds knownBounds(const Grid& grid) {
-  const int width = grid.frame.width, height = grid.frame.height;
-  Bounds bounds{{width, height}, {-1, -1}};
-  for (int y = 0; y < height; ++y) {
-    const State* row = grid.cells.data() + std::size_t(y) * std::size_t(width);
-    const auto isKnown = [](State s) { return s != State::unknown; };
-    const int first = int(std::find_if(row, row + width, isKnown) - row);
-    if (first == width) continue;
-    int last = width - 1;
-    while (!isKnown(row[last])) --last;
-    bounds = {{std::min(bounds.low.x, first), std::min(bounds.low.y, y)},
-              {std::max(bounds.high.x, last), y}};
-  }
-  if (bounds.high.y < 0) bounds = {{0, 0}, {width - 1, height - 1}};
-  return bounds;
-}
 
 }  // namespace
 
@@ -85,11 +65,12 @@ Point View::px(Point map) const {
 }
 
 View viewOf(const Grid& grid) {
-  const Bounds known = knownBounds(grid);
+  CellBox known = knownCells(grid);
+  if (known.isEmpty()) known = {{0, 0}, {grid.frame.width - 1, grid.frame.height - 1}};
   View view;
   view.frame = grid.frame;
-  view.columns = std::max(1, known.high.x - known.low.x + 1);
-  view.rows = std::max(1, known.high.y - known.low.y + 1);
+  view.columns = std::max(1, known.width());
+  view.rows = std::max(1, known.height());
   const int margin = 2 + std::max(view.columns, view.rows) / 60;
   view.first = {known.low.x - margin, known.low.y - margin};
   view.columns += 2 * margin;

@@ -42,13 +42,8 @@ Colour darker(Colour c) {
 }
 
 void labelDisc(const Pen& pen, Point place, double radius, const std::string& label) {
-  cairo_t* cairo = pen.cairo();
-  cairo_new_sub_path(cairo);
-  cairo_arc(cairo, place.x, place.y, radius, 0, 6.283185307179586);
-  pen.ink(ink::paper, 0.95);
-  cairo_fill_preserve(cairo);
-  pen.ink(ink::inside);
-  pen.stroke(1.4);
+  pen.traceDisc(place, radius);
+  pen.paint(ink::paper, 0.95, ink::inside, 1, 1.4);
   const double sizePx = radius * (label.size() < 3 ? 1.15 : 0.86);
   pen.text(label, {place.x, place.y + 0.36 * sizePx}, sizePx, true, Pen::Align::centre);
 }
@@ -72,19 +67,10 @@ void strokeSample(const Pen& pen, Point place, Colour colour, double widthPx) {
 constexpr double kPassagePx = 2.4;
 constexpr Colour kClutter{150, 60, 118};
 
-/** Adds to cairo's current path. */
-void addRing(const Pen& pen, Point place, double radius) {
-  cairo_new_sub_path(pen.cairo());
-  cairo_arc(pen.cairo(), place.x, place.y, radius, 0, 6.283185307179586);
-}
-
 /** Fills and strokes the rings of the current path. */
 void finishRings(const Pen& pen) {
   cairo_set_fill_rule(pen.cairo(), CAIRO_FILL_RULE_WINDING);
-  pen.ink(kClutter, 0.12);
-  cairo_fill_preserve(pen.cairo());
-  pen.ink(kClutter, 0.5);
-  pen.stroke(0.5);
+  pen.paint(kClutter, 0.12, kClutter, 0.5, 0.5);
 }
 
 }  // namespace
@@ -95,10 +81,7 @@ void drawRooms(const Pen& pen, const std::vector<const Polygon*>& rooms) {
   for (std::size_t r = 0; r < rooms.size(); ++r) {
     pen.trace(*rooms[r]);
     cairo_set_fill_rule(pen.cairo(), CAIRO_FILL_RULE_EVEN_ODD);
-    pen.ink(colours[r], 0.34);
-    cairo_fill_preserve(pen.cairo());
-    pen.ink(darker(colours[r]), 0.85);
-    pen.stroke(kOutlinePx);
+    pen.paint(colours[r], 0.34, darker(colours[r]), 0.85, kOutlinePx);
   }
 }
 
@@ -130,8 +113,7 @@ void drawObstacles(const Pen& pen, const ObstacleCells& obstacles) {
   pen.ink(ink::vermilion);
   int count = 0;
   for (const Cell cell : obstacles.cells) {
-    const Point place = pen.view().px(obstacles.frame.center(cell));
-    cairo_rectangle(pen.cairo(), place.x - half, place.y - half, 2 * half, 2 * half);
+    pen.traceBox(pen.view().px(obstacles.frame.center(cell)), {half, half});
     if (++count % 256 == 0) cairo_fill(pen.cairo());
   }
   cairo_fill(pen.cairo());
@@ -178,11 +160,8 @@ std::vector<LegendItem> graphLegend(const TopologyGraph& graph) {
 
 LegendItem roomLegend(std::size_t count) {
   return {groupedCount(count, "room", "rooms"), [](const Pen& pen, Point place) {
-            cairo_rectangle(pen.cairo(), place.x - 9, place.y - 6, 18, 12);
-            pen.ink(ink::sky, 0.34);
-            cairo_fill_preserve(pen.cairo());
-            pen.ink(darker(ink::sky), 0.85);
-            pen.stroke(kOutlinePx);
+            pen.traceBox(place, {9, 6});
+            pen.paint(ink::sky, 0.34, darker(ink::sky), 0.85, kOutlinePx);
             pen.mark(VertexKind::room, place);
           }};
 }
@@ -205,11 +184,8 @@ LegendItem lineLegend(const std::string& label, Colour colour, double widthPx) {
 
 LegendItem squareLegend(const std::string& label, Colour colour) {
   return {label, [=](const Pen& pen, Point place) {
-            cairo_rectangle(pen.cairo(), place.x - 5.5, place.y - 5.5, 11, 11);
-            pen.ink(colour);
-            cairo_fill_preserve(pen.cairo());
-            pen.ink(ink::quiet, 0.6);
-            pen.stroke(1);
+            pen.traceBox(place, {5.5, 5.5});
+            pen.paint(colour, 1, ink::quiet, 0.6, 1);
           }};
 }
 
@@ -238,7 +214,7 @@ void drawClutter(const Pen& pen, const std::vector<Clutter>& clutter) {
   int count = 0;
   for (const Clutter& piece : clutter) {
     const double radius = 0.5 * piece.size * pen.view().pxPerMetre();
-    addRing(pen, pen.view().px(piece.center), std::max(1.2, radius));
+    pen.traceDisc(pen.view().px(piece.center), std::max(1.2, radius));
     if (++count % 64 == 0) finishRings(pen);
   }
   finishRings(pen);
@@ -250,17 +226,14 @@ LegendItem passageLegend(std::size_t count) {
 
 LegendItem corridorAreaLegend(std::size_t count) {
   return {groupedCount(count, "corridor", "corridors"), [](const Pen& pen, Point place) {
-            cairo_rectangle(pen.cairo(), place.x - 9, place.y - 6, 18, 12);
-            pen.ink(ink::sky, 0.34);
-            cairo_fill_preserve(pen.cairo());
-            pen.ink(ink::blue, 0.7);
-            pen.stroke(1.2);
+            pen.traceBox(place, {9, 6});
+            pen.paint(ink::sky, 0.34, ink::blue, 0.7, 1.2);
           }};
 }
 
 LegendItem clutterLegend() {
   return {"clutter", [](const Pen& pen, Point place) {
-            addRing(pen, place, 5);
+            pen.traceDisc(place, 5);
             finishRings(pen);
           }};
 }

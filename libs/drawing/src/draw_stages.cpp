@@ -1,13 +1,12 @@
 #include "roomgraph/drawing/draw_stages.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "draw_layers.h"
 #include "render.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"
 
@@ -168,14 +167,6 @@ std::string pictureName(std::size_t step) {
 
 constexpr char kList[] = "stages.json";
 
-void makeFolder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw DataError(folder + ": cannot be made (" + error.message() +
-                    "): choose a folder that may be written");
-}
-
 }  // namespace
 
 std::vector<std::string> stageFiles() {
@@ -186,7 +177,7 @@ std::vector<std::string> stageFiles() {
 }
 
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
-  makeFolder(folder);
+  makeWritableFolder(folder);
   const std::string map = fileName(stages.source.file);
   std::string list;
   std::size_t number = 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "roomgraph/geometry/Transform2D.h"
+#include "roomgraph/grid/CellBox.h"
 
 namespace roomgraph {
 namespace {
@@ -23,7 +24,7 @@ enum class Mark : std::uint8_t { unseen, inGroup, other };
 /** Connected cells that are not free. */
 struct Group {
   std::vector<Cell> cells;
-  Cell low, high;
+  CellBox box;
   std::size_t rim = 0, wall = 0;  // cells at free ones, and occupied cells
 };
 
@@ -55,7 +56,7 @@ class ClutterFinder {
       const GridFrame& frame = grid_.frame;
       if (2 * group.wall >= group.rim)
         clutter.push_back(
-            {midpoint(frame.center(group.low), frame.center(group.high)), sizeOf(group)});
+            {midpoint(frame.center(group.box.low), frame.center(group.box.high)), sizeOf(group)});
     }
     return clutter;
   }
@@ -72,7 +73,7 @@ class ClutterFinder {
   /** Fills group_, and gives up where it is too large, or touches the border or a large one. */
   bool collect(Cell first) {
     group_.cells.clear();  // which keeps their memory
-    group_.low = group_.high = first;
+    group_.box = {};
     group_.rim = group_.wall = 0;
     add(first);
     if (sizeOf(group_) > maxTable_) return false;
@@ -84,7 +85,7 @@ class ClutterFinder {
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
           if (!visit({cell.x + dx, cell.y + dy})) return false;
-      countRim(cell);
+      group_.rim += grid_.countBeside(cell, State::free) > 0 ? 1 : 0;
       group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
     return isSmall(group_) || isCompact(group_);
@@ -101,8 +102,8 @@ class ClutterFinder {
    *  with doors between them has space on two sides: both stay. */
   bool isTable(const Group& group) {
     mark(group, Mark::inGroup);
-    const Point middle =
-        0.5 * Point{double(group.low.x + group.high.x), double(group.low.y + group.high.y)};
+    const Point middle = 0.5 * Point{double(group.box.low.x + group.box.high.x),
+                                     double(group.box.low.y + group.box.high.y)};
     int walls = 0;
     for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
       walls += hasWallFrom(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
@@ -142,29 +143,17 @@ class ClutterFinder {
     return !add(near) || sizeOf(group_) <= maxTable_;
   }
 
-  void countRim(Cell cell) {
-    const auto isFree = [&](int dx, int dy) {
-      return grid_.at({cell.x + dx, cell.y + dy}) == State::free;
-    };
-    if (!isFree(1, 0) && !isFree(-1, 0) && !isFree(0, 1) && !isFree(0, -1)) return;
-    ++group_.rim;
-  }
-
   /** Returns whether the box of the group has grown. */
   bool add(Cell cell) {
     marks_[grid_.frame.index(cell)] = Mark::inGroup;
     group_.cells.push_back(cell);
-    Cell &low = group_.low, &high = group_.high;
-    const bool isWithin =
-        cell.x >= low.x && cell.x <= high.x && cell.y >= low.y && cell.y <= high.y;
-    low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
-    high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+    const bool isWithin = group_.box.contains(cell);
+    group_.box.include(cell);
     return !isWithin;
   }
 
   double sizeOf(const Group& group) const {
-    const Point box{double(group.high.x - group.low.x + 1), double(group.high.y - group.low.y + 1)};
-    return grid_.frame.resolution * norm(box);
+    return grid_.frame.resolution * norm({double(group.box.width()), double(group.box.height())});
   }
 
   Grid& grid_;

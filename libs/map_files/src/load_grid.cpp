@@ -91,7 +91,7 @@ bool isTable(const std::string& text) {
   if (file.head().size == 0) refuse(file.name(), "is empty", "copy or save the map again");
   const auto object = peekObjectHeader(file.head());
   const bool isObject = object && isRegisteredName(object->className);
-  const std::string head(reinterpret_cast<const char*>(file.head().data), file.head().size);
+  const std::string head = file.head().text();
   if (object)
     for (const OtherFile& other : kOtherObjects)
       if (object->className == other.sign) refuse(file.name(), other.problem, other.remedy);

@@ -186,7 +186,7 @@ void skipLayer(ByteReader& reader, bool isLast, int mapVersion) {
 
 /** Lines and planes, which are no part of a grid. */
 void skipFeatures(ByteReader& reader) {
-  const std::string container = readText(reader), element = readText(reader);
+  const std::string container = reader.getText(), element = reader.getText();
   if (container != "std::vector" || element.find("TLine3D") == std::string::npos)
     refuse(reader.file(), "it is damaged: its lines are missing", kSaveMapAgain);
   constexpr std::uint64_t line = 6 * sizeof(double), plane = 7 * sizeof(double);
@@ -205,7 +205,7 @@ std::vector<Layer> readLayers(ByteReader& reader) {
   std::vector<Layer> layers;
   for (std::uint32_t i = 0; i < count; ++i) {
     Layer layer;
-    layer.name = readText(reader);
+    layer.name = reader.getText();
     layer.at = reader.position();
     ByteReader object = reader;
     layer.className = readObjectHeader(reader).className;

@@ -82,10 +82,6 @@ bool isText(ByteView bytes) {
   });
 }
 
-std::string textOf(ByteView bytes) {
-  return {reinterpret_cast<const char*>(bytes.data), bytes.size};
-}
-
 double occupancyOf(std::uint8_t grey) { return 1 - grey / 255.0; }
 
 /** A grey that the thresholds call neither occupied nor free. */
@@ -169,17 +165,17 @@ GreyMap inMapFrame(const RosMapYaml& ros, GreyMap map, const std::string& file) 
 
 bool isRosMap(CheckedFile& file) {
   if (file.claimedSize() > 1 << 16 || !isText(file.head())) return false;
-  const std::string text = textOf(file.head());
+  const std::string text = file.head().text();
   return text.find("image:") != std::string::npos || text.find("image\":") != std::string::npos;
 }
 
 std::string pictureOfRosMap(CheckedFile& file) {
-  return pictureOf(readRosMapYaml(textOf(file.content()), file.name()), file.name());
+  return pictureOf(readRosMapYaml(file.content().text(), file.name()), file.name());
 }
 
 GreyMap readRosMap(CheckedFile& file, const LoadGridOptions&) {
   const ByteView yaml = file.content();
-  const RosMapYaml ros = readRosMapYaml(textOf(yaml), file.name());
+  const RosMapYaml ros = readRosMapYaml(yaml.text(), file.name());
   CheckedFile picture(pictureOf(ros, file.name()));
   GreyMap map;
   readImage(picture, map);

@@ -166,15 +166,14 @@ viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, Writer& w
 }
 
 viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, double height) {
-  std::map<std::string, std::size_t> places;
+  std::map<std::string, std::size_t> places;  // by the name of the run; the first for any other
   for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
   auto rings = viz::CSetOfObjects::Create();
   rings->setName("breaks");
   for (const MapBreak& tear : comparison.breaks) {
     auto ring = viz::CDisk::Create();
     ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
-    const auto found = places.find(tear.run);
-    ring->setColor_u8(mrptColour(runColour(found == places.end() ? 0 : found->second)));
+    ring->setColor_u8(mrptColour(runColour(places[tear.run])));
     ring->setLocation(tear.place.x, tear.place.y, height);
     rings->insert(ring);
     std::string words = tear.run;

@@ -137,7 +137,7 @@ void readBody(mrpt::serialization::CArchive& reader, std::uint8_t version, const
     // MRPT's own message is a page with a backtrace.
     refuse(kind.name, "it is cut short or damaged", "copy or save it again");
   }
-  read({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  read(viewOf(bytes));
 }
 
 void readObjectFile(const std::string& path, const ObjectKind& kind,

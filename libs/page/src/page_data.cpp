@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/frames_at_break.h"
@@ -38,12 +37,10 @@ Json scansJson(const Comparison& comparison, const MapBreak& tear, const std::ve
 
 /** The maps of the compared runs; without a map where there is none. */
 std::vector<PlacedMap> placedMaps(const Comparison& comparison, const std::vector<Run>& runs) {
-  std::map<std::string, const WallMap*> maps;
-  for (const Run& run : runs) maps.emplace(run.name, &run.map);
   std::vector<PlacedMap> placed;
-  for (const ComparedRun& run : comparison.runs) {
-    const auto found = maps.find(run.name);
-    placed.push_back({found == maps.end() ? nullptr : found->second, run.pose});
+  for (const ComparedRun& compared : comparison.runs) {
+    const Run* run = findRun(runs, compared.name);
+    placed.push_back({run ? &run->map : nullptr, compared.pose});
   }
   return placed;
 }
@@ -145,10 +142,11 @@ std::string pageData(const Comparison& comparison, const std::vector<Run>& runs)
 
 BreakScans breakScans(const Comparison& comparison, const MapBreak& tear,
                       const std::vector<Run>& runs) {
-  const auto isTorn = [&](const auto& run) { return run.name == tear.run; };
-  const auto run = std::find_if(runs.begin(), runs.end(), isTorn);
-  const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
-  if (run == runs.end() || placed == comparison.runs.end()) return {};
+  const Run* run = findRun(runs, tear.run);
+  const auto placed =
+      std::find_if(comparison.runs.begin(), comparison.runs.end(),
+                   [&](const ComparedRun& compared) { return compared.name == tear.run; });
+  if (!run || placed == comparison.runs.end()) return {};
   const Motion2D move(placed->pose);
   BreakScans scans;
   const FramesAtBreak frames = framesAtBreak(tear, run->scans);

@@ -180,10 +180,6 @@ bool canMeet(const MapPair& pair, const WallMap& a, const WallMap& b) {
   return canMeet(wholes, a, b) && canMeet(pair.bInA, a, b) && canMeet(pair.aInB, b, a);
 }
 
-ByteView viewOf(std::string_view bytes) {
-  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
-}
-
 }  // namespace
 
 RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std::string& how,
@@ -196,8 +192,7 @@ RelatePair keepPairs(RelatePair relate, const std::vector<Run>& runs, const std:
              const PairOver& pair, FullMaps& maps) {
     std::string all = program + ' ' + prints[pair.a] + ' ' + prints[pair.b];
     if (pair.hub != pair.a && pair.hub != pair.b) all += ' ' + prints[pair.hub];
-    const std::string name =
-        sha256Of({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()});
+    const std::string name = sha256Of(viewOf(all));
     if (const auto bytes = kept.read(name))
       if (auto known = pairOfBytes(*bytes, runs[pair.a].map, runs[pair.b].map))
         return std::move(*known);

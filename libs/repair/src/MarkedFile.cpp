@@ -28,8 +28,7 @@ constexpr MarkedFormat kFormats[] = {
 
 MarkedFile readMarked(const std::string& file) {
   const std::string text = readFile(file);
-  const ByteView head{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-  if (isImage(head)) refuse(file, "is a picture", "name the yaml that tells where it lies");
+  if (isImage(viewOf(text))) refuse(file, "is a picture", "name the yaml that tells where it lies");
   for (const MarkedFormat& format : kFormats)
     if (format.looksLike(text)) return format.read(text, file);
   return {};

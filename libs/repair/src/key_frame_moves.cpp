@@ -110,11 +110,8 @@ MovedRun movedRun(const Run& run, const RepairedRun& repaired) {
   const std::string content = movePoses(file.content(), file.name(), stored, moves);
   MovedRun moved;
   moved.simplemap = packedMap(content, file.compression());
-  const std::string& map = moved.simplemap;
-  const std::string sha256 =
-      sha256Of({reinterpret_cast<const std::uint8_t*>(map.data()), map.size()});
-  moved.tum = std::string(kRosMapMark) + "\n# Its simplemap has the SHA-256 " + sha256 + ".\n" +
-              trajectoryTum(stored, moves);
+  moved.tum = std::string(kRosMapMark) + "\n# Its simplemap has the SHA-256 " +
+              sha256Of(viewOf(moved.simplemap)) + ".\n" + trajectoryTum(stored, moves);
   return moved;
 }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
+
+#include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
 namespace {
@@ -128,18 +131,13 @@ class KindFinder {
 
   /** Of a room: nooks of a hall may be as wide as the small rooms of a home. */
   double leastWidth() {
-    std::vector<std::pair<double, double>> spaces;  // width and area
-    double area = 0;
+    std::vector<WeightedValue> spaces;  // widths, by area
     for (std::uint32_t v = 0; v < kinds_.size(); ++v) {
       if (!regions_.isInside()[v] || regions_.find(v) != v) continue;
       if (regions_.wallShare(v) < options_.minWallShare) continue;
       spaces.push_back({2 * regions_.radius(v), regions_.area(v)});
-      area += spaces.back().second;
     }
-    std::sort(spaces.begin(), spaces.end());
-    double median = 0, below = 0;
-    for (std::size_t i = 0; i < spaces.size() && below < area / 2; ++i)
-      median = spaces[i].first, below += spaces[i].second;
+    const double median = lowerWeightedMedian(std::move(spaces)).value_or(0);
     return std::max(options_.minRoomWidth,
                     std::min(options_.minRoomRatio * median, options_.openRoomWidth));
   }

@@ -4,7 +4,9 @@
 #include <mrpt/poses/CPose3DQuat.h>
 #include <mrpt/poses/CPosePDFParticles.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "roomgraph/base/remedies.h"
 
@@ -142,7 +144,7 @@ CPose3D readParticles2D(ByteReader& reader, int version) {
   return checkPose(mean, reader);
 }
 
-CPose3D readGaussian3D(ByteReader& reader) {
+CPose3D readGaussian3D(ByteReader& reader, int) {
   CPose3D mean = readPose3D(reader);
   reader.skip(21 * sizeof(double));  // the upper triangle of 6 x 6
   return mean;
@@ -157,11 +159,23 @@ CPose3D readGaussian2D(ByteReader& reader, int version) {
   return mean;
 }
 
-CPose3D readInformation2D(ByteReader& reader) {
+CPose3D readInformation2D(ByteReader& reader, int) {
   CPose3D mean = checkPose(readCoordinates<double>(reader), reader);
   reader.skip(6 * sizeof(double));
   return mean;
 }
+
+/** A distribution of poses, by the newest version of its layout that is known. */
+struct PoseKind {
+  const char* className;
+  int newest;
+  CPose3D (*readMean)(ByteReader& reader, int version);
+};
+
+constexpr PoseKind kPoseKinds[] = {
+    {"CPose3DPDFGaussian", 1, readGaussian3D},   {"CPose3DPDFGaussianInf", 0, readGaussian3D},
+    {"CPosePDFGaussian", 2, readGaussian2D},     {"CPosePDFGaussianInf", 0, readInformation2D},
+    {"CPose3DPDFParticles", 1, readParticles3D}, {"CPosePDFParticles", 1, readParticles2D}};
 
 }  // namespace
 
@@ -192,29 +206,14 @@ CPose2D readPose2D(ByteReader& reader) {
 
 CPose3D readPoseMean(ByteReader& reader) {
   const ObjectHeader header = readObjectHeader(reader);
-  CPose3D mean;
-  if (header.className == "CPose3DPDFGaussian") {
-    checkVersion(reader, header, 1);
-    mean = readGaussian3D(reader);
-  } else if (header.className == "CPose3DPDFGaussianInf") {
-    checkVersion(reader, header, 0);
-    mean = readGaussian3D(reader);
-  } else if (header.className == "CPosePDFGaussian") {
-    checkVersion(reader, header, 2);
-    mean = readGaussian2D(reader, header.version);
-  } else if (header.className == "CPosePDFGaussianInf") {
-    checkVersion(reader, header, 0);
-    mean = readInformation2D(reader);
-  } else if (header.className == "CPose3DPDFParticles") {
-    checkVersion(reader, header, 1);
-    mean = readParticles3D(reader, header.version);
-  } else if (header.className == "CPosePDFParticles") {
-    checkVersion(reader, header, 1);
-    mean = readParticles2D(reader, header.version);
-  } else {
+  const auto kind =
+      std::find_if(std::begin(kPoseKinds), std::end(kPoseKinds),
+                   [&](const PoseKind& known) { return header.className == known.className; });
+  if (kind == std::end(kPoseKinds))
     refuse(reader.file(), "keeps a pose as " + header.className,
            "save the map with Gaussian or particle poses");
-  }
+  checkVersion(reader, header, kind->newest);
+  CPose3D mean = kind->readMean(reader, header.version);
   readObjectEnd(reader, header);
   return mean;
 }

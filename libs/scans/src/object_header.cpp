@@ -72,9 +72,4 @@ void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newe
            "get a newer roomgraph, or give the map's grid as a ROS map (yaml with png)");
 }
 
-std::string readText(ByteReader& reader) {
-  const auto length = reader.get<std::uint32_t>();
-  return {reinterpret_cast<const char*>(reader.take(length)), length};
-}
-
 }  // namespace roomgraph

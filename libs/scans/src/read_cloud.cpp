@@ -35,7 +35,7 @@ CloudPoints readExternalPoints(const std::string& name, std::uint8_t storage) {
 }
 
 void readPointCloud(ByteReader& reader, PointCloud& cloud) {
-  cloud.label = readText(reader);
+  cloud.label = reader.getText();
   cloud.time = readTime(reader);
   cloud.sensor = readPose3D(reader);
   const auto storage = reader.get<std::uint8_t>();
@@ -43,7 +43,7 @@ void readPointCloud(ByteReader& reader, PointCloud& cloud) {
     cloud.points = readPointsMap(reader);
     return;
   }
-  const std::string name = readText(reader);
+  const std::string name = reader.getText();
   if (storage > kText)
     refuse(reader.file(), "keeps point clouds in files of a kind that is not known here",
            "save it with the clouds inside");
@@ -98,18 +98,18 @@ std::function<CloudPoints()> readOrganizedPoints(ByteReader& reader) {
 
 void readRotatingScan(ByteReader& reader, PointCloud& cloud) {
   cloud.time = readTime(reader);
-  cloud.label = readText(reader);
+  cloud.label = reader.getText();
   const auto rows = reader.get<std::uint16_t>(), columns = reader.get<std::uint16_t>();
   const auto unit = reader.get<double>(), start = reader.get<double>(), span = reader.get<double>();
   reader.skip(sizeof(double));      // how long it took
-  readText(reader);                 // model
+  reader.getText();                 // model
   reader.skip(2 * sizeof(double));  // shortest and longest range
   cloud.sensor = readPose3D(reader);
   readTime(reader);
   reader.skip(1);  // whose clock it was
   const bool isNewer = saysWhereMatricesAre(reader, rows, columns);
   if (isNewer && reader.getFlag()) {
-    cloud.missingFile = readText(reader);  // a kind of file that no public program writes
+    cloud.missingFile = reader.getText();  // a kind of file that no public program writes
     return;
   }
   const auto storedColumns = reader.get<std::uint16_t>(), storedRows = reader.get<std::uint16_t>();
@@ -120,7 +120,7 @@ void readRotatingScan(ByteReader& reader, PointCloud& cloud) {
   const auto width = reader.get<std::uint16_t>();
   reader.skip(std::uint64_t(width) * reader.get<std::uint16_t>());  // intensities
   for (auto layers = reader.get<std::uint16_t>(); layers > 0; --layers) {
-    readText(reader);
+    reader.getText();
     reader.skip(std::uint64_t(storedColumns) * storedRows * 2);
   }
   cloud.points = readOrganizedPoints(reader);

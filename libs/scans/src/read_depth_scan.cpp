@@ -31,7 +31,7 @@ DepthCamera readCamera(ByteReader& reader) {
 
 void skipCameraEnd(ByteReader& reader, const ObjectHeader& header) {
   reader.skip(2 * sizeof(std::uint32_t));  // rows and columns
-  if (header.version >= 5) readText(reader);
+  if (header.version >= 5) reader.getText();
   if (header.version >= 6) reader.skip(1);  // the model of its distortion
   readObjectEnd(reader, header);
 }
@@ -62,8 +62,8 @@ bool readRest(ByteReader& reader, const ObjectHeader& camera, PointCloud& cloud)
   readPose3D(reader);
   reader.skip(sizeof(float));  // standard deviation
   cloud.time = readTime(reader);
-  cloud.label = readText(reader);
-  for (int i = 0; i < 2; ++i) reader.skip(1), readText(reader);  // files beside the map
+  cloud.label = reader.getText();
+  for (int i = 0; i < 2; ++i) reader.skip(1), reader.getText();  // files beside the map
   return reader.getFlag();
 }
 

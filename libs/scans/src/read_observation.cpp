@@ -32,7 +32,7 @@ void readScanEnd(ByteReader& reader, int version, RangeScan& scan) {
   scan.time = version >= 3 ? readTime(reader) : mrpt::Clock::time_point();
   if (version >= 4) reader.skip(4);  // beam aperture
   if (version >= 5) {
-    scan.label = readText(reader);
+    scan.label = reader.getText();
     reader.skip(8);  // pitch
   }
   if (version >= 7 && reader.getFlag())

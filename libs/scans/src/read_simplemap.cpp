@@ -27,7 +27,7 @@ void skipTwist(ByteReader& reader) {
   if (!startsWithOptional({reader.peek(), reader.left()}))
     refuse(reader.file(), "it is damaged: an entry in it does not end where it should",
            kSaveMapAgain);
-  readText(reader);
+  reader.getText();
   reader.skip(reader.get<std::uint32_t>());  // the name of its type
   if (reader.getFlag()) reader.skip(6 * sizeof(double));
 }

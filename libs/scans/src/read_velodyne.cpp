@@ -48,7 +48,7 @@ bool areKnown(const CObservationVelodyneScan& scan) {
 
 void readVelodyne(ByteReader& reader, PointCloud& cloud) {
   cloud.time = readTime(reader);
-  cloud.label = readText(reader);
+  cloud.label = reader.getText();
   VelodynePackets packets;
   packets.minRange = reader.get<double>();
   packets.maxRange = reader.get<double>();

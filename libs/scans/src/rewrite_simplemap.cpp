@@ -224,7 +224,7 @@ std::string movePoses(ByteView content, const std::string& file, const StoredPos
   if (poses.frames.size() != moves.size() ||
       (!poses.frames.empty() && poses.frames.back().end > content.size))
     refuse(file, "has changed while it was read", kSaveMapAgain);
-  std::string bytes(reinterpret_cast<const char*>(content.data), content.size);
+  std::string bytes = content.text();
   Mover mover(content, file, bytes);
   for (std::size_t k = 0; k < moves.size(); ++k)
     if (isMoved(moves[k])) mover.move(poses.frames[k].begin, moves[k]);

@@ -19,17 +19,12 @@ double medianOf(const Samples& samples);
 
 // Mann 1945, Kendall 1975
 
-/** Whether values rise or fall with time. */
-struct TrendTest {
-  double tau = 0;        ///< pairs that rise less those that fall, as a share of all; -1 to 1
-  double pRising = 0.5;  ///< how likely values without a trend rise as much as these do, 0 to 1
-};
-
-/** The test of Mann and Kendall with the normal approximation and the usual correction, which
- *  counts values that are the same. It asks for the order of the values alone, so one bad value
- *  weighs no more than any other. Samples must be in the order of time; fewer than three, or values
- *  that are all the same, have no trend. O(samples^2). */
-TrendTest mannKendall(const Samples& samples);
+/** How likely values without a trend rise as much as these do, 0 to 1: the test of Mann and Kendall
+ *  with the normal approximation and the usual correction, which counts values that are the same.
+ *  It asks for the order of the values alone, so one bad value weighs no more than any other.
+ *  Samples must be in the order of time; fewer than three, or values that are all the same, have no
+ *  trend: 0.5. O(samples^2). */
+double mannKendall(const Samples& samples);
 
 // Theil 1950, Sen 1968
 
@@ -81,7 +76,7 @@ struct ErrorWatch {
   bool isChanged = false;               ///< they have been larger since some night, and surely
   bool isTooShort = true;               ///< too few samples to see a decline or a change
   std::optional<SlopeFit> slope;        ///< of the last kDeclineNights
-  TrendTest trend;                      ///< of these
+  double pRising = 0.5;                 ///< of these, see mannKendall
   std::optional<ChangePoint> change;    ///< of the history; its index is one of all samples
   std::optional<double> daysToLimit;    ///< where it is declining and below the limit
   std::optional<std::size_t> lastGood;  ///< the last sample that is not above the limit

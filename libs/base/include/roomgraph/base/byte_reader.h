@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "roomgraph/base/Error.h"
@@ -12,7 +13,15 @@ namespace roomgraph {
 struct ByteView {
   const std::uint8_t* data = nullptr;  ///< the first of them
   std::size_t size = 0;                ///< how many there are
+
+  /** A copy of them. */
+  [[nodiscard]] std::string text() const { return {reinterpret_cast<const char*>(data), size}; }
 };
+
+/** Those of a text, which must outlive the result. */
+[[nodiscard]] inline ByteView viewOf(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 /** Reads little-endian values, as MRPT streams them, and never past the end. */
 class ByteReader {
@@ -45,7 +54,7 @@ class ByteReader {
   /** A text behind its length. */
   std::string getText() {
     const auto size = get<std::uint32_t>();
-    return {reinterpret_cast<const char*>(take(size)), size};
+    return ByteView{take(size), size}.text();
   }
 
  private:

@@ -18,6 +18,11 @@ struct Grid {
   [[nodiscard]] State atOrUnknown(Cell c) const {
     return frame.contains(c) ? at(c) : State::unknown;
   }
+  /** How many of the four cells beside `c` are of this state. */
+  [[nodiscard]] int countBeside(Cell c, State state) const {
+    const auto is = [&](int dx, int dy) { return atOrUnknown({c.x + dx, c.y + dy}) == state; };
+    return is(1, 0) + is(-1, 0) + is(0, 1) + is(0, -1);
+  }
   [[nodiscard]] bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
 };
 

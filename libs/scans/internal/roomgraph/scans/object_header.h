@@ -31,7 +31,4 @@ void skipObject(ByteReader& reader, const std::function<bool(ByteView)>& follows
 /** Throws DataError unless the version is one of 0 to `newest`. */
 void checkVersion(const ByteReader& reader, const ObjectHeader& header, int newest);
 
-/** Reads a text with its length before it. */
-std::string readText(ByteReader& reader);
-
 }  // namespace roomgraph
