@@ -2,6 +2,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "commands.h"
 #include "option_arguments.h"
@@ -19,10 +20,18 @@
 namespace roomgraph {
 namespace {
 
+/** A map that is asked for its places. */
+struct AskedMap {
+  std::string name;
+  GraphFile file;
+  Grid grid;  ///< empty of an X.json, which has none
+};
+
 /** The graph in an X.json of 'roomgraph extract', or else that of a map, extracted now. */
-GraphFile graphOfMap(const std::string& file, const ExtractOptions& options) {
-  if (CheckedFile(file).head().text().rfind('{', 0) == 0) return readGraphJson(file);
-  return graphFile(extractGraph(loadGrid(file, options.loadGrid), options));
+AskedMap readAskedMap(const std::string& file, const ExtractOptions& options) {
+  if (CheckedFile(file).head().text().rfind('{', 0) == 0) return {file, readGraphJson(file), {}};
+  Stages stages = extractGraph(loadGrid(file, options.loadGrid), options);
+  return {file, graphFile(stages), std::move(stages.grid)};
 }
 
 /** The name that was given to it; where none were given "R3" for a room, and "C7" for a corridor by
@@ -48,14 +57,20 @@ std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
 
 std::string placeText(Point place) { return formatted("(%.2f, %.2f)", place.x, place.y); }
 
-/** Where a place is. @throws DataError where it is in no area; each free cell is in one. */
-Whereabouts whereItIs(const GraphFile& file, Point place, const std::string& map) {
-  const Whereabouts where = whereIs(file.graph, file.areas, place);
-  if (where.area) return where;
-  const std::string off = formatted("%.2f m off, at ", distance(where.on, place));
-  throw DataError(map + ": " + placeText(place) + " lies in no room and no corridor" +
-                  (where.edge ? ", and the nearest way is " + off + placeText(where.on) : "") +
-                  ": give a place in free space");
+/** Where a place is. @throws DataError where it is in no area, or not in free space; each free cell
+ *  is in one. */
+Whereabouts whereItIs(const AskedMap& asked, Point place) {
+  const Whereabouts where = whereIs(asked.file.graph, asked.file.areas, place);
+  const std::string at = asked.name + ": " + placeText(place);
+  if (!where.area) {
+    const std::string off = formatted("%.2f m off, at ", distance(where.on, place));
+    throw DataError(at + " lies in no room and no corridor" +
+                    (where.edge ? ", and the nearest way is " + off + placeText(where.on) : "") +
+                    ": give a place in free space");
+  }
+  if (asked.grid.frame.cellCount() > 0 && !asked.grid.isFree(place))
+    throw DataError(at + " lies in an obstacle or in unknown space: give a place in free space");
+  return where;
 }
 
 struct RouteArguments {
@@ -104,8 +119,10 @@ Point placeOf(const GraphFile& file, const std::vector<std::string>& words, cons
 /** One line for each area and passage on the way. */
 std::string routeText(const GraphFile& file, const Route& route, AreaId from, AreaId to) {
   const double width = 2 * route.minClearance - file.input.frame.resolution;
-  std::string text = formatted("%.1f m, at least %.2f m wide\n  %s\n", route.length, width,
-                               areaName(file, from).c_str());
+  std::string text = formatted("%.1f m, at least %.2f m wide", route.length, width);
+  if (route.besideWays > file.input.frame.resolution)
+    text += formatted(" but for %.1f m straight to the ways and from them", route.besideWays);
+  text += "\n  " + areaName(file, from) + "\n";
   AreaId at = from;
   for (const PassageId p : route.passages) {
     at = behind(file.areas.passages[p.index()], at);
@@ -115,15 +132,23 @@ std::string routeText(const GraphFile& file, const Route& route, AreaId from, Ar
   return text;
 }
 
+std::string noRouteText(const GraphFile& file, const Whereabouts& from, const Whereabouts& to) {
+  if (from.area != to.area || from.edge)
+    return "there is no way along the graph between these places\n";
+  return "both places lie in " + areaName(file, from.area) +
+         ", which has no ways, and what stands in it is taken for clutter: "
+         "--set clear_clutter.max_size=0 leads ways round it\n";
+}
+
 int run(const RouteArguments& arguments) {
-  const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
+  const AskedMap asked = readAskedMap(arguments.map, toOptions(arguments.options));
+  const GraphFile& file = asked.file;
   const auto find = [&](const std::vector<std::string>& words, const char* option) {
-    return whereItIs(file, placeOf(file, words, option), arguments.map);
+    return whereItIs(asked, placeOf(file, words, option));
   };
   const Whereabouts from = find(arguments.from, "--from"), to = find(arguments.to, "--to");
   const auto route = findRoute(file.graph, file.areas, from, to);
-  print(route ? routeText(file, *route, from.area, to.area)
-              : "there is no way along the graph between these places\n");
+  print(route ? routeText(file, *route, from.area, to.area) : noRouteText(file, from, to));
   return route ? kDone : kBadData;
 }
 
@@ -146,9 +171,9 @@ std::string areaText(const GraphFile& file, AreaId id) {
 
 int run(const WhereArguments& arguments) {
   if (!isPlace(arguments.place)) throw UsageError("where: X and Y are no place: give metres");
-  const GraphFile file = graphOfMap(arguments.map, toOptions(arguments.options));
-  const Whereabouts where = whereItIs(file, arguments.place, arguments.map);
-  std::string text = areaText(file, where.area);
+  const AskedMap asked = readAskedMap(arguments.map, toOptions(arguments.options));
+  const Whereabouts where = whereItIs(asked, arguments.place);
+  std::string text = areaText(asked.file, where.area);
   if (where.edge)
     text += formatted("  the nearest way is %.2f m off, at (%.2f, %.2f)\n",
                       distance(where.on, arguments.place), where.on.x, where.on.y);

@@ -67,11 +67,22 @@ TEST(WhereIs, doesNotTakeAWayBehindAWall) {
 TEST(FindRoute, goesThroughTheDoorsAndTellsHowNarrowItIs) {
   const auto found = route(threeRooms(), {2, 2}, {9, 3});
   ASSERT_TRUE(found);
-  EXPECT_DOUBLE_EQ(found->length, 7);
+  EXPECT_DOUBLE_EQ(found->length, 8) << "with the last metre, beside the ways";
+  EXPECT_DOUBLE_EQ(found->besideWays, 1);
   EXPECT_DOUBLE_EQ(found->minClearance, 0.4);
   EXPECT_EQ(found->passages, (std::vector<PassageId>{PassageId(0), PassageId(1)}));
   EXPECT_EQ(found->points.front(), (Point{2, 2}));
-  EXPECT_EQ(found->points.back(), (Point{9, 2}));
+  EXPECT_EQ(found->points.back(), (Point{9, 3}));
+}
+
+TEST(FindRoute, isNeverShorterThanTheStraightLine) {
+  const Site site = threeRooms();
+  for (const Point to : {Point{2, 3.9}, Point{2.2, 0.1}, Point{11, 3.5}, Point{7, 0.5}}) {
+    const auto found = route(site, {2, 1}, to);
+    ASSERT_TRUE(found);
+    EXPECT_GE(found->length, distance({2, 1}, to) - 1e-12);
+    EXPECT_NEAR(found->length, length(found->points), 1e-12);
+  }
 }
 
 TEST(FindRoute, isTheSameBackwards) {

@@ -62,7 +62,7 @@ std::vector<PassageId> passagesAlong(const Polyline& points, const AreaGraph& ar
 Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place) {
   Whereabouts best;
   best.area = areaAt(areas, place);
-  best.on = place;
+  best.place = best.on = place;
   std::pair<bool, double> least{true, std::numeric_limits<double>::infinity()};
   for (std::size_t e = 0; e < graph.graph.edges().size(); ++e) {
     const Polyline& points = graph.graph.edges()[e].path.points;
@@ -88,7 +88,17 @@ std::optional<Route> findRoute(const RoomGraph& graph, const AreaGraph& areas,
   if (!from.edge || !to.edge) return std::nullopt;
   const auto path = shortestPath(graph.graph, {from.edge, from.along}, {to.edge, to.along});
   if (!path) return std::nullopt;
-  return Route{path->points, path->length, path->minClearance, passagesAlong(path->points, areas)};
+  Route route{path->points, path->length, 0, path->minClearance, {}};
+  const auto lead = [&](Polyline::iterator end, const Whereabouts& where) {
+    if (where.place == where.on) return;
+    route.points.insert(end, where.place);
+    route.besideWays += distance(where.place, where.on);
+  };
+  lead(route.points.begin(), from);
+  lead(route.points.end(), to);
+  route.length += route.besideWays;
+  route.passages = passagesAlong(route.points, areas);
+  return route;
 }
 
 }  // namespace roomgraph

@@ -14,6 +14,7 @@ namespace roomgraph {
 
 /** Where a place is, by the areas and ways of a map. */
 struct Whereabouts {
+  Point place;       ///< that was asked [m, map frame]
   AreaId area;       ///< that holds it; none for what is in none
   EdgeId edge;       ///< the way next to it; none where the graph has no edge
   double along = 0;  ///< from the source of that way to its place nearest to the asked one [m]
@@ -24,15 +25,16 @@ struct Whereabouts {
  *  there are any, the one with the place nearest to it. O(corners + path points). */
 [[nodiscard]] Whereabouts whereIs(const RoomGraph& graph, const AreaGraph& areas, Point place);
 
-/** A shortest way along the graph. */
+/** A shortest way along the graph, and straight to it and from it. */
 struct Route {
   Polyline points;                  ///< from the first place to the last [m, map frame]
   double length = 0;                ///< [m]
-  double minClearance = 0;          ///< smallest distance to an obstacle that its paths state [m]
+  double besideWays = 0;            ///< so much of it is straight, to the ways and from them [m]
+  double minClearance = 0;          ///< smallest distance to an obstacle that its ways state [m]
   std::vector<PassageId> passages;  ///< which it goes through, in this order
 };
 
-/** The shortest way along the graph between two places of it; none where they are not connected.
+/** The shortest way along the graph between two places; none where they are not connected.
  *  Dijkstra's algorithm; O(n log n), and for the passages O(points * passages). */
 [[nodiscard]] std::optional<Route> findRoute(const RoomGraph& graph, const AreaGraph& areas,
                                              const Whereabouts& from, const Whereabouts& to);
