@@ -58,6 +58,11 @@ def _grey_of(cells: np.ndarray, name: str) -> np.ndarray:
             f"{name}: its cells are {cells.dtype}: give percents as integers, or probabilities"
         )
     if np.issubdtype(cells.dtype, np.integer):
+        if cells.size and cells.max() == 1:
+            raise _core.UsageError(
+                f"{name}: no integer in it is above 1, and integers are percents: "
+                "give 0 to 100, or probabilities as floating-point numbers"
+            )
         unknown, occupied = cells == -1, cells / 100.0
     else:
         unknown = np.isnan(cells)

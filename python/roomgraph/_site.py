@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Iterable, List, NamedTuple, Optional
 
 import numpy as np
@@ -28,11 +28,11 @@ class RepairedRun:
     """The farthest [m]."""
     moved_most_at: int
     """The key frame that has moved so far."""
-    poses: np.ndarray
+    poses: np.ndarray = field(repr=False)
     """x, y and yaw of the robot at each scan, a row each [m, rad]."""
-    simplemap: bytes
+    simplemap: bytes = field(repr=False)
     """The mended file, compressed as the run's file is."""
-    tum: str
+    tum: str = field(repr=False)
     """Its trajectory, as evo reads it."""
 
 

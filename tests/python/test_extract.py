@@ -106,6 +106,7 @@ def test_wrong_arguments_are_value_errors(maps):
         (np.full((4, 4), 255, np.uint8), 0.05),
         (np.full((4, 4), 1.5), 0.05),
         (np.zeros((4, 4), bool), 0.05),
+        (np.eye(4, dtype=np.int8), 0.05),
         (np.zeros((4, 4), np.int8), 0.0),
         (np.zeros((4, 4), np.int8), float("nan")),
     ):
