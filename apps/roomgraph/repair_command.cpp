@@ -162,6 +162,8 @@ int run(const RepairArguments& arguments) {
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
   checkNames(runs->read.runs, arguments);
+  if (runs->solved.site.runs.size() < 2)
+    throw DataError("repair: no two runs lie in one site: name one alone to mend it by itself");
   FolderFiles files{site.folder};
   std::vector<ShownRepair> shown;
   const RealPoses real = rejoinPieces(runs->solved);
@@ -171,7 +173,7 @@ int run(const RepairArguments& arguments) {
     if (!isAskedFor(run.name, arguments)) continue;
     addRun(run, one, files);
     if (arguments.format == "mola") addConstraints(run, real[one.siteRun], files);
-    shown.push_back({&run, &one, lineOf(one, "seen by no other run")});
+    shown.push_back({&run, &one, lineOf(one, "borne out by no other run")});
   }
   if (shown.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");
