@@ -20,6 +20,14 @@ TEST(PlacesCsv, columnsMayStandInAnyOrder) {
   EXPECT_EQ(csvPlaces("x,y\n1,2\n", "goals.csv").places[0].pose.phi, 0);
 }
 
+TEST(PlacesCsv, columnsMayHaveLargeLetters) {
+  const MarkedFile file = csvPlaces("Name,X,Y,Yaw\ndock,1,2,0.5\n", "goals.csv");
+  EXPECT_EQ(file.things[0].name, "dock");
+  EXPECT_EQ(file.places[0].pose.phi, 0.5);
+  EXPECT_EQ(test::textBy({1, 0, 0}, file),
+            "Name,X,Y,Yaw,state,error_m,reason\ndock,2.0000,2.0000,0.5000,carried,0.0500,\n");
+}
+
 TEST(PlacesCsv, otherColumnsStay) {
   CarriedThing there, nowhere;
   there.poses = {{4, 5, -1}}, there.error = 0.0314;
@@ -43,6 +51,7 @@ TEST(PlacesCsv, whatIsNoPlaceIsRefused) {
   EXPECT_THROW(csvPlaces("x,y\n1,\n", "goals.csv"), DataError);
   EXPECT_THROW(csvPlaces("x,y\n1,2 m\n", "goals.csv"), DataError);
   EXPECT_THROW(csvPlaces("x,y\n1,nan\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("name;x;y\na;1;2\n", "goals.csv"), DataError);
 }
 
 }  // namespace

@@ -39,6 +39,13 @@ TEST(PlacesGeojson, allButCornersAndStatesStays) {
                         feature("{" + kState, "LineString", "[[15.0,0.0],[16.0,0.0]]")}));
 }
 
+TEST(PlacesGeojson, boxesOfTheOldMapGo) {
+  const std::string text = test::textBy(
+      kMotion, read(R"({"bbox":[0,0,9,9],"type":"FeatureCollection","name":"mine","features":[)" +
+                    feature("{}", "Point", "[1,2]", R"(,"bbox":[1,2,1,2])") + "]}"));
+  EXPECT_EQ(text, collection({feature("{" + kState, "Point", "[11.0,-3.0]")}));
+}
+
 TEST(PlacesGeojson, featuresAndGeometriesMayBeBare) {
   EXPECT_EQ(test::textBy(kMotion, read(R"({"type":"Point","coordinates":[1,2]})")),
             "{\n\"type\": \"Point\",\n\"coordinates\": [11.0,-3.0],\n\"state\": \"carried\",\n"

@@ -117,6 +117,7 @@ TEST_F(PlacesMask, nothingGetsLostHoweverItIsTurned) {
 
 TEST_F(PlacesMask, eachRegionTellsItsState) {
   const MarkedFile file = read("mask.pgm", pgm());
+  EXPECT_EQ(file.things[1].name.rfind("2, at (", 0), 0u) << file.things[1].name;
   auto things = test::carriedBy({}, file);
   things[1].state = CarryState::gone, things[1].reason = "a wall";
   const std::string text = file.write(things, frame()).at(0).bytes;

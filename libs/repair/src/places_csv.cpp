@@ -1,6 +1,7 @@
 #include "roomgraph/repair/places_csv.h"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
 #include <cmath>
 #include <cstdlib>
 
@@ -21,7 +22,7 @@ class PlacesTable {
     for (const char* needed : {"x", "y"})
       if (!columnOf(needed))
         refuse(file, std::string("has no column '") + needed + "'",
-               "name the columns in its first line: name,x,y,yaw");
+               "name the columns in its first line, with commas between them: name,x,y,yaw");
   }
 
   const Cells& names() const { return names_; }
@@ -38,7 +39,9 @@ class PlacesTable {
   }
 
   std::optional<std::size_t> columnOf(const char* name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
+    const auto found = std::find_if(names_.begin(), names_.end(), [&](const std::string& one) {
+      return boost::algorithm::iequals(one, name);
+    });
     if (found == names_.end()) return std::nullopt;
     return std::size_t(found - names_.begin());
   }

@@ -76,8 +76,10 @@ void setState(Json& members, const CarriedThing& carried) {
 
 std::string writtenJson(Json document, const JsonThings& things,
                         const std::vector<CarriedThing>& carried) {
+  document.erase("bbox");  // in the frame of the old map; it need not be there
   const std::vector<Json*> in = things.in(document);
   for (std::size_t i = 0; i < in.size(); ++i) {
+    in[i]->erase("bbox");
     auto pose = carried[i].poses.begin();
     things.visitPlaces(*in[i], [&](Json& x, Json& y, bool) {
       x = rounded(pose->x), y = rounded(pose->y);

@@ -10,6 +10,7 @@
 #include "fitted_repair.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
@@ -49,9 +50,11 @@ class Mask {
     std::map<std::pair<int, int>, std::size_t> corners;
     for (const MaskRegion& region : regions_) {
       Thing& thing = result.things.emplace_back();
+      const Point first = placeOf(middleOf(cellOf(region.front()))).pose.shift();
+      thing.name = formatted("%zu, at (%.1f, %.1f)", result.things.size(), first.x, first.y);
       for (const auto& [block, middle] : blocksOf(region)) {
         thing.places.push_back(result.places.size());
-        result.places.push_back(placeOf({middle.x + 0.5, middle.y + 0.5}));
+        result.places.push_back(placeOf(middleOf(middle)));
       }
       for (const auto& corner : cornersOf(region)) {
         const auto [known, isNew] = corners.emplace(corner, result.places.size());
@@ -195,8 +198,10 @@ class Mask {
     }
   }
 
+  static Point middleOf(Cell cell) { return {cell.x + 0.5, cell.y + 0.5}; }
+
   Point middleOf(const Bent& bent, Cell cell) const {
-    return bentPoint(bent, blockOf(cell), {cell.x + 0.5, cell.y + 0.5});
+    return bentPoint(bent, blockOf(cell), middleOf(cell));
   }
 
   /** One that is in no region for a cell beside the picture. */

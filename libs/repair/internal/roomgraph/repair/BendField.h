@@ -54,7 +54,7 @@ class BendField {
   bool isInSight(const Node& node, Point place, Point carried) const;
 
   std::vector<Node> nodes_;
-  std::vector<Node> rivals_;  ///< as the other map tells it; only of walls
+  std::vector<Node> rivals_;      ///< as the other map tells it; only of walls
   const WallMap* map_ = nullptr;  ///< of the run; null where nodes are no key frames
   Way way_ = Way::toSite;
 };
