@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "UnusedOptions.h"
+#include "roomgraph/base/sentence_text.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
@@ -44,6 +46,16 @@ void printOthers(const SolvedRuns& runs) {
       printError(runs.read.runs[i].file + ": does not lie in the site of the others: left out");
 }
 
+/** Says that the others follow a reference that breaks itself, as far as its scans tell. */
+void printFaultOf(const Run& reference) {
+  const RunCheck check = checkRun(reference);
+  if (!check.breaks.empty() && check.breaks.front().kind() != BreakClass::slight)
+    printError(
+        reference.file +
+        formatted(": breaks at key frame %zu, and the others follow it: see 'roomgraph check'",
+                  check.breaks.front().keyFrame.value_or(0)));
+}
+
 }  // namespace
 
 void declareSite(SiteArguments& arguments, const std::string& results, CLI::App& app) {
@@ -76,6 +88,7 @@ std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   // The runs stay where they are: the vector is moved, not what it holds.
   std::unique_ptr<SolvedRuns> runs(new SolvedRuns{std::move(read), std::move(solved)});
   printOthers(*runs);
+  if (runs->read.reference) printFaultOf(runs->read.runs[*runs->read.reference]);
   return runs;
 }
 
