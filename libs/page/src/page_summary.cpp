@@ -168,8 +168,11 @@ std::string navigationWord(const Comparison& comparison) {
   const ComparedRun& best = comparison.runs[0];
   const std::string start = "Navigation with " + best.name + ": ";
   const Certainty certainty = comparison.certaintyOf(best);
-  if (certainty == Certainty::cannotTell)
-    return start + "cannot be told, there is too little to judge by.";
+  if (certainty == Certainty::cannotTell) {
+    const std::string fault = comparison.faultOfReference(best);
+    return start + "cannot be told, " +
+           (fault.empty() ? "there is too little to judge by" : "as " + fault) + ".";
+  }
   if (certainty == Certainty::doubtful)
     return start + "cannot be told, as no reliable alignment links it to most of the others.";
   if (comparison.isScaleUsual())

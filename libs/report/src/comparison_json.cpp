@@ -159,7 +159,7 @@ Json gateJson(const std::optional<GateVerdict>& gate) {
 std::string scoreText(const RunScore& score, const std::string& coverage) {
   return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", score.score, score.low,
                    score.high, score.mapError, score.errorLow, score.errorHigh, coverage.c_str(),
-                   score.isMeaningful ? "" : "  too little to judge by");
+                   score.isMeaningful ? "" : "  cannot tell");
 }
 
 }  // namespace

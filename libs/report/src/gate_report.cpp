@@ -70,7 +70,7 @@ std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
   const std::string figures = run.score
                                   ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
                                               score.errorLow, score.errorHigh, score.score,
-                                              score.isMeaningful ? "" : " (too little to judge by)")
+                                              score.isMeaningful ? "" : " (cannot tell)")
                                   : " - | - | - ";
   std::string verdict = "not judged";
   for (const TestCase& one : judged)
