@@ -67,11 +67,10 @@ std::string verdictCell(const std::vector<std::string>& complaints) {
 
 std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
   const RunScore score = asWritten(run.score.value_or(RunScore()));
-  const std::string figures = run.score
-                                  ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
-                                              score.errorLow, score.errorHigh, score.score,
-                                              score.isMeaningful ? "" : " (cannot tell)")
-                                  : " - | - | - ";
+  const std::string figures = run.score ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
+                                                    score.errorLow, score.errorHigh, score.score,
+                                                    score.isMeaningful ? "" : " (cannot tell)")
+                                        : " - | - | - ";
   std::string verdict = "not judged";
   for (const TestCase& one : judged)
     if (one.name == run.name) verdict = verdictCell(one.complaints);
