@@ -144,6 +144,18 @@ std::vector<BendField::Word> BendField::wordsOn(const Transform2D& place) const 
   return words;
 }
 
+double BendField::rivalOf(Point about, const Transform2D& place,
+                          const std::vector<Word>& words) const {
+  double rival = 0;
+  for (const Word& word : words)
+    if (word.distance < (word.isSeen ? 2 : 1) * fitted::kMeant)
+      rival = std::max(rival, distance(word.pose.shift(), about));
+  for (const Node& node : rivals_)
+    if (distance(node.from.shift(), place.shift()) < fitted::kMeant)
+      rival = std::max(rival, distance((node.to * node.from.inverse() * place).shift(), about));
+  return rival;
+}
+
 std::optional<BendField::Carried> BendField::operator()(const Transform2D& place) const {
   std::vector<Word> words = wordsOn(place);
   if (words.empty()) return std::nullopt;
@@ -161,13 +173,7 @@ std::optional<BendField::Carried> BendField::operator()(const Transform2D& place
   const Transform2D about = first.pose;
   const double most = support(first), heaviest = first.weight;
   Carried carried;
-  for (const Word& word : words)
-    if (word.distance < (word.isSeen ? 2 : 1) * fitted::kMeant)
-      carried.rival = std::max(carried.rival, distance(word.pose.shift(), about.shift()));
-  for (const Node& node : rivals_)
-    if (distance(node.from.shift(), place.shift()) < fitted::kMeant)
-      carried.rival = std::max(
-          carried.rival, distance((node.to * node.from.inverse() * place).shift(), about.shift()));
+  carried.rival = rivalOf(about.shift(), place, words);
   words.erase(std::remove_if(words.begin(), words.end(),
                              [&](const Word& word) {
                                return distance(word.pose.shift(), about.shift()) >= kSameCopy;

@@ -50,6 +50,7 @@ class BendField {
 
   static std::vector<Node> nodesOf(const SolvedSite& solved, std::size_t from, std::size_t to);
   std::vector<Word> wordsOn(const Transform2D& place) const;
+  double rivalOf(Point about, const Transform2D& place, const std::vector<Word>& words) const;
   static std::size_t sectorOf(Point inNode);
   bool isInSight(const Node& node, Point place, Point carried) const;
 
