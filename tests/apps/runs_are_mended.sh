@@ -54,3 +54,7 @@ expect 1 "$roomgraph" repair "${apart[@]}"
 one_line err "other.pgm: does not lie in the site of the others: left out"
 expect 0 "$roomgraph" repair "${apart[@]}" --only run1
 [ -s apart/run1.repaired.simplemap.gz ] || fail "the others were not written"
+# Of two runs that have nothing in common none is mended, as if others had told of it.
+expect 1 "$roomgraph" repair run1.simplemap.gz other.pgm --resolution 0.2 -o lone
+grep -q "no two runs lie in one site" err || fail "mended by nobody"
+[ -z "$(ls lone)" ] || fail "wrote of a site of one run"
