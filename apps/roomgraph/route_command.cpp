@@ -68,7 +68,7 @@ Whereabouts whereItIs(const AskedMap& asked, Point place) {
                     (where.edge ? ", and the nearest way is " + off + placeText(where.on) : "") +
                     ": give a place in free space");
   }
-  if (asked.grid.frame.cellCount() > 0 && !asked.grid.isFree(place))
+  if (!asked.grid.cells.empty() && !asked.grid.isFree(place))
     throw DataError(at + " lies in an obstacle or in unknown space: give a place in free space");
   return where;
 }
@@ -116,19 +116,31 @@ Point placeOf(const GraphFile& file, const std::vector<std::string>& words, cons
                    knownAreas(file) + "), or x and y in metres, such as '" + option + " 1.5 2'");
 }
 
+/** Whether a grid has free cells alone between a place and the way next to it. */
+bool isFreeToWay(const Grid& grid, const Whereabouts& where) {
+  const int steps = 1 + int(2 * distance(where.place, where.on) / grid.frame.resolution);
+  for (int i = 0; i < steps; ++i)
+    if (!grid.isFree(where.place + double(i) / steps * (where.on - where.place))) return false;
+  return true;
+}
+
 /** One line for each area and passage on the way. */
-std::string routeText(const GraphFile& file, const Route& route, AreaId from, AreaId to) {
+std::string routeText(const AskedMap& asked, const Route& route, const Whereabouts& from,
+                      const Whereabouts& to) {
+  const GraphFile& file = asked.file;
   const double width = 2 * route.minClearance - file.input.frame.resolution;
   std::string text = formatted("%.1f m, at least %.2f m wide", route.length, width);
   if (route.besideWays > file.input.frame.resolution)
     text += formatted(" but for %.1f m straight to the ways and from them", route.besideWays);
-  text += "\n  " + areaName(file, from) + "\n";
-  AreaId at = from;
+  if (!asked.grid.cells.empty() && !(isFreeToWay(asked.grid, from) && isFreeToWay(asked.grid, to)))
+    text += ", not all of it free";
+  text += "\n  " + areaName(file, from.area) + "\n";
+  AreaId at = from.area;
   for (const PassageId p : route.passages) {
     at = behind(file.areas.passages[p.index()], at);
     text += passageLine(file, p, at);
   }
-  if (at != to) text += "  " + areaName(file, to) + "\n";
+  if (at != to.area) text += "  " + areaName(file, to.area) + "\n";
   return text;
 }
 
@@ -148,7 +160,7 @@ int run(const RouteArguments& arguments) {
   };
   const Whereabouts from = find(arguments.from, "--from"), to = find(arguments.to, "--to");
   const auto route = findRoute(file.graph, file.areas, from, to);
-  print(route ? routeText(file, *route, from.area, to.area) : noRouteText(file, from, to));
+  print(route ? routeText(asked, *route, from, to) : noRouteText(file, from, to));
   return route ? kDone : kBadData;
 }
 
