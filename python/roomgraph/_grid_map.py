@@ -33,6 +33,8 @@ class GridMap:
 
     def _to_core(self) -> _core.ArrayMap:
         grey = np.ascontiguousarray(_grey_of(np.asarray(self.cells), self.name))
+        if len(self.origin) != 2:
+            raise _core.UsageError(f"{self.name}: its origin is not x and y")
         x, y = (float(value) for value in self.origin)
         place = struct.pack("<qqddd", *_shape_of(grey), self.resolution, x, y)
         sha256 = hashlib.sha256(place + grey.tobytes()).hexdigest()
@@ -44,6 +46,8 @@ MapLike = Union[str, "os.PathLike[str]", GridMap]
 
 def to_core(given: MapLike) -> Union[bytes, _core.ArrayMap]:
     """What the extension module takes for a map."""
+    if isinstance(given, np.ndarray):
+        raise _core.UsageError("an array is no map: give roomgraph.GridMap(array, resolution)")
     return given._to_core() if isinstance(given, GridMap) else os.fsencode(given)
 
 

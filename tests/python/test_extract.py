@@ -112,6 +112,10 @@ def test_wrong_arguments_are_value_errors(maps):
     ):
         with pytest.raises(ValueError, match="mine: "):
             roomgraph.extract(roomgraph.GridMap(cells, resolution, name="mine"))
+    with pytest.raises(roomgraph.UsageError, match="mine: its origin is not x and y"):
+        roomgraph.extract(roomgraph.GridMap(np.zeros((4, 4)), 0.05, (1, 2, 0.5), "mine"))
+    with pytest.raises(roomgraph.UsageError, match="give roomgraph.GridMap"):
+        roomgraph.extract(np.zeros((4, 4)))
 
 
 def test_files_that_cannot_be_read_say_which_and_why(tmp_path):
