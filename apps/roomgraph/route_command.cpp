@@ -57,6 +57,11 @@ std::string passageLine(const GraphFile& file, PassageId id, AreaId to) {
 
 std::string placeText(Point place) { return formatted("(%.2f, %.2f)", place.x, place.y); }
 
+/** Whether a place is in free space, as far as a map tells. */
+bool mayBeFree(const AskedMap& asked, Point place) {
+  return asked.grid.cells.empty() || asked.grid.isFree(place);
+}
+
 /** Where a place is. @throws DataError where it is in no area, or not in free space; each free cell
  *  is in one. */
 Whereabouts whereItIs(const AskedMap& asked, Point place) {
@@ -68,7 +73,7 @@ Whereabouts whereItIs(const AskedMap& asked, Point place) {
                     (where.edge ? ", and the nearest way is " + off + placeText(where.on) : "") +
                     ": give a place in free space");
   }
-  if (!asked.grid.cells.empty() && !asked.grid.isFree(place))
+  if (!mayBeFree(asked, place))
     throw DataError(at + " lies in an obstacle or in unknown space: give a place in free space");
   return where;
 }
@@ -116,11 +121,12 @@ Point placeOf(const GraphFile& file, const std::vector<std::string>& words, cons
                    knownAreas(file) + "), or x and y in metres, such as '" + option + " 1.5 2'");
 }
 
-/** Whether a grid has free cells alone between a place and the way next to it. */
-bool isFreeToWay(const Grid& grid, const Whereabouts& where) {
-  const int steps = 1 + int(2 * distance(where.place, where.on) / grid.frame.resolution);
+/** Whether all is free between a place and the way next to it. */
+bool isFreeToWay(const AskedMap& asked, const Whereabouts& where) {
+  const int steps =
+      1 + int(2 * distance(where.place, where.on) / asked.file.input.frame.resolution);
   for (int i = 0; i < steps; ++i)
-    if (!grid.isFree(where.place + double(i) / steps * (where.on - where.place))) return false;
+    if (!mayBeFree(asked, where.place + double(i) / steps * (where.on - where.place))) return false;
   return true;
 }
 
@@ -130,10 +136,10 @@ std::string routeText(const AskedMap& asked, const Route& route, const Whereabou
   const GraphFile& file = asked.file;
   const double width = 2 * route.minClearance - file.input.frame.resolution;
   std::string text = formatted("%.1f m, at least %.2f m wide", route.length, width);
-  if (route.besideWays > file.input.frame.resolution)
+  if (route.besideWays > file.input.frame.resolution) {
     text += formatted(" but for %.1f m straight to the ways and from them", route.besideWays);
-  if (!asked.grid.cells.empty() && !(isFreeToWay(asked.grid, from) && isFreeToWay(asked.grid, to)))
-    text += ", not all of it free";
+    if (!isFreeToWay(asked, from) || !isFreeToWay(asked, to)) text += ", not all of it free";
+  }
   text += "\n  " + areaName(file, from.area) + "\n";
   AreaId at = from.area;
   for (const PassageId p : route.passages) {
