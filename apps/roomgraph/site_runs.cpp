@@ -49,7 +49,7 @@ void printOthers(const SolvedRuns& runs) {
 /** Says that the others follow a reference that breaks itself, as far as its scans tell. */
 void printFaultOf(const Run& reference) {
   const RunCheck check = checkRun(reference);
-  if (!check.breaks.empty() && check.breaks.front().kind() != BreakClass::slight)
+  if (!check.breaks.empty() && check.breaks.front().torn)
     printError(
         reference.file +
         formatted(": breaks at key frame %zu, and the others follow it: see 'roomgraph check'",

@@ -11,10 +11,10 @@ namespace roomgraph {
 // Out:  MapBreak of the reference
 // Next: summarize
 
-/** The breaks that a reference tells of itself (checkRun), in the frame of the site; none where
- *  there is no reference, of one without scans, and those of which nothing tells how large they
- *  are. As long as there is one that is not slight, no score is meaningful: nobody is measured by
- *  what is broken. Cost: that of checkRun. */
+/** The breaks that a reference tells of itself (checkRun, of which none is slight), in the frame of
+ *  the site; none where there is no reference, of one without scans, and those of which nothing
+ *  tells how large they are. Where there is one, no score is meaningful: nobody is measured by what
+ *  is broken. Cost: that of checkRun. */
 std::vector<MapBreak> askReference(const Site& site, RunScores& scores);
 
 }  // namespace roomgraph
