@@ -153,9 +153,7 @@ std::string routeText(const AskedMap& asked, const Route& route, const Whereabou
 std::string noRouteText(const GraphFile& file, const Whereabouts& from, const Whereabouts& to) {
   if (from.area != to.area || from.edge)
     return "there is no way along the graph between these places\n";
-  return "both places lie in " + areaName(file, from.area) +
-         ", which has no ways, and what stands in it is taken for clutter: "
-         "--set clear_clutter.max_size=0 leads ways round it\n";
+  return "both places lie in " + areaName(file, from.area) + ", which has no ways\n";
 }
 
 int run(const RouteArguments& arguments) {

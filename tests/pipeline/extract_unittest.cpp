@@ -251,6 +251,26 @@ TEST(Extract, leadsNoRobotThroughAnAisleThatIsTooNarrow) {
   EXPECT_GT(distanceToWays(stages, {21.0, 11.0}), 2);
 }
 
+/** A hall of 9.8 x 7.8 m with twelve pillars of 0.4 m, not quite in rows, and a door of so many
+ *  cells to a room. */
+MapText pillars(int door) {
+  MapText map = painted(140, 80, 0.1, {});
+  const auto paint = [&](int x, int y, char cell) { map.cells[std::size_t(y * 140 + x)] = cell; };
+  for (int x = 18; x < 90; x += 20)
+    for (int y = 18; y < 70; y += 20)
+      for (int i = 0; i < 16; ++i) paint(x + i / 4 + y % 3, y + i % 4 + x / 20, '#');
+  for (int y = 0; y < 80; ++y) paint(99, y, '#');
+  for (int y = 37; y < 37 + door; ++y) paint(99, y, '.');
+  return map;
+}
+
+TEST(Extract, leadsRoundPillarsOnlyWhereNoDoorLeadsOut) {
+  for (const auto& [door, rings] : {std::pair(0, 12U), std::pair(9, 0U)}) {
+    const TopologyGraph graph = extract(greyMap(pillars(door)), {}).result.graph;
+    EXPECT_EQ(graph.edges().size() + 1 - graph.vertices().size(), rings) << door;
+  }
+}
+
 TEST(Extract, keepsThePapersStarInAHallWithAisles) {
   const Stages stages = extract(greyMap(warehouse()), preset("paper"));
   for (const GraphRoom& room : stages.result.rooms)

@@ -69,8 +69,16 @@ RegionOutlines outlineRegions(const Stages& s) {
                         findRegions(voronoi, isInside, isWall, s), isWall);
 }
 
-/** Paths pass clutter on one side. */
+/** Whether there are but rooms, and no path from one to the next. */
+bool areClosedRooms(const RegionOutlines& outlines, double clearance) {
+  return outlines.roomCount > 0 &&
+         std::all_of(outlines.borders.begin(), outlines.borders.end(),
+                     [&](const RegionBorder& border) { return border.clearance < clearance; });
+}
+
+/** Paths pass clutter on one side; but in a closed room they are all that there are. */
 TopologyGraph passedClutter(TopologyGraph graph, const Stages& s) {
+  if (areClosedRooms(s.outlines, s.clearance)) return graph;
   const auto& isOne = s.cleared.isClutter;
   if (std::find(isOne.begin(), isOne.end(), 1) == isOne.end()) return graph;
   const auto isClutter = [&](Point obstacle) {

@@ -58,8 +58,9 @@ TopologyGraph wideWays(TopologyGraph graph, double minClearance) {
 
 /** Whether more than one path, or than a tree with a border vertex at each tip, is left. */
 bool tellsMore(const TopologyGraph& graph) {
-  if (graph.edges().size() < 2) return false;
+  if (graph.edges().empty()) return false;
   if (graph.edges().size() >= graph.vertices().size()) return true;
+  if (graph.edges().size() == 1) return false;
   for (std::size_t v = 0; v < graph.vertices().size(); ++v)
     if (graph.vertices()[v].kind == VertexKind::deadEnd) return true;
   return false;
