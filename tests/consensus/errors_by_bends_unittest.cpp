@@ -130,11 +130,45 @@ TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
     consensus.siteRuns.add(i);
   }
   consensus.errors[RunId(0)].error = 42;
-  EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
+  EXPECT_NE(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42);
   for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);
-  EXPECT_NE(siteErrors(three.site, bends, maps, consensus)[0].error, 42) << "the third has none";
+  EXPECT_NE(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42) << "the third has none";
   three.runs[2].scans.resize(5);
-  EXPECT_EQ(siteErrors(three.site, bends, maps, consensus)[0].error, 42);
+  EXPECT_EQ(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42);
+}
+
+/** Three grids of two patches, which the others have at the pose of the whole, and so far off. */
+struct GridsOfPatches {
+  SiteOfRuns three{{0.01, 0.01, 0.01}};
+  PairBends bends = bendsOf({0.05, 0.05, 0.05});
+  MapPairs pairs{3};
+
+  explicit GridsOfPatches(double off) {
+    for (roomgraph::Run& run : three.runs)
+      run.map.patches = {{{0, 0}, {0, 1, 2}, {}, {}}, {{10, 0}, {3}, {}, {}}};
+    for (const auto& [i, j] : pairs.pairs())
+      for (FollowedWalls* way : {&pairs(i, j).bInA, &pairs(i, j).aInB}) {
+        way->patches.push_back({0, {}, 3, 0});
+        way->patches.push_back({1, {0, i == 0 ? off : 0, 0}, 1, 0});
+      }
+  }
+
+  double confirmed(std::size_t run) const {
+    return siteErrors(three.site, pairs, bends, DistinctMaps(bends), {})[run].confirmed;
+  }
+};
+
+TEST(SiteErrors, ofAGridOthersConfirmWhatWasFoundWhereItsErrorExplains) {
+  EXPECT_EQ(GridsOfPatches(0.1).confirmed(0), 1);
+  const GridsOfPatches off(20);
+  EXPECT_EQ(off.confirmed(0), 0.75);
+  EXPECT_EQ(off.confirmed(1), 1) << "the third one has all of it";
+}
+
+TEST(SiteErrors, nothingIsAskedOfTheReference) {
+  GridsOfPatches off(20);
+  off.three.site.reference = 0;
+  EXPECT_EQ(off.confirmed(0), 1);
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   const DistinctMaps maps(bends);
   const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
-  const std::vector<MapError> errors = siteErrors(site, bends, maps, consensus);
+  const std::vector<MapError> errors = siteErrors(site, pairs, bends, maps, consensus);
   RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};

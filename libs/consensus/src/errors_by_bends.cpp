@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "roomgraph/consensus/estimate_map_errors.h"
+#include "roomgraph/relate/place_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -75,6 +76,38 @@ double leastMisfit(std::size_t run, const PairBends& bends, const DistinctMaps& 
   return least.value_or(0);
 }
 
+constexpr double kExplained = 3;  // of its error, so far off a wall may lie
+
+/** The share of the walls of a run that were found in another map, no farther from where the whole
+ *  lies there than its error explains. */
+double foundShare(std::size_t run, double error, const Site& site, const MapPairs& pairs,
+                  const DistinctMaps& maps) {
+  const WallPatches& patches = site.runs[run]->map.patches;
+  std::vector<bool> isFound(patches.size());
+  for (const std::size_t other : pairs.othersOf(run)) {
+    if (!maps.isMeasuredAgainst(run, other)) continue;
+    const FollowedWalls& followed = followedIn(pairs, run, other);
+    for (const FollowedPatch& patch : followed.patches) {
+      const Point middle = patches[patch.patch].middle;
+      if (distance(patch.pose(middle), followed.pose(middle)) <= kExplained * error)
+        isFound[patch.patch] = true;
+    }
+  }
+  double found = 0, all = 0;
+  for (std::size_t p = 0; p < isFound.size(); ++p) {
+    const auto walls = double(patches[p].own.size());
+    all += walls, found += isFound[p] ? walls : 0;
+  }
+  return all > 0 ? found / all : 0;
+}
+
+/** What others bear out of a run with scans, beside some without. */
+void addConfirmed(const MapError& byScans, MapError& error) {
+  error.confirmed = byScans.confirmed, error.contradicted = byScans.contradicted;
+  error.isConfirmed = byScans.isConfirmed, error.jitter = byScans.jitter;
+  if (error.contradicted > 0) error.high = std::max(error.high, byScans.high);
+}
+
 }  // namespace
 
 std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
@@ -101,13 +134,22 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
   return errors;
 }
 
-std::vector<MapError> siteErrors(const Site& site, const PairBends& bends, const DistinctMaps& maps,
-                                 const Consensus& consensus) {
-  const bool haveScans = std::all_of(site.runs.begin(), site.runs.end(),
-                                     [](const Run* run) { return !run->scans.empty(); });
-  if (!haveScans) return errorsByBends(site, bends, maps);
+std::vector<MapError> siteErrors(const Site& site, const MapPairs& pairs, const PairBends& bends,
+                                 const DistinctMaps& maps, const Consensus& consensus) {
+  const auto hasScans = [](const Run* run) { return !run->scans.empty(); };
   std::vector<MapError> errors;
-  for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
+  if (std::all_of(site.runs.begin(), site.runs.end(), hasScans)) {
+    for (std::size_t i = 0; i < site.runs.size(); ++i) errors.push_back(consensus.errorOf(i));
+    return errors;
+  }
+  errors = errorsByBends(site, bends, maps);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (i == site.reference || errors[i].seen <= 0 || maps.areCopies()) continue;
+    if (hasScans(site.runs[i]))
+      addConfirmed(consensus.errorOf(i), errors[i]);
+    else
+      errors[i].confirmed = foundShare(i, errors[i].high, site, pairs, maps);
+  }
   return errors;
 }
 
