@@ -132,7 +132,8 @@ TEST(SiteErrors, areThoseOfTheConsensusWhereAllRunsHaveScans) {
   consensus.errors[RunId(0)].error = 42;
   EXPECT_NE(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42);
   for (std::size_t i = 0; i < 2; ++i) three.runs[i].scans.resize(5);
-  EXPECT_NE(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42) << "the third has none";
+  EXPECT_NE(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42)
+      << "the third has none";
   three.runs[2].scans.resize(5);
   EXPECT_EQ(siteErrors(three.site, MapPairs(3), bends, maps, consensus)[0].error, 42);
 }

@@ -8,6 +8,7 @@
 #include "drawn_building.h"
 #include "drawn_drive.h"
 #include "drawn_pose_graph.h"
+#include "refine_poses.h"
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/relate/place_runs.h"
@@ -103,6 +104,36 @@ TEST(SiteConsensus, aTornRunIsPutTogetherAgain) {
   }
   const double really = mapErrors(alone, test::posesOf({truth}))[RunId(0)].error;
   EXPECT_NEAR(result.errorOf(1).error, really, 0.05 * really);
+}
+
+TEST(RefinePoses, aStretchGoesToWhereItsScansFit) {
+  const Transform2D there{3, -2, 0.4};
+  const DrivenSite site({drive(), otherLog(moved(drive(), there), 2000)}, {{}, there.inverse()});
+  Consensus consensus = site.consensus();
+  const Way truth = wayOf(drive());
+  const auto nodes = consensus.nodesOf(1);
+  const auto push = [&] {
+    for (std::size_t k = 20; k < 25; ++k)
+      consensus.poses[nodes[k]] = consensus.poses[nodes[k]] * Transform2D{0.3, -0.2, 0.2};
+  };
+  push();
+  const double before = misplaced(consensus, {truth, truth});
+  const double told = consensus.errorOf(1).error;
+  refinePoses(consensus, site.site, site.pairs, oneByOne);
+  EXPECT_LT(misplaced(consensus, {truth, truth}), 0.3 * before);
+  EXPECT_EQ(consensus.errorOf(1).error, told);
+}
+
+TEST(RefinePoses, aReferenceStaysAsItIs) {
+  DrivenSite site({drive(), otherLog(drive(), 2000)}, {{}, {}});
+  site.site.reference = 0;
+  Consensus consensus = site.consensus();
+  refinePoses(consensus, site.site, site.pairs, oneByOne);
+  for (std::size_t k = 0; k < drive().size(); ++k) {
+    const Transform2D& pose = consensus.poses[consensus.nodesOf(0)[k]];
+    EXPECT_EQ(pose.x, drive()[k].pose.x) << k;
+    EXPECT_EQ(pose.phi, drive()[k].pose.phi) << k;
+  }
 }
 
 /** The drive with scans that fit nowhere: as if in a round cell. */

@@ -14,9 +14,7 @@
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kFewRuns = 5;
-
-/** The coarse form of a graph of many runs. With few runs each key frame tells. */
+/** The coarse form of a graph of many runs. */
 std::optional<CoarseGraph> coarseOfMany(const PoseGraph& graph) {
   if (graph.runs.size() <= kFewRuns) return std::nullopt;
   return coarseGraph(graph);

@@ -8,12 +8,16 @@
 
 #include "fitted_consensus.h"
 #include "look_again.h"
+#include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/consensus/track_scans.h"
 
 namespace roomgraph {
 namespace {
+
+constexpr double kDrawnNear = 8;  // what a run has drawn farther off may lie elsewhere [m]
 
 /** Counts which nodes of the other run drew the walls that a node meets there. */
 class Meeting {
@@ -102,6 +106,25 @@ Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
   return trackScans(run.scans, run.map.patches, followed, likely, map, fits);
 }
 
+/** The node of a run that lies next to a place; none farther off than scans show. */
+NodeId nearestNode(IdRange<NodeId> nodes, const NodePoses& poses, Point place) {
+  NodeId nearest;
+  double least = kDrawnNear;
+  for (const NodeId node : nodes)
+    if (const double apart = distance(poses[node].shift(), place); apart < least)
+      nearest = node, least = apart;
+  return nearest;
+}
+
+/** What was found, between two runs. */
+std::vector<FoundGroup> between(RunId from, RunId to, std::vector<FoundGroup> groups) {
+  groups.erase(std::remove_if(groups.begin(), groups.end(),
+                              [](const FoundGroup& group) { return group.matches.empty(); }),
+               groups.end());
+  for (FoundGroup& found : groups) found.group.from = from, found.group.to = to;
+  return groups;
+}
+
 using Drawn = std::vector<std::pair<std::uint32_t, NodeId>>;  // wall point, node
 
 Drawn drawnInScans(const std::vector<ScanWalls>& scans, IdRange<NodeId> nodes, const WallMap& map) {
@@ -137,11 +160,23 @@ std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& 
     const Track track = trackIn(run, other.map, followed, wholes);
     groups = matchTrack(graph, nodes, run, other, track);
   }
-  groups.erase(std::remove_if(groups.begin(), groups.end(),
-                              [](const FoundGroup& group) { return group.matches.empty(); }),
-               groups.end());
-  for (FoundGroup& found : groups) found.group.from = other.run, found.group.to = id;
-  return groups;
+  return between(other.run, id, std::move(groups));
+}
+
+std::vector<FoundGroup> matchAgain(const PoseGraph& graph, RunId id, const Run& run,
+                                   const DrawnMap& other, const NodePoses& poses) {
+  const std::vector<LocalScan> scans = localScans(run.scans);
+  const IdRange<NodeId> nodes = graph.runs[id].nodes;
+  Track track(scans.size());
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    const Transform2D& pose = poses[nodes[k]];
+    const NodeId nearest = nearestNode(graph.runs[other.run].nodes, poses, pose.shift());
+    if (!nearest) continue;
+    const Transform2D start = graph.nodes[nearest].pose * poses[nearest].inverse() * pose;
+    const ScanFit fit = fitNear(scans[k], other.map, start);
+    if (areNear(fit.pose, start, {}, kRoughly)) track[k] = fit.pose * run.scans[k].pose.inverse();
+  }
+  return between(other.run, id, matchTrack(graph, nodes, run, other, track));
 }
 
 FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, const Run& runB) {

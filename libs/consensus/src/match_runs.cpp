@@ -1,6 +1,7 @@
 #include "match_runs.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -70,13 +71,13 @@ std::vector<PairOfThings> relatedRuns(const MapPairs& pairs,
   return related;
 }
 
-}  // namespace
+/** What is found of one run in what another has drawn. */
+using MatchedIn = std::function<std::vector<FoundGroup>(RunId, const DrawnMap&)>;
 
-std::vector<FoundGroup> matchRuns(const Site& site, const MapPairs& pairs, const PoseGraph& graph,
-                                  const ById<RunId, std::size_t>& siteRuns,
-                                  const ForEach& forEach) {
-  ById<RunId, std::vector<Transform2D>> wholes;  // site <- run
-  for (const std::size_t run : siteRuns) wholes.add(wholesOf(site, pairs, run));
+std::vector<FoundGroup> matchRelated(const Site& site, const MapPairs& pairs,
+                                     const PoseGraph& graph,
+                                     const ById<RunId, std::size_t>& siteRuns,
+                                     const MatchedIn& matchedIn, const ForEach& forEach) {
   const auto isBare = [&](std::size_t run) { return site.mapOf(siteRuns[RunId(run)]).isBare(); };
   ById<RunId, DrawnBy> known(siteRuns.size());
   forEach(siteRuns.size(), [&](std::size_t index) {
@@ -84,28 +85,48 @@ std::vector<FoundGroup> matchRuns(const Site& site, const MapPairs& pairs, const
     const std::size_t i = siteRuns[run];
     if (!isBare(index)) known[run] = drawnBy(*site.runs[i], graph.runs[run].nodes, site.mapOf(i));
   });
-  const auto matched = [&](RunId a, RunId b, DrawnMaps& maps) {
-    const std::size_t i = siteRuns[a], j = siteRuns[b];
-    std::vector<Transform2D> there;
-    for (const Transform2D& whole : wholes[a]) there.push_back(site.poses[j].inverse() * whole);
-    auto groups = matchNodes(graph, a, *site.runs[i], maps(b), followedIn(pairs, i, j), there);
-    if (b < a) return groups;
-    FoundGroup same = sameScans(graph, a, *site.runs[i], b, *site.runs[j]);
-    if (!same.matches.empty()) groups.push_back(std::move(same));
-    return groups;
-  };
   const std::vector<PairOfThings> related = relatedRuns(pairs, siteRuns);
   const auto jobs = pairJobs(related, isBare);
   std::vector<std::vector<FoundGroup>> found(related.size());
   forEach(jobs.size(), [&](std::size_t job) {
     DrawnMaps maps(site, graph, siteRuns, known);
     for (const std::size_t k : jobs[job])
-      found[k] = matched(RunId(related[k].first), RunId(related[k].second), maps);
+      found[k] = matchedIn(RunId(related[k].first), maps(RunId(related[k].second)));
   });
   std::vector<FoundGroup> all;
   for (std::vector<FoundGroup>& groups : found)
     for (FoundGroup& group : groups) all.push_back(std::move(group));
   return all;
+}
+
+}  // namespace
+
+std::vector<FoundGroup> matchRuns(const Site& site, const MapPairs& pairs, const PoseGraph& graph,
+                                  const ById<RunId, std::size_t>& siteRuns,
+                                  const ForEach& forEach) {
+  ById<RunId, std::vector<Transform2D>> wholes;  // site <- run
+  for (const std::size_t run : siteRuns) wholes.add(wholesOf(site, pairs, run));
+  const auto matched = [&](RunId a, const DrawnMap& drawn) {
+    const RunId b = drawn.run;
+    const std::size_t i = siteRuns[a], j = siteRuns[b];
+    std::vector<Transform2D> there;
+    for (const Transform2D& whole : wholes[a]) there.push_back(site.poses[j].inverse() * whole);
+    auto groups = matchNodes(graph, a, *site.runs[i], drawn, followedIn(pairs, i, j), there);
+    if (b < a) return groups;
+    FoundGroup same = sameScans(graph, a, *site.runs[i], b, *site.runs[j]);
+    if (!same.matches.empty()) groups.push_back(std::move(same));
+    return groups;
+  };
+  return matchRelated(site, pairs, graph, siteRuns, matched, forEach);
+}
+
+std::vector<FoundGroup> matchRunsAgain(const Site& site, const MapPairs& pairs,
+                                       const Consensus& consensus, const ForEach& forEach) {
+  const PoseGraph& graph = consensus.graph;
+  const auto matched = [&](RunId run, const DrawnMap& drawn) {
+    return matchAgain(graph, run, *site.runs[consensus.siteRuns[run]], drawn, consensus.poses);
+  };
+  return matchRelated(site, pairs, graph, consensus.siteRuns, matched, forEach);
 }
 
 }  // namespace roomgraph

@@ -10,6 +10,7 @@
 #include "fitted_consensus.h"
 #include "match_runs.h"
 #include "own_matches.h"
+#include "refine_poses.h"
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/add_to_consensus.h"
@@ -195,6 +196,7 @@ SolvedSite solveSite(const std::vector<Run>& runs, const MapPairs& related,
   PairBends bends = bendsOf(pairs);
   DistinctMaps maps(bends);
   Consensus consensus = siteConsensus(site, pairs, maps, forEach);
+  refinePoses(consensus, site, pairs, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
   return {std::move(site), std::move(pairs), std::move(bends), std::move(maps),
           std::move(consensus)};

@@ -22,9 +22,10 @@ std::vector<MapError> errorsByBends(const Site& site, const PairBends& bends,
                                     const DistinctMaps& maps);
 
 /** The map error of each run of a site: that of the consensus where all runs have scans, else that
- *  of errorsByBends, as patches of walls alone make a poor pose graph. Of those without scans others
- *  bear out the walls that were found in one of them; of those with scans, and of their jitter, the
- *  consensus tells. O(patches * runs^2) beside errorsByBends. */
+ *  of errorsByBends, as patches of walls alone make a poor pose graph. What others confirm of a run
+ *  without scans are the patches that were found in one of them about where the whole lies there;
+ *  of one with scans the consensus tells it, and the jitter. O(patches * runs^2) beside
+ *  errorsByBends. */
 std::vector<MapError> siteErrors(const Site& site, const MapPairs& pairs, const PairBends& bends,
                                  const DistinctMaps& maps, const Consensus& consensus);
 

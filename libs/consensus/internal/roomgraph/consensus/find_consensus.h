@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "roomgraph/base/ForEach.h"
@@ -10,6 +11,9 @@ namespace roomgraph {
 // In:   PoseGraph of all runs of a site
 // Out:  ConsensusPoses
 // Next: mapErrors, findBreaks
+
+/** Of up to so many runs each key frame tells; of more, a coarse graph is solved first. */
+constexpr std::size_t kFewRuns = 5;
 
 /** What the nodes' poses may be. */
 struct ConsensusPoses {

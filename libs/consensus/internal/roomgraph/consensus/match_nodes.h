@@ -49,6 +49,12 @@ std::vector<FoundGroup> matchNodes(const PoseGraph& graph, RunId id, const Run& 
                                    const DrawnMap& other, const FollowedWalls& followed,
                                    const std::vector<Transform2D>& wholes);
 
+/** Finds each scan of `run` once more where `poses` have it: a few steps from there, in what the
+ *  other run has drawn about its node next to it. Groups as above. O(scans * (nodes + walls of a
+ *  scan)). */
+std::vector<FoundGroup> matchAgain(const PoseGraph& graph, RunId id, const Run& run,
+                                   const DrawnMap& other, const NodePoses& poses);
+
 /** The scans that two runs have both, as runs over one log do. O((a + b) * log b). */
 FoundGroup sameScans(const PoseGraph& graph, RunId a, const Run& runA, RunId b, const Run& runB);
 

@@ -36,8 +36,8 @@ struct SolvedSite {
   std::vector<Transform2D> posesOf(std::size_t run) const;
 };
 
-/** placeRuns, pairsInSite and siteConsensus, one after the other. `runs` must outlive the result,
- *  which names them. Cost: theirs. */
+/** placeRuns, pairsInSite, siteConsensus and refinePoses, one after the other. `runs` must outlive
+ *  the result, which names them. Cost: theirs. */
 SolvedSite solveSite(const std::vector<Run>& runs, const MapPairs& related,
                      std::optional<std::size_t> reference, const ForEach& forEach);
 
