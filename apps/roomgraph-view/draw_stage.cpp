@@ -83,45 +83,14 @@ viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
   return set;
 }
 
-const TopologyGraph* graphAt(const Stages& stages, ShownStage stage) {
-  switch (stage) {
-    case ShownStage::topology:
-      return &stages.topology;
-    case ShownStage::pruned:
-      return &stages.pruned;
-    case ShownStage::joined:
-      return &stages.joinedUp;
-    case ShownStage::largest:
-      return &stages.largest;
-    case ShownStage::cut:
-      return &stages.cut;
-    case ShownStage::cleaned:
-      return &stages.cleaned;
-    case ShownStage::doors:
-      return &stages.doors;
-    case ShownStage::result:
-      return &stages.result.graph;
-    default:
-      return nullptr;
-  }
-}
-
-std::vector<bool> edgesAt(const Stages& stages, ShownStage stage) {
-  return stage == ShownStage::voronoi  ? finiteEdges(stages)
-         : stage == ShownStage::inside ? insideEdges(stages)
-                                       : clearEdges(stages);
-}
-
 viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.edges) return setOf(edgesOf(stages.voronoi, shown.edges(stages)));
+  if (shown.graph)
+    return graphOf(stages.*shown.graph, stage < ShownStage::cut ? Rooms() : stages.rooms);
   switch (stage) {
-    case ShownStage::grid:
-      return viz::CSetOfObjects::Create();
     case ShownStage::obstacles:
       return setOf(cloudOf(placesOf(stages.obstacles), 2));
-    case ShownStage::voronoi:
-    case ShownStage::inside:
-    case ShownStage::clear:
-      return setOf(edgesOf(stages.voronoi, edgesAt(stages, stage)));
     case ShownStage::rooms:
       return graphOf({}, stages.rooms);
     case ShownStage::borderVertices:
@@ -131,32 +100,34 @@ viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
     case ShownStage::result:
       return drawGraph(CRoomGraph(stages));
     default:
-      break;
+      return viz::CSetOfObjects::Create();  // the grid is the map itself
   }
-  return graphOf(*graphAt(stages, stage), stage < ShownStage::cut ? Rooms() : stages.rooms);
 }
 
 std::string countText(std::size_t count, const char* things) {
   return "; " + std::to_string(count) + " " + things;
 }
 
+std::string countsOf(const TopologyGraph& graph) {
+  return countText(graph.vertices().size(), "vertices") + countText(graph.edges().size(), "edges");
+}
+
 std::string countsAt(const Stages& stages, ShownStage stage) {
-  if (const TopologyGraph* graph = graphAt(stages, stage))
-    return countText(graph->vertices().size(), "vertices") +
-           countText(graph->edges().size(), "edges");
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.graph) return countsOf(stages.*shown.graph);
+  if (shown.edges) {
+    const std::vector<bool> edges = shown.edges(stages);
+    return countText(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
+  }
   switch (stage) {
     case ShownStage::obstacles:
       return countText(stages.obstacles.cells.size(), "obstacle cells");
-    case ShownStage::voronoi:
-    case ShownStage::inside:
-    case ShownStage::clear: {
-      const std::vector<bool> edges = edgesAt(stages, stage);
-      return countText(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
-    }
     case ShownStage::rooms:
       return countText(stages.rooms.size(), "rooms");
     case ShownStage::borderVertices:
       return countText(crossings(stages).size(), "crossings");
+    case ShownStage::result:
+      return countsOf(stages.result.graph);
     case ShownStage::areas:
       return countText(stages.areas.areas.size(), "areas") +
              countText(stages.areas.passages.size(), "passages");

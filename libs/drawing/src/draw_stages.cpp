@@ -134,26 +134,25 @@ Picture areasPicture(const Stages& stages) {
   return picture;
 }
 
-/** In the order of stageNames(). */
-std::vector<Picture> pictures(const Stages& s) {
-  return {
-      gridPicture(s),
-      obstaclesPicture(s),
-      voronoiPicture(s, finiteEdges(s)),
-      voronoiPicture(s, insideEdges(s)),
-      voronoiPicture(s, clearEdges(s)),
-      graphPicture(s.topology, nullptr),
-      graphPicture(s.pruned, nullptr),
-      graphPicture(s.joinedUp, nullptr),
-      graphPicture(s.largest, nullptr),
-      roomsPicture(s),
-      borderPicture(s),
-      graphPicture(s.cut, &s.rooms),
-      graphPicture(s.cleaned, &s.rooms),
-      graphPicture(s.doors, &s.rooms),
-      resultPicture(s),
-      areasPicture(s),
-  };
+Picture pictureOf(const Stages& stages, ShownStage stage) {
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.edges) return voronoiPicture(stages, shown.edges(stages));
+  if (shown.graph)
+    return graphPicture(stages.*shown.graph, stage < ShownStage::cut ? nullptr : &stages.rooms);
+  switch (stage) {
+    case ShownStage::grid:
+      return gridPicture(stages);
+    case ShownStage::obstacles:
+      return obstaclesPicture(stages);
+    case ShownStage::rooms:
+      return roomsPicture(stages);
+    case ShownStage::borderVertices:
+      return borderPicture(stages);
+    case ShownStage::areas:
+      return areasPicture(stages);
+    default:
+      return resultPicture(stages);
+  }
 }
 
 std::string twoDigits(std::size_t number) {
@@ -180,11 +179,11 @@ void drawStages(const Stages& stages, const std::string& folder, StagedFiles& fi
   makeWritableFolder(folder);
   const std::string map = fileName(stages.source.file);
   std::string list;
-  std::size_t number = 0;
-  for (Picture& picture : pictures(stages)) {
-    const StageName& stage = stageNames()[number];
-    const std::string file = pictureName(number);
-    const std::string heading = twoDigits(++number) + " " + stage.name;
+  for (std::size_t step = 0; step < stageNames().size(); ++step) {
+    const StageName& stage = stageNames()[step];
+    Picture picture = pictureOf(stages, ShownStage(step));
+    const std::string file = pictureName(step);
+    const std::string heading = twoDigits(step + 1) + " " + stage.name;
     picture.scene.title = heading + "  ·  " + stage.paper + "  ·  " + stage.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
     files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
