@@ -6,6 +6,7 @@
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 
 namespace roomgraph {
 namespace {
@@ -20,14 +21,6 @@ viz::CSetOfObjects::Ptr setOf(const MrptObject::Ptr& object) {
   return set;
 }
 
-viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& places, float size) {
-  auto cloud = viz::CPointCloud::Create();
-  cloud->setColor_u8(kObstacles);
-  cloud->setPointSize(size);
-  for (const Point p : places) cloud->insertPoint(float(p.x), float(p.y), float(kStageHeight));
-  return cloud;
-}
-
 std::vector<Point> placesOf(const ObstacleCells& obstacles) {
   std::vector<Point> places;
   for (const Cell cell : obstacles.cells) places.push_back(obstacles.frame.center(cell));
@@ -35,15 +28,12 @@ std::vector<Point> placesOf(const ObstacleCells& obstacles) {
 }
 
 viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<bool>& isShown) {
-  auto lines = viz::CSetOfLines::Create();
-  lines->setColor_u8(kVoronoi);
-  for (std::size_t e = 0; e < isShown.size(); ++e) {
-    if (!isShown[e]) continue;
-    const Point a = voronoi.vertices[voronoi.edges[e].source].place;
-    const Point b = voronoi.vertices[voronoi.edges[e].target].place;
-    lines->appendLine(a.x, a.y, kStageHeight, b.x, b.y, kStageHeight);
-  }
-  return lines;
+  std::vector<Segment> ends;
+  for (std::size_t e = 0; e < isShown.size(); ++e)
+    if (isShown[e])
+      ends.emplace_back(voronoi.vertices[voronoi.edges[e].source].place,
+                        voronoi.vertices[voronoi.edges[e].target].place);
+  return linesAt(ends, kStageHeight, kVoronoi, 1);
 }
 
 /** A graph with the floors of rooms, none of which is a vertex yet. */
@@ -65,21 +55,16 @@ Rooms shapesOf(const AreaGraph& areas) {
 }
 
 viz::CSetOfObjects::Ptr areasOf(const AreaGraph& areas) {
-  auto lines = viz::CSetOfLines::Create();
-  lines->setColor_u8(kPassages);
-  lines->setLineWidth(3);
-  for (const Passage& passage : areas.passages)
-    lines->appendLine(passage.from.x, passage.from.y, kStageHeight, passage.to.x, passage.to.y,
-                      kStageHeight);
-  auto set = graphOf({}, shapesOf(areas));
-  auto all = setOf(set);
-  all->insert(lines);
+  std::vector<Segment> ends;
+  for (const Passage& passage : areas.passages) ends.emplace_back(passage.from, passage.to);
+  auto all = setOf(graphOf({}, shapesOf(areas)));
+  all->insert(linesAt(ends, kStageHeight, kPassages, 3));
   return all;
 }
 
 viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
   auto set = setOf(graphOf(stages.largest, stages.rooms));
-  set->insert(cloudOf(crossings(stages), 7));
+  set->insert(pointsAt(crossings(stages), kStageHeight, kObstacles, 7));
   return set;
 }
 
@@ -90,7 +75,7 @@ viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
     return graphOf(stages.*shown.graph, stage < ShownStage::cut ? Rooms() : stages.rooms);
   switch (stage) {
     case ShownStage::obstacles:
-      return setOf(cloudOf(placesOf(stages.obstacles), 2));
+      return setOf(pointsAt(placesOf(stages.obstacles), kStageHeight, kObstacles, 2));
     case ShownStage::rooms:
       return graphOf({}, stages.rooms);
     case ShownStage::borderVertices:
