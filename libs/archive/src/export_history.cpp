@@ -9,7 +9,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/measure_json.h"
 
@@ -232,10 +231,8 @@ std::string historyCsv(const std::vector<WatchedSite>& sites) {
 std::string historyJson(const std::vector<WatchedSite>& sites) {
   Json all = Json::array();
   for (const WatchedSite& site : sites) all.push_back(siteJson(site));
-  const Json json = {{"format", "roomgraph/archive"},
-                     {"version", 1},
-                     {"program", {{"name", "roomgraph"}, {"version", version()}}},
-                     {"sites", all}};
+  const Json json = {
+      {"format", "roomgraph/archive"}, {"version", 1}, {"program", programJson()}, {"sites", all}};
   return json.dump(1) + "\n";
 }
 

@@ -178,8 +178,8 @@ std::vector<std::string> stageFiles() {
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeWritableFolder(folder);
   const std::string map = fileName(stages.source.file);
-  std::string list;
-  for (std::size_t step = 0; step < stageNames().size(); ++step) {
+  JsonDocument document("roomgraph/stages");
+  document.addEntries("stages", stageNames().size(), [&](std::size_t step) {
     const StageName& stage = stageNames()[step];
     Picture picture = pictureOf(stages, ShownStage(step));
     const std::string file = pictureName(step);
@@ -187,13 +187,12 @@ void drawStages(const Stages& stages, const std::string& folder, StagedFiles& fi
     picture.scene.title = heading + "  ·  " + stage.paper + "  ·  " + stage.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
     files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
-    const Json entry{
-        {"file", file}, {"paper", stage.paper}, {"title", stage.title}, {"counts", picture.counts}};
-    list += (list.empty() ? "\n" : ",\n") + entry.dump();
-  }
-  files.add(
-      folder + "/" + kList,
-      "{\n\"format\": \"roomgraph/stages\",\n\"version\": 1,\n\"stages\": [" + list + "\n]\n}\n");
+    return lineOf({{"file", file},
+                   {"paper", stage.paper},
+                   {"title", stage.title},
+                   {"counts", picture.counts}});
+  });
+  files.add(folder + "/" + kList, std::move(document).text());
 }
 
 }  // namespace roomgraph

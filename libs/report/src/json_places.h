@@ -41,16 +41,4 @@ Json placedRoomJson(const Room& room, const Json& doors) {
           {"doors", doors}};
 }
 
-/** A list with one entry per line. */
-template <class Things, class ToJson>
-std::string lines(const char* name, const Things& things, const ToJson& toJson) {
-  std::string text = std::string("\"") + name + "\": [";
-  const char* separator = "\n";
-  for (const auto& thing : things) {
-    text += separator + lineOf(toJson(thing));
-    separator = ",\n";
-  }
-  return text + (things.empty() ? "],\n" : "\n],\n");
-}
-
 }  // namespace roomgraph

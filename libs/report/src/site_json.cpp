@@ -4,7 +4,6 @@
 
 #include "json_places.h"
 #include "roomgraph/base/read_document.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/geometry/point_json.h"
 
 namespace roomgraph {
@@ -131,18 +130,15 @@ SiteFile parseSiteJson(const std::string& content, const std::string& name) {
 }
 
 std::string siteJson(const SiteFile& file) {
-  std::string text = "{\n\"format\": \"roomgraph/site\",\n\"version\": 1,\n";
-  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
-  text += "\"next\": " + lineOf({{"room", file.nextRoom}, {"corridor", file.nextCorridor}}) + ",\n";
-  text += "\"rooms\": [";
-  const char* separator = "\n";
-  for (const KnownRoom& room : file.rooms) {
+  JsonDocument document("roomgraph/site");
+  document.add("program", programJson());
+  document.add("next", {{"room", file.nextRoom}, {"corridor", file.nextCorridor}});
+  document.addList("rooms", file.rooms, [](const KnownRoom& room) {
     Json doors = Json::array();
     for (const SiteDoor& door : room.doors) doors.push_back(doorJson(door));
-    text += separator + lineOf(placedRoomJson(room, doors));
-    separator = ",\n";
-  }
-  return text + (file.rooms.empty() ? "]\n}\n" : "\n]\n}\n");
+    return placedRoomJson(room, doors);
+  });
+  return std::move(document).text();
 }
 
 }  // namespace roomgraph
