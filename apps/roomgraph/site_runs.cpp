@@ -32,9 +32,8 @@ void leaveOutCopies(ReadRuns& read) {
 
 /** Names what does not lie in the site. */
 void printOthers(const SolvedRuns& runs) {
-  const std::vector<std::size_t>& members = runs.solved.site.members;
   for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
-    if (!std::binary_search(members.begin(), members.end(), i))
+    if (!runs.solved.site.has(i))
       printError(runs.read.runs[i].file + ": does not lie in the site of the others: left out");
 }
 
