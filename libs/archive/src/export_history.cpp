@@ -28,9 +28,9 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
           csvNumber(error ? error->low : std::nullopt) + "," +
           csvNumber(error ? error->high : std::nullopt) +
           (error && error->isMeaningful ? ",1" : ",0");
-  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(figureOf(run, name));
+  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(valueOf(run.figures, name));
   for (const MeasureKind& kind : runMeasureKinds())
-    line += "," + csvNumber(figureOf(run, kind.name));
+    line += "," + csvNumber(valueOf(run.figures, kind.name));
   return line + "," + csvField(run.reason) + "\n";
 }
 
@@ -140,7 +140,7 @@ struct GaugeKind {
 
 Gauge latestFigure(const char* name) {
   return [name](const SiteHistory& history, const RobotWatch& robot) {
-    return trustedFigure(history.runs[robot.latest], name);
+    return trustedValueOf(history.runs[robot.latest].figures, name);
   };
 }
 

@@ -201,8 +201,7 @@ std::string comparisonText(const Comparison& comparison) {
   std::string text = "rank  run" + std::string(width - 3, ' ') +
                      "  score         (80 %)  map error [m]          (80 %)  coverage\n";
   for (const ComparedRun& run : comparison.runs) {
-    const Measure* coverage = find(run.measures, "coverage");
-    const double seen = coverage ? rounded(coverage->value.value_or(-1)) : -1;
+    const double seen = rounded(valueOf(run.measures, "coverage").value_or(-1));
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
