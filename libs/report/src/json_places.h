@@ -20,6 +20,11 @@ inline Json ringsJson(const std::vector<Ring>& rings) {
   return json;
 }
 
+/** The members "x" and "y". */
+inline Point readPlace(const JsonNode& node) {
+  return {readCoordinate(node["x"]), readCoordinate(node["y"])};
+}
+
 inline Json doorJson(const SiteDoor& door) {
   return {{"x", rounded(door.place.x)},
           {"y", rounded(door.place.y)},

@@ -55,8 +55,6 @@ Json doorFeature(const SiteRoom& room, const SiteDoor& door) {
   return feature(properties, "Point", {rounded(door.place.x), rounded(door.place.y)});
 }
 
-Point place(const JsonNode& node) { return {readCoordinate(node["x"]), readCoordinate(node["y"])}; }
-
 Ring ring(const JsonNode& node) {
   Ring result = readPoints(node);
   if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
@@ -72,7 +70,7 @@ int nextNumber(const JsonNode& node) {
 
 SiteDoor door(const JsonNode& node) {
   const JsonNode to = node["to"];
-  return {place(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
+  return {readPlace(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
 }
 
 KnownRoom room(const JsonNode& node) {
@@ -85,7 +83,7 @@ KnownRoom room(const JsonNode& node) {
   if (kind != "room" && kind != "corridor")
     throw Broken{node["kind"].place, "is neither 'room' nor 'corridor'"};
   result.isCorridor = kind == "corridor";
-  result.center = place(node);
+  result.center = readPlace(node);
   result.area = readCoordinate(node["area_m2"]);
   result.polygon.outer = ring(node["polygon"]);
   for (const JsonNode& hole : node["holes"].list()) result.polygon.holes.push_back(ring(hole));
