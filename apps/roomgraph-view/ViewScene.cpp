@@ -11,12 +11,13 @@
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr double kFaint = 0.3;         // share of its colour that a faint wall keeps
-constexpr float kRobotRadius = 0.25f;  // [m]
+constexpr double kRobotRadius = 0.25;  // [m]
 constexpr mrpt::img::TColor kScan{200, 30, 30}, kRobot{20, 20, 20}, kText{30, 34, 40};
 
 constexpr const char *kBreaks = "breaks", *kRoomNames = "room names";
@@ -34,12 +35,6 @@ mrpt::img::TColor wallColour(std::size_t run, bool isFaint) {
           mixed(full.blue, kBackgroundColour.blue)};
 }
 
-viz::CSetOfObjects::Ptr setNamed(const char* name) {
-  auto set = viz::CSetOfObjects::Create();
-  set->setName(name);
-  return set;
-}
-
 /** Of all that is drawn, as the screen has it. */
 Box boxOf(const View& view) {
   if (view.graph) return drawnBox(*view.graph);
@@ -51,14 +46,6 @@ Box boxOf(const View& view) {
     for (const PathPose& at : run.path) box.include(view.onScreen()(at.pose.shift()));
   }
   return box.isEmpty() ? Box{{-0.5, -0.5}, {0.5, 0.5}} : box;
-}
-
-void addScan(const ScanWalls& scan, const Transform2D& pose, viz::CPointCloud& cloud) {
-  const Motion2D move(pose);
-  for (const WallPoint& wall : scan.walls) {
-    const Point p = move(wall.place);
-    cloud.insertPoint(float(p.x), float(p.y), float(kFrameHeight));
-  }
 }
 
 }  // namespace
@@ -156,24 +143,16 @@ void ViewScene::updateFrame(const ViewState& state) {
   const ComparedRun& compared = view_.comparison.runs[state.run];
   if (state.frame >= compared.path.size()) return;
   const Transform2D at = compared.path[state.frame].pose;
-  auto robot = viz::CDisk::Create(kRobotRadius, 0.6f * kRobotRadius);
-  robot->setColor_u8(kRobot);
-  robot->setLocation(at.x, at.y, kFrameHeight);
-  frame_->insert(robot);
-  auto nose = viz::CSetOfLines::Create();
-  nose->setColor_u8(kRobot);
-  nose->setLineWidth(3);
-  const Point front = at(Point{2 * double(kRobotRadius), 0});
-  nose->appendLine(at.x, at.y, kFrameHeight, front.x, front.y, kFrameHeight);
-  frame_->insert(nose);
+  frame_->insert(diskAt(at.shift(), kFrameHeight, kRobot, kRobotRadius, 0.6 * kRobotRadius));
+  const Point front = at(Point{2 * kRobotRadius, 0});
+  frame_->insert(linesAt({{at.shift(), front}}, kFrameHeight, kRobot, 3));
   const Run* run = view_.runNamed(compared.name);
   if (!run || state.frame >= run->scans.size() || isAtBreak(state)) return;
-  auto cloud = viz::CPointCloud::Create();
-  cloud->setColor_u8(kScan);
-  cloud->setPointSize(4);
+  const Motion2D move(compared.pose);
+  std::vector<Point> walls;
   for (std::size_t k = state.growsMap ? 0 : state.frame; k <= state.frame; ++k)
-    addScan(run->scans[k], compared.pose, *cloud);
-  frame_->insert(cloud);
+    for (const WallPoint& wall : run->scans[k].walls) walls.push_back(move(wall.place));
+  frame_->insert(pointsAt(walls, kFrameHeight, kScan, 4));
 }
 
 void ViewScene::updateBreak(const ViewState& state) {

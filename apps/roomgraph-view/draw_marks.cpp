@@ -6,37 +6,31 @@
 #include "read_place.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 #include "roomgraph/page/site_pictures.h"
 
 namespace roomgraph {
 namespace {
 
 constexpr mrpt::img::TColor kRuler{110, 60, 150}, kRead{230, 0, 120}, kSwipeLine{20, 20, 20};
-constexpr float kDot = 0.08f;      // [m]
+constexpr double kDot = 0.08;      // [m]
 constexpr double kDotStep = 0.06;  // along a line [m]
 
 viz::CDisk::Ptr dotAt(Point place, const mrpt::img::TColor& colour, double height = kMarkHeight) {
-  auto dot = viz::CDisk::Create(kDot, 0.0f);
-  dot->setColor_u8(colour);
-  dot->setLocation(place.x, place.y, height);
-  return dot;
+  return diskAt(place, height, colour, kDot);
 }
 
 /** As dots in a row: OpenGL's own lines are one pixel wide on most machines. */
 viz::CPointCloud::Ptr lineThrough(const Polyline& points, bool isClosed,
                                   const mrpt::img::TColor& colour) {
-  auto line = viz::CPointCloud::Create();
-  line->setColor_u8(colour);
-  line->setPointSize(4);
+  std::vector<Point> dots;
   for (std::size_t i = 0; i + (isClosed ? 0 : 1) < points.size(); ++i) {
     const Point a = points[i], b = points[(i + 1) % points.size()];
     const auto count = std::max<std::size_t>(1, std::size_t(distance(a, b) / kDotStep));
-    for (std::size_t k = 0; k <= count; ++k) {
-      const Point p = a + double(k) / double(count) * (b - a);
-      line->insertPoint(float(p.x), float(p.y), float(kMarkHeight));
-    }
+    for (std::size_t k = 0; k <= count; ++k)
+      dots.push_back(a + double(k) / double(count) * (b - a));
   }
-  return line;
+  return pointsAt(dots, kMarkHeight, colour, 4);
 }
 
 void addOutline(const Polygon& polygon, viz::CSetOfObjects& set) {
@@ -46,22 +40,19 @@ void addOutline(const Polygon& polygon, viz::CSetOfObjects& set) {
 /** The walls of a run, as the scene has them, that lie on one side of the line. */
 viz::CPointCloud::Ptr wallsBeside(double line, bool isLeft, const View& view,
                                   const ComparedRun& run, MrptScene& scene) {
-  auto cloud = viz::CPointCloud::Create();
   const auto layer =
       std::dynamic_pointer_cast<viz::CSetOfObjects>(scene.getByName(runLayer(run.name)));
   const auto walls = layer ? layer->getByClass<viz::CPointCloud>() : nullptr;
-  if (!walls) return cloud;
-  cloud->setColor_u8(walls->getColor_u8());
-  cloud->setPointSize(walls->getPointSize());
+  if (!walls) return viz::CPointCloud::Create();
+  std::vector<Point> places;
   const auto offset = walls->getPose();
   const Motion2D move(run.pose);
   for (std::size_t i = 0; i < walls->size(); ++i) {
     const auto& p = walls->getPoint3Df(i);
     const Point place = move({double(p.x) + offset.x, double(p.y) + offset.y});
-    if ((view.onScreen()(place).x < line) == isLeft)
-      cloud->insertPoint(float(place.x), float(place.y), 0);
+    if ((view.onScreen()(place).x < line) == isLeft) places.push_back(place);
   }
-  return cloud;
+  return pointsAt(places, 0, walls->getColor_u8(), walls->getPointSize());
 }
 
 constexpr double kHeatCell = 0.2;  // no finer, so that turned maps leave no gaps [m]
@@ -136,14 +127,9 @@ mrpt::img::TColor colourOfError(const std::optional<double>& error) {
 
 viz::CSetOfObjects::Ptr drawPath(const std::vector<PathPose>& path) {
   auto set = viz::CSetOfObjects::Create();
-  for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-    auto piece = viz::CSetOfLines::Create();
-    piece->setLineWidth(3);
-    piece->setColor_u8(colourOfError(path[k + 1].error));
-    const Transform2D &a = path[k].pose, &b = path[k + 1].pose;
-    piece->appendLine(a.x, a.y, kPathHeight, b.x, b.y, kPathHeight);
-    set->insert(piece);
-  }
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    set->insert(linesAt({{path[k].pose.shift(), path[k + 1].pose.shift()}}, kPathHeight,
+                        colourOfError(path[k + 1].error), 3));
   for (const PathPose& at : path)
     set->insert(dotAt(at.pose.shift(), colourOfError(at.error), kPathHeight));
   return set;

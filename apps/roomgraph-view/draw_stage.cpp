@@ -6,6 +6,7 @@
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 
 namespace roomgraph {
 namespace {
@@ -20,14 +21,6 @@ viz::CSetOfObjects::Ptr setOf(const MrptObject::Ptr& object) {
   return set;
 }
 
-viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& places, float size) {
-  auto cloud = viz::CPointCloud::Create();
-  cloud->setColor_u8(kObstacles);
-  cloud->setPointSize(size);
-  for (const Point p : places) cloud->insertPoint(float(p.x), float(p.y), float(kStageHeight));
-  return cloud;
-}
-
 std::vector<Point> placesOf(const ObstacleCells& obstacles) {
   std::vector<Point> places;
   for (const Cell cell : obstacles.cells) places.push_back(obstacles.frame.center(cell));
@@ -35,15 +28,12 @@ std::vector<Point> placesOf(const ObstacleCells& obstacles) {
 }
 
 viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<bool>& isShown) {
-  auto lines = viz::CSetOfLines::Create();
-  lines->setColor_u8(kVoronoi);
-  for (std::size_t e = 0; e < isShown.size(); ++e) {
-    if (!isShown[e]) continue;
-    const Point a = voronoi.vertices[voronoi.edges[e].source].place;
-    const Point b = voronoi.vertices[voronoi.edges[e].target].place;
-    lines->appendLine(a.x, a.y, kStageHeight, b.x, b.y, kStageHeight);
-  }
-  return lines;
+  std::vector<Segment> ends;
+  for (std::size_t e = 0; e < isShown.size(); ++e)
+    if (isShown[e])
+      ends.emplace_back(voronoi.vertices[voronoi.edges[e].source].place,
+                        voronoi.vertices[voronoi.edges[e].target].place);
+  return linesAt(ends, kStageHeight, kVoronoi, 1);
 }
 
 /** A graph with the floors of rooms, none of which is a vertex yet. */
@@ -65,63 +55,27 @@ Rooms shapesOf(const AreaGraph& areas) {
 }
 
 viz::CSetOfObjects::Ptr areasOf(const AreaGraph& areas) {
-  auto lines = viz::CSetOfLines::Create();
-  lines->setColor_u8(kPassages);
-  lines->setLineWidth(3);
-  for (const Passage& passage : areas.passages)
-    lines->appendLine(passage.from.x, passage.from.y, kStageHeight, passage.to.x, passage.to.y,
-                      kStageHeight);
-  auto set = graphOf({}, shapesOf(areas));
-  auto all = setOf(set);
-  all->insert(lines);
+  std::vector<Segment> ends;
+  for (const Passage& passage : areas.passages) ends.emplace_back(passage.from, passage.to);
+  auto all = setOf(graphOf({}, shapesOf(areas)));
+  all->insert(linesAt(ends, kStageHeight, kPassages, 3));
   return all;
 }
 
 viz::CSetOfObjects::Ptr bordersOf(const Stages& stages) {
   auto set = setOf(graphOf(stages.largest, stages.rooms));
-  set->insert(cloudOf(crossings(stages), 7));
+  set->insert(pointsAt(crossings(stages), kStageHeight, kObstacles, 7));
   return set;
 }
 
-const TopologyGraph* graphAt(const Stages& stages, ShownStage stage) {
-  switch (stage) {
-    case ShownStage::topology:
-      return &stages.topology;
-    case ShownStage::pruned:
-      return &stages.pruned;
-    case ShownStage::joined:
-      return &stages.joinedUp;
-    case ShownStage::largest:
-      return &stages.largest;
-    case ShownStage::cut:
-      return &stages.cut;
-    case ShownStage::cleaned:
-      return &stages.cleaned;
-    case ShownStage::doors:
-      return &stages.doors;
-    case ShownStage::result:
-      return &stages.result.graph;
-    default:
-      return nullptr;
-  }
-}
-
-std::vector<bool> edgesAt(const Stages& stages, ShownStage stage) {
-  return stage == ShownStage::voronoi  ? finiteEdges(stages)
-         : stage == ShownStage::inside ? insideEdges(stages)
-                                       : clearEdges(stages);
-}
-
 viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.edges) return setOf(edgesOf(stages.voronoi, shown.edges(stages)));
+  if (shown.graph)
+    return graphOf(stages.*shown.graph, stage < ShownStage::cut ? Rooms() : stages.rooms);
   switch (stage) {
-    case ShownStage::grid:
-      return viz::CSetOfObjects::Create();
     case ShownStage::obstacles:
-      return setOf(cloudOf(placesOf(stages.obstacles), 2));
-    case ShownStage::voronoi:
-    case ShownStage::inside:
-    case ShownStage::clear:
-      return setOf(edgesOf(stages.voronoi, edgesAt(stages, stage)));
+      return setOf(pointsAt(placesOf(stages.obstacles), kStageHeight, kObstacles, 2));
     case ShownStage::rooms:
       return graphOf({}, stages.rooms);
     case ShownStage::borderVertices:
@@ -131,32 +85,34 @@ viz::CSetOfObjects::Ptr drawParts(const Stages& stages, ShownStage stage) {
     case ShownStage::result:
       return drawGraph(CRoomGraph(stages));
     default:
-      break;
+      return viz::CSetOfObjects::Create();  // the grid is the map itself
   }
-  return graphOf(*graphAt(stages, stage), stage < ShownStage::cut ? Rooms() : stages.rooms);
 }
 
 std::string countText(std::size_t count, const char* things) {
   return "; " + std::to_string(count) + " " + things;
 }
 
+std::string countsOf(const TopologyGraph& graph) {
+  return countText(graph.vertices().size(), "vertices") + countText(graph.edges().size(), "edges");
+}
+
 std::string countsAt(const Stages& stages, ShownStage stage) {
-  if (const TopologyGraph* graph = graphAt(stages, stage))
-    return countText(graph->vertices().size(), "vertices") +
-           countText(graph->edges().size(), "edges");
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.graph) return countsOf(stages.*shown.graph);
+  if (shown.edges) {
+    const std::vector<bool> edges = shown.edges(stages);
+    return countText(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
+  }
   switch (stage) {
     case ShownStage::obstacles:
       return countText(stages.obstacles.cells.size(), "obstacle cells");
-    case ShownStage::voronoi:
-    case ShownStage::inside:
-    case ShownStage::clear: {
-      const std::vector<bool> edges = edgesAt(stages, stage);
-      return countText(std::size_t(std::count(edges.begin(), edges.end(), true)), "edges");
-    }
     case ShownStage::rooms:
       return countText(stages.rooms.size(), "rooms");
     case ShownStage::borderVertices:
       return countText(crossings(stages).size(), "crossings");
+    case ShownStage::result:
+      return countsOf(stages.result.graph);
     case ShownStage::areas:
       return countText(stages.areas.areas.size(), "areas") +
              countText(stages.areas.passages.size(), "passages");

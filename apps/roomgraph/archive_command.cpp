@@ -121,7 +121,7 @@ int list(const ArchiveArguments& arguments) {
   for (const WatchedSite& site : sitesToTell(arguments)) {
     print(printable(site.history.site) + ":\n");
     for (const HistoryRun& run : site.history.runs) {
-      const auto error = trustedFigure(run, kMapError);
+      const auto error = trustedValueOf(run.figures, kMapError);
       const std::string figure = error ? formatted("%7.3f m", *error) : "      -  ";
       print("  " + timeText(run.time) + " " + figure + "  " + printable(run.robot) + "  " +
             printable(run.file) + (run.isPlaced ? "" : "  (another site)") + "\n");

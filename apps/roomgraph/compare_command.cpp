@@ -19,25 +19,20 @@
 #include "roomgraph/ledger/name_rooms.h"
 #include "roomgraph/report/PairFolder.h"
 #include "roomgraph/report/site_json.h"
-#include "run_in_order.h"
+#include "site_runs.h"
 #include "terminal.h"
 
 namespace roomgraph {
 namespace {
 
-struct CompareArguments {
+struct CompareArguments : SiteArguments {
   bool areAligned = false, estimatesScale = false;
-  std::string reference;
   GateArguments gate;
   std::vector<std::string> candidates;  ///< files that the gate judges; empty for all
-  OptionArguments options;
-  std::vector<std::string> files;
-  std::string folder, formats = "all";
+  std::string formats = "all";
   std::string names;  ///< file of the site's rooms; empty for none
-  std::string cache;  ///< folder that keeps pairs from call to call; empty for none
   bool writesBreaks = false, writesSiteMaps = false;
   bool comparesEachSite = false;
-  RunningArguments running;
 };
 
 void declareFrames(CompareArguments& arguments, CLI::App& app) {
@@ -137,14 +132,10 @@ std::vector<std::string> candidatesOf(const CompareArguments& arguments,
   return names;
 }
 
-/** Those of a call; a file that cannot be used is a line on stderr. */
 CompareMapsOptions optionsOf(const CompareArguments& arguments) {
-  CompareMapsOptions options = toCompareOptions(arguments.options);
-  options.reference = arguments.reference;
+  CompareMapsOptions options = siteOptions(arguments);
   options.compare.areAligned |= arguments.areAligned;
   options.estimatesScale |= arguments.estimatesScale;
-  options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
-  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
   return options;
 }
 

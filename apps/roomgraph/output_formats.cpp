@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/geojson.h"
@@ -87,11 +88,7 @@ std::string listedFormats(const std::vector<std::string>& known,
   std::vector<std::string> names = known;
   names.emplace_back("all");
   names.insert(names.end(), more.begin(), more.end());
-  const std::string last = names.back();
-  names.pop_back();
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text + " or " + last;
+  return alternatives(names);
 }
 
 std::vector<std::string> chosenFormats(const std::string& list,

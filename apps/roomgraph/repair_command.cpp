@@ -128,11 +128,8 @@ void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, Fo
 
 /** What the call ends with: a run that does not lie in the site of the others is not mended. */
 int exitCodeOf(const SolvedRuns& runs, const RepairArguments& arguments) {
-  const std::vector<std::size_t>& members = runs.solved.site.members;
   for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
-    if (isAskedFor(runs.read.runs[i].name, arguments) &&
-        !std::binary_search(members.begin(), members.end(), i))
-      return kBadData;
+    if (isAskedFor(runs.read.runs[i].name, arguments) && !runs.solved.site.has(i)) return kBadData;
   return runs.exitCode();
 }
 

@@ -14,14 +14,6 @@
 namespace roomgraph {
 namespace {
 
-CompareMapsOptions optionsOf(const SiteArguments& arguments) {
-  CompareMapsOptions options = toCompareOptions(arguments.options);
-  options.reference = arguments.reference;
-  options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
-  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
-  return options;
-}
-
 /** Runs are to bear each other out, which a copy does not; the reference stays. */
 void leaveOutCopies(ReadRuns& read) {
   std::vector<Run>& runs = read.runs;
@@ -40,9 +32,8 @@ void leaveOutCopies(ReadRuns& read) {
 
 /** Names what does not lie in the site. */
 void printOthers(const SolvedRuns& runs) {
-  const std::vector<std::size_t>& members = runs.solved.site.members;
   for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
-    if (!std::binary_search(members.begin(), members.end(), i))
+    if (!runs.solved.site.has(i))
       printError(runs.read.runs[i].file + ": does not lie in the site of the others: left out");
 }
 
@@ -58,6 +49,14 @@ void printFaultOf(const Run& reference) {
 
 }  // namespace
 
+CompareMapsOptions siteOptions(const SiteArguments& arguments) {
+  CompareMapsOptions options = toCompareOptions(arguments.options);
+  options.reference = arguments.reference;
+  options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
+  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
+  return options;
+}
+
 void declareSite(SiteArguments& arguments, const std::string& results, CLI::App& app) {
   declareOutput(arguments.folder, results, app);
   addOption(app, "--reference MAP", arguments.reference,
@@ -70,7 +69,7 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
 }
 
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
-  CompareMapsOptions options = optionsOf(arguments);
+  CompareMapsOptions options = siteOptions(arguments);
   UnusedOptions unused;
   options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
   ReadRuns read = readRuns(arguments.files, options);

@@ -10,15 +10,19 @@
 
 namespace roomgraph {
 
-/** What `repair`, `merge` and `carry` are told of the runs that they work with. */
+/** What `compare`, `repair`, `merge` and `carry` are told of the runs that they work with. */
 struct SiteArguments {
   std::vector<std::string> files;
-  std::string reference, folder, cache;
+  std::string reference, folder;
+  std::string cache;         ///< folder that keeps pairs from call to call; empty for none
   bool areOneSite = false;   ///< they are said to show one
   bool takesCopies = false;  ///< else a run is left out that is a copy of another
   OptionArguments options;
   RunningArguments running;
 };
+
+/** How the runs are read and compared; a file that cannot be used is a line on stderr. */
+CompareMapsOptions siteOptions(const SiteArguments& arguments);
 
 /** Declares --output, --reference, --cache and how maps are read; not the files themselves. */
 void declareSite(SiteArguments& arguments, const std::string& results, CLI::App& app);

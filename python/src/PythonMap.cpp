@@ -3,16 +3,10 @@
 #include <cmath>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/checked_file.h"
+#include "roomgraph/map_files/ros_map_yaml.h"
 
 namespace roomgraph {
-namespace {
-
-/** As many cells as maps in files may have. */
-constexpr std::size_t kMostCells = 400'000'000;
-/** The thresholds of ROS's map_server, for the percents that the greys stand for. */
-constexpr double kOccupiedAbove = 0.65, kFreeBelow = 0.196;
-
-}  // namespace
 
 ArrayMap arrayMap(const std::string& name, const std::string& sha256,
                   const pybind11::array_t<std::uint8_t, pybind11::array::c_style |
@@ -28,7 +22,8 @@ ArrayMap arrayMap(const std::string& name, const std::string& sha256,
   GreyMap& map = array.map;
   map.frame = {int(grey.shape(1)), int(grey.shape(0)), resolution, {x, y}};
   map.grey.assign(grey.data(), grey.data() + grey.size());
-  map.occupiedAbove = kOccupiedAbove, map.freeBelow = kFreeBelow;
+  const RosMapYaml usual{};  // of map_server, for the percents that the greys stand for
+  map.occupiedAbove = usual.occupiedAbove, map.freeBelow = usual.freeBelow;
   map.source.file = name, map.source.kind = "array", map.source.sha256 = sha256;
   return array;
 }

@@ -40,7 +40,7 @@ std::unique_ptr<Solved> solve(const std::vector<PythonMap>& maps,
   SolvedSite site = solveSite(read.runs, related, read.reference, compare.forEach);
   std::unique_ptr<Solved> solved(new Solved{std::move(read), std::move(site)});
   for (std::size_t i = 0; i < solved->read.runs.size(); ++i)
-    if (!std::binary_search(solved->site.site.members.begin(), solved->site.site.members.end(), i))
+    if (!solved->site.site.has(i))
       tell(call, true,
            solved->read.runs[i].file + ": does not lie in the site of the others: left out");
   return solved;

@@ -56,7 +56,7 @@ TEST_F(ArchiveTest, whatIsRecordedComesBack) {
   EXPECT_EQ(run.sha256, "1");
   EXPECT_EQ(run.time, 86400);
   EXPECT_TRUE(run.isPlaced);
-  EXPECT_EQ(trustedFigure(run, kMapError), 0.2);
+  EXPECT_EQ(trustedValueOf(run.figures, kMapError), 0.2);
   const Measure* coverage = find(run.figures, "coverage");
   ASSERT_TRUE(coverage);
   EXPECT_EQ(coverage->low, 0.8);
@@ -80,13 +80,13 @@ TEST_F(ArchiveTest, whatIsKnownIsNotDoubled) {
 TEST_F(ArchiveTest, aRunGetsFiguresOnceTheyCanBeTrustedAndKeepsThem) {
   Archive archive(file(), test::kOrNew);
   archive.record(night("office", "anna", 1, 0.2, {}, false));
-  EXPECT_FALSE(trustedFigure(archive.history("office").runs[0], kMapError));
+  EXPECT_FALSE(trustedValueOf(archive.history("office").runs[0].figures, kMapError));
   archive.record(night("office", "anna", 2, 0.3, {"1"}));
-  EXPECT_EQ(trustedFigure(archive.history("office").runs[0], kMapError), 0.1);
+  EXPECT_EQ(trustedValueOf(archive.history("office").runs[0].figures, kMapError), 0.1);
   Addition third = night("office", "anna", 3, 0.3, {"1", "2"});
   third.comparison.runs[1].score->mapError = 9;
   archive.record(third);
-  EXPECT_EQ(trustedFigure(archive.history("office").runs[0], kMapError), 0.1);
+  EXPECT_EQ(trustedValueOf(archive.history("office").runs[0].figures, kMapError), 0.1);
 }
 
 TEST_F(ArchiveTest, aRunOfAnotherSiteHasNoFiguresAndNoRooms) {
@@ -131,7 +131,7 @@ TEST_F(ArchiveTest, roomsThatCannotBeToldLeaveTheFigures) {
   const SiteHistory history = archive.history("office");
   EXPECT_EQ(history.ledger.rooms.size(), 3U);
   EXPECT_TRUE(history.runs[1].rooms.empty());
-  EXPECT_EQ(trustedFigure(history.runs[1], kMapError), 0.2);
+  EXPECT_EQ(trustedValueOf(history.runs[1].figures, kMapError), 0.2);
 }
 
 TEST_F(ArchiveTest, idsStayThroughHundredsOfNights) {

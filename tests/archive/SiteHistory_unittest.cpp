@@ -101,13 +101,13 @@ TEST(RoomsOf, ofARoomThatIsNotMeasuredThereIsNoArea) {
 
 TEST(TrustedFigure, isNoneWhereItCannotBeTrustedOrIsNotThere) {
   HistoryRun run = test::historyRun("anna", 1, 0.3);
-  EXPECT_EQ(trustedFigure(run, kMapError), 0.3);
-  EXPECT_FALSE(trustedFigure(run, kScore));
+  EXPECT_EQ(trustedValueOf(run.figures, kMapError), 0.3);
+  EXPECT_FALSE(trustedValueOf(run.figures, kScore));
   run.figures[0].isMeaningful = false;
-  EXPECT_FALSE(trustedFigure(run, kMapError));
+  EXPECT_FALSE(trustedValueOf(run.figures, kMapError));
   run.figures[0].isMeaningful = true;
   run.figures[0].value.reset();
-  EXPECT_FALSE(trustedFigure(run, kMapError));
+  EXPECT_FALSE(trustedValueOf(run.figures, kMapError));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST_F(EditRuns, aRunThatIsTakenOutCanBeAddedAgain) {
   archive_.removeRun("office", "2.simplemap");
   EXPECT_EQ(runs(), "anna1 anna3 ");
   EXPECT_FALSE(archive_.knows("office", "2"));
-  EXPECT_EQ(trustedFigure(archive_.history("office").runs[1], kMapError), 0.3);
+  EXPECT_EQ(trustedValueOf(archive_.history("office").runs[1].figures, kMapError), 0.3);
   EXPECT_EQ(archive_.record(night("office", "berta", 2, 0.2, {"1", "3"})).runs, 1U);
   EXPECT_EQ(runs(), "anna1 berta2 anna3 ");
 }

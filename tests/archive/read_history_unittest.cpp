@@ -67,8 +67,8 @@ TEST(ReadHistory, eachSiteHasItsOwnRunsFiguresAndRooms) {
   ASSERT_EQ(office.runs.size(), 2u);
   ASSERT_EQ(lab.runs.size(), 1u);
   EXPECT_EQ(lab.runs[0].robot, "berta");
-  EXPECT_EQ(trustedFigure(lab.runs[0], kMapError), 0.4);
-  EXPECT_EQ(trustedFigure(office.runs[1], kMapError), 0.2);
+  EXPECT_EQ(trustedValueOf(lab.runs[0].figures, kMapError), 0.4);
+  EXPECT_EQ(trustedValueOf(office.runs[1].figures, kMapError), 0.2);
   for (const HistoryRun& run : office.runs) EXPECT_EQ(run.rooms.size(), 3u);
   const SiteHistory none = archive.history("attic");
   EXPECT_EQ(none.site, "attic");

@@ -38,7 +38,7 @@ TEST_F(ReformSite, aWrongFirstMapLocksNobodyOut) {
   EXPECT_TRUE(history.runs[0].figures.empty());
   EXPECT_TRUE(history.runs[0].rooms.empty());
   for (std::size_t i = 1; i < 4; ++i) {
-    EXPECT_TRUE(trustedFigure(history.runs[i], kMapError)) << i;
+    EXPECT_TRUE(trustedValueOf(history.runs[i].figures, kMapError)) << i;
     EXPECT_FALSE(history.runs[i].rooms.empty()) << i;
   }
 }

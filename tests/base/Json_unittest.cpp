@@ -14,6 +14,16 @@ TEST(LineOf, keepsTheOrderOfMembersOnOneLine) {
 
 TEST(LineOf, replacesWhatIsNoUtf8) { EXPECT_EQ(lineOf(Json("a\xff")), "\"a\xEF\xBF\xBD\""); }
 
+TEST(JsonDocument, hasALineForEachMemberAndEachEntry) {
+  JsonDocument document("roomgraph/test");
+  document.add("a", {{"b", 1}});
+  document.addList("some", std::vector<int>{1, 2}, [](int number) { return Json(number); });
+  document.addList("none", std::vector<int>{}, [](int number) { return Json(number); });
+  EXPECT_EQ(std::move(document).text(),
+            "{\n\"format\": \"roomgraph/test\",\n\"version\": 1,\n\"a\": {\"b\":1},\n"
+            "\"some\": [\n1,\n2\n],\n\"none\": []\n}\n");
+}
+
 TEST(Rounded, keepsATenthOfAMillimetre) {
   EXPECT_DOUBLE_EQ(rounded(1.23456), 1.2346);
   EXPECT_EQ(rounded(rounded(1.23456)), rounded(1.23456));

@@ -22,6 +22,8 @@ TEST(SentenceText, theLastNameStandsBehindAnAnd) {
   EXPECT_EQ(listed({"a"}), "a");
   EXPECT_EQ(listed({"a", "b"}), "a and b");
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(alternatives({"a"}), "a");
+  EXPECT_EQ(alternatives({"a", "b", "c"}), "a, b or c");
 }
 
 TEST(SentenceText, manyNamesAreCutShortWhereThatIsShorter) {

@@ -9,12 +9,8 @@ namespace {
 
 double distanceToRings(Point p, const Polygon& polygon) {
   double nearest = std::numeric_limits<double>::infinity();
-  const auto visit = [&](const Ring& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      nearest = std::min(nearest, distanceToSegment(p, ring[i], ring[(i + 1) % ring.size()]));
-  };
-  visit(polygon.outer);
-  for (const Ring& hole : polygon.holes) visit(hole);
+  forEachEdge(polygon,
+              [&](Point a, Point b) { nearest = std::min(nearest, distanceToSegment(p, a, b)); });
   return nearest;
 }
 

@@ -1,11 +1,5 @@
 // Writes what the fuzz targets start from, one small file of each kind that roomgraph reads:
 //   write_seeds FOLDER
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/maps/CSimpleMap.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <mrpt/serialization/CArchive.h>
 #include <zlib.h>
 
 #include <filesystem>
@@ -13,6 +7,7 @@
 
 #include "MapText.h"
 #include "as_file.h"
+#include "map_files.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/graph_json.h"
@@ -35,49 +30,19 @@ void write(const fs::path& file, const std::string& bytes) {
   out << bytes;
 }
 
-std::string streamed(const mrpt::serialization::CSerializable& object) {
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << object;
-  return {static_cast<const char*>(stream.getRawBufferData()),
-          std::size_t(stream.getTotalBytesCount())};
-}
-
-std::string gridmap() {
-  mrpt::maps::COccupancyGridMap2D grid(0, 0.5, 0, 0.4, 0.1f);
-  for (int i = 0; i < 20; ++i) grid.setCell(i % 5, i / 5, float(i) / 20);
-  return streamed(grid);
-}
-
 std::string rtabmap() {
   const std::string cells(20, '\x64');
   return test::rtabmapDatabase(test::sqlBlob(test::packedMatrix(cells, 4, 5)));
 }
 
-/** Two key frames with a scan of 20 beams each. */
-std::string simplemap() {
-  mrpt::maps::CSimpleMap map;
-  for (const double x : {-0.5, 0.5}) {
-    auto scan = mrpt::obs::CObservation2DRangeScan::Create();
-    scan->aperture = 3;
-    scan->maxRange = 10;
-    scan->resizeScan(20);
-    for (std::size_t i = 0; i < 20; ++i) {
-      scan->setScanRange(i, 2);
-      scan->setScanRangeValidity(i, i != 7);
-    }
-    const auto frame = mrpt::obs::CSensoryFrame::Create();
-    frame->insert(scan);
-    map.insert(mrpt::poses::CPose3DPDFGaussian::Create(mrpt::poses::CPose3D(x, 0, 0)), frame);
-  }
-  return streamed(map);
-}
-
 void writeMaps(const fs::path& folder, const Stages& stages) {
   const std::string raw(1, '\0'), packed(1, '\1'), png(1, '\2');
-  write(folder / "gridmap", raw + gridmap());
-  write(folder / "gridmap_gz", packed + gridmap());
-  write(folder / "simplemap", raw + simplemap());
-  write(folder / "simplemap_gz", packed + simplemap());
+  const std::string gridmap = test::streamed(test::smallGrid());
+  const std::string simplemap = test::streamed(test::smallSimplemap());
+  write(folder / "gridmap", raw + gridmap);
+  write(folder / "gridmap_gz", packed + gridmap);
+  write(folder / "simplemap", raw + simplemap);
+  write(folder / "simplemap_gz", packed + simplemap);
   write(folder / "rtabmap", raw + rtabmap());
   write(folder / "pgm", raw + "P5 # a comment\n5 4\n255\n" + std::string(20, '\xfe'));
   write(folder / "png", png + areaLabelsPng(stages.areas, stages.grid.frame));

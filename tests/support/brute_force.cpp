@@ -127,13 +127,9 @@ class PromiseChecker {
     if (border.kind != VertexKind::border)
       tell("room lists what borders nothing" + textOf(border.place));
     double nearest = std::numeric_limits<double>::infinity();
-    const auto visit = [&](const Ring& ring) {
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        nearest = std::min(nearest,
-                           distanceToSegment(border.place, ring[i], ring[(i + 1) % ring.size()]));
-    };
-    visit(room.shape.polygon.outer);
-    for (const Ring& hole : room.shape.polygon.holes) visit(hole);
+    forEachEdge(room.shape.polygon, [&](Point a, Point b) {
+      nearest = std::min(nearest, distanceToSegment(border.place, a, b));
+    });
     const double most = s_.roomRadius > 0 ? s_.options.joinDoors.maxDepth / 2 : 0;
     if (nearest > most + 1e-6)
       tell("border vertex is " + std::to_string(nearest) + " m off its room" +

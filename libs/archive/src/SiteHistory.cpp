@@ -76,14 +76,4 @@ std::vector<RoomSeen> roomsOf(const ComparedRun& run, const Comparison& comparis
   return rooms;
 }
 
-std::optional<double> figureOf(const HistoryRun& run, const char* name) {
-  const Measure* measure = find(run.figures, name);
-  return measure ? measure->value : std::nullopt;
-}
-
-std::optional<double> trustedFigure(const HistoryRun& run, const char* name) {
-  const Measure* measure = find(run.figures, name);
-  return measure && measure->isMeaningful ? measure->value : std::nullopt;
-}
-
 }  // namespace roomgraph

@@ -30,7 +30,7 @@ std::vector<Dot> dotsOf(const WatchedSite& site, const RobotWatch& robot) {
     Dot dot;
     dot.time = run.time, dot.error = *error->value;
     dot.low = error->low.value_or(dot.error), dot.high = error->high.value_or(dot.error);
-    dot.isTorn = trustedFigure(run, kBreaks).value_or(0) > 0;
+    dot.isTorn = trustedValueOf(run.figures, kBreaks).value_or(0) > 0;
     dot.isLastGood = robot.lastGood == i;
     dot.title = timeText(run.time) + formatted(": %.3f m", dot.error) +
                 (dot.isTorn ? ", with a break" : "") + "; " + run.file;

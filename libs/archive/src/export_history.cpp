@@ -9,7 +9,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/measures/measure_kinds.h"
 #include "roomgraph/report/measure_json.h"
 
@@ -29,9 +28,9 @@ std::string csvLine(const std::string& site, const HistoryRun& run) {
           csvNumber(error ? error->low : std::nullopt) + "," +
           csvNumber(error ? error->high : std::nullopt) +
           (error && error->isMeaningful ? ",1" : ",0");
-  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(figureOf(run, name));
+  for (const char* name : {kScore, kBreaks}) line += "," + csvNumber(valueOf(run.figures, name));
   for (const MeasureKind& kind : runMeasureKinds())
-    line += "," + csvNumber(figureOf(run, kind.name));
+    line += "," + csvNumber(valueOf(run.figures, kind.name));
   return line + "," + csvField(run.reason) + "\n";
 }
 
@@ -141,7 +140,7 @@ struct GaugeKind {
 
 Gauge latestFigure(const char* name) {
   return [name](const SiteHistory& history, const RobotWatch& robot) {
-    return trustedFigure(history.runs[robot.latest], name);
+    return trustedValueOf(history.runs[robot.latest].figures, name);
   };
 }
 
@@ -232,10 +231,8 @@ std::string historyCsv(const std::vector<WatchedSite>& sites) {
 std::string historyJson(const std::vector<WatchedSite>& sites) {
   Json all = Json::array();
   for (const WatchedSite& site : sites) all.push_back(siteJson(site));
-  const Json json = {{"format", "roomgraph/archive"},
-                     {"version", 1},
-                     {"program", {{"name", "roomgraph"}, {"version", version()}}},
-                     {"sites", all}};
+  const Json json = {
+      {"format", "roomgraph/archive"}, {"version", 1}, {"program", programJson()}, {"sites", all}};
   return json.dump(1) + "\n";
 }
 

@@ -41,7 +41,7 @@ const char* stateOf(const RobotWatch& robot) {
 }
 
 std::optional<double> latestError(const Row& row) {
-  return trustedFigure(row.site->history.runs[row.robot->latest], kMapError);
+  return trustedValueOf(row.site->history.runs[row.robot->latest].figures, kMapError);
 }
 
 std::vector<Row> rowsByNeed(const std::vector<WatchedSite>& sites) {
@@ -121,7 +121,7 @@ std::string runsHtml(const SiteHistory& history) {
   for (std::size_t i = 0; i < count; ++i) {
     const HistoryRun& run = history.runs[history.runs.size() - 1 - i];
     html += "<tr><td>" + timeText(run.time) + "</td><td>" + xmlText(run.robot) +
-            "</td><td class=\"n\">" + metres(trustedFigure(run, kMapError)) + "</td><td>" +
+            "</td><td class=\"n\">" + metres(trustedValueOf(run.figures, kMapError)) + "</td><td>" +
             xmlText(run.file) + "</td><td class=\"why\">" + xmlText(run.reason) + "</td></tr>\n";
   }
   return html + "</tbody></table></div></details>\n";

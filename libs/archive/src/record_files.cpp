@@ -116,9 +116,10 @@ std::vector<std::size_t> chooseRecord(const std::vector<HistoryRun>& runs, std::
   }
   if (elsewhere.size() < latest.size()) elsewhere.resize(since);
   for (const std::size_t i : latest)
-    if (trustedFigure(runs[i], kMapError) && figureOf(runs[i], kBreaks).value_or(0) == 0)
+    if (trustedValueOf(runs[i].figures, kMapError) &&
+        valueOf(runs[i].figures, kBreaks).value_or(0) == 0)
       best.push_back(i);
-  const auto errorOf = [&](std::size_t i) { return *trustedFigure(runs[i], kMapError); };
+  const auto errorOf = [&](std::size_t i) { return *trustedValueOf(runs[i].figures, kMapError); };
   std::stable_sort(best.begin(), best.end(),
                    [&](std::size_t l, std::size_t r) { return errorOf(l) < errorOf(r); });
   Choice choice(runs, isUsable);

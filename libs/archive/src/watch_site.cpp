@@ -32,13 +32,15 @@ Level levelOf(const std::vector<double>& values, std::size_t begin, std::size_t 
 
 bool isSteady(const Level& level) { return 4 * level.off <= level.count; }
 
-bool isTorn(const HistoryRun& run) { return trustedFigure(run, kBreaks).value_or(0) > 0; }
+bool isTorn(const HistoryRun& run) { return trustedValueOf(run.figures, kBreaks).value_or(0) > 0; }
 
 /** What is wrong with a map that was judged; empty for nothing. */
 std::string mapFault(const HistoryRun& run, const WatchOptions& options) {
-  const auto figure = [&](const char* name) { return trustedFigure(run, name).value_or(0); };
+  const auto figure = [&](const char* name) {
+    return trustedValueOf(run.figures, name).value_or(0);
+  };
   const double breaks = figure(kBreaks), error = figure(kMapError);
-  const double seen = trustedFigure(run, "coverage").value_or(1);
+  const double seen = trustedValueOf(run.figures, "coverage").value_or(1);
   if (breaks > 0)
     return formatted(breaks == 1 ? "breaks in %.0f place" : "breaks in %.0f places", breaks);
   if (error > options.limit)
@@ -64,7 +66,7 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
     others += run.isPlaced ? 1 : 0;
     if (run.robot != robot) continue;
     watch.latest = i;
-    const auto error = run.isPlaced ? trustedFigure(run, kMapError) : std::nullopt;
+    const auto error = run.isPlaced ? trustedValueOf(run.figures, kMapError) : std::nullopt;
     watch.unjudged = error || !isJudgeable ? 0 : watch.unjudged + 1;
     if (!error) continue;
     watch.runs.push_back(i);
@@ -79,7 +81,8 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
 std::string faultOf(const RobotWatch& watch, const HistoryRun& latest,
                     const WatchOptions& options) {
   if (!latest.isPlaced) return "fits no other map of the site";
-  if (!trustedFigure(latest, kMapError)) return watch.unjudged > 0 ? "cannot be judged" : "";
+  if (!trustedValueOf(latest.figures, kMapError))
+    return watch.unjudged > 0 ? "cannot be judged" : "";
   return mapFault(latest, options);
 }
 
@@ -151,7 +154,7 @@ AllSeries seriesOf(const SiteHistory& history) {
     if (room.isCorridor) corridors.insert(room.id);
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
-    if (!run.isPlaced || !trustedFigure(run, kMapError) || isTorn(run)) continue;
+    if (!run.isPlaced || !trustedValueOf(run.figures, kMapError) || isTorn(run)) continue;
     for (const RoomSeen& room : run.rooms) {
       const bool isSeen = room.sighting == RoomSighting::seen;
       if (room.sighting != RoomSighting::unvisited) series[{room.room, "seen"}].add(i, isSeen);

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "roomgraph/base/version.h"
+
 namespace roomgraph {
 
 JsonNode JsonNode::operator[](const char* key) const {
@@ -56,6 +58,8 @@ Json numberOrNull(std::optional<double> value) {
 std::string lineOf(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+Json programJson() { return {{"name", "roomgraph"}, {"version", version()}}; }
 
 double rounded(double value) { return std::round(value * 1e4) / 1e4 + 0.0; }
 

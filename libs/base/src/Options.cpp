@@ -122,12 +122,7 @@ std::string valueText(const Field& field) {
 
 std::string rangeText(const Field& field) {
   if (std::holds_alternative<bool*>(field.value)) return "true or false";
-  if (!field.choices.empty()) {
-    std::string text = field.choices.front();
-    for (std::size_t i = 1; i < field.choices.size(); ++i)
-      text += (i + 1 < field.choices.size() ? ", " : " or ") + field.choices[i];
-    return text;
-  }
+  if (!field.choices.empty()) return alternatives(field.choices);
   const std::string unit = field.unit.empty() ? "" : " " + field.unit;
   return numberText(field.low) + " to " + numberText(field.high) + unit;
 }

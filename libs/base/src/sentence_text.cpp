@@ -23,6 +23,13 @@ std::size_t changesBetween(const std::string& a, const std::string& b) {
   return least[a.size()][b.size()];
 }
 
+std::string joined(const std::vector<std::string>& names, const char* beforeLast) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? beforeLast : ", ") + names[i];
+  return text;
+}
+
 }  // namespace
 
 std::string nearestWord(const std::string& typed, const std::vector<std::string>& words) {
@@ -41,14 +48,11 @@ std::string counted(std::size_t count, const std::string& thing, const std::stri
 
 std::string listed(const std::vector<std::string>& names, std::size_t most) {
   // "and 1 more" would be no shorter than the name.
-  const std::size_t shown = names.size() > most + 1 ? most : names.size();
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool isLast = i + 1 == shown && shown == names.size();
-    text += (i == 0 ? "" : isLast ? " and " : ", ") + names[i];
-  }
-  if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
-  return text;
+  if (names.size() <= most + 1) return joined(names, " and ");
+  return joined({names.begin(), names.begin() + std::ptrdiff_t(most)}, ", ") + " and " +
+         std::to_string(names.size() - most) + " more";
 }
+
+std::string alternatives(const std::vector<std::string>& names) { return joined(names, " or "); }
 
 }  // namespace roomgraph

@@ -119,10 +119,9 @@ std::string verdictOf(const Comparison& result) {
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
            "can be compared.";
-  const Measure* bend = find(best.measures, "bend");
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
-                     bend && bend->value ? *bend->value : 0.0);
+                     valueOf(best.measures, "bend").value_or(0));
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text = best.name + (isBest ? " is the best map" : " has the smallest error") +
                      // Of the figures as comparison.json holds them, from which others are made.

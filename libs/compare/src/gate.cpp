@@ -156,9 +156,8 @@ class Judge {
 
   /** Thinned to dots, or drawn thicker: the edge of free space tells, by how the others have it. */
   void judgeSharpness(const ComparedRun& run) {
-    const auto sharpness = [](const ComparedRun& of) -> std::optional<double> {
-      const Measure* measure = find(of.measures, "wall_sharpness");
-      return measure && measure->isMeaningful ? measure->value : std::nullopt;
+    const auto sharpness = [](const ComparedRun& of) {
+      return trustedValueOf(of.measures, "wall_sharpness");
     };
     std::vector<double> others;
     for (const ComparedRun& other : comparison_.runs)

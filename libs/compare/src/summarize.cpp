@@ -98,7 +98,7 @@ template <class IsSo>
 bool isSoInMost(const MapPairs& related, std::size_t run, const Site& site, const IsSo& isSo) {
   std::size_t looked = 0, so = 0;
   for (const std::size_t other : related.othersOf(run)) {
-    if (!std::binary_search(site.members.begin(), site.members.end(), other)) continue;
+    if (!site.has(other)) continue;
     ++looked, so += isSo(related(run, other)) ? 1 : 0;
   }
   return 2 * so > looked;
@@ -108,7 +108,7 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& 
                                   const Site& site) {
   std::vector<LeftOutRun> leftOut;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (std::binary_search(site.members.begin(), site.members.end(), i)) continue;
+    if (site.has(i)) continue;
     const bool isMirrored =
         isSoInMost(related, i, site, [](const MapPair& pair) { return pair.alignment.isMirrored; });
     const bool isStorey =

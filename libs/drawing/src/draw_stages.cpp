@@ -134,26 +134,25 @@ Picture areasPicture(const Stages& stages) {
   return picture;
 }
 
-/** In the order of stageNames(). */
-std::vector<Picture> pictures(const Stages& s) {
-  return {
-      gridPicture(s),
-      obstaclesPicture(s),
-      voronoiPicture(s, finiteEdges(s)),
-      voronoiPicture(s, insideEdges(s)),
-      voronoiPicture(s, clearEdges(s)),
-      graphPicture(s.topology, nullptr),
-      graphPicture(s.pruned, nullptr),
-      graphPicture(s.joinedUp, nullptr),
-      graphPicture(s.largest, nullptr),
-      roomsPicture(s),
-      borderPicture(s),
-      graphPicture(s.cut, &s.rooms),
-      graphPicture(s.cleaned, &s.rooms),
-      graphPicture(s.doors, &s.rooms),
-      resultPicture(s),
-      areasPicture(s),
-  };
+Picture pictureOf(const Stages& stages, ShownStage stage) {
+  const StageName& shown = stageNames()[std::size_t(stage)];
+  if (shown.edges) return voronoiPicture(stages, shown.edges(stages));
+  if (shown.graph)
+    return graphPicture(stages.*shown.graph, stage < ShownStage::cut ? nullptr : &stages.rooms);
+  switch (stage) {
+    case ShownStage::grid:
+      return gridPicture(stages);
+    case ShownStage::obstacles:
+      return obstaclesPicture(stages);
+    case ShownStage::rooms:
+      return roomsPicture(stages);
+    case ShownStage::borderVertices:
+      return borderPicture(stages);
+    case ShownStage::areas:
+      return areasPicture(stages);
+    default:
+      return resultPicture(stages);
+  }
 }
 
 std::string twoDigits(std::size_t number) {
@@ -179,22 +178,21 @@ std::vector<std::string> stageFiles() {
 void drawStages(const Stages& stages, const std::string& folder, StagedFiles& files) {
   makeWritableFolder(folder);
   const std::string map = fileName(stages.source.file);
-  std::string list;
-  std::size_t number = 0;
-  for (Picture& picture : pictures(stages)) {
-    const StageName& stage = stageNames()[number];
-    const std::string file = pictureName(number);
-    const std::string heading = twoDigits(++number) + " " + stage.name;
+  JsonDocument document("roomgraph/stages");
+  document.addEntries("stages", stageNames().size(), [&](std::size_t step) {
+    const StageName& stage = stageNames()[step];
+    Picture picture = pictureOf(stages, ShownStage(step));
+    const std::string file = pictureName(step);
+    const std::string heading = twoDigits(step + 1) + " " + stage.name;
     picture.scene.title = heading + "  ·  " + stage.paper + "  ·  " + stage.title;
     picture.scene.subtitle = map + "  ·  " + resolutionText(stages.grid.frame.resolution);
     files.add(folder + "/" + file, renderPng(stages.grid, picture.scene));
-    const Json entry{
-        {"file", file}, {"paper", stage.paper}, {"title", stage.title}, {"counts", picture.counts}};
-    list += (list.empty() ? "\n" : ",\n") + entry.dump();
-  }
-  files.add(
-      folder + "/" + kList,
-      "{\n\"format\": \"roomgraph/stages\",\n\"version\": 1,\n\"stages\": [" + list + "\n]\n}\n");
+    return lineOf({{"file", file},
+                   {"paper", stage.paper},
+                   {"title", stage.title},
+                   {"counts", picture.counts}});
+  });
+  files.add(folder + "/" + kList, std::move(document).text());
 }
 
 }  // namespace roomgraph

@@ -1,27 +1,7 @@
 #include "roomgraph/drawing/stage_names.h"
 
 namespace roomgraph {
-
-const std::vector<StageName>& stageNames() {
-  static const std::vector<StageName> names = {
-      {"grid", "IV-C", "free, occupied and unknown cells"},
-      {"obstacles", "IV-C, III-A", "obstacle cells after thinning"},
-      {"voronoi", "III-A", "Voronoi diagram of the obstacles"},
-      {"inside", "III-A", "without what lies outside"},
-      {"clear", "III-A", "without what is too near to an obstacle"},
-      {"topology", "III-A", "runs of Voronoi edges joined to paths"},
-      {"pruned", "III-A", "without dead ends that lead nowhere"},
-      {"joined", "III-A", "near vertices joined"},
-      {"largest", "III-A", "connected parts that are kept"},
-      {"rooms", "III-B", "rooms, the inner polygons of the alpha shape"},
-      {"border_vertices", "III-C", "where paths cross the rooms' polygons"},
-      {"cut", "III-D, III-E", "paths cut at the border vertices, with room ids"},
-      {"cleaned", "III-F", "without short dead ends at rooms"},
-      {"doors", "ours", "doors between two rooms joined to one vertex"},
-      {"result", "III-G", "the room graph"},
-      {"areas", "ours", "rooms, pieces of corridor and passages"}};
-  return names;
-}
+namespace {
 
 std::vector<bool> finiteEdges(const Stages& stages) {
   std::vector<bool> isFinite;
@@ -42,6 +22,29 @@ std::vector<bool> clearEdges(const Stages& stages) {
   std::vector<bool> isClear(stages.voronoi.edges.size());
   for (const auto e : stages.clearEdges) isClear[e] = true;
   return isClear;
+}
+
+}  // namespace
+
+const std::vector<StageName>& stageNames() {
+  static const std::vector<StageName> names = {
+      {"grid", "IV-C", "free, occupied and unknown cells"},
+      {"obstacles", "IV-C, III-A", "obstacle cells after thinning"},
+      {"voronoi", "III-A", "Voronoi diagram of the obstacles", nullptr, finiteEdges},
+      {"inside", "III-A", "without what lies outside", nullptr, insideEdges},
+      {"clear", "III-A", "without what is too near to an obstacle", nullptr, clearEdges},
+      {"topology", "III-A", "runs of Voronoi edges joined to paths", &Stages::topology},
+      {"pruned", "III-A", "without dead ends that lead nowhere", &Stages::pruned},
+      {"joined", "III-A", "near vertices joined", &Stages::joinedUp},
+      {"largest", "III-A", "connected parts that are kept", &Stages::largest},
+      {"rooms", "III-B", "rooms, the inner polygons of the alpha shape"},
+      {"border_vertices", "III-C", "where paths cross the rooms' polygons"},
+      {"cut", "III-D, III-E", "paths cut at the border vertices, with room ids", &Stages::cut},
+      {"cleaned", "III-F", "without short dead ends at rooms", &Stages::cleaned},
+      {"doors", "ours", "doors between two rooms joined to one vertex", &Stages::doors},
+      {"result", "III-G", "the room graph"},
+      {"areas", "ours", "rooms, pieces of corridor and passages"}};
+  return names;
 }
 
 std::vector<Point> crossings(const Stages& stages) {

@@ -9,7 +9,6 @@
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/evaluation/write_stability.h"
 
 namespace roomgraph {
@@ -227,24 +226,21 @@ std::string roomScoreText(const RoomScore& score) {
 }
 
 std::string roomScoreJson(const RoomScore& score) {
-  Json all{{"format", "roomgraph/room_score"},
-           {"version", 1},
-           {"program", {{"name", "roomgraph"}, {"version", version()}}},
-           {"size", {score.width, score.height}},
-           {"largest_dropped_px", score.largestDropped},
-           {"labels", json(score.seg)},
-           {"truth", json(score.truth)},
-           {"pixels_in_both", score.pixelsInBoth},
-           {"pairs", score.pairs}};
+  JsonDocument document("roomgraph/room_score");
+  document.add("program", programJson());
+  document.add("size", {score.width, score.height});
+  document.add("largest_dropped_px", score.largestDropped);
+  document.add("labels", json(score.seg));
+  document.add("truth", json(score.truth));
+  document.add("pixels_in_both", score.pixelsInBoth);
+  document.add("pairs", score.pairs);
   for (const Measure& measure : kShares) {
     const std::optional<double> share = score.*measure.value;
-    all[measure.key] = roundedTo(share ? std::optional<double>(100 * *share) : std::nullopt, 4);
+    document.add(measure.key,
+                 roundedTo(share ? std::optional<double>(100 * *share) : std::nullopt, 4));
   }
-  all["mcc"] = roundedTo(score.mcc, 6);
-  std::string text;
-  for (const auto& [key, value] : all.items())
-    text += (text.empty() ? "{\n\"" : ",\n\"") + key + "\": " + lineOf(value);
-  return text + "\n}\n";
+  document.add("mcc", roundedTo(score.mcc, 6));
+  return std::move(document).text();
 }
 
 RoomScore scoreRooms(const LabelMap& seg, const LabelMap& truth, std::size_t largestDropped) {

@@ -141,11 +141,6 @@ Json baseJson(const Stability& result) {
           {"rooms", result.baseRooms}};
 }
 
-/** "name": value, on a line. */
-std::string member(const char* name, const Json& value) {
-  return std::string("\"") + name + "\": " + lineOf(value) + ",\n";
-}
-
 std::string valueText(const char* format, Value value, const char* missing) {
   return value ? formatted(format, *value) : missing;
 }
@@ -254,21 +249,19 @@ std::string stabilityCsv(const Stability& result) {
 
 std::string stabilityJson(const Stability& result) {
   const double resolution = result.frame.resolution;
-  std::string text = "{\n\"format\": \"roomgraph/stability\",\n\"version\": 1,\n";
-  text += member("program", {{"name", "roomgraph"}, {"version", version()}});
-  text += member("input", inputJson(result));
-  text += member("options", optionsJson(result.extract));
-  text += member("experiment", experimentJson(result.options));
-  text += member("base", baseJson(result));
-  text += member("mean", json(measuresOf(result.mean, resolution)));
-  text += "\"rows\": [";
-  for (std::size_t i = 0; i < result.rows.size(); ++i)
-    text += (i ? ",\n" : "\n") + lineOf(json(columnsOf(result.rows[i], resolution)));
-  text += "\n],\n\"runs\": [";
-  for (std::size_t i = 0; i < result.runs.size(); ++i)
-    text += (i ? ",\n" : "\n") +
-            lineOf(json(columnsOf(result.runs[i], result.measures[i], resolution)));
-  return text + "\n]\n}\n";
+  JsonDocument document("roomgraph/stability");
+  document.add("program", programJson());
+  document.add("input", inputJson(result));
+  document.add("options", optionsJson(result.extract));
+  document.add("experiment", experimentJson(result.options));
+  document.add("base", baseJson(result));
+  document.add("mean", json(measuresOf(result.mean, resolution)));
+  document.addList("rows", result.rows,
+                   [&](const StabilityRow& row) { return json(columnsOf(row, resolution)); });
+  document.addEntries("runs", result.runs.size(), [&](std::size_t i) {
+    return lineOf(json(columnsOf(result.runs[i], result.measures[i], resolution)));
+  });
+  return std::move(document).text();
 }
 
 std::string stabilityText(const Stability& result) {

@@ -121,13 +121,10 @@ std::string noteText(std::size_t, const Note& note) {
   return lineOf(json);
 }
 
-/** Adds "name": [ with one element on each line. The text of a large map is not copied around. */
+/** The JSON of each thing of a list, by its place and the thing. */
 template <class List, class ToText>
-void addList(std::string& all, const char* name, const List& list, ToText toText) {
-  all.append("\"").append(name).append("\": [");
-  for (std::size_t i = 0; i < list.size(); ++i)
-    all.append(i ? ",\n" : "\n").append(toText(i, list[i]));
-  all += list.empty() ? "]" : "\n]";
+void addList(JsonDocument& document, const char* name, const List& list, ToText toText) {
+  document.addEntries(name, list.size(), [&](std::size_t i) { return toText(i, list[i]); });
 }
 
 /** A line for each section. */
@@ -136,32 +133,29 @@ std::string optionsText(const std::vector<SavedOption>& options) {
   for (const SavedOption& option : options)
     std::visit([&](const auto& value) { sections[option.section][option.key] = value; },
                option.value);
-  std::string all = "\"options\": {";
-  const char* separator = "\n";
-  for (const auto& [section, values] : sections.items()) {
-    all += separator + lineOf(Json(section)) + ": " + lineOf(values);
-    separator = ",\n";
-  }
-  return all + (sections.empty() ? "}" : "\n}");
+  std::string all;
+  for (const auto& [section, values] : sections.items())
+    all += (all.empty() ? "\n" : ",\n") + lineOf(Json(section)) + ": " + lineOf(values);
+  return "{" + all + (all.empty() ? "}" : "\n}");
 }
 
 }  // namespace
 
 std::string graphJson(const GraphFile& file) {
   const TopologyGraph& graph = file.graph.graph;
-  const Json program{{"name", file.program}, {"version", file.version}};
-  std::string all =
-      "{\n\"format\": \"roomgraph/graph\",\n\"version\": 1,\n\"program\": " + lineOf(program) +
-      ",\n\"input\": " + lineOf(inputJson(file.input)) + ",\n" + optionsText(file.options) + ",\n";
-  addList(all, "vertices", graph.vertices(), vertexText);
-  addList(all += ",\n", "edges", graph.edges(),
+  JsonDocument document("roomgraph/graph");
+  document.add("program", {{"name", file.program}, {"version", file.version}});
+  document.add("input", inputJson(file.input));
+  document.addText("options", optionsText(file.options));
+  addList(document, "vertices", graph.vertices(), vertexText);
+  addList(document, "edges", graph.edges(),
           [&](std::size_t id, const Edge& edge) { return edgeText(graph, id, edge); });
-  addList(all += ",\n", "rooms", file.graph.rooms, roomText);
-  addList(all += ",\n", "areas", file.areas.areas,
+  addList(document, "rooms", file.graph.rooms, roomText);
+  addList(document, "areas", file.areas.areas,
           [&](std::size_t id, const Area& area) { return areaText(file.areaNames, id, area); });
-  addList(all += ",\n", "passages", file.areas.passages, passageText);
-  addList(all += ",\n", "notes", file.notes, noteText);
-  return all += "\n}\n";
+  addList(document, "passages", file.areas.passages, passageText);
+  addList(document, "notes", file.notes, noteText);
+  return std::move(document).text();
 }
 
 std::string graphJson(const Stages& stages) { return graphJson(graphFile(stages)); }

@@ -11,13 +11,9 @@ namespace {
 
 /** "a, b or c". */
 std::string namesOf(std::string (*textOf)(const MapFormat&)) {
-  const std::vector<MapFormat>& formats = mapFormats();
-  std::string text;
-  for (const MapFormat& format : formats) {
-    if (&format != &formats.front()) text += &format == &formats.back() ? " or " : ", ";
-    text += textOf(format);
-  }
-  return text;
+  std::vector<std::string> names;
+  for (const MapFormat& format : mapFormats()) names.push_back(textOf(format));
+  return alternatives(names);
 }
 
 /** A picture without a yaml, at options.resolution. */

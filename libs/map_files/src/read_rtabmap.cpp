@@ -7,6 +7,7 @@
 #include "readers.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/remedies.h"
+#include "roomgraph/map_files/ros_map_yaml.h"
 
 namespace roomgraph {
 namespace {
@@ -116,7 +117,8 @@ GreyMap readRtabmap(CheckedFile& file, const LoadGridOptions&) {
                         std::size_t(sqlite3_column_bytes(row.get(), 0))};
   map.grey = unpack(packed, map.frame, file.name());
   for (auto& cell : map.grey) cell = greyOfCell(cell);
-  map.occupiedAbove = 0.65, map.freeBelow = 0.196;  // those of ROS
+  const RosMapYaml usual{};  // of ROS, as the cells are percents
+  map.occupiedAbove = usual.occupiedAbove, map.freeBelow = usual.freeBelow;
   return map;
 }
 

@@ -207,4 +207,15 @@ const Measure* find(const std::vector<Measure>& measures, const std::string& nam
   return found == measures.end() ? nullptr : &*found;
 }
 
+std::optional<double> valueOf(const std::vector<Measure>& measures, const std::string& name) {
+  const Measure* measure = find(measures, name);
+  return measure ? measure->value : std::nullopt;
+}
+
+std::optional<double> trustedValueOf(const std::vector<Measure>& measures,
+                                     const std::string& name) {
+  const Measure* measure = find(measures, name);
+  return measure && measure->isMeaningful ? measure->value : std::nullopt;
+}
+
 }  // namespace roomgraph

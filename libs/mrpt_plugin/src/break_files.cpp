@@ -8,6 +8,7 @@
 #include "roomgraph/mrpt_plugin/draw_comparison.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 #include "roomgraph/report/upright_turn.h"
 
 namespace roomgraph {
@@ -27,15 +28,6 @@ Transform2D poseOf(const Comparison& comparison, const std::string& name) {
 
 Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
 
-viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& points, const mrpt::img::TColor& colour,
-                              double height, float size) {
-  auto cloud = viz::CPointCloud::Create();
-  cloud->setColor_u8(colour);
-  cloud->setPointSize(size);
-  for (const Point p : points) cloud->insertPoint(float(p.x), float(p.y), float(height));
-  return cloud;
-}
-
 /** What some key frames saw, the way of the robot, and their name beside its end. */
 class Piece {
  public:
@@ -52,21 +44,12 @@ class Piece {
   /** The name is level where all is turned by `turn` [rad]. */
   void addTo(MrptScene& scene, std::vector<Point>& shown, double turn) const {
     if (way_.empty()) return;
-    auto set = viz::CSetOfObjects::Create();
-    set->setName(name_);
-    set->insert(cloudOf(walls_, colour_, height_, 4));
-    auto lines = viz::CSetOfLines::Create();
-    lines->setColor_u8(colour_);
-    lines->setLineWidth(3);
-    for (std::size_t k = 0; k + 1 < way_.size(); ++k)
-      lines->appendLine(way_[k].x, way_[k].y, height_, way_[k + 1].x, way_[k + 1].y, height_);
-    set->insert(lines);
-    for (const Point at : way_) {
-      auto disk = viz::CDisk::Create(float(kRobotMark), 0.0f);
-      disk->setColor_u8(colour_);
-      disk->setLocation(at.x, at.y, height_);
-      set->insert(disk);
-    }
+    auto set = setNamed(name_);
+    set->insert(pointsAt(walls_, height_, colour_, 4));
+    std::vector<Segment> steps;
+    for (std::size_t k = 0; k + 1 < way_.size(); ++k) steps.emplace_back(way_[k], way_[k + 1]);
+    set->insert(linesAt(steps, height_, colour_, 3));
+    for (const Point at : way_) set->insert(diskAt(at, height_, colour_, kRobotMark));
     set->insert(label(turn));
     scene.insert(set);
     shown.insert(shown.end(), walls_.begin(), walls_.end());
@@ -99,7 +82,7 @@ void addOthers(const Comparison& comparison, const MapBreak& tear, const std::ve
     const Motion2D move(other.pose);
     std::vector<Point> walls;
     for (const WallPoint& wall : run->map.walls) walls.push_back(move(wall.place));
-    auto cloud = cloudOf(walls, kOthers, 0, 3);
+    auto cloud = pointsAt(walls, 0, kOthers, 3);
     cloud->setName(runLayer(other.name));
     scene.insert(cloud);
     return;

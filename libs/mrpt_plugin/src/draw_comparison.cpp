@@ -7,6 +7,7 @@
 
 #include "roomgraph/drawing/run_marks.h"
 #include "roomgraph/mrpt_plugin/colours.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 
 namespace roomgraph {
 namespace {
@@ -17,29 +18,22 @@ constexpr double kBreakRadius = 0.6;  // [m]
 constexpr mrpt::img::TColor kWordColour{15, 15, 20};
 
 viz::CPointCloud::Ptr cloudOf(const std::vector<Point>& walls, std::size_t run) {
-  auto cloud = viz::CPointCloud::Create();
-  cloud->setName("walls");
-  cloud->setColor_u8(mrptColour(runColour(run)));
-  cloud->setPointSize(3);
-  if (walls.empty()) return cloud;
   const Box box = boundingBox(walls);
   const Point middle = midpoint(box.low, box.high);  // MRPT draws in single precision
+  std::vector<Point> places;
+  for (const Point wall : walls) places.push_back(wall - middle);
+  auto cloud = pointsAt(places, 0, mrptColour(runColour(run)), 3);
+  cloud->setName("walls");
   cloud->setLocation(middle.x, middle.y, 0);
-  for (const Point wall : walls) {
-    const Point p = wall - middle;
-    cloud->insertPoint(float(p.x), float(p.y), 0);
-  }
   return cloud;
 }
 
 viz::CSetOfLines::Ptr outlinesOf(const std::vector<SiteRoom>& rooms, double height) {
-  auto lines = viz::CSetOfLines::Create();
-  lines->setName("rooms");
-  lines->setColor_u8(mrptColour(kRoomOutlineColour));
-  lines->setLineWidth(2);
+  std::vector<Segment> edges;
   for (const SiteRoom& room : rooms)
-    forEachEdge(room.polygon,
-                [&](Point a, Point b) { lines->appendLine(a.x, a.y, height, b.x, b.y, height); });
+    forEachEdge(room.polygon, [&](Point a, Point b) { edges.emplace_back(a, b); });
+  auto lines = linesAt(edges, height, mrptColour(kRoomOutlineColour), 2);
+  lines->setName("rooms");
   return lines;
 }
 
@@ -143,8 +137,7 @@ class Writer {
 };
 
 viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, Writer& writer, double height) {
-  auto names = viz::CSetOfObjects::Create();
-  names->setName("room names");
+  auto names = setNamed("room names");
   for (const SiteRoom& room : rooms)
     names->insert(writer.written(room.name.empty() ? room.id : room.name, kWordColour,
                                  namePlace(room), height, true));
@@ -155,8 +148,7 @@ viz::CSetOfObjects::Ptr namesOf(const std::vector<SiteRoom>& rooms, Writer& writ
  *  `corner`, as it is to be read. */
 viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, Writer& writer, Point corner,
                                  double height) {
-  auto legend = viz::CSetOfObjects::Create();
-  legend->setName("legend");
+  auto legend = setNamed("legend");
   for (std::size_t i = 0; i < std::min(runs.size(), kMostNamed); ++i) {
     corner.y -= kLegendLine * writer.letter();
     legend->insert(
@@ -168,14 +160,10 @@ viz::CSetOfObjects::Ptr legendOf(const std::vector<ComparedRun>& runs, Writer& w
 viz::CSetOfObjects::Ptr breaksOf(const Comparison& comparison, Writer& writer, double height) {
   std::map<std::string, std::size_t> places;  // by the name of the run; the first for any other
   for (const ComparedRun& run : comparison.runs) places.emplace(run.name, places.size());
-  auto rings = viz::CSetOfObjects::Create();
-  rings->setName("breaks");
+  auto rings = setNamed("breaks");
   for (const MapBreak& tear : comparison.breaks) {
-    auto ring = viz::CDisk::Create();
-    ring->setDiskRadius(float(kBreakRadius), float(0.7 * kBreakRadius));
-    ring->setColor_u8(mrptColour(runColour(places[tear.run])));
-    ring->setLocation(tear.place.x, tear.place.y, height);
-    rings->insert(ring);
+    rings->insert(diskAt(tear.place, height, mrptColour(runColour(places[tear.run])), kBreakRadius,
+                         0.7 * kBreakRadius));
     std::string words = tear.run;
     if (tear.keyFrame) words += ", key frame " + std::to_string(*tear.keyFrame);
     rings->insert(writer.written(
@@ -231,8 +219,7 @@ double letterHeight(const Box& box) {
 
 viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
                                        const std::vector<RunWalls>& walls, double turn) {
-  auto all = viz::CSetOfObjects::Create();
-  all->setName("comparison");
+  auto all = setNamed("comparison");
   const Box box = drawnBox(comparison, walls, turn);
   Writer writer(letterHeight(box), turn);
   const std::size_t count = comparison.runs.size();
@@ -240,8 +227,7 @@ viz::CSetOfObjects::Ptr drawComparison(const Comparison& comparison,
     const ComparedRun& run = comparison.runs[i];
     const auto* known = wallsOf(walls, run.name);
     if (!known) continue;
-    auto layer = viz::CSetOfObjects::Create();
-    layer->setName(runLayer(run.name));
+    auto layer = setNamed(runLayer(run.name));
     layer->setPose(mrpt::poses::CPose3D(run.pose.x, run.pose.y,
                                         double(count - 1 - i) * kLayerHeight, run.pose.phi, 0, 0));
     layer->insert(cloudOf(*known, i));

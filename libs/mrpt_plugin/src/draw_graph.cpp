@@ -6,6 +6,7 @@
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/geometry/thinned_line.h"
 #include "roomgraph/mrpt_plugin/colours.h"
+#include "roomgraph/mrpt_plugin/shapes.h"
 #include "triangulate.h"
 
 namespace roomgraph {
@@ -168,8 +169,7 @@ viz::CText3D::Ptr drawNumber(std::size_t number, Point point, double discRadius,
 }
 
 viz::CSetOfObjects::Ptr drawNumbers(const RoomGraph& graph, const Sheet& sheet) {
-  auto numbers = viz::CSetOfObjects::Create();
-  numbers->setName("room numbers");
+  auto numbers = setNamed("room numbers");
   for (std::size_t i = 0; i < graph.rooms.size(); ++i) {
     if (!graph.rooms[i].vertex) continue;
     const Vertex& vertex = graph.graph.vertex(graph.rooms[i].vertex);
@@ -239,8 +239,7 @@ Box drawnBox(const MappedGraph& graph) {
 viz::CSetOfObjects::Ptr drawGraph(const MappedGraph& graph, const viz::CSetOfObjects::Ptr& before) {
   const Sheet sheet = makeSheet(graph);
   const RoomGraph& rooms = graph.file.graph;
-  auto all = viz::CSetOfObjects::Create();
-  all->setName("room graph");
+  auto all = setNamed("room graph");
   all->setLocation(sheet.anchor.x, sheet.anchor.y, 0);
   if (graph.map && !graph.map->cells.empty()) {
     const bool isSame = before && before->getPose() == all->getPose();

@@ -5,6 +5,8 @@
 #include <locale>
 #include <sstream>
 
+#include "roomgraph/base/sentence_text.h"
+
 namespace roomgraph {
 namespace {
 
@@ -14,8 +16,6 @@ std::ostringstream plainText() {
   out << std::fixed << std::setprecision(2);
   return out;
 }
-
-const char* plural(std::size_t count) { return count == 1 ? "" : "s"; }
 
 std::string inputText(const GraphFile& file) {
   std::ostringstream out = plainText();
@@ -44,7 +44,7 @@ std::string vertexText(const TopologyGraph& graph) {
     for (std::size_t i = 0; i < kinds.size(); ++i)
       if (vertex.kind == kinds[i].first) ++counts[i];
   std::ostringstream out;
-  out << graph.vertices().size() << (graph.vertices().size() == 1 ? " vertex" : " vertices");
+  out << counted(graph.vertices().size(), "vertex", "vertices");
   for (std::size_t i = 0; i < kinds.size(); ++i)
     out << (i == 0 ? ": " : ", ") << counts[i] << " " << kinds[i].second;
   out << "\n";
@@ -59,9 +59,9 @@ std::string edgeText(const TopologyGraph& graph) {
     (edge.room ? roomLength : corridorLength) += edge.path.length;
   }
   std::ostringstream out = plainText();
-  out << graph.edges().size() << " edge" << plural(graph.edges().size()) << ": " << corridors
-      << " corridor" << plural(corridors) << " of " << corridorLength << " m, " << inRooms
-      << " inside of rooms of " << roomLength << " m\n"
+  out << counted(graph.edges().size(), "edge", "edges") << ": "
+      << counted(corridors, "corridor", "corridors") << " of " << corridorLength << " m, "
+      << inRooms << " inside of rooms of " << roomLength << " m\n"
       << "total path length " << corridorLength + roomLength << " m\n";
   return out.str();
 }
@@ -70,7 +70,7 @@ std::string roomText(const std::vector<GraphRoom>& rooms) {
   std::ostringstream out = plainText();
   double total = 0;
   for (const GraphRoom& room : rooms) total += area(room.shape.polygon);
-  out << rooms.size() << " room" << plural(rooms.size()) << " of " << total << " m2\n";
+  out << counted(rooms.size(), "room", "rooms") << " of " << total << " m2\n";
   if (rooms.empty()) return out.str();
   out << "\n  room   area [m2]  inscribed radius [m]  exits  center [m]\n";
   for (std::size_t i = 0; i < rooms.size(); ++i)

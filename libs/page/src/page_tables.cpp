@@ -116,8 +116,7 @@ class Tables {
       row.set("confidence", fixedText(pair.confidence, 2));
       row.set("doubtful", flag(pair.isSameSite && pair.confidence < kSureConfidence));
       row.set("overlap", pair.transform ? percentText(pair.overlap) : "–");
-      const Measure* distance = find(pair.measures, "wall_distance");
-      row.set("distance", distance ? valueText(distance->value, "m") : "–");
+      row.set("distance", valueText(valueOf(pair.measures, "wall_distance"), "m"));
       row.set("runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–");
       return row;
     });

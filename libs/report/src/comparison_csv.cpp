@@ -54,10 +54,8 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
     text += run.score && run.score->isMeaningful ? ",1" : ",0";
     for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
       text += "," + csvNumber(value);
-    for (const MeasureKind& kind : runMeasureKinds()) {
-      const Measure* measure = find(run.measures, kind.name);
-      text += "," + csvNumber(measure ? measure->value : std::nullopt);
-    }
+    for (const MeasureKind& kind : runMeasureKinds())
+      text += "," + csvNumber(valueOf(run.measures, kind.name));
     text += breakFields(comparison, run.name) + "\n";
   }
   return text;

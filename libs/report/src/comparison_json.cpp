@@ -9,7 +9,6 @@
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/report/measure_json.h"
 
 namespace roomgraph {
@@ -173,25 +172,26 @@ Json measureJson(const Measure& measure) {
 }
 
 std::string comparisonJson(const Comparison& comparison) {
-  std::string text = "{\n\"format\": \"roomgraph/comparison\",\n\"version\": 1,\n";
-  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
-  text += "\"reference\": " + lineOf(orNull(comparison.reference)) + ",\n";
-  if (!comparison.core.empty()) text += "\"core\": " + lineOf(Json(comparison.core)) + ",\n";
-  text += lines("runs", comparison.runs,
-                [&](const ComparedRun& run) { return runJson(run, comparison); });
-  text += lines("pairs", comparison.pairs, pairJson);
-  text += lines("left_out", comparison.leftOut, [](const LeftOutRun& run) {
+  JsonDocument document("roomgraph/comparison");
+  document.add("program", programJson());
+  document.add("reference", orNull(comparison.reference));
+  if (!comparison.core.empty()) document.add("core", comparison.core);
+  document.addList("runs", comparison.runs,
+                   [&](const ComparedRun& run) { return runJson(run, comparison); });
+  document.addList("pairs", comparison.pairs, pairJson);
+  document.addList("left_out", comparison.leftOut, [](const LeftOutRun& run) {
     return Json{{"name", run.name},
                 {"file", fileName(run.file)},
                 {"reason", run.reason},
                 {"other_site", run.isOtherSite}};
   });
-  text += lines("rooms", comparison.rooms, roomJson);
-  text += lines("breaks", comparison.breaks, breakJson);
-  text += "\"options\": " + lineOf(optionsJson(comparison.options)) + ",\n";
-  text += "\"gate\": " + lineOf(gateJson(comparison.gate)) + ",\n";
-  text += "\"files\": " + lineOf(Json(comparison.files)) + ",\n";
-  return text + "\"verdict\": " + lineOf(comparison.verdict) + "\n}\n";
+  document.addList("rooms", comparison.rooms, roomJson);
+  document.addList("breaks", comparison.breaks, breakJson);
+  document.add("options", optionsJson(comparison.options));
+  document.add("gate", gateJson(comparison.gate));
+  document.add("files", comparison.files);
+  document.add("verdict", comparison.verdict);
+  return std::move(document).text();
 }
 
 std::string comparisonText(const Comparison& comparison) {
@@ -201,8 +201,7 @@ std::string comparisonText(const Comparison& comparison) {
   std::string text = "rank  run" + std::string(width - 3, ' ') +
                      "  score         (80 %)  map error [m]          (80 %)  coverage\n";
   for (const ComparedRun& run : comparison.runs) {
-    const Measure* coverage = find(run.measures, "coverage");
-    const double seen = coverage ? rounded(coverage->value.value_or(-1)) : -1;
+    const double seen = rounded(valueOf(run.measures, "coverage").value_or(-1));
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";

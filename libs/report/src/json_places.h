@@ -20,6 +20,11 @@ inline Json ringsJson(const std::vector<Ring>& rings) {
   return json;
 }
 
+/** The members "x" and "y". */
+inline Point readPlace(const JsonNode& node) {
+  return {readCoordinate(node["x"]), readCoordinate(node["y"])};
+}
+
 inline Json doorJson(const SiteDoor& door) {
   return {{"x", rounded(door.place.x)},
           {"y", rounded(door.place.y)},
@@ -39,18 +44,6 @@ Json placedRoomJson(const Room& room, const Json& doors) {
           {"polygon", ringJson(room.polygon.outer)},
           {"holes", ringsJson(room.polygon.holes)},
           {"doors", doors}};
-}
-
-/** A list with one entry per line. */
-template <class Things, class ToJson>
-std::string lines(const char* name, const Things& things, const ToJson& toJson) {
-  std::string text = std::string("\"") + name + "\": [";
-  const char* separator = "\n";
-  for (const auto& thing : things) {
-    text += separator + lineOf(toJson(thing));
-    separator = ",\n";
-  }
-  return text + (things.empty() ? "],\n" : "\n],\n");
 }
 
 }  // namespace roomgraph

@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "json_places.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/compare/compare_maps.h"
-#include "roomgraph/geometry/point_json.h"
 #include "roomgraph/report/comparison_json.h"
 
 namespace roomgraph {
@@ -128,7 +128,7 @@ ComparedPair pair(const JsonNode& node) {
 
 MapBreak mapBreak(const JsonNode& node) {
   return {node["run"].text(),
-          {readCoordinate(node["x"]), readCoordinate(node["y"])},
+          readPlace(node),
           node["rotation_deg"].number() * M_PI / 180,
           node["shift_m"].number(),
           ifAny(node["key_frame"], count),
@@ -159,15 +159,13 @@ SiteRoom room(const JsonNode& node) {
   SiteRoom room;
   room.id = node["id"].text(), room.name = node["name"].text();
   room.isCorridor = node["kind"].text() == "corridor";
-  room.center = {readCoordinate(node["x"]), readCoordinate(node["y"])};
+  room.center = readPlace(node);
   room.area = node["area_m2"].number();
   room.polygon = readPolygon(node);
   for (const JsonNode& door : node["doors"].list())
-    room.doors.push_back({{readCoordinate(door["x"]), readCoordinate(door["y"])},
-                          door["width"].number(),
+    room.doors.push_back({readPlace(door), door["width"].number(),
                           door["to"].json.is_null() ? "" : door["to"].text(),
-                          textsIfAny(door, "seen_in"),
-                          textsIfAny(door, "lost_in")});
+                          textsIfAny(door, "seen_in"), textsIfAny(door, "lost_in")});
   for (const JsonNode& in : node["runs"].list()) room.runs.push_back(roomInRun(in));
   return room;
 }

@@ -6,7 +6,6 @@
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/version.h"
 
 namespace roomgraph {
 namespace {
@@ -62,22 +61,23 @@ std::string runCheckJson(const RunCheck& check) {
   const auto metres = [&](double value) {
     return check.selfError ? Json(rounded(value)) : Json(nullptr);
   };
-  std::string text = "{\n\"format\": \"roomgraph/check\",\n\"version\": 1,\n";
-  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
-  text += "\"name\": " + lineOf(Json(check.name)) + ",\n";
-  text += "\"file\": " + lineOf(Json(fileName(check.file))) + ",\n";
-  text += "\"sha256\": " + lineOf(Json(check.sha256)) + ",\n";
-  text += "\"self_error_m\": " + lineOf(metres(check.selfError.value_or(0))) + ",\n";
-  text += "\"self_error_low_m\": " + lineOf(metres(check.low)) + ",\n";
-  text += "\"self_error_high_m\": " + lineOf(metres(check.high)) + ",\n";
-  text += "\"seen_twice\": " + lineOf(Json(rounded(check.seenTwice))) + ",\n";
-  text += "\"confirmed\": " + lineOf(Json(check.isConfirmed)) + ",\n";
-  text += lines("breaks", check.breaks, breakJson);
-  text += lines("doubled", check.doubled, doubledJson);
-  text += lines("welded", check.welded, weldedJson);
-  text += lines("evidence", check.evidence, evidenceJson);
-  text += lines("path", check.path, poseJson);
-  return text + "\"sentence\": " + lineOf(Json(check.sentence)) + "\n}\n";
+  JsonDocument document("roomgraph/check");
+  document.add("program", programJson());
+  document.add("name", check.name);
+  document.add("file", fileName(check.file));
+  document.add("sha256", check.sha256);
+  document.add("self_error_m", metres(check.selfError.value_or(0)));
+  document.add("self_error_low_m", metres(check.low));
+  document.add("self_error_high_m", metres(check.high));
+  document.add("seen_twice", rounded(check.seenTwice));
+  document.add("confirmed", check.isConfirmed);
+  document.addList("breaks", check.breaks, breakJson);
+  document.addList("doubled", check.doubled, doubledJson);
+  document.addList("welded", check.welded, weldedJson);
+  document.addList("evidence", check.evidence, evidenceJson);
+  document.addList("path", check.path, poseJson);
+  document.add("sentence", check.sentence);
+  return std::move(document).text();
 }
 
 std::string toldText(const RunCheck& check) {

@@ -4,7 +4,6 @@
 
 #include "json_places.h"
 #include "roomgraph/base/read_document.h"
-#include "roomgraph/base/version.h"
 #include "roomgraph/geometry/point_json.h"
 
 namespace roomgraph {
@@ -56,8 +55,6 @@ Json doorFeature(const SiteRoom& room, const SiteDoor& door) {
   return feature(properties, "Point", {rounded(door.place.x), rounded(door.place.y)});
 }
 
-Point place(const JsonNode& node) { return {readCoordinate(node["x"]), readCoordinate(node["y"])}; }
-
 Ring ring(const JsonNode& node) {
   Ring result = readPoints(node);
   if (result.size() < 3) throw Broken{node.place, "has fewer than 3 corners"};
@@ -73,7 +70,7 @@ int nextNumber(const JsonNode& node) {
 
 SiteDoor door(const JsonNode& node) {
   const JsonNode to = node["to"];
-  return {place(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
+  return {readPlace(node), readCoordinate(node["width"]), to.json.is_null() ? "" : to.text()};
 }
 
 KnownRoom room(const JsonNode& node) {
@@ -86,7 +83,7 @@ KnownRoom room(const JsonNode& node) {
   if (kind != "room" && kind != "corridor")
     throw Broken{node["kind"].place, "is neither 'room' nor 'corridor'"};
   result.isCorridor = kind == "corridor";
-  result.center = place(node);
+  result.center = readPlace(node);
   result.area = readCoordinate(node["area_m2"]);
   result.polygon.outer = ring(node["polygon"]);
   for (const JsonNode& hole : node["holes"].list()) result.polygon.holes.push_back(ring(hole));
@@ -131,18 +128,15 @@ SiteFile parseSiteJson(const std::string& content, const std::string& name) {
 }
 
 std::string siteJson(const SiteFile& file) {
-  std::string text = "{\n\"format\": \"roomgraph/site\",\n\"version\": 1,\n";
-  text += "\"program\": " + lineOf({{"name", "roomgraph"}, {"version", version()}}) + ",\n";
-  text += "\"next\": " + lineOf({{"room", file.nextRoom}, {"corridor", file.nextCorridor}}) + ",\n";
-  text += "\"rooms\": [";
-  const char* separator = "\n";
-  for (const KnownRoom& room : file.rooms) {
+  JsonDocument document("roomgraph/site");
+  document.add("program", programJson());
+  document.add("next", {{"room", file.nextRoom}, {"corridor", file.nextCorridor}});
+  document.addList("rooms", file.rooms, [](const KnownRoom& room) {
     Json doors = Json::array();
     for (const SiteDoor& door : room.doors) doors.push_back(doorJson(door));
-    text += separator + lineOf(placedRoomJson(room, doors));
-    separator = ",\n";
-  }
-  return text + (file.rooms.empty() ? "]\n}\n" : "\n]\n}\n");
+    return placedRoomJson(room, doors);
+  });
+  return std::move(document).text();
 }
 
 }  // namespace roomgraph

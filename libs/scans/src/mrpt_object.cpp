@@ -112,36 +112,32 @@ std::uint32_t readParticleCount(ByteReader& reader) {
   return count;
 }
 
-CPose3D readParticles3D(ByteReader& reader, int version) {
-  mrpt::poses::CPose3DPDFParticles pdf(0);
+/** The mean of poses with weights; `readPose` reads one of them as version 0 has it. */
+template <class Particles, class Pose>
+Pose readParticles(ByteReader& reader, int version, Pose (*readPose)(ByteReader&)) {
+  Particles pdf(0);
   for (std::uint32_t n = readParticleCount(reader); n > 0; --n) {
     const double logWeight = reader.get<double>();
-    mrpt::math::TPose3D pose;
+    decltype(Pose().asTPose()) pose;
     if (version == 0)
-      pose = readPose3D(reader).asTPose();
+      pose = readPose(reader).asTPose();
     else
-      for (std::size_t i = 0; i < 6; ++i) pose[i] = reader.get<double>();
+      for (std::size_t i = 0; i < pose.size(); ++i) pose[i] = reader.get<double>();
     pdf.m_particles.emplace_back(pose, logWeight);
   }
-  CPose3D mean;
+  Pose mean;
   pdf.getMean(mean);
+  return mean;
+}
+
+CPose3D readParticles3D(ByteReader& reader, int version) {
+  const auto mean = readParticles<mrpt::poses::CPose3DPDFParticles>(reader, version, readPose3D);
   return poseOf(mean.getHomogeneousMatrixVal<mrpt::math::CMatrixDouble44>(), reader);
 }
 
 CPose3D readParticles2D(ByteReader& reader, int version) {
-  mrpt::poses::CPosePDFParticles pdf(0);
-  for (std::uint32_t n = readParticleCount(reader); n > 0; --n) {
-    const double logWeight = reader.get<double>();
-    mrpt::math::TPose2D pose;
-    if (version == 0)
-      pose = readPose2D(reader).asTPose();
-    else
-      for (std::size_t i = 0; i < 3; ++i) pose[i] = reader.get<double>();
-    pdf.m_particles.emplace_back(pose, logWeight);
-  }
-  CPose2D mean;
-  pdf.getMean(mean);
-  return checkPose(mean, reader);
+  return checkPose(readParticles<mrpt::poses::CPosePDFParticles>(reader, version, readPose2D),
+                   reader);
 }
 
 CPose3D readGaussian3D(ByteReader& reader, int) {

@@ -34,7 +34,7 @@ struct HistoryRun {
   bool isPlaced = true;   ///< false where it is of another site
   std::string reason{};   ///< of its score, or why it has none
   std::string version{};  ///< of the program that the figures are from
-  /** Of the first comparison that could tell them; see figureOf(). */
+  /** Of the first comparison that could tell them; see figuresOf(). */
   std::vector<Measure> figures{};
   std::vector<RoomSeen> rooms{};  ///< by id
 };
@@ -45,12 +45,6 @@ struct SiteHistory {
   std::vector<HistoryRun> runs;  ///< by time, then by content
   SiteFile ledger;
 };
-
-/** The value of a figure, whether it can be trusted or not; nothing where it has none. */
-std::optional<double> figureOf(const HistoryRun& run, const char* name);
-
-/** The value of a figure that has one and can be trusted; nothing else. */
-std::optional<double> trustedFigure(const HistoryRun& run, const char* name);
 
 /** All figures of a compared run, with those of its score, as an archive keeps them. */
 std::vector<Measure> figuresOf(const ComparedRun& run, const Comparison& comparison);

@@ -31,6 +31,39 @@ double rounded(double value);
  *  written at once takes a fraction of the time of a tree of values. null where not finite. */
 void addNumber(std::string& json, double value);
 
+/** This program, as files name what made them. */
+Json programJson();
+
+/** A file of JSON with a line for each of its members, and for each entry of its lists. The text of
+ *  a large map is not copied around. */
+class JsonDocument {
+ public:
+  /** In version 1 of this format, such as "roomgraph/graph". */
+  explicit JsonDocument(const std::string& format)
+      : text_("{\n\"format\": \"" + format + "\",\n\"version\": 1") {}
+
+  void add(const char* name, const Json& value) { addText(name, lineOf(value)); }
+  /** A member whose value is JSON already. */
+  void addText(const char* name, const std::string& json) {
+    text_.append(",\n\"").append(name).append("\": ").append(json);
+  }
+  /** A list of `count` entries; `entryText` gives the JSON of each by its place. */
+  template <class EntryText>
+  void addEntries(const char* name, std::size_t count, const EntryText& entryText) {
+    addText(name, "[");
+    for (std::size_t i = 0; i < count; ++i) text_.append(i ? ",\n" : "\n").append(entryText(i));
+    text_ += count > 0 ? "\n]" : "]";
+  }
+  template <class Things, class ToJson>
+  void addList(const char* name, const Things& things, const ToJson& toJson) {
+    addEntries(name, things.size(), [&](std::size_t i) { return lineOf(toJson(things[i])); });
+  }
+  std::string text() && { return std::move(text_ += "\n}\n"); }
+
+ private:
+  std::string text_;
+};
+
 /** What is wrong with a file, found anywhere below its top; says where and what. */
 struct Broken {
   std::string where, problem;

@@ -20,6 +20,9 @@ std::string counted(std::size_t count, const std::string& thing, const std::stri
 /** "a, b and c"; of more than `most` names, and one, "a, b and 3 more". Empty for none. */
 std::string listed(const std::vector<std::string>& names, std::size_t most = 1'000'000);
 
+/** "a, b or c". Empty for none. */
+std::string alternatives(const std::vector<std::string>& names);
+
 /** The word that was most likely meant: the one that takes the fewest letters changed, left out,
  *  put in or swapped with their neighbour, of equal ones the first. Empty where even that one needs
  *  more than a third of the letters of `typed`. */

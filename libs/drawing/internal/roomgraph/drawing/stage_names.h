@@ -25,21 +25,18 @@ enum class ShownStage {
   areas
 };
 
-/** What people call a stage. */
+/** What people call a stage, and what it shows. */
 struct StageName {
   const char* name;   ///< as in the names of files
   const char* paper;  ///< section
   const char* title;
+  TopologyGraph Stages::*graph = nullptr;  ///< that it has made; from `cut` on, with the rooms
+  /** Whether each edge of the Voronoi diagram is still there; null where it is not shown. */
+  std::vector<bool> (*edges)(const Stages& stages) = nullptr;
 };
 
 /** In the order of ShownStage. */
 const std::vector<StageName>& stageNames();
-
-/** Per Voronoi edge, whether it is there before anything is left out; then without what lies
- *  outside; then without what is too near to an obstacle. */
-std::vector<bool> finiteEdges(const Stages& stages);
-std::vector<bool> insideEdges(const Stages& stages);
-std::vector<bool> clearEdges(const Stages& stages);
 
 /** Where the paths cross the rooms: the ends of the stretches inside of each path [m]. */
 std::vector<Point> crossings(const Stages& stages);

@@ -24,4 +24,12 @@ struct Measure {
 /** The measure of this name; null for none. */
 [[nodiscard]] const Measure* find(const std::vector<Measure>& measures, const std::string& name);
 
+/** The value of the measure of this name; none where it has none. */
+[[nodiscard]] std::optional<double> valueOf(const std::vector<Measure>& measures,
+                                            const std::string& name);
+
+/** The same of one that is meaningful; none of any other. */
+[[nodiscard]] std::optional<double> trustedValueOf(const std::vector<Measure>& measures,
+                                                   const std::string& name);
+
 }  // namespace roomgraph

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -28,6 +29,10 @@ struct Site {
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (runs[i]->file == file) return i;
     return std::nullopt;
+  }
+  /** Whether it is of the site, by its place among all runs. */
+  bool has(std::size_t run) const {
+    return std::binary_search(members.begin(), members.end(), run);
   }
   /** Bare at most for a run that is not of the core. */
   const WallMap& mapOf(std::size_t run) const { return fullMaps.known(runs[run]->map); }
