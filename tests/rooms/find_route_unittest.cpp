@@ -100,6 +100,13 @@ TEST(FindRoute, alongOneWayIsAPieceOfIt) {
   EXPECT_TRUE(found->passages.empty());
 }
 
+TEST(FindRoute, ofOnePlaceOfAWayTellsHowNarrowThatIs) {
+  const auto found = route(threeRooms(), {3, 1}, {3, 3});
+  ASSERT_TRUE(found);
+  EXPECT_DOUBLE_EQ(found->length, 2);
+  EXPECT_DOUBLE_EQ(found->minClearance, 0.5);
+}
+
 TEST(FindRoute, isNoneToWhatIsNotConnected) {
   EXPECT_FALSE(route(threeRooms(), {2, 2}, {22, 2}));
   EXPECT_FALSE(route({}, {2, 2}, {3, 2}));

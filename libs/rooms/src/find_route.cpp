@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "place_on_paths.h"
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/topology/shortest_ways.h"
 
@@ -30,8 +31,8 @@ std::optional<Path> shortestPath(const TopologyGraph& graph, PlaceOnPath from, P
     if (!best || path.length < best->length) best = std::move(path);
   };
   if (from.edge == to.edge) {
-    const Path between =
-        piece(last.path, std::min(from.along, to.along), std::max(from.along, to.along));
+    Path between = piece(last.path, std::min(from.along, to.along), std::max(from.along, to.along));
+    if (from.along == to.along) between.minClearance = clearanceAt(last.path, to.along);
     offer(from.along <= to.along ? between : reversed(between));
   }
   if (ways.reaches(last.source))
