@@ -88,7 +88,9 @@ std::optional<std::string> lineOf(const std::string& file, const WatchArguments&
     const AddedRun added = addRun(archive, file, options);
     if (added.wasKnown) return {};
     if (!added.roomsFailed.empty()) printError(added.roomsFailed);
-    const SiteWatch site = watchSite(archive.history(options.site), arguments.adding.watch);
+    // Of this map, though later ones be known: clocks of robots err.
+    const SiteHistory then = historyUpTo(archive.history(options.site), added.sha256);
+    const SiteWatch site = watchSite(then, arguments.adding.watch);
     const auto robot =
         std::find_if(site.robots.begin(), site.robots.end(),
                      [&](const RobotWatch& one) { return one.robot == options.robot; });

@@ -81,6 +81,16 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
   EXPECT_FALSE(annaIn(history).isAlarm()) << "one bad night is no trend";
 }
 
+TEST(WatchSite, ofAMapThatComesLateItTellsWhatWasKnownThen) {
+  SiteHistory history = twelveNights();
+  for (HistoryRun& run : history.runs) run.sha256 = std::to_string(run.time);
+  history.runs[6] = historyRun("anna", 6, 12);
+  history.runs[6].sha256 = "late";
+  EXPECT_EQ(annaIn(history).rollout, Rollout::yes);
+  EXPECT_EQ(annaIn(historyUpTo(history, "late")).rollout, Rollout::no);
+  EXPECT_EQ(historyUpTo(history, "none").runs.size(), 12U);
+}
+
 TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
   const auto adviceWith = [](const char* name, double value) {
     SiteHistory history = twelveNights();

@@ -52,6 +52,7 @@ void checkAlone(const ReadRuns& read, const std::string& sha256, Comparison& com
 
 AddedRun resultOf(const Addition& addition, const std::string& file, const Added& added) {
   AddedRun result;
+  result.sha256 = addition.runs.front().sha256;
   result.wasKnown = added.runs == 0;  // another program was faster
   result.roomsFailed = added.roomsFailed;
   const Comparison& comparison = addition.comparison;
@@ -68,7 +69,7 @@ AddedRun resultOf(const Addition& addition, const std::string& file, const Added
 AddedRun addRun(Archive& archive, const std::string& file, const AddRunOptions& options) {
   const std::string added = fs::absolute(file).lexically_normal().string();
   const std::string sha256 = mapSha256(added);
-  if (archive.knows(options.site, sha256)) return {true, false, {}, "", ""};
+  if (archive.knows(options.site, sha256)) return {sha256, true, false, {}, "", ""};
   Addition addition;
   addition.site = options.site;
   addition.runs = {{sha256, options.robot, added, options.time.value_or(0)}};

@@ -230,6 +230,13 @@ SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
   return watch;
 }
 
+SiteHistory historyUpTo(SiteHistory history, const std::string& sha256) {
+  const auto last = std::find_if(history.runs.begin(), history.runs.end(),
+                                 [&](const HistoryRun& run) { return run.sha256 == sha256; });
+  if (last != history.runs.end()) history.runs.erase(last + 1, history.runs.end());
+  return history;
+}
+
 std::string changeText(const RoomChange& change, const SiteHistory& history) {
   std::string name = change.room;
   for (const KnownRoom& room : history.ledger.rooms)

@@ -25,6 +25,7 @@ struct AddRunOptions {
 
 /** What became of a run. */
 struct AddedRun {
+  std::string sha256;     ///< of its content
   bool wasKnown = false;  ///< its content is there already: nothing was compared, nothing changed
   bool isPlaced = false;  ///< it lies in the site
   std::optional<RunScore> score;  ///< of the comparison

@@ -57,6 +57,10 @@ struct SiteWatch {
  *  O(runs * (window^2 + rooms)). */
 SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options);
 
+/** What was known of a site when one of its runs had come: without later ones, in time. All of it
+ *  where no run has that content. */
+SiteHistory historyUpTo(SiteHistory history, const std::string& sha256);
+
 /** One line for people: "R3 Kitchen: 2 doors instead of 3 since 2026-11-02". */
 std::string changeText(const RoomChange& change, const SiteHistory& history);
 
