@@ -81,6 +81,17 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
   EXPECT_FALSE(annaIn(history).isAlarm()) << "one bad night is no trend";
 }
 
+TEST(WatchSite, aMapWhoseWallsAreDrawnThickIsNotRolledOut) {
+  SiteHistory history = twelveNights();
+  for (HistoryRun& run : history.runs)
+    run.figures.push_back({"wall_sharpness", 1.0, "1", 1000, {}, {}, true});
+  EXPECT_EQ(annaIn(history).rollout, Rollout::yes);
+  history.runs.back().figures.back().value = 4;
+  const RobotWatch watch = annaIn(history);
+  EXPECT_EQ(watch.rollout, Rollout::no);
+  EXPECT_NE(watch.advice.find("has walls that are too thick"), std::string::npos) << watch.advice;
+}
+
 TEST(WatchSite, ofAMapThatComesLateItTellsWhatWasKnownThen) {
   SiteHistory history = twelveNights();
   for (HistoryRun& run : history.runs) run.sha256 = std::to_string(run.time);

@@ -34,8 +34,19 @@ bool isSteady(const Level& level) { return 4 * level.off <= level.count; }
 
 bool isTorn(const HistoryRun& run) { return trustedValueOf(run.figures, kBreaks).value_or(0) > 0; }
 
+/** The median `wall_sharpness` of the maps that were judged; none of too few. */
+std::optional<double> usualSharpness(const SiteHistory& history) {
+  std::vector<double> all;
+  for (const HistoryRun& run : history.runs)
+    if (const auto value =
+            run.isPlaced ? trustedValueOf(run.figures, "wall_sharpness") : std::nullopt)
+      all.push_back(*value);
+  return all.size() > 2 ? std::optional(median(all)) : std::nullopt;
+}
+
 /** What is wrong with a map that was judged; empty for nothing. */
-std::string mapFault(const HistoryRun& run, const WatchOptions& options) {
+std::string mapFault(const HistoryRun& run, std::optional<double> usual,
+                     const WatchOptions& options) {
   const auto figure = [&](const char* name) {
     return trustedValueOf(run.figures, name).value_or(0);
   };
@@ -51,7 +62,9 @@ std::string mapFault(const HistoryRun& run, const WatchOptions& options) {
   if (figure("walls_added") > kMostAdded)
     return formatted("has, in one place, %.0f %% of its walls where others have seen free space",
                      100 * figure("walls_added"));
-  return "";
+  const auto sharpness = trustedValueOf(run.figures, "wall_sharpness");
+  const std::string fault = sharpness && usual ? sharpnessFault(*sharpness, *usual) : "";
+  return fault.empty() ? "" : "has walls that " + fault;
 }
 
 RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
@@ -60,6 +73,7 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
   watch.robot = robot;
   Samples errors;
   std::size_t others = 0;
+  const auto usual = usualSharpness(history);
   for (std::size_t i = 0; i < history.runs.size(); ++i) {
     const HistoryRun& run = history.runs[i];
     const bool isJudgeable = !run.isPlaced || others >= 2;
@@ -71,19 +85,20 @@ RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
     if (!error) continue;
     watch.runs.push_back(i);
     errors.push_back({run.time / kDay, *error});
-    if (mapFault(run, options).empty()) watch.lastGood = i;
+    if (mapFault(run, usual, options).empty()) watch.lastGood = i;
   }
   watch.errors = watchErrors(errors, options);
   return watch;
 }
 
 /** Why the latest map may not be rolled out; empty where it may, or nothing is known yet. */
-std::string faultOf(const RobotWatch& watch, const HistoryRun& latest,
+std::string faultOf(const RobotWatch& watch, const SiteHistory& history,
                     const WatchOptions& options) {
+  const HistoryRun& latest = history.runs[watch.latest];
   if (!latest.isPlaced) return "fits no other map of the site";
   if (!trustedValueOf(latest.figures, kMapError))
     return watch.unjudged > 0 ? "cannot be judged" : "";
-  return mapFault(latest, options);
+  return mapFault(latest, usualSharpness(history), options);
 }
 
 /** May the latest map be rolled out; if not, which one stays? */
@@ -95,7 +110,7 @@ void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& o
     return isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
   };
   const std::string map = "the map of " + whenOf(watch.latest);
-  const std::string fault = faultOf(watch, history.runs[watch.latest], options);
+  const std::string fault = faultOf(watch, history, options);
   if (!fault.empty()) {
     watch.rollout = Rollout::no;
     watch.advice = "no, " + map + " " + fault +

@@ -165,12 +165,8 @@ class Judge {
         others.push_back(*value);
     const auto own = sharpness(run);
     if (!own || others.size() < kFewestOthers) return;
-    const double usual = median(others);
-    const bool areThin = *own * kMostThinned<usual, areThick = *own> usual * kMostThinned;
-    if (areThin || areThick)
-      complain(run.name, formatted("its walls are too %s: wall_sharpness is %.2f, that of the "
-                                   "others %.2f",
-                                   areThin ? "thin" : "thick", *own, usual));
+    const std::string fault = sharpnessFault(*own, median(others));
+    if (!fault.empty()) complain(run.name, "its walls " + fault);
   }
 
   /** The largest first. */
@@ -250,6 +246,13 @@ class Judge {
 };
 
 }  // namespace
+
+std::string sharpnessFault(double own, double usual) {
+  const bool areThin = own * kMostThinned < usual, areThick = usual * kMostThinned < own;
+  if (!areThin && !areThick) return "";
+  return formatted("are too %s: wall_sharpness is %.2f, that of the others %.2f",
+                   areThin ? "thin" : "thick", own, usual);
+}
 
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options) {
   if (options.asksNothing()) return {};

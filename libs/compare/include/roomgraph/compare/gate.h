@@ -58,4 +58,8 @@ struct GateOptions {
                                                 const std::string& run,
                                                 const std::vector<std::string>& candidates);
 
+/** What is wrong with walls of a `wall_sharpness` beside the median of the others: more than
+ *  kMostThinned times thinner or thicker; empty for nothing. */
+[[nodiscard]] std::string sharpnessFault(double own, double usual);
+
 }  // namespace roomgraph
