@@ -39,7 +39,8 @@ TEST(PageData, aBreakOfARunWithScansHasThem) {
 
 TEST(PageData, wallsThatNoOtherRunHasAreMarkedWhereTheyAreTooMany) {
   Comparison comparison = sample().comparison;
-  Measure added{"walls_added"};
+  Measure added;
+  added.name = "walls_added";
   added.isMeaningful = true, added.place = Point{1, 2};
   for (const double share : {kMostAdded - 0.01, kMostAdded + 0.01}) {
     added.value = share;

@@ -157,7 +157,8 @@ std::string tableLine(const std::string& first, const StabilityRow& row, double 
 }
 
 std::string soundLine(const char* name, Value room, Value noRoom) {
-  const Value ratio = room && noRoom && *noRoom > 0 ? Value(100 * *room / *noRoom) : std::nullopt;
+  Value ratio;
+  if (room && noRoom && *noRoom > 0) ratio = 100 * *room / *noRoom;
   return formatted("%-38s", name) + number(room, 10) + number(noRoom, 10) + number(ratio, 10) +
          "\n";
 }
