@@ -24,11 +24,5 @@ TEST(PlaceOnPaths, isHalfwayWhereThereIsNoPoint) {
       placeOnPaths(wayBetweenBorders({{0, 0}, {8, 0}}), {EdgeId(0)}, {0, 0}, 0.5).along, 4);
 }
 
-TEST(PlaceOnPaths, hasTheClearanceOfItsSegment) {
-  const Path path = makePath({{0, 0}, {4, 0}, {8, 0}}, {{2, 1}, {6, 3}});
-  EXPECT_DOUBLE_EQ(clearanceAt(path, 2), 1);
-  EXPECT_DOUBLE_EQ(clearanceAt(path, 6), 3);
-}
-
 }  // namespace
 }  // namespace roomgraph::test

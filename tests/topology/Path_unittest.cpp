@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "hand_built.h"
 
 namespace roomgraph::test {
@@ -21,6 +23,18 @@ TEST(Path, pieceKeepsWhatItCovers) {
   EXPECT_EQ(middle.points.size(), 3u);
   EXPECT_EQ(middle.obstacles.size(), 2u);
   EXPECT_EQ(piece(path, 0, path.length).points, path.points);
+}
+
+TEST(Path, aPlaceHasTheClearanceOfItsSegment) {
+  const Path path = makePath({{0, 0}, {4, 0}, {8, 0}}, {{2, 1}, {6, 3}});
+  EXPECT_DOUBLE_EQ(clearanceAt(path, 2), 1);
+  EXPECT_DOUBLE_EQ(clearanceAt(path, 6), 3);
+}
+
+TEST(Path, aPieceWithoutLengthHasTheClearanceOfItsPlace) {
+  const Path path = makePath({{0, 0}, {8, 0}}, {{0, 1}});
+  for (const double along : {0.0, 3.0, path.length})
+    EXPECT_NEAR(piece(path, along, along).minClearance, std::hypot(along, 1), 1e-12) << along;
 }
 
 TEST(Path, joinedWithItsReverseComesBack) {

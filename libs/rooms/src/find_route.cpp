@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "place_on_paths.h"
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/topology/shortest_ways.h"
 
@@ -31,8 +30,8 @@ std::optional<Path> shortestPath(const TopologyGraph& graph, PlaceOnPath from, P
     if (!best || path.length < best->length) best = std::move(path);
   };
   if (from.edge == to.edge) {
-    Path between = piece(last.path, std::min(from.along, to.along), std::max(from.along, to.along));
-    if (from.along == to.along) between.minClearance = clearanceAt(last.path, to.along);
+    const Path between =
+        piece(last.path, std::min(from.along, to.along), std::max(from.along, to.along));
     offer(from.along <= to.along ? between : reversed(between));
   }
   if (ways.reaches(last.source))

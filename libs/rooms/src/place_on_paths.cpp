@@ -65,15 +65,4 @@ PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& 
   return place.edge ? place : middleOfLongest(graph, edges);
 }
 
-double clearanceAt(const Path& path, double along) {
-  if (path.obstacles.empty()) return path.minClearance;
-  double end = 0;
-  std::size_t i = 0;
-  for (; i + 1 < path.obstacles.size(); ++i) {
-    end += distance(path.points[i], path.points[i + 1]);
-    if (along <= end) break;
-  }
-  return distance(placeOn(path, along), path.obstacles[i]);
-}
-
 }  // namespace roomgraph

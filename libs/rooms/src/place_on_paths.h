@@ -14,10 +14,6 @@ constexpr double kSamePlace = 1e-6;
 [[nodiscard]] PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                                        Point p, double minClearance);
 
-/** Distance to the nearest obstacle of a place on a path [m]; that of the whole path where the
- *  obstacles are not known. */
-[[nodiscard]] double clearanceAt(const Path& path, double along);
-
 /** The vertex at a place on a path: the path's end where it lies there, else a new one of `kind`
  *  that parts the edge; the part from its source keeps the number. */
 VertexId splitAt(std::vector<Vertex>& vertices, std::vector<Edge>& edges, PlaceOnPath place,

@@ -22,6 +22,17 @@ Point placeOn(const Path& path, double along) {
   return along >= path.length ? path.points.back() : pointAt(path.points, along);
 }
 
+double clearanceAt(const Path& path, double along) {
+  if (path.obstacles.empty()) return path.minClearance;
+  double end = 0;
+  std::size_t i = 0;
+  for (; i + 1 < path.obstacles.size(); ++i) {
+    end += distance(path.points[i], path.points[i + 1]);
+    if (along <= end) break;
+  }
+  return distance(placeOn(path, along), path.obstacles[i]);
+}
+
 Path reversed(Path path) {
   std::reverse(path.points.begin(), path.points.end());
   std::reverse(path.obstacles.begin(), path.obstacles.end());
@@ -52,7 +63,7 @@ Path piece(const Path& path, double from, double to) {
   }
   points.back() = placeOn(path, to);
   Path part = makePath(std::move(points), std::move(obstacles));
-  if (path.obstacles.empty()) part.minClearance = path.minClearance;
+  if (part.obstacles.empty()) part.minClearance = clearanceAt(path, to);
   return part;
 }
 

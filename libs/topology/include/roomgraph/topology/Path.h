@@ -21,6 +21,10 @@ struct Path {
 /** The place at `along` metres from the source; exactly the path's end at 0 and at its length. */
 [[nodiscard]] Point placeOn(const Path& path, double along);
 
+/** Distance to the nearest obstacle of a place on a path [m]; that of the whole path where the
+ *  obstacles are not known. */
+[[nodiscard]] double clearanceAt(const Path& path, double along);
+
 /** The same way walked backwards (paper II, "twin"). */
 [[nodiscard]] Path reversed(Path path);
 
