@@ -1,5 +1,7 @@
 #include "roomgraph/consensus/PoseGraph.h"
 
+#include <limits>
+
 #include "fitted_consensus.h"
 
 namespace roomgraph {
@@ -48,6 +50,15 @@ RunId addRunNodes(const Run& run, PoseGraph& graph) {
     for (const std::uint32_t next : run.map.patches[k].neighbours)
       if (next > k) graph.addLink(nodes[k], nodes[next]);
   return id;
+}
+
+NodeId nearestNode(const IdRange<NodeId>& nodes, const NodePoses& poses, Point place) {
+  NodeId nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const NodeId node : nodes)
+    if (const double far = squaredNorm(poses[node].shift() - place); far < least)
+      nearest = node, least = far;
+  return nearest;
 }
 
 PoseEdge matchEdge(NodeId from, NodeId to, const Transform2D& measured, double share) {

@@ -64,13 +64,7 @@ class OtherRuns {
   /** Where a scan would lie in the map of another run, as that is bent there. */
   Transform2D poseIn(std::size_t other, std::size_t scan) const {
     const Transform2D& there = consensus_.poses[consensus_.nodesOf(run_)[scan]];
-    const auto nodes = consensus_.nodesOf(other);
-    NodeId nearest = nodes.front();
-    double least = HUGE_VAL;
-    for (const NodeId node : nodes) {
-      const double far = squaredNorm(consensus_.poses[node].shift() - there.shift());
-      if (far < least) least = far, nearest = node;
-    }
+    const NodeId nearest = nearestNode(consensus_.nodesOf(other), consensus_.poses, there.shift());
     return consensus_.graph.nodes[nearest].pose * consensus_.poses[nearest].inverse() * there;
   }
 

@@ -106,16 +106,6 @@ Track trackIn(const Run& run, const WallMap& map, const FollowedWalls& followed,
   return trackScans(run.scans, run.map.patches, followed, likely, map, fits);
 }
 
-/** The node of a run that lies next to a place; none farther off than scans show. */
-NodeId nearestNode(IdRange<NodeId> nodes, const NodePoses& poses, Point place) {
-  NodeId nearest;
-  double least = kDrawnNear;
-  for (const NodeId node : nodes)
-    if (const double apart = distance(poses[node].shift(), place); apart < least)
-      nearest = node, least = apart;
-  return nearest;
-}
-
 /** What was found, between two runs. */
 std::vector<FoundGroup> between(RunId from, RunId to, std::vector<FoundGroup> groups) {
   groups.erase(std::remove_if(groups.begin(), groups.end(),
@@ -171,7 +161,7 @@ std::vector<FoundGroup> matchAgain(const PoseGraph& graph, RunId id, const Run& 
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const Transform2D& pose = poses[nodes[k]];
     const NodeId nearest = nearestNode(graph.runs[other.run].nodes, poses, pose.shift());
-    if (!nearest) continue;
+    if (!nearest || distance(poses[nearest].shift(), pose.shift()) >= kDrawnNear) continue;
     const Transform2D start = graph.nodes[nearest].pose * poses[nearest].inverse() * pose;
     const ScanFit fit = fitNear(scans[k], other.map, start);
     if (areNear(fit.pose, start, {}, kRoughly)) track[k] = fit.pose * run.scans[k].pose.inverse();

@@ -96,6 +96,9 @@ struct PoseGraph {
   RunId runOf(NodeId node) const { return nodes[node].run; }
 };
 
+/** The node of some that lies next to a place, of equal ones the first; none of none. O(nodes). */
+NodeId nearestNode(const IdRange<NodeId>& nodes, const NodePoses& poses, Point place);
+
 /** How far the nodes of an edge lie from where it has them. */
 inline PoseGap gapOf(const PoseEdge& edge, const NodePoses& poses) {
   const Transform2D found = poses[edge.from].inverse() * poses[edge.to];
