@@ -67,42 +67,16 @@ std::string mapFault(const HistoryRun& run, std::optional<double> usual,
   return fault.empty() ? "" : "has walls that " + fault;
 }
 
-RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
-                      const WatchOptions& options) {
-  RobotWatch watch;
-  watch.robot = robot;
-  Samples errors;
-  std::size_t others = 0;
-  const auto usual = usualSharpness(history);
-  for (std::size_t i = 0; i < history.runs.size(); ++i) {
-    const HistoryRun& run = history.runs[i];
-    const bool isJudgeable = !run.isPlaced || others >= 2;
-    others += run.isPlaced ? 1 : 0;
-    if (run.robot != robot) continue;
-    watch.latest = i;
-    const auto error = run.isPlaced ? trustedValueOf(run.figures, kMapError) : std::nullopt;
-    watch.unjudged = error || !isJudgeable ? 0 : watch.unjudged + 1;
-    if (!error) continue;
-    watch.runs.push_back(i);
-    errors.push_back({run.time / kDay, *error});
-    if (mapFault(run, usual, options).empty()) watch.lastGood = i;
-  }
-  watch.errors = watchErrors(errors, options);
-  return watch;
-}
-
-/** Why the latest map may not be rolled out; empty where it may, or nothing is known yet. */
-std::string faultOf(const RobotWatch& watch, const SiteHistory& history,
+/** Why a map may not be rolled out; empty where it may, or where it cannot be known yet. */
+std::string faultOf(const HistoryRun& run, bool isJudgeable, std::optional<double> usual,
                     const WatchOptions& options) {
-  const HistoryRun& latest = history.runs[watch.latest];
-  if (!latest.isPlaced) return "fits no other map of the site";
-  if (!trustedValueOf(latest.figures, kMapError))
-    return watch.unjudged > 0 ? "cannot be judged" : "";
-  return mapFault(latest, usualSharpness(history), options);
+  if (!run.isPlaced) return "fits no other map of the site";
+  if (!trustedValueOf(run.figures, kMapError)) return isJudgeable ? "cannot be judged" : "";
+  return mapFault(run, usual, options);
 }
 
-/** May the latest map be rolled out; if not, which one stays? */
-void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& options) {
+/** May the latest map be rolled out, with this fault; if not, which one stays? */
+void advise(RobotWatch& watch, const std::string& fault, const SiteHistory& history) {
   const auto timeOf = [&](std::size_t run) { return history.runs[run].time; };
   const bool isOneDay = watch.lastGood && watch.lastGood != watch.latest &&
                         dayText(timeOf(*watch.lastGood)) == dayText(timeOf(watch.latest));
@@ -110,7 +84,6 @@ void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& o
     return isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
   };
   const std::string map = "the map of " + whenOf(watch.latest);
-  const std::string fault = faultOf(watch, history, options);
   if (!fault.empty()) {
     watch.rollout = Rollout::no;
     watch.advice = "no, " + map + " " + fault +
@@ -124,6 +97,32 @@ void advise(RobotWatch& watch, const SiteHistory& history, const WatchOptions& o
     watch.advice =
         "not known yet: too few runs to judge " + map + (reason.empty() ? "" : ": " + reason);
   }
+}
+
+RobotWatch watchRobot(const std::string& robot, const SiteHistory& history,
+                      std::optional<double> usual, const WatchOptions& options) {
+  RobotWatch watch;
+  watch.robot = robot;
+  Samples errors;
+  std::size_t others = 0;
+  std::string fault;  // of the latest
+  for (std::size_t i = 0; i < history.runs.size(); ++i) {
+    const HistoryRun& run = history.runs[i];
+    const bool isJudgeable = !run.isPlaced || others >= 2;
+    others += run.isPlaced ? 1 : 0;
+    if (run.robot != robot) continue;
+    watch.latest = i;
+    fault = faultOf(run, isJudgeable, usual, options);
+    const auto error = run.isPlaced ? trustedValueOf(run.figures, kMapError) : std::nullopt;
+    watch.unjudged = error || !isJudgeable ? 0 : watch.unjudged + 1;
+    if (!error) continue;
+    watch.runs.push_back(i);
+    errors.push_back({run.time / kDay, *error});
+    if (fault.empty()) watch.lastGood = i;
+  }
+  watch.errors = watchErrors(errors, options);
+  advise(watch, fault, history);
+  return watch;
 }
 
 std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
@@ -230,9 +229,9 @@ SiteWatch watchSite(const SiteHistory& history, const WatchOptions& options) {
   SiteWatch watch;
   std::set<std::string> robots;
   for (const HistoryRun& run : history.runs) robots.insert(run.robot);
+  const auto usual = usualSharpness(history);
   for (const std::string& robot : robots) {
-    watch.robots.push_back(watchRobot(robot, history, options));
-    advise(watch.robots.back(), history, options);
+    watch.robots.push_back(watchRobot(robot, history, usual, options));
     watch.robots.back().sentence = sentenceOf(watch.robots.back(), history, options);
   }
   for (const auto& [key, series] : seriesOf(history))
