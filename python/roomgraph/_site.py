@@ -28,6 +28,9 @@ class RepairedRun:
     """The farthest [m]."""
     moved_most_at: int
     """The key frame that has moved so far."""
+    left: Optional[float]
+    """How far its scans still lie from where they fit on what the others have drawn, RMS [m]; None
+    unless others have mended it."""
     poses: np.ndarray = field(repr=False)
     """x, y and yaw of the robot at each scan, a row each [m, rad]."""
     simplemap: bytes = field(repr=False)

@@ -89,7 +89,8 @@ py::dict dictOf(const MendedRun& run) {
   dict["name"] = run.name, dict["file"] = run.file;
   dict["state"] = nameOf(repaired.state), dict["reason"] = repaired.reason;
   dict["moved"] = repaired.moved, dict["moved_most"] = repaired.movedMost;
-  dict["moved_most_at"] = repaired.movedMostAt, dict["poses"] = poses;
+  dict["moved_most_at"] = repaired.movedMostAt, dict["left"] = repaired.left;
+  dict["poses"] = poses;
   dict["simplemap"] = py::bytes(run.simplemap), dict["tum"] = run.tum;
   return dict;
 }

@@ -37,12 +37,13 @@ def test_repair_gives_what_the_program_writes(run_files, program, tmp_path):
         assert run.poses.shape[1] == 3 and len(run.poses) > 10
     mended = [run for run in repaired if run.state == "mended"]
     assert mended and all(run.moved_most >= run.moved > 0 and run.reason for run in mended)
+    assert all(0 < run.left < run.moved_most for run in mended)
 
 
 def test_repair_of_one_run_gives_what_the_program_writes(run_files, program, tmp_path):
     subprocess.run([program, "repair", "-q", "-o", tmp_path, run_files[2]], check=True)
     (run,) = roomgraph.repair(run_files[2:3])
-    assert run.state == "mended" and run.moved_most > 1
+    assert run.state == "mended" and run.moved_most > 1 and run.left is None
     assert run.simplemap == (tmp_path / f"{run.name}.repaired.simplemap.gz").read_bytes()
 
 

@@ -67,6 +67,44 @@ TEST(RepairRuns, aRunThatWouldFitNoBetterStaysAsItWas) {
     EXPECT_EQ(kept.poses[k].shift(), site.runs[0].scans[k].pose.shift());
 }
 
+TEST(RepairRuns, whatIsLeftIsAboutTheErrorOfAMendedRun) {
+  const test::SolvedDrives& torn = test::tornAmongSound();
+  const std::vector<RepairedRun> repaired = repairRuns(torn.solved, torn.real);
+  EXPECT_FALSE(repaired[0].left);
+  ASSERT_TRUE(repaired[1].left);
+  EXPECT_LT(*repaired[1].left, misplaced(repaired[1].poses) + 0.05);
+  RealPoses off = torn.real;
+  for (std::size_t k = 0; k < off[1].size(); ++k)
+    off[1][k] = off[1][k] * (k % 2 ? Transform2D{0.15, 0, 0} : Transform2D{-0.15, 0, 0});
+  const RepairedRun moved = repairRuns(torn.solved, off)[1];
+  ASSERT_TRUE(moved.left) << moved.reason;
+  EXPECT_NEAR(*moved.left, 0.15, 0.05);
+}
+
+/** Each of these poses off on its own, by so many metres. */
+std::vector<Transform2D> shaken(std::vector<Transform2D> poses, double by) {
+  for (std::size_t k = 0; k < poses.size(); ++k)
+    poses[k] = poses[k] * Transform2D{k % 2 ? by : -by, k % 3 ? by : -by, 0};
+  return poses;
+}
+
+TEST(RepairRuns, keyFramesThatStayOffEachOnItsOwnAreNotMended) {
+  std::vector<Keyframe> drive = test::drive(1);
+  for (std::size_t k = 0; k < drive.size(); ++k)
+    drive[k].pose = drive[k].pose * Transform2D{k % 2 ? 0.1 : -0.1, k % 3 ? 0.1 : -0.1, 0};
+  const test::SolvedDrives site({drive, test::drive(2), test::drive(3)});
+  std::vector<Transform2D> truth;
+  for (const Keyframe& frame : test::drive(1)) truth.push_back(frame.pose);
+  const Transform2D frame = soundFrame(site.real[0], truth);
+  RealPoses real = site.real;
+  for (Transform2D& pose : truth) pose = frame * pose;
+  real[0] = shaken(truth, 0.09);
+  EXPECT_EQ(repairRuns(site.solved, real)[0].state, RepairState::kept);
+  real[0] = shaken(truth, 0.03);
+  const RepairedRun mended = repairRuns(site.solved, real)[0];
+  EXPECT_EQ(mended.state, RepairState::mended) << mended.reason;
+}
+
 TEST(RepairRuns, aReferenceStaysAndTheOthersFollow) {
   const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
   const std::vector<RepairedRun> repaired = repairRuns(site.solved, site.real);

@@ -13,14 +13,13 @@ class OtherWalls {
    *  near by). */
   OtherWalls(const SolvedSite& solved, std::size_t but, const std::vector<Point>& places);
 
-  /** How much speaks for a scan to lie at a pose (site <- robot), see ScanFit; 0 where no other run
-   *  has been. */
-  double scoreAt(const LocalScan& scan, const Transform2D& pose) const {
-    return map_.walls.empty() ? 0 : fitAt(scan, map_, pose).score;
+  /** How a scan fits at a pose (site <- robot); not at all where no other run has been. */
+  ScanFit at(const LocalScan& scan, const Transform2D& pose) const {
+    return map_.walls.empty() ? ScanFit{pose} : fitAt(scan, map_, pose);
   }
   /** The same where a few steps from there lead to. */
-  double scoreNear(const LocalScan& scan, const Transform2D& pose) const {
-    return map_.walls.empty() ? 0 : fitNear(scan, map_, pose).score;
+  ScanFit near(const LocalScan& scan, const Transform2D& pose) const {
+    return map_.walls.empty() ? ScanFit{pose} : fitNear(scan, map_, pose);
   }
 
  private:

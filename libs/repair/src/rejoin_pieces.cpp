@@ -68,8 +68,8 @@ class Rejoiner {
     const OtherWalls walls(solved_, run_, places);
     double torn = 0, joined = 0;
     for (const std::size_t k : probes) {
-      torn += walls.scoreNear(local_[k], poses_[k]);
-      joined += walls.scoreNear(local_[k], motion * poses_[k]);
+      torn += walls.near(local_[k], poses_[k]).score;
+      joined += walls.near(local_[k], motion * poses_[k]).score;
     }
     return joined < kRivalScore * torn;
   }

@@ -92,24 +92,54 @@ void judge(const MapError& error, RepairedRun& repaired) {
   }
 }
 
-/** Whether the scans of a run fit better on what others have seen where they really lie than as the
- *  run has them, laid over that. */
-bool fitsBetter(const SolvedSite& solved, const std::vector<Transform2D>& real, std::size_t i,
-                const Transform2D& siteOfRun) {
-  const std::vector<LocalScan> scans = localScans(solved.site.runs[i]->scans);
+/** How some scans of a run fit on what the others have drawn. */
+struct RunFit {
+  double score = 0, squares = 0;  // of how far scans lie from where they fit, summed up [m^2]
+  std::size_t found = 0;          // scans that fit near where they lie
+
+  double apart() const { return std::sqrt(squares / double(found)); }
+};
+
+RunFit fitOf(const OtherWalls& walls, const std::vector<LocalScan>& scans,
+             const std::vector<Transform2D>& poses) {
+  RunFit fit;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    fit.score += walls.at(scans[k], poses[k]).score;
+    const ScanFit near = walls.near(scans[k], poses[k]);
+    if (near.quality <= kFairQuality) continue;
+    const double apart = poseDistance(poses[k], near.pose);
+    fit.squares += apart * apart, ++fit.found;
+  }
+  return fit;
+}
+
+/** Whether more scans fit, or the same ones lie clearly nearer to where they fit: key frames that
+ *  are off each on its own stay so, however the run is bent. */
+bool isBetter(const RunFit& after, const RunFit& before) {
+  if (after.score <= before.score || after.found == 0) return false;
+  const bool areMore = double(before.found) < kRivalScore * double(after.found);
+  return areMore || after.apart() <= kRivalScore * before.apart();
+}
+
+/** How far scans of a run lie from where they fit on what others have seen, once they are where
+ *  they really lie [m]; nothing if they fit there no better than as the run has them, laid over
+ *  that. */
+std::optional<double> leftOf(const SolvedSite& solved, const std::vector<Transform2D>& real,
+                             std::size_t i, const Transform2D& siteOfRun) {
+  const std::vector<ScanWalls>& all = solved.site.runs[i]->scans;
+  std::vector<ScanWalls> probes;
+  std::vector<Transform2D> drawn, moved;
   std::vector<Point> places;
-  const std::size_t step = scans.size() / fitted::kProbes + 1;
-  for (std::size_t k = 0; k < scans.size(); k += step) {
-    places.push_back(real[k].shift());
-    places.push_back((siteOfRun * solved.site.runs[i]->scans[k].pose).shift());
+  for (std::size_t k = 0; k < all.size(); k += all.size() / fitted::kProbes + 1) {
+    probes.push_back(all[k]);
+    drawn.push_back(siteOfRun * all[k].pose), moved.push_back(real[k]);
+    places.push_back(drawn.back().shift()), places.push_back(moved.back().shift());
   }
+  const std::vector<LocalScan> scans = localScans(probes);
   const OtherWalls walls(solved, i, places);
-  double before = 0, after = 0;
-  for (std::size_t k = 0; k < scans.size(); k += step) {
-    before += walls.scoreAt(scans[k], siteOfRun * solved.site.runs[i]->scans[k].pose);
-    after += walls.scoreAt(scans[k], real[k]);
-  }
-  return after > before;
+  const RunFit after = fitOf(walls, scans, moved);
+  if (!isBetter(after, fitOf(walls, scans, drawn))) return std::nullopt;
+  return after.apart();
 }
 
 RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>& real,
@@ -126,11 +156,13 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
   }
   judge(solved.consensus.errorOf(i), repaired);
   if (repaired.state != RepairState::mended) return repaired;
-  if (!fitsBetter(solved, real, i, repaired.frame.inverse())) {
+  repaired.left = leftOf(solved, real, i, repaired.frame.inverse());
+  if (!repaired.left) {
     repaired.state = RepairState::kept;
     repaired.reason = "left as it was: moved, it would fit what the others have seen no better";
     return repaired;
   }
+  repaired.reason += formatted(", now %.3f m from where its scans fit", *repaired.left);
   moveTo(real, run, repaired);
   return repaired;
 }

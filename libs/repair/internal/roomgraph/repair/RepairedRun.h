@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,10 @@ struct RepairedRun {
   Transform2D frame;                ///< run <- site: where its sound majority stays as it was
   double moved = 0, movedMost = 0;  ///< how far scans lie from where they were, RMS and largest [m]
   std::size_t movedMostAt = 0;      ///< the key frame that has moved farthest
-  std::vector<KeyFrames> unseen;    ///< what no other run, or pass, has seen: it stays on its links
+  /** How far its scans still lie from where they fit on what the others have drawn, RMS [m]; none
+   *  unless others have mended it. */
+  std::optional<double> left;
+  std::vector<KeyFrames> unseen;  ///< what no other run, or pass, has seen: it stays on its links
 };
 
 }  // namespace roomgraph
