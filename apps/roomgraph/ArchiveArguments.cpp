@@ -57,6 +57,7 @@ void declareAdding(ArchiveArguments& arguments, CLI::App& app) {
   addOption(app, "--cache DIR", arguments.cache,
             "Folder that keeps what was found for each pair of maps, as for 'roomgraph compare'.");
   declareThreads(arguments.threads, "maps or pairs", app);
+  declareQuiet(arguments.isQuiet, app);
   declareOptions(arguments.options, app);
 }
 

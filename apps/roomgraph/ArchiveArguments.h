@@ -34,7 +34,7 @@ struct ArchiveArguments {
 void declareSite(ArchiveArguments& arguments, CLI::App& app);
 /** Declares --limit. */
 void declareWatch(ArchiveArguments& arguments, CLI::App& app);
-/** Declares how runs are added: --site, --robot, --compare-with and so on. */
+/** Declares how runs are added: --site, --robot, --quiet and so on. */
 void declareAdding(ArchiveArguments& arguments, CLI::App& app);
 
 /** The files of at most `most` runs of a site, as 'archive add' chooses those that it compares

@@ -28,7 +28,6 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
   app.add_flag("--repair", arguments.repairs,
                "Keep each run as it is mended, too, beside its copy (needs --keep): "
                "X.repaired.simplemap, see 'roomgraph repair'.");
-  declareQuiet(arguments.isQuiet, app);
 }
 
 void declareMerge(ArchiveArguments& arguments, CLI::App& app) {
