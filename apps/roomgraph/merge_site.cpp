@@ -106,25 +106,18 @@ std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
   return packedMap(joinSimplemaps(parts), Compression::gzip);
 }
 
-/** A grey of 16 bits for each cell, as `levelOf` tells it by its number; the highest row on top. */
-template <class LevelOf>
-std::string greyPng(const GridFrame& frame, const LevelOf& levelOf) {
-  std::vector<std::uint16_t> levels;
-  for (int y = frame.height; y-- > 0;)
-    for (int x = 0; x < frame.width; ++x) levels.push_back(levelOf(frame.index({x, y})));
-  return pngBytes(levels, frame.width, frame.height);
-}
-
 /** How many runs have seen each cell, as grey from 0 on. */
 std::string runsPng(const MergedMap& map) {
-  return greyPng(map.map.frame, [&](std::size_t cell) { return std::uint16_t(map.runs[cell]); });
+  return pngBytes(std::vector<std::uint16_t>(map.runs.begin(), map.runs.end()), map.map.frame.width,
+                  map.map.frame.height);
 }
 
 /** How many days before the latest run each cell was seen last, and 1 more; 0 for not known. */
 std::string agePng(const MergedMap& map) {
-  return greyPng(map.map.frame, [&](std::size_t cell) {
-    return std::uint16_t(std::clamp(std::floor(map.time[cell]) + 1, 0.0F, 65535.0F));
-  });
+  std::vector<std::uint16_t> levels;
+  for (const float days : map.time)
+    levels.push_back(std::uint16_t(std::clamp(std::floor(days) + 1, 0.0F, 65535.0F)));
+  return pngBytes(levels, map.map.frame.width, map.map.frame.height);
 }
 
 /** The rooms that are known of the site; nothing where nobody asks for names. */
