@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -56,14 +56,9 @@ TEST(Database, anEmptyFileIsNoArchiveUnlessOneMayBeMade) {
   const test::Folder folder;
   const std::string file = folder.file("a.db");
   std::ofstream(file).close();
-  try {
-    Database database(file, false);
-    FAIL() << "an empty file is an archive";
-  } catch (const DataError& error) {
-    EXPECT_EQ(error.what(), file +
-                                ": is empty: it may have been lost in a crash or a copy: bring "
-                                "back a copy of it");
-  }
+  EXPECT_EQ(
+      test::refusalOf([&] { Database(file, false); }),
+      file + ": is empty: it may have been lost in a crash or a copy: bring back a copy of it");
   EXPECT_EQ(std::filesystem::file_size(file), 0u);
   Database(file, true).run("CREATE TABLE t (a INTEGER)");
 }
@@ -73,15 +68,10 @@ TEST(Database, failuresAreOneLineWithFileAndRemedy) {
   const std::string text = folder.file("text.db");
   std::ofstream(text) << std::string(4096, 'x');
   for (const std::string& file : {folder.file("none.db"), text}) {
-    try {
-      Database database(file, false);
-      database.number("SELECT count(*) FROM sqlite_schema");
-      FAIL() << file;
-    } catch (const DataError& error) {
-      const std::string line = error.what();
-      EXPECT_EQ(line.rfind(file + ": ", 0), 0U) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    }
+    const std::string line = test::refusalOf(
+        [&] { Database(file, false).number("SELECT count(*) FROM sqlite_schema"); });
+    EXPECT_EQ(line.rfind(file + ": ", 0), 0U) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   }
   EXPECT_FALSE(std::filesystem::exists(folder.file("none.db")));
 }
@@ -91,12 +81,8 @@ TEST(Database, aNameThatLeadsNowhereIsRefused) {
   std::filesystem::create_symlink(folder.file("b.db"), folder.file("a.db"));
   std::filesystem::create_symlink(folder.file("a.db"), folder.file("b.db"));
   for (const bool mayMake : {false, true}) {
-    try {
-      Database database(folder.file("a.db"), mayMake);
-      FAIL() << "a ring of links was opened";
-    } catch (const DataError& error) {
-      EXPECT_NE(std::string(error.what()).find("cannot be opened ("), std::string::npos);
-    }
+    const std::string text = test::refusalOf([&] { Database(folder.file("a.db"), mayMake); });
+    EXPECT_NE(text.find("cannot be opened ("), std::string::npos) << text;
   }
 }
 

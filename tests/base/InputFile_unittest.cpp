@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 
 /** The linker leads calls of fstat() here. */
@@ -43,12 +44,7 @@ class InputFileTest : public testing::Test {
 };
 
 std::string refusal(const std::string& name, std::uint64_t most = 100) {
-  try {
-    readFile(name, most);
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf([&] { readFile(name, most); });
 }
 
 TEST_F(InputFileTest, givesAllBytes) {
@@ -92,14 +88,10 @@ TEST_F(InputFileTest, saysWhereAFileEndsEarly) {
 TEST_F(InputFileTest, aDiskThatFailsIsNoDamage) {
   const std::string name = "/proc/self/mem";  // whose first page nobody can read
   char byte;
-  try {
-    InputFile(name, 100).read(0, &byte, 1);
-    FAIL();
-  } catch (const DataError& error) {
-    EXPECT_EQ(error.what(), name +
-                                ": cannot be read (Input/output error): check the disk or the "
-                                "network that it is on");
-  }
+  EXPECT_EQ(test::refusalOf([&] { InputFile(name, 100).read(0, &byte, 1); }),
+            name +
+                ": cannot be read (Input/output error): check the disk or the network that it is "
+                "on");
   doesDiskFail = true;
   const std::string text = refusal(written("file", "bytes"));
   doesDiskFail = false;

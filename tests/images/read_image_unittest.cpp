@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
@@ -19,12 +19,7 @@ Greys greysOf(const std::string& bytes) {
 }
 
 std::string errorOf(const std::string& bytes) {
-  try {
-    greysOf(bytes);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { greysOf(bytes); });
 }
 
 /** What stands before the pixels, with an info header of 40 bytes and more behind it. */

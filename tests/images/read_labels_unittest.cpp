@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
@@ -55,12 +55,7 @@ std::string written(RawPng raw) {
 }
 
 std::string labelsError(const std::string& file) {
-  try {
-    readLabels(file);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { readLabels(file); });
 }
 
 class ReadLabels : public testing::Test {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "simplemap_entry.h"
 
@@ -21,12 +21,7 @@ using test::TempDir;
 
 /** The message that loading the file ends with; empty if it can be loaded. */
 std::string errorOf(const std::string& file, const LoadGridOptions& options = {}) {
-  try {
-    loadGrid(file, options);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { loadGrid(file, options); });
 }
 
 /** One line of the form "FILE: problem: remedy", with `part` in it and nothing of MRPT's. */

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "map_files.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 #include "sample_graph.h"
@@ -15,12 +16,7 @@ namespace roomgraph {
 namespace {
 
 std::string messageOf(const std::string& file) {
-  try {
-    loadMapComparison(file);
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "it was read";
+  return test::refusalOf([&] { loadMapComparison(file); });
 }
 
 TEST(MapComparisonFile, comesBackAsItWas) {
@@ -51,7 +47,7 @@ TEST(MapComparisonFile, noDamageIsTakenForAComparison) {
   mrpt::io::zip::decompress_gz_data_block({whole.begin(), whole.end()}, plain);
   for (const std::size_t end : {plain.size() - 1, plain.size() / 2, plain.size() - 8 * 100}) {
     const std::string cut(plain.begin(), plain.begin() + std::ptrdiff_t(end));
-    EXPECT_NE(messageOf(folder.write("cut.roomgraph", cut)), "it was read") << end;
+    EXPECT_NE(messageOf(folder.write("cut.roomgraph", cut)), "") << end;
   }
   std::string more(plain.begin(), plain.end());
   more += "x";

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "object_bytes.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "sample_graph.h"
 
@@ -37,16 +38,13 @@ class RoomGraphFile : public ::testing::Test {
   /** The one line that tells why `bytes` are refused; empty if they are not. */
   std::string refusalOf(const std::string& bytes) const {
     write(bytes);
-    try {
-      loadRoomGraph(path_);
-    } catch (const DataError& error) {
-      const std::string line = error.what();
+    const std::string line = test::refusalOf([&] { loadRoomGraph(path_); });
+    if (!line.empty()) {
       EXPECT_EQ(line.rfind(path_, 0), 0U) << line;
       EXPECT_LT(line.size(), path_.size() + 120) << line;
       EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= ' '; })) << line;
-      return line;
     }
-    return "";
+    return line;
   }
 
   fs::path folder_;
@@ -106,15 +104,13 @@ TEST_F(RoomGraphFile, anUncompressedFileIsReadToo) {
 
 /** Whether the object's own bytes are refused, in one line. In memory: there are many of them. */
 bool isRefused(const std::string& bytes) {
-  try {
+  const std::string line = test::refusalOf([&] {
     CRoomGraph graph;
     readGraphBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "it",
                    graph);
-    return false;
-  } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    return true;
-  }
+  });
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  return !line.empty();
 }
 
 TEST(GraphBytes, areRefusedWhereverTheyAreCut) {

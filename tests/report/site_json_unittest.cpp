@@ -7,18 +7,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    parseSiteJson(text, "site.json");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf([&] { parseSiteJson(text, "site.json"); });
 }
 
 /** A file with a room that has all there can be. */

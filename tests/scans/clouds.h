@@ -8,7 +8,7 @@
 
 #include "drawn_cloud.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 
@@ -22,12 +22,7 @@ class Clouds : public testing::Test {
     return loadGrid(dir_.write("run.simplemap", bytes), options);
   }
   std::string errorOf(const std::string& bytes) const {
-    try {
-      load(bytes);
-      return {};
-    } catch (const DataError& error) {
-      return error.what();
-    }
+    return test::refusalOf([&] { load(bytes); });
   }
   /** The four walls of the room are in the map, within a cell, and little else. */
   static void expectRoom(const GreyMap& map) {

@@ -8,7 +8,7 @@
 
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "simplemap_entry.h"
 
@@ -23,12 +23,7 @@ class NewerSimplemap : public testing::Test {
     return loadGrid(dir_.write("map.simplemap", bytes), {});
   }
   std::string errorOf(const std::string& bytes) const {
-    try {
-      load(bytes);
-      return {};
-    } catch (const DataError& error) {
-      return error.what();
-    }
+    return test::refusalOf([&] { load(bytes); });
   }
   void expectSameGrid(const std::string& bytes) const {
     const GreyMap map = load(bytes);
