@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -10,11 +11,10 @@ namespace roomgraph {
 namespace {
 
 using test::raw;
-using test::TempDir;
 using Greys = std::vector<std::uint8_t>;
 
 Greys greysOf(const std::string& bytes) {
-  static const TempDir dir;  // many files: making a directory for each takes long
+  static const TestFolder dir;  // many files: making a directory for each takes long
   return loadGrid(dir.write("a", bytes), {}).grey;
 }
 
@@ -146,7 +146,7 @@ TEST(ReadImage, jpegsThatClaimMoreThanTheyHoldAreRefused) {
 }
 
 TEST(ReadImage, aBarePictureWithoutScaleIsNoted) {
-  const TempDir dir;
+  const TestFolder dir;
   const std::string file = dir.write("a.png", test::png(1, 1, 1, "x"));
   const GreyMap assumed = loadGrid(file, {});
   ASSERT_EQ(assumed.notes.size(), 1u);

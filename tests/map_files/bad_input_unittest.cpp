@@ -8,6 +8,7 @@
 #include <limits>
 #include <random>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -17,7 +18,6 @@ namespace roomgraph {
 namespace {
 
 using test::raw;
-using test::TempDir;
 
 /** The message that loading the file ends with; empty if it can be loaded. */
 std::string errorOf(const std::string& file, const LoadGridOptions& options = {}) {
@@ -50,14 +50,14 @@ class BadInput : public testing::Test {
       if (HasFailure()) FAIL() << "cut after " << size << " of " << bytes.size() << " bytes";
     }
   }
-  TempDir dir_;
+  TestFolder dir_;
 };
 
 TEST_F(BadInput, missingFileIsRefused) {
-  expectError(dir_.path("none.gridmap"), "there is no such file");
+  expectError(dir_ / "none.gridmap", "there is no such file");
 }
 
-TEST_F(BadInput, directoryIsRefused) { expectError(dir_.path("."), "is a directory"); }
+TEST_F(BadInput, directoryIsRefused) { expectError(dir_ / ".", "is a directory"); }
 
 TEST_F(BadInput, deviceIsRefused) { expectError("/dev/null", "is a pipe or a device"); }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "drawn_cloud.h"
 #include "map_files.h"
 #include "refusal.h"
@@ -43,7 +44,7 @@ class MetricMap : public testing::Test {
   std::string errorOf(const std::string& bytes, const std::string& layer = {}) const {
     return test::refusalOf([&] { load(bytes, layer); });
   }
-  const test::TempDir dir_;
+  const TestFolder dir_;
   const std::string grid_ = test::streamed(test::smallGrid());
   const std::string points_ = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10,
                                                    test::roomPoints(), std::string(9, '\x88'));

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/grid/binarize.h"
@@ -31,9 +32,9 @@ class Rtabmap : public testing::Test {
   void expectRefused(const std::string& bytes, const std::string& part) const {
     const std::string text = errorOf(bytes);
     EXPECT_NE(text.find(part), std::string::npos) << text;
-    EXPECT_EQ(text.rfind(dir_.path("map") + ": ", 0), 0u) << text;
+    EXPECT_EQ(text.rfind(dir_ / "map" + ": ", 0), 0u) << text;
   }
-  const test::TempDir dir_;
+  const TestFolder dir_;
 };
 
 TEST_F(Rtabmap, itsGridIsReadWithItsPlace) {

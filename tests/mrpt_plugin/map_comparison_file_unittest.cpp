@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
@@ -20,7 +21,7 @@ std::string messageOf(const std::string& file) {
 }
 
 TEST(MapComparisonFile, comesBackAsItWas) {
-  const test::TempDir folder;
+  const TestFolder folder;
   const CMapComparison sample = test::sampleMapComparison();
   const std::string file = folder.write("comparison.roomgraph", mapComparisonBytes(sample));
   const CMapComparison back = loadMapComparison(file);
@@ -32,7 +33,7 @@ TEST(MapComparisonFile, comesBackAsItWas) {
 }
 
 TEST(MapComparisonFile, anotherObjectIsRefusedInOneLine) {
-  const test::TempDir folder;
+  const TestFolder folder;
   const std::string graph = folder.write("a.roomgraph", roomGraphBytes(sampleGraph()));
   EXPECT_EQ(messageOf(graph), graph + ": is not a comparison of maps: give a comparison.roomgraph");
   const std::string comparison =
@@ -41,7 +42,7 @@ TEST(MapComparisonFile, anotherObjectIsRefusedInOneLine) {
 }
 
 TEST(MapComparisonFile, noDamageIsTakenForAComparison) {
-  const test::TempDir folder;
+  const TestFolder folder;
   const std::string whole = mapComparisonBytes(test::sampleMapComparison());
   std::vector<std::uint8_t> plain;
   mrpt::io::zip::decompress_gz_data_block({whole.begin(), whole.end()}, plain);

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
+#include "TestFolder.h"
 #include "object_bytes.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
@@ -18,22 +17,9 @@
 namespace roomgraph {
 namespace {
 
-namespace fs = std::filesystem;
-
 class RoomGraphFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("roomgraph_" + std::string(test->name()) + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    path_ = (folder_ / "sample.roomgraph").string();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& bytes) const {
-    std::ofstream(path_, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
-  }
+  void write(const std::string& bytes) const { folder_.write("sample.roomgraph", bytes); }
 
   /** The one line that tells why `bytes` are refused; empty if they are not. */
   std::string refusalOf(const std::string& bytes) const {
@@ -47,8 +33,8 @@ class RoomGraphFile : public ::testing::Test {
     return line;
   }
 
-  fs::path folder_;
-  std::string path_;
+  const TestFolder folder_;
+  const std::string path_ = folder_ / "sample.roomgraph";
 };
 
 /** The object's bytes before gzip. */
@@ -159,7 +145,7 @@ TEST_F(RoomGraphFile, nothingMayFollow) {
 TEST_F(RoomGraphFile, otherFilesAreNoRoomGraph) {
   EXPECT_EQ(refusalOf("Hello, this is a letter, and no graph.\n"),
             path_ + ": is not a room graph: give a .roomgraph file");
-  fs::remove(path_);
+  std::filesystem::remove(path_);
   EXPECT_THROW(loadRoomGraph(path_), DataError);
 }
 

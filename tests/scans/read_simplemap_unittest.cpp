@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "newer_simplemap.h"
 #include "refusal.h"
@@ -32,7 +33,7 @@ class NewerSimplemap : public testing::Test {
     EXPECT_EQ(map.frame.origin.y, old_.frame.origin.y);
   }
 
-  const test::TempDir dir_;
+  const TestFolder dir_;
   const mrpt::maps::CSimpleMap simplemap_ = test::smallSimplemap();
   const GreyMap old_ = load(test::streamed(simplemap_));
 };
@@ -190,7 +191,7 @@ TEST_F(NewerSimplemap, whatMrptWritesTodayGivesTheGridOfTheOldFile) {
 }
 
 TEST(NewerGridmap, hasTheLayoutOfTheOneBefore) {
-  const test::TempDir dir;
+  const TestFolder dir;
   std::string bytes = test::streamed(test::smallGrid());
   const GreyMap old = loadGrid(dir.write("old", bytes), {});
   bytes[1 + (bytes[0] & 0x7f)] = 7;
