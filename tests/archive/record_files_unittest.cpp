@@ -94,29 +94,23 @@ TEST(RunTime, withoutScansIsThatOfTheFile) {
   EXPECT_THROW(runTime(maps.folder / "none.pgm"), std::exception);
 }
 
-std::string write(const std::string& file, const std::string& text) {
-  std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-  std::ofstream(file) << text;
-  return file;
-}
-
 TEST(KeepMap, aCopyOutlivesItsMap) {
   const TestFolder folder;
-  const std::string map = write(folder / "latest.pgm", "P2 2 1 255 0 254");
+  const std::string map = folder.write("latest.pgm", "P2 2 1 255 0 254");
   const std::string sha256 = mapSha256(map);
   const std::string kept = keepMap(map, sha256, folder / "kept");
   EXPECT_EQ(std::filesystem::path(kept).filename(), "latest.pgm");
   EXPECT_EQ(keepMap(map, sha256, folder / "kept"), kept);
-  write(map, "P2 2 1 255 254 254");
+  folder.write("latest.pgm", "P2 2 1 255 254 254");
   EXPECT_EQ(mapSha256(kept), sha256);
   EXPECT_NE(keepMap(map, mapSha256(map), folder / "kept"), kept);
 }
 
 TEST(KeepMap, thePictureOfARosMapIsKeptWithIt) {
   const TestFolder folder;
-  write(folder / "map.pgm", "P2 2 1 255 0 254");
+  folder.write("map.pgm", "P2 2 1 255 0 254");
   const std::string yaml =
-      write(folder / "map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+      folder.write("map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
   const std::string kept = keepMap(yaml, mapSha256(yaml), folder / "kept");
   std::filesystem::remove(folder / "map.pgm");
   EXPECT_NO_THROW(mapSha256(kept));
@@ -124,9 +118,10 @@ TEST(KeepMap, thePictureOfARosMapIsKeptWithIt) {
 
 TEST(KeepMap, whatCannotBeKeptIsRefused) {
   const TestFolder folder;
-  write(folder / "map.pgm", "P2 2 1 255 0 254");
+  folder.write("map.pgm", "P2 2 1 255 0 254");
+  std::filesystem::create_directories(folder / "deep");
   const std::string yaml =
-      write(folder / "deep/map.yaml", "image: ../map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+      folder.write("deep/map.yaml", "image: ../map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
   EXPECT_THROW(keepMap(yaml, mapSha256(yaml), folder / "kept"), DataError);
   const std::string map = folder / "map.pgm";
   EXPECT_THROW(keepMap(map, std::string(64, '0'), folder / "kept"), DataError);

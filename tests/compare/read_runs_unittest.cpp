@@ -4,11 +4,10 @@
 
 #include "TestFolder.h"
 #include "drawn_building.h"
-#include "grid_picture.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/graph_files/ros_map.h"
 
 namespace roomgraph {
 namespace {
@@ -26,11 +25,10 @@ struct Maps {
     options.onNote = [this](const std::string& file, const Note&) { noted.push_back(file); };
   }
   std::string add(const std::string& name, const std::string& bytes) const {
-    writeFileAtomically(folder / name, bytes);
-    return folder / name;
+    return folder.write(name, bytes);
   }
   std::string building(const std::string& name, const Transform2D& pose) const {
-    return add(name, test::gridPicture(drawnBuilding(1, pose)));
+    return add(name, mapPgm(drawnBuilding(1, pose)));
   }
 };
 
