@@ -101,7 +101,7 @@ std::optional<std::string> lineOf(const std::string& file, const WatchArguments&
 }
 
 void tell(const std::string& line, const WatchArguments& arguments) {
-  if (!arguments.adding.isQuiet) print(line + "\n");
+  if (!arguments.adding.running.isQuiet) print(line + "\n");
   checkPrinted();
   if (arguments.command.empty()) return;
   const int code = callCommand(arguments.command, line + "\n");
