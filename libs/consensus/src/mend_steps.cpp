@@ -27,7 +27,8 @@ struct Contradiction {
            found.score - drawn.score > leastGain;
   }
 };
-constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
+constexpr Contradiction kSlip{fitted::kLeastQuality, 0.52, 15}, kClearSlip{0.35, 0.42, 35},
+    kTear{0.15, 0.4, 40};
 constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
 // Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
 // there than as it was drawn.
