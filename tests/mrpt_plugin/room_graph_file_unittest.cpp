@@ -1,7 +1,6 @@
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/io/CMemoryStream.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <limits>
 
 #include "TestFolder.h"
+#include "map_files.h"
 #include "object_bytes.h"
 #include "refusal.h"
 #include "roomgraph/base/Error.h"
@@ -36,14 +36,6 @@ class RoomGraphFile : public ::testing::Test {
   const TestFolder folder_;
   const std::string path_ = folder_ / "sample.roomgraph";
 };
-
-/** The object's bytes before gzip. */
-std::string plainBytes(const CRoomGraph& graph) {
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << graph;
-  return {static_cast<const char*>(stream.getRawBufferData()),
-          static_cast<std::size_t>(stream.getTotalBytesCount())};
-}
 
 TEST_F(RoomGraphFile, everythingComesBack) {
   const CRoomGraph sample = sampleGraph();
@@ -84,7 +76,7 @@ TEST_F(RoomGraphFile, anEmptyGraphComesBack) {
 }
 
 TEST_F(RoomGraphFile, anUncompressedFileIsReadToo) {
-  write(plainBytes(sampleGraph()));
+  write(test::streamed(sampleGraph()));
   EXPECT_EQ(roomGraphBytes(loadRoomGraph(path_)), roomGraphBytes(sampleGraph()));
 }
 
@@ -120,7 +112,7 @@ TEST(GraphBytes, anyByteMayBeWrongWithoutHarm) {
 }
 
 TEST_F(RoomGraphFile, isRefusedWhereverItIsCut) {
-  for (const std::string& whole : {plainBytes(sampleGraph()), roomGraphBytes(sampleGraph())})
+  for (const std::string& whole : {test::streamed(sampleGraph()), roomGraphBytes(sampleGraph())})
     for (std::size_t end = 0; end < whole.size(); end += end < 40 ? 1 : 61)
       ASSERT_NE(refusalOf(whole.substr(0, end)), "") << "the first " << end << " bytes";
   const std::string whole = roomGraphBytes(sampleGraph());
@@ -139,7 +131,7 @@ TEST_F(RoomGraphFile, noDamagedByteIsOverlookedByTheChecksum) {
 
 TEST_F(RoomGraphFile, nothingMayFollow) {
   EXPECT_NE(refusalOf(roomGraphBytes(sampleGraph()) + "x"), "");
-  EXPECT_NE(refusalOf(plainBytes(sampleGraph()) + "x"), "");
+  EXPECT_NE(refusalOf(test::streamed(sampleGraph()) + "x"), "");
 }
 
 TEST_F(RoomGraphFile, otherFilesAreNoRoomGraph) {
