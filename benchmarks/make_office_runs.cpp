@@ -7,6 +7,7 @@
 #include "make_office.h"
 #include "run_benchmark.h"
 #include "tour.h"
+#include "write_map.h"
 
 namespace roomgraph {
 namespace {

@@ -17,6 +17,7 @@
 #include "roomgraph/base/statistics.h"
 #include "run_benchmark.h"
 #include "sample_office.h"
+#include "write_map.h"
 
 namespace roomgraph {
 namespace {
