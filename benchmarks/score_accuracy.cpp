@@ -1,6 +1,5 @@
 // How well the scores of simulated runs agree with the true errors of these runs.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numeric>

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "TestFolder.h"
 #include "map_files.h"
 #include "refusal.h"

@@ -10,8 +10,6 @@
 #include <mrpt/poses/CPosePDFGaussianInf.h>
 #include <mrpt/poses/CPosePDFParticles.h>
 
-#include <cmath>
-#include <functional>
 #include <limits>
 
 #include "map_files.h"
