@@ -7,7 +7,6 @@
 
 #include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "sample_nights.h"
 
 namespace roomgraph {
 namespace {

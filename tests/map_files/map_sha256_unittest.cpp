@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "TestFolder.h"
-#include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
 
