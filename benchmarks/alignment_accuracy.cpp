@@ -1,10 +1,7 @@
 // How often the alignment finds the true pose of one map in another, and what its confidence says.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,6 +14,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "run_benchmark.h"
 
 namespace roomgraph {
 namespace {
@@ -215,12 +213,6 @@ int main(int argc, char** argv) {
   app.add_option("--only", only, "halmstad, sim, strips, strands or different");
   app.add_option("--features", features, "file for what each confidence is made of, as csv");
   app.add_option("--every", every, "only every so manyth pair")->check(CLI::PositiveNumber);
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data, only, features, every);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "alignment_accuracy: %s\n", error.what());
-    return 2;
-  }
+  return roomgraph::runBenchmark(app, argc, argv,
+                                 [&] { roomgraph::measure(data, only, features, every); });
 }

@@ -1,12 +1,11 @@
 // How well the breaks that simulated runs were given are found.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
+#include "run_benchmark.h"
 #include "simulated_site.h"
 
 namespace roomgraph {
@@ -81,12 +80,6 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--only", only, "only sites with this in their name");
   app.add_option("--extension", extension, "of the runs")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data, only, extension);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "break_accuracy: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return roomgraph::runBenchmark(app, argc, argv,
+                                 [&] { roomgraph::measure(data, only, extension); });
 }

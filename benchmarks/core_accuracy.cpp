@@ -1,17 +1,16 @@
 // How well the figures of many runs, of which only a core is related each to each, agree with those
 // of all pairs.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "run_benchmark.h"
 
 namespace roomgraph {
 namespace {
@@ -88,15 +87,12 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
   app.add_flag("-v", isVerbose, "also print the figures of each run");
-  CLI11_PARSE(app, argc, argv);
-  std::printf(
-      "| site | runs | core | pairs | pairs with a core | runs in both intervals | farthest apart "
-      "[m] | CPU time, all pairs [s] | with a core [s] |\n|---|---|---|---|---|---|---|---|---|\n");
-  try {
+  return roomgraph::runBenchmark(app, argc, argv, [&] {
+    std::printf(
+        "| site | runs | core | pairs | pairs with a core | runs in both intervals | farthest "
+        "apart "
+        "[m] | CPU time, all pairs [s] | with a core [s] "
+        "|\n|---|---|---|---|---|---|---|---|---|\n");
     for (const std::string& folder : folders) roomgraph::measureFolder(folder, core, isVerbose);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "core_accuracy: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

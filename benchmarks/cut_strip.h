@@ -1,5 +1,4 @@
 #pragma once
-#include <utility>
 
 #include "alignment_cases.h"
 #include "roomgraph/geometry/Transform2D.h"

@@ -3,10 +3,8 @@
 //
 // A passage is true where most of what lies within a metre of its middle is another room of the
 // truth in one of its areas than in the other. Doors that are not found do not count here.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +12,7 @@
 #include "floor_plans.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/rooms/reason_names.h"
+#include "run_benchmark.h"
 
 namespace roomgraph {
 namespace {
@@ -98,12 +97,5 @@ int main(int argc, char** argv) {
   CLI::App app("Tells how many passages of each confidence lie between two rooms of a plan.");
   std::string data;
   app.add_option("--data", data, "folder of the map data; it holds room_seg/ipa")->required();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "door_confidence: %s\n", error.what());
-    return 2;
-  }
+  return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data); });
 }

@@ -1,8 +1,5 @@
 #include "drive_office.h"
 
-#include <mrpt/io/CFileGZOutputStream.h>
-#include <mrpt/serialization/CArchive.h>
-
 #include <algorithm>
 
 #include "roomgraph/base/Error.h"
@@ -29,12 +26,6 @@ OfficeDrive driveOffice(const GreyMap& office, const std::vector<Point>& corners
   const auto believed = drift(result.truth, {0, 0, options.turn}, options.drift);
   result.frames = simulateScans(office, result.truth, believed, laser);
   return result;
-}
-
-void writeSimplemap(const mrpt::maps::CSimpleMap& frames, const std::string& file) {
-  mrpt::io::CFileGZOutputStream out;
-  if (!out.open(file, 1)) throw DataError(file + ": cannot be written; check the directory");
-  mrpt::serialization::archiveFrom(out) << frames;
 }
 
 }  // namespace roomgraph

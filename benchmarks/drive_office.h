@@ -33,7 +33,4 @@ struct DriveOfficeOptions {
 OfficeDrive driveOffice(const GreyMap& office, const std::vector<Point>& corners,
                         const DriveOfficeOptions& options);
 
-/** Writes a simplemap, compressed. Throws DataError where it cannot be written. */
-void writeSimplemap(const mrpt::maps::CSimpleMap& frames, const std::string& file);
-
 }  // namespace roomgraph

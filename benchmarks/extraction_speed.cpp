@@ -2,12 +2,10 @@
 #include <errno.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -21,6 +19,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
+#include "run_benchmark.h"
 #include "write_map.h"
 
 namespace roomgraph {
@@ -262,14 +261,10 @@ int main(int argc, char** argv) {
   app.add_option(
       "--one", one,
       "only extract this one map; print the bytes it took, its obstacles, cells and seconds");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    if (one.empty()) return roomgraph::measureAll(largest) ? 0 : 1;
+  return roomgraph::runBenchmark(app, argc, argv, [&] {
+    if (one.empty()) return roomgraph::measureAll(largest);
     for (const roomgraph::Case& which : roomgraph::allCases(largest))
-      if (which.name == one) return roomgraph::printOwnProcess(which), 0;
+      if (which.name == one) return roomgraph::printOwnProcess(which), true;
     throw roomgraph::UsageError("there is no map '" + one + "'");
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "extraction_speed: %s\n", error.what());
-    return 2;
-  }
+  });
 }

@@ -4,10 +4,8 @@
 // cleaning robot would have mapped them. Real ones (with --data) have labels by hand. A room is
 // found where its intersection over union with a room of ours is more than a half; one that its
 // name calls a hall or corridor may be a corridor of ours. False is a room of ours without partner.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,6 +16,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
+#include "run_benchmark.h"
 #include "write_map.h"
 
 namespace roomgraph {
@@ -125,11 +124,6 @@ int main(int argc, char** argv) {
   app.add_option("--data", data, "folder of the map data, for the real homes");
   app.add_option("--maps", maps, "also write each map into this folder");
   app.add_flag("--rooms", isVerbose, "also list the rooms that are missed, on standard error");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return roomgraph::measure(homes, data, maps, isVerbose) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "home_rooms: %s\n", error.what());
-    return 2;
-  }
+  return roomgraph::runBenchmark(app, argc, argv,
+                                 [&] { return roomgraph::measure(homes, data, maps, isVerbose); });
 }

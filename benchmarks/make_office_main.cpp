@@ -1,11 +1,8 @@
 // Writes an artificial office as a map file.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 #include <string>
 
 #include "make_office.h"
-#include "roomgraph/base/Error.h"
+#include "run_benchmark.h"
 #include "write_map.h"
 
 int main(int argc, char** argv) {
@@ -19,17 +16,9 @@ int main(int argc, char** argv) {
   app.add_flag("--plain", options.isPlain, "neither furniture nor noise at the walls");
   app.add_option("-o,--output", gridmap, "the MRPT map to write, NAME.gridmap.gz");
   app.add_option("--ros", ros, "write NAME.png and NAME.yaml");
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return roomgraph::runBenchmark(app, argc, argv, [&] {
     const roomgraph::GreyMap map = roomgraph::makeOffice(options);
     if (!gridmap.empty()) roomgraph::writeGridmap(map, gridmap);
     if (!ros.empty()) roomgraph::writeRosMap(map, ros);
-  } catch (const roomgraph::UsageError& error) {
-    std::fprintf(stderr, "make_office: %s\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make_office: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

@@ -1,13 +1,13 @@
 // Writes runs of one artificial office as simplemaps, each with its own way, frame and drift.
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <string>
 
 #include "Random.h"
 #include "drive_office.h"
 #include "make_office.h"
+#include "run_benchmark.h"
 #include "tour.h"
+#include "write_map.h"
 
 namespace roomgraph {
 namespace {
@@ -50,12 +50,5 @@ int main(int argc, char** argv) {
   app.add_option("--count", options.count, "runs")->capture_default_str();
   app.add_option("-o,--output", options.folder, "folder for runNN.simplemap.gz, which must exist")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::writeRuns(options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make_office_runs: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::writeRuns(options); });
 }

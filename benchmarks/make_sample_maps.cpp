@@ -1,6 +1,4 @@
 // Makes the samples of share/roomgraph/maps: make_sample_maps DIRECTORY
-#include <mrpt/io/CFileGZOutputStream.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include <cstdio>
 #include <exception>
@@ -40,12 +38,6 @@ void checkTour(const GreyMap& map, const std::vector<Point>& places) {
                       std::to_string(p.y) + ")");
 }
 
-void writeSimplemap(const mrpt::maps::CSimpleMap& frames, const std::string& file) {
-  mrpt::io::CFileGZOutputStream out;
-  if (!out.open(file, 9)) throw DataError(file + ": cannot be written; check the directory");
-  mrpt::serialization::archiveFrom(out) << frames;
-}
-
 std::string decimals(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
@@ -74,7 +66,7 @@ void makeRuns(const SampleOffice& office, const std::string& directory) {
     laser.beams = kBeamsOfRuns;
     laser.seed = seed++;
     const auto frames = simulateScans(office.map, run.truth, run.believed, laser);
-    writeSimplemap(frames, directory + "/" + run.name + ".simplemap.gz");
+    writeSimplemap(frames, directory + "/" + run.name + ".simplemap.gz", 9);
     truth += truthLine(run, mapError(frames, run.truth));
   }
   std::ofstream out(directory + "/office_runs.csv");
@@ -92,7 +84,7 @@ void makeAll(const std::string& directory) {
   writeGridmap(seen, directory + "/office.gridmap.gz");
   writeRosMap(seen, directory + "/office");
   writeSimplemap(simulateScans(office.map, walk(office.tour, kKeyFrames), {}),
-                 directory + "/office.simplemap.gz");
+                 directory + "/office.simplemap.gz", 9);
   makeRuns(office, directory);
 }
 

@@ -1,14 +1,13 @@
 // How well other figures than the score agree with the true errors of runs.
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
 #include "map_metrics.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "run_benchmark.h"
 #include "simulated_site.h"
 #include "spearman.h"
 
@@ -98,12 +97,5 @@ int main(int argc, char** argv) {
   app.add_option("--only", only, "only sites with this in their name");
   app.add_option("--radius", options.radius, "of what lies round a scan point [m]")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data, only, options);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "map_baselines: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only, options); });
 }

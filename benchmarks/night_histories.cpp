@@ -1,10 +1,8 @@
 // Robots that map one office night after night: whether the archive sees which of them decays, and
 // that a door was walled up.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +15,9 @@
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"
 #include "roomgraph/base/statistics.h"
+#include "run_benchmark.h"
 #include "sample_office.h"
+#include "write_map.h"
 
 namespace roomgraph {
 namespace {
@@ -188,14 +188,9 @@ int main(int argc, char** argv) {
   app.add_option("-o,--output", options.folder,
                  "folder for the maps and nights.db, which must exist and be empty")
       ->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
+  return roomgraph::runBenchmark(app, argc, argv, [&] {
     roomgraph::Nights nights(options);
     for (int night = 0; night < options.nights; ++night) nights.pass(night);
     nights.tell();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "night_histories: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  });
 }

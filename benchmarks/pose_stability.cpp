@@ -5,10 +5,8 @@
 // on the map as it was. A room is found again where its intersection over union with a room of the
 // turned map is more than a half. Changed are the rooms that are lost and the new ones without
 // partner, as a share of the rooms of the map. The same defaults for all maps.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -20,6 +18,7 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/measures/match_elements.h"
 #include "roomgraph/pipeline/extract.h"
+#include "run_benchmark.h"
 #include "turn_map.h"
 #include "write_map.h"
 
@@ -228,11 +227,5 @@ int main(int argc, char** argv) {
   app.add_flag("--rooms", request.isVerbose,
                "also list the lost and the new rooms, on standard error");
   app.add_option("--maps", request.maps, "also write each turned map into this folder");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return roomgraph::measureAll(request) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "pose_stability: %s\n", error.what());
-    return 2;
-  }
+  return roomgraph::runBenchmark(app, argc, argv, [&] { return roomgraph::measureAll(request); });
 }

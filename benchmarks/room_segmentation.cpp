@@ -4,11 +4,9 @@
 // the defaults for all plans. Where a picture has another size than its truth, its cells get the
 // ratio of the widths as scale, and the truth is read at the nearest pixel of each cell's centre.
 // Figures are means over the plans; a plan without areas counts as 0.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/evaluation/score_rooms.h"
 #include "roomgraph/pipeline/extract.h"
+#include "run_benchmark.h"
 
 namespace roomgraph {
 namespace {
@@ -208,11 +207,6 @@ int main(int argc, char** argv) {
   app.add_option("--map", only, "only this plan, as lab_a_scan");
   app.add_option("--set", onlySet, "only this set: plain, furnished or bins")
       ->check(CLI::IsMember({"plain", "furnished", "bins"}));
-  CLI11_PARSE(app, argc, argv);
-  try {
-    return roomgraph::measureAll(data, only, onlySet) ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "room_segmentation: %s\n", error.what());
-    return 2;
-  }
+  return roomgraph::runBenchmark(app, argc, argv,
+                                 [&] { return roomgraph::measureAll(data, only, onlySet); });
 }

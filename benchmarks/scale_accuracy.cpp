@@ -1,9 +1,7 @@
 // How well the scale of a floor plan is found by the runs of its building.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/pipeline/extract.h"
 #include "roomgraph/relate/estimate_scale.h"
+#include "run_benchmark.h"
 #include "simulated_site.h"
 
 namespace roomgraph {
@@ -107,12 +106,5 @@ int main(int argc, char** argv) {
   app.add_option("--data", data, "folder with one folder per site, each with runs and a truth.csv")
       ->required();
   app.add_option("--only", only, "only sites with this in their name");
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data, only);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "scale_accuracy: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::measure(data, only); });
 }

@@ -1,15 +1,13 @@
 // How well the scores of simulated runs agree with the true errors of these runs.
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include "Random.h"
+#include "run_benchmark.h"
 #include "simulated_site.h"
 #include "spearman.h"
 
@@ -145,12 +143,6 @@ int main(int argc, char** argv) {
   app.add_option("--only", only, "only sites with this in their name");
   app.add_option("--extension", extension, "of the runs")->capture_default_str();
   app.add_option("--draws", draws, "of five and of three runs a site")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
-  try {
-    roomgraph::measure(data, only, extension, draws);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "score_accuracy: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  return roomgraph::runBenchmark(app, argc, argv,
+                                 [&] { roomgraph::measure(data, only, extension, draws); });
 }

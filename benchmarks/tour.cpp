@@ -1,7 +1,6 @@
 #include "tour.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "FloorPlan.h"
 #include "Random.h"

@@ -19,6 +19,13 @@ namespace {
   throw DataError(file + ": cannot be written; check the directory and the space left");
 }
 
+void writeObject(const mrpt::serialization::CSerializable& object, const std::string& file,
+                 int compression) {
+  mrpt::io::CFileGZOutputStream out;
+  if (!out.open(file, compression)) refuse(file);
+  mrpt::serialization::archiveFrom(out) << object;
+}
+
 /** The levels of ROS' map_saver, top row first. */
 std::vector<png_byte> rosPixels(const GreyMap& map) {
   constexpr png_byte kRosFree = 254, kRosUnknown = 205, kRosOccupied = 0;
@@ -37,9 +44,12 @@ std::vector<png_byte> rosPixels(const GreyMap& map) {
 }  // namespace
 
 void writeGridmap(const GreyMap& map, const std::string& file) {
-  mrpt::io::CFileGZOutputStream out;
-  if (!out.open(file, 9)) refuse(file);
-  mrpt::serialization::archiveFrom(out) << makeMrptGrid(map);
+  writeObject(makeMrptGrid(map), file, 9);
+}
+
+void writeSimplemap(const mrpt::maps::CSimpleMap& frames, const std::string& file,
+                    int compression) {
+  writeObject(frames, file, compression);
 }
 
 void writeRosMap(const GreyMap& map, const std::string& stem) {

@@ -56,7 +56,8 @@ void declareAdding(ArchiveArguments& arguments, CLI::App& app) {
             "runs are compared with the copies.");
   addOption(app, "--cache DIR", arguments.cache,
             "Folder that keeps what was found for each pair of maps, as for 'roomgraph compare'.");
-  declareThreads(arguments.threads, "maps or pairs", app);
+  declareThreads(arguments.running.threads, "maps or pairs", app);
+  declareQuiet(arguments.running.isQuiet, app);
   declareOptions(arguments.options, app);
 }
 

@@ -12,29 +12,26 @@
 
 namespace roomgraph {
 
-/** What is asked of `roomgraph archive`, and of `roomgraph watch`. */
-struct ArchiveArguments {
+/** What is asked of `roomgraph archive`, of which 'merge' works as `roomgraph merge` does, and of
+ *  `roomgraph watch`. */
+struct ArchiveArguments : MergeArguments {
   std::string archive;
   std::string site;  ///< empty for the only one, or the name of the archive
-  std::vector<std::string> files;
-  std::string robot = "robot", time, kept, cache;
+  std::string robot = "robot", time, kept;
   std::size_t most = AddRunOptions().most;
-  OptionArguments options;
   WatchOptions watch;
   std::string format = "csv", output, page;
-  unsigned threads = 0;
   std::string room, name;  ///< a room's id or a robot, and the name that it is to have
   std::string run;         ///< that is to be taken out
   bool repairs = false;    ///< keeps mended runs, too
-  MergeArguments merge;    ///< of 'merge', but for the runs
-  bool isQuiet = false, failsOnAlarm = false, failsOnLatest = false;
+  bool failsOnAlarm = false, failsOnLatest = false;
 };
 
 /** Declares --site. */
 void declareSite(ArchiveArguments& arguments, CLI::App& app);
 /** Declares --limit. */
 void declareWatch(ArchiveArguments& arguments, CLI::App& app);
-/** Declares how runs are added: --site, --robot, --compare-with and so on. */
+/** Declares how runs are added: --site, --robot, --quiet and so on. */
 void declareAdding(ArchiveArguments& arguments, CLI::App& app);
 
 /** The files of at most `most` runs of a site, as 'archive add' chooses those that it compares

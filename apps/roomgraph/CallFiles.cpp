@@ -1,6 +1,5 @@
 #include "CallFiles.h"
 
-#include <algorithm>
 #include <cctype>
 #include <climits>
 #include <filesystem>

@@ -67,11 +67,9 @@ std::string keepRepaired(const std::string& kept, const std::vector<std::string>
     if (run.scans.empty()) return printable(kept) + ": has no scans: nothing can be mended\n";
     return writeRepaired(run, repairAlone(run, checkRun(run)));
   }
-  SiteArguments site;
+  SiteArguments site = arguments;
   site.files = record;
   site.files.push_back(kept);
-  site.cache = arguments.cache, site.options = arguments.options;
-  site.running.threads = arguments.threads, site.running.isQuiet = arguments.isQuiet;
   const auto runs = solveRuns(site);
   for (const RepairedRun& one : repairRuns(runs->solved, rejoinPieces(runs->solved)))
     if (const Run& run = runs->read.runs[one.run]; run.file == kept) return writeRepaired(run, one);
@@ -86,12 +84,12 @@ void addOne(Archive& archive, const std::string& file, const AddRunOptions& opti
          recordRuns(archive.runs(options.site), options.most, [](const HistoryRun&) {}))
       record.push_back(run.file);
   const AddedRun added = addRun(archive, file, options);
-  if (!arguments.isQuiet) print(lineOf(file, added));
+  if (!arguments.running.isQuiet) print(lineOf(file, added));
   if (!added.roomsFailed.empty()) printError(added.roomsFailed);
   if (!arguments.repairs || added.wasKnown || !added.isPlaced) return;
   const std::string kept = keepMap(file, mapSha256(file), options.kept);  // is there already
   const std::string line = keepRepaired(kept, record, arguments);
-  if (!arguments.isQuiet) print(line);
+  if (!arguments.running.isQuiet) print(line);
 }
 
 /** A mistake leaves no archive behind. */
@@ -132,7 +130,8 @@ AddRunOptions addOptionsOf(const ArchiveArguments& arguments) {
       throw UsageError("--time: " + arguments.time + " is still to come: give the time of the run");
   }
   options.compare = toCompareOptions(arguments.options);
-  options.compare.compare.forEach = onThreads(arguments.threads, !arguments.isQuiet);
+  options.compare.compare.forEach =
+      onThreads(arguments.running.threads, !arguments.running.isQuiet);
   options.compare.onUnread = [](const LeftOutRun& run) {
     printError(run.file + ": is not compared with: " + run.reason);
   };

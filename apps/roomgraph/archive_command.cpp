@@ -28,7 +28,6 @@ void declareAdd(ArchiveArguments& arguments, CLI::App& app) {
   app.add_flag("--repair", arguments.repairs,
                "Keep each run as it is mended, too, beside its copy (needs --keep): "
                "X.repaired.simplemap, see 'roomgraph repair'.");
-  declareQuiet(arguments.isQuiet, app);
 }
 
 void declareMerge(ArchiveArguments& arguments, CLI::App& app) {
@@ -37,7 +36,7 @@ void declareMerge(ArchiveArguments& arguments, CLI::App& app) {
             "How many runs are merged (2 to 100): half of them the latest, the others the best.")
       ->check(CLI::Range(2, 100))
       ->capture_default_str();
-  declareMerging(arguments.merge, app);
+  declareMerging(arguments, app);
 }
 
 void declareNaming(ArchiveArguments& arguments, CLI::App& app) {
@@ -64,7 +63,7 @@ void declareReport(ArchiveArguments& arguments, CLI::App& app) {
   declareWatch(arguments, app);
   addOption(app, "-o,--output FILE", arguments.page,
             "Also write the report as a page for the browser, with plots.");
-  declareQuiet(arguments.isQuiet, app);
+  declareQuiet(arguments.running.isQuiet, app);
   app.add_flag("--fail-on-alarm", arguments.failsOnAlarm,
                "Exit with 3 if the maps of a robot get worse, or tell nothing of the site two "
                "nights in a row, with a line on stderr for each.");
@@ -106,12 +105,12 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
 
 /** One map of the runs, with the names that the archive knows; it changes nothing in it. */
 int mergeRunsOf(const ArchiveArguments& arguments) {
-  MergeArguments merge = arguments.merge;
+  MergeArguments merge = arguments;
   const Archive archive(arguments.archive, Archive::Access::existing);
   const std::string site = siteToAddTo(arguments, archive);
-  merge.site.files = recordFiles(archive, site, arguments.most);
+  merge.files = recordFiles(archive, site, arguments.most);
   merge.known = archive.history(site).ledger;
-  if (merge.site.files.size() < 2)
+  if (merge.files.size() < 2)
     throw DataError(arguments.archive + ": has less than two runs of " + site +
                     " whose files are there: add some");
   return mergeSite(merge);
@@ -197,7 +196,7 @@ bool tellFaults(const std::vector<WatchedSite>& sites, const ArchiveArguments& a
 int report(const ArchiveArguments& arguments) {
   const std::vector<WatchedSite> sites = sitesToTell(arguments);
   checkOutput(arguments.page, sites, arguments);
-  if (!arguments.isQuiet)
+  if (!arguments.running.isQuiet)
     for (const WatchedSite& site : sites) print(historyText(site));
   if (!arguments.page.empty())
     writeFileAtomically(arguments.page, historyPage(sites, arguments.watch));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "FolderFiles.h"
+#include "Laps.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
@@ -72,14 +73,19 @@ void checkFile(const std::string& file, const CheckArguments& arguments,
   options.onNote = [&](const std::string& noted, const Note& note) {
     if (!unused.take(note)) notes.push_back({noted, note});
   };
+  Laps laps;
   const Run run = readRun(file, options);
+  laps.end("read_run");
   if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
     (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
   if (!arguments.running.isQuiet) report.err += noteLines(notes, arguments.running.isVerbose);
   check = checkRun(run);
   check->complaints = complaintsOf(*check, arguments.gate);
+  laps.end("check_run");
   const auto names = writeResults(*check, run, arguments.folder,
                                   arguments.writesBreaks ? &options.extract.loadGrid : nullptr);
+  laps.end("write_files");
+  if (arguments.running.showsTimings) report.err += laps.table(file);
   if (!arguments.running.isQuiet) report.out = runCheckText(*check) + fileLines(names);
   for (const std::string& complaint : check->complaints)
     report.err += errorLine(check->name + ": " + complaint);

@@ -106,25 +106,18 @@ std::string siteSimplemap(const Merging& merging, const MergedMap& map) {
   return packedMap(joinSimplemaps(parts), Compression::gzip);
 }
 
-/** A grey of 16 bits for each cell, as `levelOf` tells it by its number; the highest row on top. */
-template <class LevelOf>
-std::string greyPng(const GridFrame& frame, const LevelOf& levelOf) {
-  std::vector<std::uint16_t> levels;
-  for (int y = frame.height; y-- > 0;)
-    for (int x = 0; x < frame.width; ++x) levels.push_back(levelOf(frame.index({x, y})));
-  return pngBytes(levels, frame.width, frame.height);
-}
-
 /** How many runs have seen each cell, as grey from 0 on. */
 std::string runsPng(const MergedMap& map) {
-  return greyPng(map.map.frame, [&](std::size_t cell) { return std::uint16_t(map.runs[cell]); });
+  return pngBytes(std::vector<std::uint16_t>(map.runs.begin(), map.runs.end()), map.map.frame.width,
+                  map.map.frame.height);
 }
 
 /** How many days before the latest run each cell was seen last, and 1 more; 0 for not known. */
 std::string agePng(const MergedMap& map) {
-  return greyPng(map.map.frame, [&](std::size_t cell) {
-    return std::uint16_t(std::clamp(std::floor(map.time[cell]) + 1, 0.0F, 65535.0F));
-  });
+  std::vector<std::uint16_t> levels;
+  for (const float days : map.time)
+    levels.push_back(std::uint16_t(std::clamp(std::floor(days) + 1, 0.0F, 65535.0F)));
+  return pngBytes(levels, map.map.frame.width, map.map.frame.height);
 }
 
 /** The rooms that are known of the site; nothing where nobody asks for names. */
@@ -149,14 +142,14 @@ void addGraph(const Stages& stages, const MergeArguments& arguments, FolderFiles
 
 /** Throws where a result would take the place of what is not to be replaced. */
 void checkFiles(const MergeArguments& arguments) {
-  CallFiles files = filesReadBy(arguments.site.files, arguments.site.options);
-  files.reads(arguments.site.reference);
+  CallFiles files = filesReadBy(arguments.files, arguments.options);
+  files.reads(arguments.reference);
   files.updates("--names", arguments.names);
   for (const char* name : {"site.simplemap.gz", "site.gridmap.gz", "site.yaml", "site.pgm",
                            "site.runs.png", "site.age.png"})
-    files.writes(inFolder(arguments.site.folder, name));
+    files.writes(inFolder(arguments.folder, name));
   for (const OutputFormat& format : parseFormats(kGraphFormats))
-    files.writes(inFolder(arguments.site.folder, kGraphStem + format.extension));
+    files.writes(inFolder(arguments.folder, kGraphStem + format.extension));
 }
 
 }  // namespace
@@ -165,7 +158,7 @@ void declareMerging(MergeArguments& arguments, CLI::App& app) {
   app.add_flag("--latest", arguments.prefersLatest,
                "Let each run count twice as much as the one made before it.");
   declareSite(
-      arguments.site,
+      arguments,
       "site.simplemap.gz, site.gridmap.gz, site.yaml with site.pgm, site.runs.png (how many "
       "runs have seen each cell), site.age.png (when it was seen last), and the graph with "
       "rooms as site.graph.json, .svg, .geojson and .osm",
@@ -173,21 +166,20 @@ void declareMerging(MergeArguments& arguments, CLI::App& app) {
 }
 
 int mergeSite(const MergeArguments& arguments) {
-  const SiteArguments& site = arguments.site;
-  if (site.files.size() < 2)
+  if (arguments.files.size() < 2)
     throw UsageError("merge: one run is a map of its own: name two or more");
   checkFiles(arguments);
-  makeWritableFolder(site.folder);
-  const CompareMapsOptions options = toCompareOptions(site.options);
-  const auto runs = solveRuns(site);
+  makeWritableFolder(arguments.folder);
+  const CompareMapsOptions options = toCompareOptions(arguments.options);
+  const auto runs = solveRuns(arguments);
   Merging merging = chooseRuns(*runs, options.extract.loadGrid);
   MergeOptions how;
   how.resolution = options.extract.loadGrid.resolution, how.prefersLatest = arguments.prefersLatest;
-  const MergedMap map =
-      mergeRuns(merging.runs, how, onThreads(site.running.threads, !site.running.isQuiet));
+  const RunningArguments& running = arguments.running;
+  const MergedMap map = mergeRuns(merging.runs, how, onThreads(running.threads, !running.isQuiet));
   tellLeftOut(map, merging);
   const Stages stages = extract(map.map, options.extract);
-  FolderFiles files{site.folder};
+  FolderFiles files{arguments.folder};
   files.add("site.simplemap.gz", siteSimplemap(merging, map));
   files.add("site.gridmap.gz", gridmapBytes(map.map, stages.grid));
   files.add("site.yaml", rosMapYaml(stages.grid.frame, "site.pgm"));
@@ -197,14 +189,14 @@ int mergeSite(const MergeArguments& arguments) {
   addGraph(stages, arguments, files);
   files.staged.commit();
   for (const std::string& text : merging.leftOut) printError(text + ": left out");
-  if (site.running.isQuiet) return runs->exitCode();
+  if (running.isQuiet) return runs->exitCode();
   for (const std::string& name : files.names) print(printable(name) + "\n");
   return runs->exitCode();
 }
 
 std::function<int()> mergeCommand(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
-  addArgument(app, "RUN", arguments->site.files, "Simplemaps of one site, each of a drive.");
+  addArgument(app, "RUN", arguments->files, "Simplemaps of one site, each of a drive.");
   addOption(app, "--names FILE", arguments->names,
             "JSON file that keeps the ids and names of the site's rooms, as for 'roomgraph "
             "compare': the graph has them.");

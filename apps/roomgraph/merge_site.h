@@ -9,8 +9,7 @@
 namespace roomgraph {
 
 /** What `roomgraph merge` and `archive merge` are told. */
-struct MergeArguments {
-  SiteArguments site;
+struct MergeArguments : SiteArguments {
   bool prefersLatest = false;
   std::string names;  ///< file of the rooms of the site, kept up to date; empty for none
   std::optional<SiteFile> known;  ///< these rooms instead of those of a file

@@ -64,7 +64,8 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
   addOption(app, "--cache DIR", arguments.cache,
             "Folder that keeps what was found for each pair of maps, as for 'roomgraph "
             "compare'.");
-  declareRunning(arguments.running, "maps or pairs", "what is done with each map", app);
+  declareThreads(arguments.running.threads, "maps or pairs", app);
+  declareQuiet(arguments.running.isQuiet, app);
   declareOptions(arguments.options, app);
 }
 

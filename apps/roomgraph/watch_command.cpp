@@ -101,7 +101,7 @@ std::optional<std::string> lineOf(const std::string& file, const WatchArguments&
 }
 
 void tell(const std::string& line, const WatchArguments& arguments) {
-  print(line + "\n");
+  if (!arguments.adding.running.isQuiet) print(line + "\n");
   checkPrinted();
   if (arguments.command.empty()) return;
   const int code = callCommand(arguments.command, line + "\n");
@@ -127,7 +127,6 @@ int run(const WatchArguments& arguments) {
 
 std::function<int()> watchCommand(CLI::App& app) {
   const auto arguments = std::make_shared<WatchArguments>();
-  arguments->adding.isQuiet = true;
   addArgument(app, "DIR", arguments->folder,
               "Folder that maps are written to. Those that are there already are added, too, if "
               "the archive does not know them. Bare pictures count only beside the yaml of a ROS "

@@ -23,5 +23,10 @@ done
 expect 0 "$roomgraph" compare a.pgm b.pgm --resolution 0.05 -o c --quiet
 [ ! -s out ] && [ ! -s err ] || fail "--quiet of compare is not quiet"
 
+expect 0 "$roomgraph" check a.pgm -o k --timings
+for step in read_run check_run write_files total; do
+  grep -q "^  $step  *[0-9.]* ms$" err || fail "--timings of check does not tell $step"
+done
+
 expect 0 "$roomgraph" extract a.pgm -o o --stages s
 ls s/a/01_grid.png s/a/stages.json > /dev/null

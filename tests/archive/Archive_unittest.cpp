@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "Database.h"
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
 #include "sample_nights.h"
 
@@ -15,7 +16,7 @@ using test::night;
 
 class ArchiveTest : public testing::Test {
  protected:
-  std::string file() const { return folder_.file("site.db"); }
+  std::string file() const { return folder_ / "site.db"; }
   /** All rows of all tables, as one text. */
   std::string dump() const {
     Database database(file(), false);
@@ -25,7 +26,7 @@ class ArchiveTest : public testing::Test {
       text += std::to_string(database.number(std::string("SELECT count(*) FROM ") + table)) + " ";
     return text;
   }
-  const test::Folder folder_;
+  const TestFolder folder_;
 };
 
 TEST_F(ArchiveTest, aRoomKeepsTheNameThatItWasGiven) {

@@ -5,15 +5,16 @@
 #include <filesystem>
 #include <fstream>
 
-#include "roomgraph/base/Error.h"
+#include "TestFolder.h"
+#include "refusal.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
 namespace {
 
 TEST(Database, valuesComeBackAsTheyWere) {
-  const test::Folder folder;
-  Database database(folder.file("a.db"), true);
+  const TestFolder folder;
+  Database database(folder / "a.db", true);
   database.run("CREATE TABLE t (a TEXT, b REAL, c INTEGER, d REAL)");
   const std::string odd("a'b\0c\xc3\xa9", 7);
   database.run("INSERT INTO t VALUES (?, ?, ?, ?)", odd, 0.1, std::int64_t(1) << 40,
@@ -28,8 +29,8 @@ TEST(Database, valuesComeBackAsTheyWere) {
 }
 
 TEST(Database, whatIsNotCommittedIsUndone) {
-  const test::Folder folder;
-  Database database(folder.file("a.db"), true);
+  const TestFolder folder;
+  Database database(folder / "a.db", true);
   database.run("CREATE TABLE t (a INTEGER)");
   {
     Transaction transaction(database);
@@ -44,59 +45,45 @@ TEST(Database, whatIsNotCommittedIsUndone) {
 }
 
 TEST(Database, aNameWithAMeaningForSqliteIsAFile) {
-  const test::Folder folder;
+  const TestFolder folder;
   const auto before = std::filesystem::current_path();
-  std::filesystem::current_path(folder.file(""));
+  std::filesystem::current_path(folder / "");
   { Database(":memory:", true).run("CREATE TABLE t (a INTEGER)"); }
   EXPECT_TRUE(std::filesystem::exists(":memory:"));
   std::filesystem::current_path(before);
 }
 
 TEST(Database, anEmptyFileIsNoArchiveUnlessOneMayBeMade) {
-  const test::Folder folder;
-  const std::string file = folder.file("a.db");
+  const TestFolder folder;
+  const std::string file = folder / "a.db";
   std::ofstream(file).close();
-  try {
-    Database database(file, false);
-    FAIL() << "an empty file is an archive";
-  } catch (const DataError& error) {
-    EXPECT_EQ(error.what(), file +
-                                ": is empty: it may have been lost in a crash or a copy: bring "
-                                "back a copy of it");
-  }
+  EXPECT_EQ(
+      test::refusalOf([&] { Database(file, false); }),
+      file + ": is empty: it may have been lost in a crash or a copy: bring back a copy of it");
   EXPECT_EQ(std::filesystem::file_size(file), 0u);
   Database(file, true).run("CREATE TABLE t (a INTEGER)");
 }
 
 TEST(Database, failuresAreOneLineWithFileAndRemedy) {
-  const test::Folder folder;
-  const std::string text = folder.file("text.db");
+  const TestFolder folder;
+  const std::string text = folder / "text.db";
   std::ofstream(text) << std::string(4096, 'x');
-  for (const std::string& file : {folder.file("none.db"), text}) {
-    try {
-      Database database(file, false);
-      database.number("SELECT count(*) FROM sqlite_schema");
-      FAIL() << file;
-    } catch (const DataError& error) {
-      const std::string line = error.what();
-      EXPECT_EQ(line.rfind(file + ": ", 0), 0U) << line;
-      EXPECT_EQ(line.find('\n'), std::string::npos) << line;
-    }
+  for (const std::string& file : {folder / "none.db", text}) {
+    const std::string line = test::refusalOf(
+        [&] { Database(file, false).number("SELECT count(*) FROM sqlite_schema"); });
+    EXPECT_EQ(line.rfind(file + ": ", 0), 0U) << line;
+    EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   }
-  EXPECT_FALSE(std::filesystem::exists(folder.file("none.db")));
+  EXPECT_FALSE(std::filesystem::exists(folder / "none.db"));
 }
 
 TEST(Database, aNameThatLeadsNowhereIsRefused) {
-  const test::Folder folder;
-  std::filesystem::create_symlink(folder.file("b.db"), folder.file("a.db"));
-  std::filesystem::create_symlink(folder.file("a.db"), folder.file("b.db"));
+  const TestFolder folder;
+  std::filesystem::create_symlink(folder / "b.db", folder / "a.db");
+  std::filesystem::create_symlink(folder / "a.db", folder / "b.db");
   for (const bool mayMake : {false, true}) {
-    try {
-      Database database(folder.file("a.db"), mayMake);
-      FAIL() << "a ring of links was opened";
-    } catch (const DataError& error) {
-      EXPECT_NE(std::string(error.what()).find("cannot be opened ("), std::string::npos);
-    }
+    const std::string text = test::refusalOf([&] { Database(folder / "a.db", mayMake); });
+    EXPECT_NE(text.find("cannot be opened ("), std::string::npos) << text;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
@@ -33,12 +33,8 @@ TEST(TaskLines, whatIsNoTaskIsNamedWithItsLine) {
   outside.replace(outside.find(key), key.size(), "\"key\":\"../../../etc");
   for (const std::string& bad :
        {std::string("{}"), std::string("x"), good.substr(0, 40), outside}) {
-    try {
-      parseTaskLines(good + bad, "tasks.jsonl");
-      FAIL() << bad;
-    } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("tasks.jsonl: line 2 is not a task", 0), 0U);
-    }
+    const std::string text = test::refusalOf([&] { parseTaskLines(good + bad, "tasks.jsonl"); });
+    EXPECT_EQ(text.rfind("tasks.jsonl: line 2 is not a task", 0), 0U) << bad;
   }
 }
 

@@ -1,32 +1,21 @@
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
 
-#include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "roomgraph/archive/export_history.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
 
-std::string textOf(const std::string& file) {
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 /** The line as a document that the schema accepts. */
-rapidjson::Document checked(const std::string& line) {
-  rapidjson::Document schemaText, document;
-  EXPECT_FALSE(schemaText.Parse(textOf(ROOMGRAPH_WATCH_SCHEMA).c_str()).HasParseError());
-  EXPECT_FALSE(document.Parse(line.c_str()).HasParseError()) << line;
-  const rapidjson::SchemaDocument schema(schemaText);
-  rapidjson::SchemaValidator validator(schema);
-  EXPECT_TRUE(document.Accept(validator)) << line;
+nlohmann::json checked(const std::string& line) {
+  EXPECT_EQ(test::schemaComplaint("watch", line), "") << line;
   EXPECT_EQ(line.find('\n'), std::string::npos);
-  for (const auto& member : document.GetObject())
-    EXPECT_TRUE(schemaText["properties"].HasMember(member.name)) << member.name.GetString();
+  const auto schema = nlohmann::json::parse(test::schemaText("watch"));
+  const auto document = nlohmann::json::parse(line);
+  for (const auto& member : document.items())
+    EXPECT_TRUE(schema["properties"].contains(member.key())) << member.key();
   return document;
 }
 
@@ -39,26 +28,27 @@ TEST(AddedRunJson, tellsTheFiguresAndTheAlarm) {
   robot.sentence = "its maps get worse", robot.errors.isOverLimit = true;
   robot.rollout = Rollout::no, robot.advice = "no, keep that of yesterday";
   const auto json = checked(addedRunJson("maps/a b.simplemap", run, &robot));
-  EXPECT_STREQ(json["file"].GetString(), "maps/a b.simplemap");
-  EXPECT_TRUE(json["error"].IsNull());
-  EXPECT_EQ(json["map_error_m"].GetDouble(), 0.25);
-  EXPECT_TRUE(json["meaningful"].GetBool() && json["placed"].GetBool() && json["alarm"].GetBool());
-  EXPECT_STREQ(json["robot_says"].GetString(), "its maps get worse");
-  EXPECT_FALSE(json["may_roll_out"].GetBool());
-  EXPECT_STREQ(json["advice"].GetString(), "no, keep that of yesterday");
+  EXPECT_EQ(json["file"], "maps/a b.simplemap");
+  EXPECT_TRUE(json["error"].is_null());
+  EXPECT_EQ(json["map_error_m"], 0.25);
+  EXPECT_TRUE(json["meaningful"].get<bool>() && json["placed"].get<bool>() &&
+              json["alarm"].get<bool>());
+  EXPECT_EQ(json["robot_says"], "its maps get worse");
+  EXPECT_FALSE(json["may_roll_out"].get<bool>());
+  EXPECT_EQ(json["advice"], "no, keep that of yesterday");
 }
 
 TEST(AddedRunJson, saysWhatIsNotKnown) {
   const auto json = checked(addedRunJson("a", {}, nullptr));
-  EXPECT_TRUE(json["map_error_m"].IsNull() && json["robot_says"].IsNull());
-  EXPECT_TRUE(json["may_roll_out"].IsNull() && json["advice"].IsNull());
-  EXPECT_FALSE(json["alarm"].GetBool() || json["placed"].GetBool());
+  EXPECT_TRUE(json["map_error_m"].is_null() && json["robot_says"].is_null());
+  EXPECT_TRUE(json["may_roll_out"].is_null() && json["advice"].is_null());
+  EXPECT_FALSE(json["alarm"].get<bool>() || json["placed"].get<bool>());
 }
 
 TEST(AddedRunJson, ofAFailureHasTheErrorAlone) {
   const auto json = checked(failedRunJson("caf\xe9.gridmap", "is damaged"));
-  EXPECT_STREQ(json["error"].GetString(), "is damaged");
-  EXPECT_FALSE(json.HasMember("placed"));
+  EXPECT_EQ(json["error"], "is damaged");
+  EXPECT_FALSE(json.contains("placed"));
 }
 
 }  // namespace

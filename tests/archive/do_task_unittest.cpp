@@ -4,11 +4,10 @@
 
 #include "TestFolder.h"
 #include "drawn_building.h"
-#include "grid_picture.h"
 #include "roomgraph/archive/FleetTask.h"
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/write_file.h"
+#include "roomgraph/graph_files/ros_map.h"
 
 namespace roomgraph {
 namespace {
@@ -29,7 +28,7 @@ struct TaskFleet {
     task = planFleet(listed, archive, options).at(0);
   }
   void write(const std::string& name, std::uint32_t seed, const Transform2D& pose) const {
-    writeFileAtomically(folder / name, test::gridPicture(test::drawnBuilding(seed, pose)));
+    folder.write(name, mapPgm(test::drawnBuilding(seed, pose)));
   }
   TaskResult run() const { return doTask(task, options.compare); }
 };

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
 #include "sample_nights.h"
 
@@ -20,8 +21,8 @@ class EditRuns : public testing::Test {
     for (const HistoryRun& run : archive_.runs("office")) text += run.robot + run.sha256 + " ";
     return text;
   }
-  const test::Folder folder_;
-  Archive archive_{folder_.file("site.db"), Archive::Access::orNew};
+  const TestFolder folder_;
+  Archive archive_{folder_ / "site.db", Archive::Access::orNew};
 };
 
 TEST_F(EditRuns, aRunThatIsTakenOutCanBeAddedAgain) {

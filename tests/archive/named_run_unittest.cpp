@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "refusal.h"
 #include "roomgraph/archive/SiteHistory.h"
-#include "roomgraph/base/Error.h"
 
 namespace roomgraph {
 namespace {
@@ -21,12 +21,10 @@ TEST(NamedRun, filesNamesAndHashesNameARun) {
 }
 
 TEST(NamedRun, whatNamesNoneOrSeveralIsRefused) {
-  for (const char* name : {"map.simplemap", "01234567", "none.yaml", "fedcba9", ""}) try {
-      namedRun(runs(), name, "site.db");
-      ADD_FAILURE() << name;
-    } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind("site.db: has ", 0), 0u) << error.what();
-    }
+  for (const char* name : {"map.simplemap", "01234567", "none.yaml", "fedcba9", ""}) {
+    const std::string text = test::refusalOf([&] { namedRun(runs(), name, "site.db"); });
+    EXPECT_EQ(text.rfind("site.db: has ", 0), 0u) << name << ": " << text;
+  }
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 
 #include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/write_file.h"
 
 namespace roomgraph {
 namespace {
@@ -27,8 +26,7 @@ struct Fleet {
   std::vector<std::string> complaints;
 
   void add(const std::string& site, const std::string& name, int width) {
-    writeFileAtomically(folder / name, picture(width));
-    listed.push_back({site, {"", "anna", folder / name, 1000.0 + width}});
+    listed.push_back({site, {"", "anna", folder.write(name, picture(width)), 1000.0 + width}});
   }
   std::vector<FleetTask> plan() {
     PlanFleetOptions options;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "RandomNumbers.h"
+#include "refusal.h"
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 
@@ -29,13 +30,8 @@ TEST(ReadRunList, namesItsColumnsInAnyOrder) {
 }
 
 TEST(ReadRunList, whatIsMissingIsNamedWithItsLine) {
-  const auto complaint = [](const std::string& text) -> std::string {
-    try {
-      readRunList(text, "list.csv", "", refuseLine);
-    } catch (const DataError& error) {
-      return error.what();
-    }
-    return "";
+  const auto complaint = [](const std::string& text) {
+    return test::refusalOf([&] { readRunList(text, "list.csv", "", refuseLine); });
   };
   EXPECT_NE(complaint("").find("list.csv: has no columns"), std::string::npos);
   EXPECT_NE(complaint("site;file\n").find("has no columns 'site' and 'file': "), std::string::npos);

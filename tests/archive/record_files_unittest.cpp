@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "RandomNumbers.h"
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "sample_nights.h"
@@ -17,14 +18,14 @@ namespace {
 
 /** Maps in a folder, the first the oldest and the best. */
 struct Maps {
-  test::Folder folder;
+  TestFolder folder;
   std::vector<HistoryRun> runs;
   std::vector<std::string> missing;
 
   explicit Maps(int count) {
     for (int i = 0; i < count; ++i) {
       HistoryRun run = test::historyRun("anna", i, 0.1 + 0.01 * i);
-      run.file = folder.file("m" + std::to_string(i) + ".pgm");
+      run.file = folder / ("m" + std::to_string(i) + ".pgm");
       write(run.file, i);
       run.sha256 = mapSha256(run.file);
       run.time = i;
@@ -90,45 +91,40 @@ TEST(RunTime, withoutScansIsThatOfTheFile) {
                                 std::chrono::system_clock::now().time_since_epoch())
                                 .count());
   EXPECT_NEAR(runTime(maps.runs[0].file), now - 3600, 5);
-  EXPECT_THROW(runTime(maps.folder.file("none.pgm")), std::exception);
-}
-
-std::string write(const std::string& file, const std::string& text) {
-  std::filesystem::create_directories(std::filesystem::path(file).parent_path());
-  std::ofstream(file) << text;
-  return file;
+  EXPECT_THROW(runTime(maps.folder / "none.pgm"), std::exception);
 }
 
 TEST(KeepMap, aCopyOutlivesItsMap) {
-  const test::Folder folder;
-  const std::string map = write(folder.file("latest.pgm"), "P2 2 1 255 0 254");
+  const TestFolder folder;
+  const std::string map = folder.write("latest.pgm", "P2 2 1 255 0 254");
   const std::string sha256 = mapSha256(map);
-  const std::string kept = keepMap(map, sha256, folder.file("kept"));
+  const std::string kept = keepMap(map, sha256, folder / "kept");
   EXPECT_EQ(std::filesystem::path(kept).filename(), "latest.pgm");
-  EXPECT_EQ(keepMap(map, sha256, folder.file("kept")), kept);
-  write(map, "P2 2 1 255 254 254");
+  EXPECT_EQ(keepMap(map, sha256, folder / "kept"), kept);
+  folder.write("latest.pgm", "P2 2 1 255 254 254");
   EXPECT_EQ(mapSha256(kept), sha256);
-  EXPECT_NE(keepMap(map, mapSha256(map), folder.file("kept")), kept);
+  EXPECT_NE(keepMap(map, mapSha256(map), folder / "kept"), kept);
 }
 
 TEST(KeepMap, thePictureOfARosMapIsKeptWithIt) {
-  const test::Folder folder;
-  write(folder.file("map.pgm"), "P2 2 1 255 0 254");
+  const TestFolder folder;
+  folder.write("map.pgm", "P2 2 1 255 0 254");
   const std::string yaml =
-      write(folder.file("map.yaml"), "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
-  const std::string kept = keepMap(yaml, mapSha256(yaml), folder.file("kept"));
-  std::filesystem::remove(folder.file("map.pgm"));
+      folder.write("map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+  const std::string kept = keepMap(yaml, mapSha256(yaml), folder / "kept");
+  std::filesystem::remove(folder / "map.pgm");
   EXPECT_NO_THROW(mapSha256(kept));
 }
 
 TEST(KeepMap, whatCannotBeKeptIsRefused) {
-  const test::Folder folder;
-  write(folder.file("map.pgm"), "P2 2 1 255 0 254");
-  const std::string yaml = write(folder.file("deep/map.yaml"),
-                                 "image: ../map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
-  EXPECT_THROW(keepMap(yaml, mapSha256(yaml), folder.file("kept")), DataError);
-  const std::string map = folder.file("map.pgm");
-  EXPECT_THROW(keepMap(map, std::string(64, '0'), folder.file("kept")), DataError);
+  const TestFolder folder;
+  folder.write("map.pgm", "P2 2 1 255 0 254");
+  std::filesystem::create_directories(folder / "deep");
+  const std::string yaml =
+      folder.write("deep/map.yaml", "image: ../map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
+  EXPECT_THROW(keepMap(yaml, mapSha256(yaml), folder / "kept"), DataError);
+  const std::string map = folder / "map.pgm";
+  EXPECT_THROW(keepMap(map, std::string(64, '0'), folder / "kept"), DataError);
 }
 
 using Indices = std::vector<std::size_t>;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "sample_nights.h"
 
 namespace roomgraph {
@@ -23,8 +24,8 @@ class ReformSite : public testing::Test {
     for (const HistoryRun& run : archive_.history("office").runs) all.push_back(run.isPlaced);
     return all;
   }
-  const test::Folder folder_;
-  Archive archive_{folder_.file("site.db"), Archive::Access::orNew};
+  const TestFolder folder_;
+  Archive archive_{folder_ / "site.db", Archive::Access::orNew};
 };
 
 TEST_F(ReformSite, aWrongFirstMapLocksNobodyOut) {

@@ -1,7 +1,5 @@
 #include "sample_nights.h"
 
-#include <unistd.h>
-
 #include <cmath>
 
 namespace roomgraph::test {
@@ -11,18 +9,6 @@ namespace {
 constexpr double kDay = 86400;
 
 }  // namespace
-
-Folder::Folder() {
-  static int count = 0;
-  path_ = std::filesystem::temp_directory_path() /
-          ("roomgraph_archive_" + std::to_string(getpid()) + "_" + std::to_string(count++));
-  std::filesystem::create_directories(path_);
-}
-
-Folder::~Folder() {
-  std::error_code error;
-  std::filesystem::remove_all(path_, error);
-}
 
 ComparedRun comparedRun(const std::string& name, double error, bool isMeaningful) {
   ComparedRun run;

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -8,20 +7,6 @@
 namespace roomgraph::test {
 
 constexpr auto kOrNew = Archive::Access::orNew;
-
-/** A folder that goes with the test. */
-class Folder {
- public:
-  Folder();
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder();
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /** A run "N" of sha256 "N" that lies in its site with this map error. */
 ComparedRun comparedRun(const std::string& name, double error, bool isMeaningful = true);

@@ -5,15 +5,15 @@
 #include <atomic>
 #include <thread>
 
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
-#include "sample_nights.h"
 
 namespace roomgraph {
 namespace {
 
 TEST(Schema, anOlderArchiveIsBroughtUpToDateAndKeepsWhatItHas) {
-  const test::Folder folder;
-  Database database(folder.file("a.db"), true);
+  const TestFolder folder;
+  Database database(folder / "a.db", true);
   std::vector<std::string> steps{"CREATE TABLE t (a INTEGER)"};
   migrate(database, steps);
   database.run("INSERT INTO t VALUES (7)");
@@ -26,8 +26,8 @@ TEST(Schema, anOlderArchiveIsBroughtUpToDateAndKeepsWhatItHas) {
 }
 
 TEST(Schema, aStepThatFailsChangesNothing) {
-  const test::Folder folder;
-  Database database(folder.file("a.db"), true);
+  const TestFolder folder;
+  Database database(folder / "a.db", true);
   migrate(database, {"CREATE TABLE t (a INTEGER)"});
   EXPECT_THROW(migrate(database, {"", "INSERT INTO t VALUES (1); INSERT INTO none VALUES (1)"}),
                DataError);
@@ -36,21 +36,21 @@ TEST(Schema, aStepThatFailsChangesNothing) {
 }
 
 TEST(Schema, aLaterArchiveAndOtherDatabasesAreRefused) {
-  const test::Folder folder;
-  Database later(folder.file("later.db"), true);
+  const TestFolder folder;
+  Database later(folder / "later.db", true);
   migrate(later, schemaSteps());
   later.run("PRAGMA user_version = 99");
   EXPECT_THROW(migrate(later, schemaSteps()), DataError);
-  Database other(folder.file("other.db"), true);
+  Database other(folder / "other.db", true);
   other.run("CREATE TABLE t (a INTEGER)");
   EXPECT_THROW(migrate(other, schemaSteps()), DataError);
   EXPECT_EQ(other.number("PRAGMA application_id"), 0);
 }
 
 TEST(Schema, severalThreadsMakeOneArchive) {
-  const test::Folder folder;
+  const TestFolder folder;
   for (int round = 0; round < 10; ++round) {
-    const std::string file = folder.file(std::to_string(round) + ".db");
+    const std::string file = folder / (std::to_string(round) + ".db");
     std::atomic<int> failures{0};
     std::vector<std::thread> threads;
     for (int i = 0; i < 6; ++i)

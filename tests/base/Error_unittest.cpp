@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "refusal.h"
+
 namespace roomgraph {
 namespace {
 
 std::string refusal(const std::string& file, const std::string& problem) {
-  try {
-    refuse(file, problem, "choose another");
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { refuse(file, problem, "choose another"); });
 }
 
 TEST(Refuse, tellsFileProblemAndRemedy) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Ids.h"
 #include "roomgraph/base/UnionFind.h"
@@ -28,12 +29,7 @@ FieldTable describe(Settings& settings) {
 /** What the error says; empty where there is none. */
 template <class Function>
 std::string usageError(const Function& function) {
-  try {
-    function();
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf<UsageError>(function);
 }
 
 std::string iniError(const std::string& text) {

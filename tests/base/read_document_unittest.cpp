@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
@@ -13,12 +13,7 @@ double weightOf(const std::string& text) {
 }
 
 std::string complaintOf(const std::string& text) {
-  try {
-    weightOf(text);
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf([&] { weightOf(text); });
 }
 
 TEST(ReadDocument, givesWhatIsReadFromTheTop) {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "TestFolder.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
@@ -49,12 +49,7 @@ TEST(WriteFile, keepsThePermissionsOfTheFileThatItReplaces) {
 
 /** The message, which must be one line that starts with the file's name. */
 std::string refusal(const std::string& path) {
-  try {
-    writeFileAtomically(path, "text");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf([&] { writeFileAtomically(path, "text"); });
 }
 
 TEST(WriteFile, aFolderThatIsNotThereIsAnErrorOfOneLine) {

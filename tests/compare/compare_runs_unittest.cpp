@@ -1,13 +1,9 @@
 #include "roomgraph/compare/compare_runs.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
@@ -21,6 +17,7 @@
 #include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/comparison_json.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
@@ -269,16 +266,7 @@ TEST(CompareRuns, refusesAWrongNumberOfPairs) {
 }
 
 std::string schemaComplaint(const std::string& text) {
-  std::ostringstream schemaFile;
-  schemaFile << std::ifstream(ROOMGRAPH_COMPARISON_SCHEMA).rdbuf();
-  rapidjson::Document schemaText, document;
-  schemaText.Parse(schemaFile.str().c_str());
-  if (schemaText.HasParseError()) return "the schema is not JSON";
-  document.Parse(text.c_str());
-  if (document.HasParseError()) return "the document is not JSON";
-  const rapidjson::SchemaDocument schema(schemaText);
-  rapidjson::SchemaValidator validator(schema);
-  return document.Accept(validator) ? "" : validator.GetInvalidSchemaKeyword();
+  return test::schemaComplaint("comparison", text);
 }
 
 TEST(ComparisonJson, followsTheSchema) {

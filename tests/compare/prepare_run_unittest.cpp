@@ -4,8 +4,8 @@
 
 #include "drawn_building.h"
 #include "drawn_drive.h"
+#include "refusal.h"
 #include "roomgraph/align/wall_map.h"
-#include "roomgraph/base/Error.h"
 #include "roomgraph/pipeline/extract.h"
 
 namespace roomgraph {
@@ -54,13 +54,8 @@ TEST(PrepareRun, aMapWithoutWallsIsRefusedByTheNameOfItsFile) {
   empty.frame = {20, 20, 0.05, {}};
   for (const State state : {State::free, State::unknown, State::occupied}) {
     empty.cells.assign(empty.frame.cellCount(), state);
-    try {
-      prepareRun("monday", mapOf(empty), {}, {});
-      ADD_FAILURE() << "a run without walls";
-    } catch (const DataError& error) {
-      EXPECT_EQ(std::string(error.what()),
-                "somewhere/monday.pgm: has no wall beside free space: a run must have some");
-    }
+    EXPECT_EQ(test::refusalOf([&] { prepareRun("monday", mapOf(empty), {}, {}); }),
+              "somewhere/monday.pgm: has no wall beside free space: a run must have some");
   }
 }
 

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "drawn_bends.h"
 
 namespace roomgraph {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include "TestFolder.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/images/read_labels.h"
 #include "sample_stages.h"
@@ -11,8 +10,7 @@ namespace {
 
 LabelMap writtenAndRead(const Stages& stages) {
   const TestFolder folder;
-  writeFileAtomically(folder / "x.png", areaLabelsPng(stages.areas, stages.grid.frame));
-  return readLabels(folder / "x.png");
+  return readLabels(folder.write("x.png", areaLabelsPng(stages.areas, stages.grid.frame)));
 }
 
 TEST(AreaLabelsPng, givesTheLabelsBack) {
@@ -31,8 +29,8 @@ TEST(AreaLabelsPng, hasSixteenBitsOfGreyAndTheHighestRowOnTop) {
   // The header: width, height, bits for each sample, kind of colour.
   EXPECT_EQ(png.substr(16, 10), std::string("\0\0\0\2\0\0\0\2\20\0", 10));
   const TestFolder folder;
-  writeFileAtomically(folder / "x.png", png);
-  EXPECT_EQ(readLabels(folder / "x.png").label, (std::vector<std::uint32_t>{1, 2, 60000, 4}));
+  EXPECT_EQ(readLabels(folder.write("x.png", png)).label,
+            (std::vector<std::uint32_t>{1, 2, 60000, 4}));
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 #include "roomgraph/graph_files/graph_json.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
-#include <rapidjson/stringbuffer.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "TestFolder.h"
 #include "sample_stages.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
@@ -18,17 +16,7 @@ using Json = nlohmann::json;
 
 /** Where the text breaks the schema; empty where it does not. */
 std::string schemaComplaint(const std::string& text) {
-  rapidjson::Document schemaText, document;
-  schemaText.Parse(readAll(ROOMGRAPH_SCHEMA).c_str());
-  if (schemaText.HasParseError()) return "the schema is not JSON";
-  document.Parse(text.c_str());
-  if (document.HasParseError()) return "the document is not JSON";
-  const rapidjson::SchemaDocument schema(schemaText);
-  rapidjson::SchemaValidator validator(schema);
-  if (document.Accept(validator)) return {};
-  rapidjson::StringBuffer place;
-  validator.GetInvalidDocumentPointer().StringifyUriFragment(place);
-  return std::string(validator.GetInvalidSchemaKeyword()) + " at " + place.GetString();
+  return test::schemaComplaint("graph", text);
 }
 
 TEST(GraphJson, ofASampleFollowsTheSchema) {

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "TestFolder.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/area_pictures.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -15,9 +14,9 @@ namespace {
 /** A mask as nav2 loads it in the mode of its yaml: 0 to 100, row-major, row 0 lowest. */
 std::vector<double> loaded(const std::string& png, const GridFrame& frame, RosMapMode mode) {
   const TestFolder folder;
-  writeFileAtomically(folder / "mask.png", png);
-  writeFileAtomically(folder / "mask.yaml", rosMapYaml(frame, "mask.png", {}, mode));
-  const GreyMap map = loadGrid(folder / "mask.yaml", {});
+  folder.write("mask.png", png);
+  const GreyMap map =
+      loadGrid(folder.write("mask.yaml", rosMapYaml(frame, "mask.png", {}, mode)), {});
   EXPECT_EQ(map.frame.width, frame.width);
   EXPECT_EQ(map.frame.height, frame.height);
   EXPECT_NEAR(map.frame.origin.x, frame.origin.x, 1e-6);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "TestFolder.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/graph_json.h"
@@ -17,12 +18,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 /** The message for a text that must be refused; "" where it is not. */
 std::string refusal(const std::string& text) {
-  try {
-    parseGraphJson(text, "x.json");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf([&] { parseGraphJson(text, "x.json"); });
 }
 
 void expectOneLine(const std::string& message) {

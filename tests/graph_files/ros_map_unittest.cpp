@@ -3,36 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
+#include "TestFolder.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
 namespace {
 
-namespace fs = std::filesystem;
-
 class RosMapFiles : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "roomgraph-test-XXXXXX").string();
-    ASSERT_TRUE(mkdtemp(name.data()));
-    folder_ = name;
     grid_.frame.width = 3, grid_.frame.height = 2;
     grid_.frame.resolution = 0.1, grid_.frame.origin = {-1.537, 1.0 / 3};
     grid_.cells = {State::free,    State::occupied, State::unknown,
                    State::unknown, State::free,     State::occupied};
   }
-  void TearDown() override { fs::remove_all(folder_); }
   Grid reread(const std::string& picture, const std::string& bytes) const {
-    std::ofstream(folder_ / picture, std::ios::binary) << bytes;
-    std::ofstream(folder_ / "map.yaml") << rosMapYaml(grid_.frame, picture);
-    return binarize(loadGrid((folder_ / "map.yaml").string(), {}), {});
+    folder_.write(picture, bytes);
+    return binarize(loadGrid(folder_.write("map.yaml", rosMapYaml(grid_.frame, picture)), {}), {});
   }
-  fs::path folder_;
+  const TestFolder folder_;
   Grid grid_;
 };
 
@@ -62,9 +53,9 @@ TEST_F(RosMapFiles, sayWhereTheyLieAsAPersonWould) {
 
 TEST_F(RosMapFiles, lieInAnotherFrameWherePosesSaySo) {
   const Transform2D pose{5, -3, M_PI / 2};
-  std::ofstream(folder_ / "d.pgm", std::ios::binary) << mapPgm(grid_);
-  std::ofstream(folder_ / "d.yaml") << rosMapYaml(grid_.frame, "d.pgm", pose);
-  const Grid turned = binarize(loadGrid((folder_ / "d.yaml").string(), {}), {});
+  folder_.write("d.pgm", mapPgm(grid_));
+  const Grid turned =
+      binarize(loadGrid(folder_.write("d.yaml", rosMapYaml(grid_.frame, "d.pgm", pose)), {}), {});
   ASSERT_EQ(turned.cells.size(), grid_.cells.size());
   for (int y = 0; y < grid_.frame.height; ++y)
     for (int x = 0; x < grid_.frame.width; ++x)
@@ -72,8 +63,7 @@ TEST_F(RosMapFiles, lieInAnotherFrameWherePosesSaySo) {
 }
 
 TEST_F(RosMapFiles, barePicturesGiveTheSameCells) {
-  std::ofstream(folder_ / "c.png", std::ios::binary) << mapPng(grid_);
-  EXPECT_EQ(binarize(loadGrid((folder_ / "c.png").string(), {}), {}).cells, grid_.cells);
+  EXPECT_EQ(binarize(loadGrid(folder_.write("c.png", mapPng(grid_)), {}), {}).cells, grid_.cells);
 }
 
 }  // namespace

@@ -1,30 +1,23 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "TestFolder.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 
 namespace roomgraph {
 namespace {
 
 using test::raw;
-using test::TempDir;
 using Greys = std::vector<std::uint8_t>;
 
 Greys greysOf(const std::string& bytes) {
-  static const TempDir dir;  // many files: making a directory for each takes long
+  static const TestFolder dir;  // many files: making a directory for each takes long
   return loadGrid(dir.write("a", bytes), {}).grey;
 }
 
 std::string errorOf(const std::string& bytes) {
-  try {
-    greysOf(bytes);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { greysOf(bytes); });
 }
 
 /** What stands before the pixels, with an info header of 40 bytes and more behind it. */
@@ -151,7 +144,7 @@ TEST(ReadImage, jpegsThatClaimMoreThanTheyHoldAreRefused) {
 }
 
 TEST(ReadImage, aBarePictureWithoutScaleIsNoted) {
-  const TempDir dir;
+  const TestFolder dir;
   const std::string file = dir.write("a.png", test::png(1, 1, 1, "x"));
   const GreyMap assumed = loadGrid(file, {});
   ASSERT_EQ(assumed.notes.size(), 1u);

@@ -3,16 +3,15 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include <algorithm>
 #include <stdexcept>
 
+#include "TestFolder.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
 
-using test::TempDir;
 using Labels = std::vector<std::uint32_t>;
 
 /** What libpng's simplified writer cannot write. */
@@ -55,12 +54,7 @@ std::string written(RawPng raw) {
 }
 
 std::string labelsError(const std::string& file) {
-  try {
-    readLabels(file);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { readLabels(file); });
 }
 
 class ReadLabels : public testing::Test {
@@ -76,7 +70,7 @@ class ReadLabels : public testing::Test {
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_EQ(text.find('\n'), std::string::npos) << text;
   }
-  TempDir dir_;
+  TestFolder dir_;
 };
 
 TEST_F(ReadLabels, greyLevelsAreLabelsAndTheLowestRowComesFirst) {
@@ -142,7 +136,7 @@ TEST_F(ReadLabels, pgmValuesAreNotScaled) {
 }
 
 TEST_F(ReadLabels, badFilesAreRefusedInOneLine) {
-  EXPECT_NE(labelsError(dir_.path("none.png")).find("there is no such file"), std::string::npos);
+  EXPECT_NE(labelsError(dir_ / "none.png").find("there is no such file"), std::string::npos);
   expectRefused("", "is empty");
   expectRefused("Dear map", "is not a label picture");
   expectRefused("P5 60000 60000 255\n", "60000 x 60000 pixels");

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "drawn_house.h"
 #include "roomgraph/report/comparison_csv.h"

@@ -8,8 +8,9 @@
 #include <limits>
 #include <random>
 
+#include "TestFolder.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "simplemap_entry.h"
 
@@ -17,16 +18,10 @@ namespace roomgraph {
 namespace {
 
 using test::raw;
-using test::TempDir;
 
 /** The message that loading the file ends with; empty if it can be loaded. */
 std::string errorOf(const std::string& file, const LoadGridOptions& options = {}) {
-  try {
-    loadGrid(file, options);
-    return {};
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { loadGrid(file, options); });
 }
 
 /** One line of the form "FILE: problem: remedy", with `part` in it and nothing of MRPT's. */
@@ -55,14 +50,14 @@ class BadInput : public testing::Test {
       if (HasFailure()) FAIL() << "cut after " << size << " of " << bytes.size() << " bytes";
     }
   }
-  TempDir dir_;
+  TestFolder dir_;
 };
 
 TEST_F(BadInput, missingFileIsRefused) {
-  expectError(dir_.path("none.gridmap"), "there is no such file");
+  expectError(dir_ / "none.gridmap", "there is no such file");
 }
 
-TEST_F(BadInput, directoryIsRefused) { expectError(dir_.path("."), "is a directory"); }
+TEST_F(BadInput, directoryIsRefused) { expectError(dir_ / ".", "is a directory"); }
 
 TEST_F(BadInput, deviceIsRefused) { expectError("/dev/null", "is a pipe or a device"); }
 

@@ -13,7 +13,9 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "map_files.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "simplemap_entry.h"
 
@@ -22,7 +24,6 @@ namespace {
 
 using mrpt::maps::COccupancyGridMap2D;
 using mrpt::maps::CSimpleMap;
-using test::TempDir;
 
 int greyOf(const GreyMap& map, int x, int y) { return map.grey[map.frame.index({x, y})]; }
 
@@ -54,7 +55,7 @@ COccupancyGridMap2D builtByMrpt(const CSimpleMap& simplemap, const GreyMap& map,
 }
 
 TEST(LoadGrid, gridmapEqualsWhatMrptReads) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto grid = test::smallGrid();
   const GreyMap map = loadGrid(dir.write("a.gridmap", test::streamed(grid)), {});
   expectEqual(map, grid);
@@ -66,7 +67,7 @@ TEST(LoadGrid, gridmapEqualsWhatMrptReads) {
 }
 
 TEST(LoadGrid, optionsThatAreOfNoUseAreNotedFirst) {
-  const TempDir dir;
+  const TestFolder dir;
   LoadGridOptions given;
   given.layer = "walls", given.isResolutionGiven = true;
   const std::string file = dir.write("a.gridmap", test::streamed(test::smallGrid()));
@@ -78,7 +79,7 @@ TEST(LoadGrid, optionsThatAreOfNoUseAreNotedFirst) {
 }
 
 TEST(LoadGrid, unknownCellsLieBetweenTheThresholds) {
-  const TempDir dir;
+  const TestFolder dir;
   const COccupancyGridMap2D grid(0, 1, 0, 1, 0.1f);
   const GreyMap map = loadGrid(dir.write("a.gridmap", test::streamed(grid)), {});
   const double occupied = 1 - map.grey[0] / 255.0;
@@ -87,7 +88,7 @@ TEST(LoadGrid, unknownCellsLieBetweenTheThresholds) {
 }
 
 TEST(LoadGrid, nameSaysNothingAboutTheContent) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto grid = test::smallGrid();
   const std::string bytes = test::streamed(grid);
   expectEqual(loadGrid(dir.write("a.png", bytes), {}), grid);
@@ -107,7 +108,7 @@ std::string oldStream(int version, const std::string& cells, const std::string& 
 }
 
 TEST(LoadGrid, gridmapsOfMrptsFirstVersionHoldProbabilities) {
-  const TempDir dir;
+  const TestFolder dir;
   const GreyMap map = loadGrid(dir.write("a", oldStream(0, "\x20\xe0", "") + "\x88"), {});
   ASSERT_EQ(map.grey.size(), 2u);
   EXPECT_EQ(map.grey[0],
@@ -116,7 +117,7 @@ TEST(LoadGrid, gridmapsOfMrptsFirstVersionHoldProbabilities) {
 }
 
 TEST(LoadGrid, gridmapsOf16BitsKeepTheUpper8) {
-  const TempDir dir;
+  const TestFolder dir;
   const std::string options(4 + 1 + 4 + 4 + 1 + 2 + 4 + 29 + 12 + 9 + 8, '\0');
   const std::string cells = test::raw<std::int16_t>(-40 * 256 + 17) + test::raw<std::int16_t>(0);
   const std::string end = options + test::raw<std::uint32_t>(0) + std::string(2, '\0') + "\x88";
@@ -126,7 +127,7 @@ TEST(LoadGrid, gridmapsOf16BitsKeepTheUpper8) {
 }
 
 TEST(LoadGrid, simplemapEqualsWhatMrptBuilds) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto simplemap = test::smallSimplemap();
   const LoadGridOptions options;
   const std::string bytes = test::streamed(simplemap);
@@ -142,7 +143,7 @@ TEST(LoadGrid, simplemapEqualsWhatMrptBuilds) {
 }
 
 TEST(LoadGrid, insertionOptionsAreAppliedAndRecorded) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto file = dir.write("a", test::streamed(test::smallSimplemap()));
   LoadGridOptions options;
   options.resolution = 0.125;
@@ -156,7 +157,7 @@ TEST(LoadGrid, insertionOptionsAreAppliedAndRecorded) {
 }
 
 TEST(LoadGrid, simplemapsUnderTheirOldNameAreRead) {
-  const TempDir dir;
+  const TestFolder dir;
   std::string bytes = test::streamed(test::smallSimplemap());
   const GreyMap expected = loadGrid(dir.write("new", bytes), {});
   const std::size_t nameLength = bytes[0] & 0x7f;
@@ -177,7 +178,7 @@ std::string oneEntry(int version, const mrpt::serialization::CSerializable& pose
 }
 
 TEST(LoadGrid, posesOfEveryCommonClassMeanTheSamePlace) {
-  const TempDir dir;
+  const TestFolder dir;
   const mrpt::poses::CPose3D place(0.5, -0.25, 0, 0.5, 0, 0);
   const mrpt::poses::CPose2D place2D(place);
   mrpt::poses::CPose3DPDFParticles particles3D(2);
@@ -199,7 +200,7 @@ TEST(LoadGrid, posesOfEveryCommonClassMeanTheSamePlace) {
 }
 
 TEST(LoadGrid, otherObservationsAreSteppedOverAndNoted) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto expected = loadGrid(dir.write("a", test::streamed(test::smallSimplemap())), {});
   auto simplemap = test::smallSimplemap();
   const auto comment = mrpt::obs::CObservationComment::Create();
@@ -231,7 +232,7 @@ std::string tiltedScans(double degrees, double roll = 0) {
 }
 
 TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
-  const TempDir dir;
+  const TestFolder dir;
   for (const double roll : {0.0, M_PI}) {
     const GreyMap expected = loadGrid(dir.write("a", tiltedScans(0, roll)), {});
     const GreyMap map = loadGrid(dir.write("b", tiltedScans(2.5, roll)), {});
@@ -244,7 +245,7 @@ TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
 }
 
 TEST(LoadGrid, aNegativeFieldOfViewRunsTheOtherWay) {
-  const TempDir dir;
+  const TestFolder dir;
   const auto bytes = [](float aperture, bool rightToLeft) {
     auto simplemap = test::smallSimplemap();
     for (std::size_t i = 0; i < simplemap.size(); ++i) {
@@ -262,32 +263,23 @@ TEST(LoadGrid, aNegativeFieldOfViewRunsTheOtherWay) {
 }
 
 TEST(LoadGrid, scansThatAreTiltedAreRefusedAsSuch) {
-  const TempDir dir;
+  const TestFolder dir;
   const std::string file = dir.write("a", tiltedScans(4));
-  try {
-    loadGrid(file, {});
-    ADD_FAILURE();
-  } catch (const DataError& error) {
-    const std::string text = error.what();
-    EXPECT_NE(text.find("only 3 CObservation2DRangeScan that are tilted"), std::string::npos)
-        << text;
-  }
+  const std::string text = test::refusalOf([&] { loadGrid(file, {}); });
+  EXPECT_NE(text.find("only 3 CObservation2DRangeScan that are tilted"), std::string::npos) << text;
 }
 
 TEST(LoadGrid, aSliceOfScansIsRefusedAsSuch) {
-  const TempDir dir;
+  const TestFolder dir;
   LoadGridOptions options;
   options.sliceLow = 0.5, options.sliceHigh = 1;
-  try {
-    loadGrid(dir.write("a", tiltedScans(0)), options);
-    ADD_FAILURE();
-  } catch (const DataError& error) {
-    EXPECT_NE(std::string(error.what()).find("leave --slice out"), std::string::npos);
-  }
+  const std::string text =
+      test::refusalOf([&] { loadGrid(dir.write("a", tiltedScans(0)), options); });
+  EXPECT_NE(text.find("leave --slice out"), std::string::npos) << text;
 }
 
 TEST(LoadGrid, aScanThatDoesNotSurroundItsSensorStaysInsideTheGrid) {
-  const TempDir dir;
+  const TestFolder dir;
   auto simplemap = test::smallSimplemap();
   for (std::size_t n = 0; n < simplemap.size(); ++n) {
     auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
@@ -302,7 +294,7 @@ TEST(LoadGrid, aScanThatDoesNotSurroundItsSensorStaysInsideTheGrid) {
 }
 
 TEST(LoadGrid, picturesStandOnTheirLowestRow) {
-  const TempDir dir;
+  const TestFolder dir;
   LoadGridOptions options;
   options.resolution = 0.25;
   const std::string pixels = {0, 10, 20, 30, 40, char(250)};
@@ -320,7 +312,7 @@ TEST(LoadGrid, picturesStandOnTheirLowestRow) {
 }
 
 TEST(LoadGrid, colourIsAveragedAndTransparencyIsMidGrey) {
-  const TempDir dir;
+  const TestFolder dir;
   const std::string rgb = {0, 100, char(200), char(255), char(255), char(255)};
   EXPECT_EQ(loadGrid(dir.write("a", test::png(2, 1, 3, rgb)), {}).grey,
             (std::vector<std::uint8_t>{100, 255}));
@@ -330,7 +322,7 @@ TEST(LoadGrid, colourIsAveragedAndTransparencyIsMidGrey) {
 }
 
 TEST(LoadGrid, pgmsOfOtherDepthsAreScaled) {
-  const TempDir dir;
+  const TestFolder dir;
   EXPECT_EQ(loadGrid(dir.write("a", "P2 3 1 15 0 5 15"), {}).grey,
             (std::vector<std::uint8_t>{0, 85, 255}));
   EXPECT_EQ(loadGrid(dir.write("a", std::string("P5 2 1 65535\n\x80\x80\xff\xff", 17)), {}).grey,
@@ -343,7 +335,7 @@ class RosMap : public testing::Test {
     dir_.write("map.pgm", "P2 4 1 255 0 100 205 254");
     return loadGrid(dir_.write("map.yaml", "image: map.pgm\nresolution: 0.05\n" + more), {});
   }
-  TempDir dir_;
+  TestFolder dir_;
 };
 
 TEST_F(RosMap, yamlSaysWhereThePictureLiesAndHowToReadIt) {
@@ -379,7 +371,7 @@ TEST_F(RosMap, hashChangesWithThePicture) {
 }
 
 TEST(LoadGrid, hashIsThatOfTheStoredBytes) {
-  const TempDir dir;
+  const TestFolder dir;
   EXPECT_EQ(loadGrid(dir.write("a", "P2 1 1 255 7\n"), {}).source.sha256,
             "4cf2bfbbfd33abf08aec5ee36dbc3c3f2f97aa8a9b9dff1108612e22968758eb");
 }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "map_files.h"
+#include "TestFolder.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
 
@@ -10,7 +10,7 @@ namespace roomgraph {
 namespace {
 
 TEST(MapSha256, isThatOfTheMap) {
-  const test::TempDir folder;
+  const TestFolder folder;
   const std::string picture = folder.write("map.pgm", "P2 2 1 255 0 254");
   const std::string yaml =
       folder.write("map.yaml", "image: map.pgm\nresolution: 0.5\norigin: [0, 0, 0]\n");
@@ -23,7 +23,7 @@ TEST(MapSha256, isThatOfTheMap) {
 }
 
 TEST(MapSha256, whatCannotBeReadHasNone) {
-  const test::TempDir folder;
+  const TestFolder folder;
   EXPECT_THROW(mapSha256("none.pgm"), DataError);
   EXPECT_THROW(mapSha256(folder.write("a.yaml", "image: none.pgm\nresolution: 0.5\n")), DataError);
 }

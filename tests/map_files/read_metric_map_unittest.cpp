@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "drawn_cloud.h"
 #include "map_files.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -40,14 +42,9 @@ class MetricMap : public testing::Test {
     return loadGrid(dir_.write("map.mm", bytes), options);
   }
   std::string errorOf(const std::string& bytes, const std::string& layer = {}) const {
-    try {
-      load(bytes, layer);
-      return {};
-    } catch (const DataError& error) {
-      return error.what();
-    }
+    return test::refusalOf([&] { load(bytes, layer); });
   }
-  const test::TempDir dir_;
+  const TestFolder dir_;
   const std::string grid_ = test::streamed(test::smallGrid());
   const std::string points_ = test::pointsMapBytes("mrpt::maps::CSimplePointsMap", 10,
                                                    test::roomPoints(), std::string(9, '\x88'));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "drawn_cloud.h"
 #include "map_files.h"
 #include "readings.h"
@@ -28,7 +29,7 @@ class ReadOnce : public testing::Test {
                       test::oneObservation(test::cloudBytes({0, 0, 0.5, 0, 0, 0}, '\0' + points)));
   }
 
-  const test::TempDir dir_;
+  const TestFolder dir_;
 };
 
 TEST_F(ReadOnce, eachScanIsDecodedOnceForGridAndKeyFrames) {
@@ -69,16 +70,16 @@ TEST_F(ReadOnce, everyFormatHasAGridOrScans) {
 }
 
 TEST(ReadRecording, otherMapsHaveNone) {
-  const test::TempDir dir;
+  const TestFolder dir;
   EXPECT_FALSE(readRecording(dir.write("map", test::streamed(test::smallGrid()))));
   EXPECT_FALSE(readRecording(dir.write("map", "P2 1 1 255 7\n")));
 }
 
 TEST(ReadRecording, damageIsRefused) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const std::string bytes = test::streamed(test::smallSimplemap());
   EXPECT_THROW(readRecording(dir.write("map", bytes.substr(0, 900))), DataError);
-  EXPECT_THROW(readRecording(dir.path("none")), DataError);
+  EXPECT_THROW(readRecording(dir / "none"), DataError);
 }
 
 }  // namespace

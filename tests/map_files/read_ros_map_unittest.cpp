@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
@@ -28,7 +29,7 @@ class RosRules : public testing::Test {
     dir_.write(name, bytes);
     return loadGrid(dir_.write("map.yaml", "image: " + name + "\nresolution: 0.5\n" + more), {});
   }
-  const test::TempDir dir_;
+  const TestFolder dir_;
 };
 
 TEST_F(RosRules, aCellAtAThresholdIsDecidedByIt) {

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "rtabmap_database.h"
@@ -26,20 +27,14 @@ class Rtabmap : public testing::Test {
   GreyMap load(const std::string& bytes) const { return loadGrid(dir_.write("map", bytes), {}); }
   /** Empty where it can be read. */
   std::string errorOf(const std::string& bytes) const {
-    std::string text;
-    try {
-      load(bytes);
-    } catch (const DataError& error) {
-      text = error.what();
-    }
-    return text;
+    return test::refusalOf([&] { load(bytes); });
   }
   void expectRefused(const std::string& bytes, const std::string& part) const {
     const std::string text = errorOf(bytes);
     EXPECT_NE(text.find(part), std::string::npos) << text;
-    EXPECT_EQ(text.rfind(dir_.path("map") + ": ", 0), 0u) << text;
+    EXPECT_EQ(text.rfind(dir_ / "map" + ": ", 0), 0u) << text;
   }
-  const test::TempDir dir_;
+  const TestFolder dir_;
 };
 
 TEST_F(Rtabmap, itsGridIsReadWithItsPlace) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "measure_table.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
@@ -36,7 +37,7 @@ std::string textOf(const char* file) {
 /** Where a measure should stand outside of the table, and does not. */
 std::vector<std::string> placesWithout(const MeasureKind& kind) {
   static const std::string document = textOf(ROOMGRAPH_SCORING);
-  static const std::string schema = textOf(ROOMGRAPH_COMPARISON_SCHEMA);
+  static const std::string schema = test::schemaText("comparison");
   std::vector<std::string> missing;
   const std::string name = kind.name;
   const bool isHop = name.rfind("consistency_", 0) == 0 && name != "consistency_1";

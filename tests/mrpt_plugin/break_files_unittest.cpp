@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
 
 #include <cmath>
 
+#include "mrpt_reads.h"
 #include "sample_drive.h"
 
 namespace roomgraph {
@@ -63,12 +63,7 @@ TEST(BreakScene, showsTheTornPieceInBothPoses) {
 TEST(BreakScene, isReadByMrpt) {
   const std::string bytes = breakSceneBytes(comparison(), tearAt(12), runs());
   EXPECT_EQ(bytes, breakSceneBytes(comparison(), tearAt(12), runs()));
-  std::vector<std::uint8_t> plain;
-  ASSERT_TRUE(mrpt::io::zip::decompress_gz_data_block({bytes.begin(), bytes.end()}, plain));
-  mrpt::io::CMemoryStream stream(plain.data(), plain.size());
-  MrptScene scene;
-  mrpt::serialization::archiveFrom(stream) >> scene;
-  EXPECT_TRUE(scene.getByName("untorn"));
+  EXPECT_TRUE(test::sceneOf(bytes).getByName("untorn"));
 }
 
 TEST(BreakScene, withoutMapsItHoldsNothing) {

@@ -1,13 +1,12 @@
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "mrpt_reads.h"
 #include "roomgraph/align/wall_map.h"
 
 namespace roomgraph {
@@ -141,12 +140,7 @@ TEST(ComparisonScene, aSlantedSiteStandsUprightAndItsNamesAreLevel) {
 }
 
 TEST(ComparisonScene, isReadByMrpt) {
-  const std::string bytes = comparisonSceneBytes(twoRuns(), runs());
-  std::vector<std::uint8_t> plain;
-  ASSERT_TRUE(mrpt::io::zip::decompress_gz_data_block({bytes.begin(), bytes.end()}, plain));
-  mrpt::io::CMemoryStream stream(plain.data(), plain.size());
-  MrptScene scene;
-  mrpt::serialization::archiveFrom(stream) >> scene;
+  MrptScene scene = test::sceneOf(comparisonSceneBytes(twoRuns(), runs()));
   EXPECT_TRUE(scene.getByName("run a"));
   EXPECT_TRUE(scene.getByName("run b"));
 }

@@ -6,26 +6,19 @@
 #include <mrpt/obs/CSensoryFrame.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
+#include "TestFolder.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "sample_drive.h"
 
 namespace roomgraph {
 namespace {
 
-namespace fs = std::filesystem;
-
 /** The log as MRPT reads it from a file. */
 mrpt::obs::CRawlog readBack(const std::string& bytes) {
-  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path file =
-      fs::temp_directory_path() / (std::string("roomgraph ") + test->name() + ".rawlog");
-  std::ofstream(file, std::ios::binary) << bytes;
+  const TestFolder folder;
   mrpt::obs::CRawlog log;
-  EXPECT_TRUE(log.loadFromRawLogFile(file.string()));
-  fs::remove(file);
+  EXPECT_TRUE(log.loadFromRawLogFile(folder.write("a.rawlog", bytes)));
   return log;
 }
 

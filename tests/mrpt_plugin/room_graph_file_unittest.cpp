@@ -1,65 +1,40 @@
 #include "roomgraph/mrpt_plugin/room_graph_file.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/io/CMemoryStream.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
+#include "TestFolder.h"
+#include "map_files.h"
 #include "object_bytes.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "sample_graph.h"
 
 namespace roomgraph {
 namespace {
 
-namespace fs = std::filesystem;
-
 class RoomGraphFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() /
-              ("roomgraph_" + std::string(test->name()) + std::to_string(::getpid()));
-    fs::create_directories(folder_);
-    path_ = (folder_ / "sample.roomgraph").string();
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& bytes) const {
-    std::ofstream(path_, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
-  }
+  void write(const std::string& bytes) const { folder_.write("sample.roomgraph", bytes); }
 
   /** The one line that tells why `bytes` are refused; empty if they are not. */
   std::string refusalOf(const std::string& bytes) const {
     write(bytes);
-    try {
-      loadRoomGraph(path_);
-    } catch (const DataError& error) {
-      const std::string line = error.what();
+    const std::string line = test::refusalOf([&] { loadRoomGraph(path_); });
+    if (!line.empty()) {
       EXPECT_EQ(line.rfind(path_, 0), 0U) << line;
       EXPECT_LT(line.size(), path_.size() + 120) << line;
       EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= ' '; })) << line;
-      return line;
     }
-    return "";
+    return line;
   }
 
-  fs::path folder_;
-  std::string path_;
+  const TestFolder folder_;
+  const std::string path_ = folder_ / "sample.roomgraph";
 };
-
-/** The object's bytes before gzip. */
-std::string plainBytes(const CRoomGraph& graph) {
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << graph;
-  return {static_cast<const char*>(stream.getRawBufferData()),
-          static_cast<std::size_t>(stream.getTotalBytesCount())};
-}
 
 TEST_F(RoomGraphFile, everythingComesBack) {
   const CRoomGraph sample = sampleGraph();
@@ -100,21 +75,19 @@ TEST_F(RoomGraphFile, anEmptyGraphComesBack) {
 }
 
 TEST_F(RoomGraphFile, anUncompressedFileIsReadToo) {
-  write(plainBytes(sampleGraph()));
+  write(test::streamed(sampleGraph()));
   EXPECT_EQ(roomGraphBytes(loadRoomGraph(path_)), roomGraphBytes(sampleGraph()));
 }
 
 /** Whether the object's own bytes are refused, in one line. In memory: there are many of them. */
 bool isRefused(const std::string& bytes) {
-  try {
+  const std::string line = test::refusalOf([&] {
     CRoomGraph graph;
     readGraphBytes({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "it",
                    graph);
-    return false;
-  } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-    return true;
-  }
+  });
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  return !line.empty();
 }
 
 TEST(GraphBytes, areRefusedWhereverTheyAreCut) {
@@ -138,7 +111,7 @@ TEST(GraphBytes, anyByteMayBeWrongWithoutHarm) {
 }
 
 TEST_F(RoomGraphFile, isRefusedWhereverItIsCut) {
-  for (const std::string& whole : {plainBytes(sampleGraph()), roomGraphBytes(sampleGraph())})
+  for (const std::string& whole : {test::streamed(sampleGraph()), roomGraphBytes(sampleGraph())})
     for (std::size_t end = 0; end < whole.size(); end += end < 40 ? 1 : 61)
       ASSERT_NE(refusalOf(whole.substr(0, end)), "") << "the first " << end << " bytes";
   const std::string whole = roomGraphBytes(sampleGraph());
@@ -157,13 +130,13 @@ TEST_F(RoomGraphFile, noDamagedByteIsOverlookedByTheChecksum) {
 
 TEST_F(RoomGraphFile, nothingMayFollow) {
   EXPECT_NE(refusalOf(roomGraphBytes(sampleGraph()) + "x"), "");
-  EXPECT_NE(refusalOf(plainBytes(sampleGraph()) + "x"), "");
+  EXPECT_NE(refusalOf(test::streamed(sampleGraph()) + "x"), "");
 }
 
 TEST_F(RoomGraphFile, otherFilesAreNoRoomGraph) {
   EXPECT_EQ(refusalOf("Hello, this is a letter, and no graph.\n"),
             path_ + ": is not a room graph: give a .roomgraph file");
-  fs::remove(path_);
+  std::filesystem::remove(path_);
   EXPECT_THROW(loadRoomGraph(path_), DataError);
 }
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
 
+#include "mrpt_reads.h"
 #include "roomgraph/mrpt_plugin/draw_graph.h"
 #include "sample_graph.h"
 
@@ -11,12 +11,7 @@ namespace roomgraph {
 namespace {
 
 TEST(SceneFile, isReadByMrptAndHoldsTheGraph) {
-  const std::string bytes = sceneBytes(sampleGraph());
-  std::vector<std::uint8_t> plain;
-  ASSERT_TRUE(mrpt::io::zip::decompress_gz_data_block({bytes.begin(), bytes.end()}, plain));
-  mrpt::io::CMemoryStream stream(plain.data(), plain.size());
-  MrptScene scene;
-  mrpt::serialization::archiveFrom(stream) >> scene;
+  MrptScene scene = test::sceneOf(sceneBytes(sampleGraph()));
   for (const char* name : {"room graph", "rooms", "corridors", "vertices", "map"})
     EXPECT_TRUE(scene.getByName(name)) << name;
   EXPECT_TRUE(scene.followCamera());

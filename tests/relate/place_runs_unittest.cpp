@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"

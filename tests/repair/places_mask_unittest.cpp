@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "TestFolder.h"
 #include "carried_by.h"
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
@@ -44,7 +44,7 @@ class PlacesMask : public testing::Test {
     return maskPlaces("image: " + picture +
                           "\nmode: scale\nresolution: 0.1\norigin: [1, 2, 0]\nnegate: 0\n"
                           "occupied_thresh: 1.0\nfree_thresh: 0.1\nfloor: 3\n",
-                      folder_.path("mask.yaml"));
+                      folder_ / "mask.yaml");
   }
 
   Written carried(const MarkedFile& file, const Transform2D& motion) {
@@ -73,7 +73,7 @@ class PlacesMask : public testing::Test {
     return std::size_t(std::count(map.grey.begin(), map.grey.end(), grey));
   }
 
-  test::TempDir folder_;
+  TestFolder folder_;
 };
 
 TEST_F(PlacesMask, aMaskThatStaysIsTheSame) {
@@ -132,9 +132,9 @@ TEST_F(PlacesMask, picturesOfOtherKindsBecomePng) {
 
 TEST_F(PlacesMask, whatIsNoMaskIsRefused) {
   EXPECT_THROW(read("mask.pgm", "no picture"), DataError);
-  EXPECT_THROW(maskPlaces("image: none.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n",
-                          folder_.path("mask.yaml")),
-               DataError);
+  EXPECT_THROW(
+      maskPlaces("image: none.pgm\nresolution: 0.1\norigin: [0, 0, 0]\n", folder_ / "mask.yaml"),
+      DataError);
 }
 
 }  // namespace

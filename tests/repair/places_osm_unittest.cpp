@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "carried_by.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/graph_files/OsmOrigin.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/report/comparison_csv.h"
 #include "roomgraph/report/gate_report.h"
 #include "sample_comparison.h"
@@ -113,13 +113,8 @@ TEST(ParseComparisonJson, knowsWhatAnOptionIs) {
 
 TEST(ParseComparisonJson, saysWhereAFileIsBroken) {
   const std::string good = comparisonJson(sample());
-  const auto complaint = [](const std::string& text) -> std::string {
-    try {
-      parseComparisonJson(text, "c.json");
-    } catch (const DataError& error) {
-      return error.what();
-    }
-    return "";
+  const auto complaint = [](const std::string& text) {
+    return test::refusalOf([&] { parseComparisonJson(text, "c.json"); });
   };
   const auto with = [&](const std::string& old, const std::string& replacement) {
     std::string text = good;

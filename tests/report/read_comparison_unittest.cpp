@@ -4,6 +4,7 @@
 #include <set>
 
 #include "TestFolder.h"
+#include "refusal.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/report/comparison_json.h"
@@ -29,12 +30,7 @@ const Json& document() {
 
 /** The complaint about a document; empty for none. */
 std::string complaintOf(const Json& json) {
-  try {
-    parseComparisonJson(json.dump(), "c.json");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf([&] { parseComparisonJson(json.dump(), "c.json"); });
 }
 
 /** Every key and every first entry of a list, as pointers. By value: \a all moves as it grows. */

@@ -1,24 +1,15 @@
 #include "roomgraph/report/site_json.h"
 
 #include <gtest/gtest.h>
-#include <rapidjson/document.h>
-#include <rapidjson/schema.h>
 
-#include <fstream>
-#include <sstream>
-
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
+#include "schemas.h"
 
 namespace roomgraph {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    parseSiteJson(text, "site.json");
-  } catch (const DataError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusalOf([&] { parseSiteJson(text, "site.json"); });
 }
 
 /** A file with a room that has all there can be. */
@@ -39,16 +30,7 @@ TEST(SiteFile, isReadAsItWasWritten) {
 }
 
 TEST(SiteFile, followsTheSchema) {
-  std::ostringstream schemaFile;
-  schemaFile << std::ifstream(ROOMGRAPH_SITE_SCHEMA).rdbuf();
-  rapidjson::Document schemaText, document;
-  schemaText.Parse(schemaFile.str().c_str());
-  ASSERT_FALSE(schemaText.HasParseError());
-  document.Parse(siteJson(sampleFile()).c_str());
-  ASSERT_FALSE(document.HasParseError());
-  const rapidjson::SchemaDocument schema(schemaText);
-  rapidjson::SchemaValidator validator(schema);
-  EXPECT_TRUE(document.Accept(validator)) << validator.GetInvalidSchemaKeyword();
+  EXPECT_EQ(test::schemaComplaint("site", siteJson(sampleFile())), "");
 }
 
 TEST(SiteFile, whatIsBrokenIsNamed) {

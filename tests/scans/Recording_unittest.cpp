@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "TestFolder.h"
 #include "drawn_cloud.h"
 #include "map_files.h"
 #include "newer_simplemap.h"
@@ -12,7 +13,7 @@ namespace roomgraph {
 namespace {
 
 TEST(Recording, countsWhatARunHolds) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const std::string bytes = test::asNewer(test::smallSimplemap(), {2, true, 8, true, true});
   const auto run = readRecording(dir.write("run", test::zstd(bytes, false)));
   ASSERT_TRUE(run);
@@ -34,7 +35,7 @@ TEST(Recording, countsWhatARunHolds) {
 }
 
 TEST(Recording, knowsCloudsEvenWhereTheirFilesAreMissing) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const std::string outside = test::cloudBytes({}, "\3" + test::raw(std::uint32_t(5)) + "a.bin");
   const auto run = readRecording(dir.write("run", test::gzipped(test::oneObservation(outside))));
   ASSERT_TRUE(run);

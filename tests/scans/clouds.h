@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <string>
 
+#include "TestFolder.h"
 #include "drawn_cloud.h"
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
 
@@ -22,12 +23,7 @@ class Clouds : public testing::Test {
     return loadGrid(dir_.write("run.simplemap", bytes), options);
   }
   std::string errorOf(const std::string& bytes) const {
-    try {
-      load(bytes);
-      return {};
-    } catch (const DataError& error) {
-      return error.what();
-    }
+    return test::refusalOf([&] { load(bytes); });
   }
   /** The four walls of the room are in the map, within a cell, and little else. */
   static void expectRoom(const GreyMap& map) {
@@ -54,11 +50,11 @@ class Clouds : public testing::Test {
         cloudBytes(sensor_, std::string(1, storage) + raw(std::uint32_t(file.size())) + file));
   }
   void writeBeside(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories(dir_.path("run_Images"));
+    std::filesystem::create_directories(dir_ / "run_Images");
     dir_.write("run_Images/" + name, bytes);
   }
 
-  const TempDir dir_;
+  const TestFolder dir_;
   const mrpt::poses::CPose3D sensor_{0.3, -0.2, 0.5, 0.7, 0.05, -0.02};
   const Points points_ = seenFrom(sensor_, roomPoints());
   const std::string simple_ =

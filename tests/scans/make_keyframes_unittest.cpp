@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -26,7 +27,7 @@ std::vector<Keyframe> keyframesOf(const std::string& file, double maxRange = 30)
 }
 
 TEST(MakeKeyframes, givesEachScanWithWhatItsBeamsMet) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const auto frames =
       keyframesOf(dir.write("map", test::gzipped(test::streamed(test::smallSimplemap()))));
   ASSERT_EQ(frames.size(), 3u);
@@ -42,7 +43,7 @@ TEST(MakeKeyframes, givesEachScanWithWhatItsBeamsMet) {
 }
 
 TEST(MakeKeyframes, areNumberedAsInTheFile) {
-  const test::TempDir dir;
+  const TestFolder dir;
   auto map = test::smallSimplemap();
   dynamic_cast<mrpt::obs::CSensoryFrame&>(*test::entryOf(map, 1).sf).clear();
   const auto frames = keyframesOf(dir.write("map", test::streamed(map)));
@@ -52,7 +53,7 @@ TEST(MakeKeyframes, areNumberedAsInTheFile) {
 }
 
 TEST(MakeKeyframes, leavesOutWhatIsTooFar) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const std::string file = dir.write("map", test::streamed(test::smallSimplemap()));
   for (const Keyframe& frame : keyframesOf(file, 2.2)) {
     EXPECT_LT(frame.ends.size(), 39u);
@@ -61,7 +62,7 @@ TEST(MakeKeyframes, leavesOutWhatIsTooFar) {
 }
 
 TEST(MakeKeyframes, tellsWhenAScanWasTakenWhereTheFileDoes) {
-  const test::TempDir dir;
+  const TestFolder dir;
   auto map = test::smallSimplemap();
   scanOf(map, 1).timestamp = INVALID_TIMESTAMP;
   const auto frames = keyframesOf(dir.write("map", test::streamed(map)));
@@ -73,7 +74,7 @@ TEST(MakeKeyframes, tellsWhenAScanWasTakenWhereTheFileDoes) {
 }
 
 TEST(MakeKeyframes, theSameRangesAreTheSameScanWhereverTheyWereTaken) {
-  const test::TempDir dir;
+  const TestFolder dir;
   auto map = test::smallSimplemap();
   const auto before = keyframesOf(dir.write("map", test::streamed(map)));
   EXPECT_NE(before[0].scanId, before[1].scanId);
@@ -87,15 +88,15 @@ TEST(MakeKeyframes, theSameRangesAreTheSameScanWhereverTheyWereTaken) {
 }
 
 TEST(MakeKeyframes, otherMapsHaveNone) {
-  const test::TempDir dir;
+  const TestFolder dir;
   EXPECT_TRUE(keyframesOf(dir.write("map", test::streamed(test::smallGrid()))).empty());
 }
 
 TEST(MakeKeyframes, aDamagedFileIsRefused) {
-  const test::TempDir dir;
+  const TestFolder dir;
   const std::string bytes = test::streamed(test::smallSimplemap());
   EXPECT_THROW(keyframesOf(dir.write("map", bytes.substr(0, bytes.size() / 2))), DataError);
-  EXPECT_THROW(keyframesOf(dir.path("none")), DataError);
+  EXPECT_THROW(keyframesOf(dir / "none"), DataError);
 }
 
 }  // namespace

@@ -10,12 +10,10 @@
 #include <mrpt/poses/CPosePDFGaussianInf.h>
 #include <mrpt/poses/CPosePDFParticles.h>
 
-#include <cmath>
-#include <functional>
 #include <limits>
 
 #include "map_files.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 
 namespace roomgraph {
 namespace {
@@ -37,12 +35,7 @@ Result read(const std::string& bytes, Result (*reader)(ByteReader&)) {
 template <class Result>
 std::string refusal(const std::string& bytes, Result (*reader)(ByteReader&)) {
   ByteReader in({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "a.map");
-  try {
-    reader(in);
-    return "";
-  } catch (const DataError& error) {
-    return error.what();
-  }
+  return test::refusalOf([&] { reader(in); });
 }
 
 /** An object as an MRPT of before wrote it. */

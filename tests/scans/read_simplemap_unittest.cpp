@@ -6,9 +6,10 @@
 
 #include <cmath>
 
+#include "TestFolder.h"
 #include "map_files.h"
 #include "newer_simplemap.h"
-#include "roomgraph/base/Error.h"
+#include "refusal.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "simplemap_entry.h"
 
@@ -23,12 +24,7 @@ class NewerSimplemap : public testing::Test {
     return loadGrid(dir_.write("map.simplemap", bytes), {});
   }
   std::string errorOf(const std::string& bytes) const {
-    try {
-      load(bytes);
-      return {};
-    } catch (const DataError& error) {
-      return error.what();
-    }
+    return test::refusalOf([&] { load(bytes); });
   }
   void expectSameGrid(const std::string& bytes) const {
     const GreyMap map = load(bytes);
@@ -37,7 +33,7 @@ class NewerSimplemap : public testing::Test {
     EXPECT_EQ(map.frame.origin.y, old_.frame.origin.y);
   }
 
-  const test::TempDir dir_;
+  const TestFolder dir_;
   const mrpt::maps::CSimpleMap simplemap_ = test::smallSimplemap();
   const GreyMap old_ = load(test::streamed(simplemap_));
 };
@@ -195,7 +191,7 @@ TEST_F(NewerSimplemap, whatMrptWritesTodayGivesTheGridOfTheOldFile) {
 }
 
 TEST(NewerGridmap, hasTheLayoutOfTheOneBefore) {
-  const test::TempDir dir;
+  const TestFolder dir;
   std::string bytes = test::streamed(test::smallGrid());
   const GreyMap old = loadGrid(dir.write("old", bytes), {});
   bytes[1 + (bytes[0] & 0x7f)] = 7;

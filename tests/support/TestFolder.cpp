@@ -21,6 +21,13 @@ TestFolder::~TestFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+std::string TestFolder::write(const std::string& name, const std::string& bytes) const {
+  const std::string file = *this / name;
+  std::filesystem::remove(file);  // some file systems write what is truncated to the disk at once
+  std::ofstream(file, std::ios::binary) << bytes;
+  return file;
+}
+
 std::vector<std::string> TestFolder::names() const {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(path_))

@@ -1,6 +1,5 @@
 #include "drawn_house.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "roomgraph/align/wall_map.h"

@@ -5,14 +5,13 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
 #include <png.h>
-#include <stdlib.h>
 #include <zlib.h>
 #include <zstd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 // jpeglib.h uses what stands above it.
@@ -21,24 +20,6 @@
 namespace roomgraph::test {
 
 namespace fs = std::filesystem;
-
-TempDir::TempDir() {
-  std::string name = (fs::temp_directory_path() / "roomgraph-test-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary directory");
-  path_ = name;
-}
-
-TempDir::~TempDir() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string TempDir::write(const std::string& name, const std::string& bytes) const {
-  const std::string file = path(name);
-  fs::remove(file);  // some file systems write a file that is truncated to the disk at once
-  std::ofstream(file, std::ios::binary) << bytes;
-  return file;
-}
 
 std::string sharedFile(const std::string& name) {
   const std::string file = ROOMGRAPH_SHARED_DATA + name;

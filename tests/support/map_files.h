@@ -3,26 +3,9 @@
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/serialization/CSerializable.h>
 
-#include <filesystem>
 #include <string>
 
 namespace roomgraph::test {
-
-/** A directory that goes away with its contents. */
-class TempDir {
- public:
-  TempDir();
-  ~TempDir();
-  TempDir(const TempDir&) = delete;
-  TempDir& operator=(const TempDir&) = delete;
-
-  /** Writes the bytes and returns the file's full name. */
-  std::string write(const std::string& name, const std::string& bytes) const;
-  std::string path(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /** The full name of a file of other projects beside the source tree; empty where it is not
  *  there. */

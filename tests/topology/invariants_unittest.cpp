@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "hand_built.h"
 
 namespace roomgraph::test {

@@ -27,7 +27,8 @@ struct Contradiction {
            found.score - drawn.score > leastGain;
   }
 };
-constexpr Contradiction kSlip{0.45, 0.52, 15}, kClearSlip{0.35, 0.42, 35}, kTear{0.15, 0.4, 40};
+constexpr Contradiction kSlip{fitted::kLeastQuality, 0.52, 15}, kClearSlip{0.35, 0.42, 35},
+    kTear{0.15, 0.4, 40};
 constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
 // Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
 // there than as it was drawn.
@@ -44,7 +45,7 @@ class Mender {
     result_.evidence.assign(drawn_.size(), StepEvidence::none);
     for (std::size_t k = 1; k < drawn_.size(); ++k) {
       mend(k);
-      if (asked_[k] && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
+      if (isAsked(k) && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
     }
     return std::move(result_);
   }
@@ -65,6 +66,8 @@ class Mender {
     return drawn_[from].inverse() * drawn_[to];
   }
 
+  bool isAsked(std::size_t k) const { return asked_.empty() || asked_[k]; }
+
   /** Of the walls that count [m]. */
   double range() const { return 10 + 2 * gait_.longest.place; }
 
@@ -79,7 +82,7 @@ class Mender {
   void mend(std::size_t k) {
     // As drawn to the last bit, up to the first contradiction.
     result_.poses[k] = isMended_ ? result_.poses[k - 1] * step(k - 1, k) : drawn_[k];
-    if (!asked_[k] || !scans_[k].isTelling()) return;
+    if (!isAsked(k) || !scans_[k].isTelling()) return;
     if (ahead_.walls.empty() || k >= aheadOf_ + kTogether) drawAhead(k);
     if (ahead_.walls.empty()) return;
     const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
@@ -282,10 +285,6 @@ class Mender {
 };
 
 }  // namespace
-
-MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn) {
-  return Mender(scans, drawn, std::vector<bool>(scans.size(), true)).mended();
-}
 
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {

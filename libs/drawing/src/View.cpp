@@ -43,8 +43,7 @@ PaletteImage backdrop(const Grid& grid, const View& view) {
   for (int y = firstY; y < endY; ++y) {
     const State* row = grid.cells.data() + grid.frame.index({0, y});
     const int fromBottom = (y - view.first.y) / view.reduce;
-    std::uint8_t* out = image.indices.data() +
-                        std::size_t(image.height - 1 - fromBottom) * std::size_t(image.width);
+    std::uint8_t* out = image.indices.data() + std::size_t(fromBottom) * std::size_t(image.width);
     // Counted rather than divided: this line runs for every cell of the map.
     int column = (firstX - view.first.x) / view.reduce;
     int left = view.reduce - (firstX - view.first.x) % view.reduce;

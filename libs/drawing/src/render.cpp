@@ -61,7 +61,7 @@ Surface backdropSurface(const PaletteImage& image) {
     words.push_back(std::uint32_t(c.red) << 16 | std::uint32_t(c.green) << 8 | c.blue);
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* row = &image.indices[std::size_t(y) * std::size_t(image.width)];
-    unsigned char* out = pixels + std::ptrdiff_t(y) * stride;
+    unsigned char* out = pixels + std::ptrdiff_t(image.height - 1 - y) * stride;
     for (int x = 0; x < image.width; ++x)
       std::memcpy(out + std::ptrdiff_t(4) * x, &words[row[x]], 4);
   }

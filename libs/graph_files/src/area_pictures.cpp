@@ -9,11 +9,8 @@
 namespace roomgraph {
 namespace {
 
-/** Row-major, row 0 on top. */
-using Greys = std::vector<std::uint8_t>;
-
 /** Lets nothing near a passage be faster than the passage allows. */
-void slowDown(const Passage& passage, const GridFrame& frame, Greys& greys) {
+void slowDown(const Passage& passage, const GridFrame& frame, std::vector<std::uint8_t>& greys) {
   const auto grey = std::uint8_t(std::round(2.55 * speedPercent(passage.width / 2)));
   const double reach = kFullSpeedClearance;
   const auto [left, right] = std::minmax(passage.from.x, passage.to.x);
@@ -23,7 +20,7 @@ void slowDown(const Passage& passage, const GridFrame& frame, Greys& greys) {
   for (int y = std::max(low.y, 0); y <= std::min(high.y, frame.height - 1); ++y)
     for (int x = std::max(low.x, 0); x <= std::min(high.x, frame.width - 1); ++x) {
       if (distanceToSegment(frame.center({x, y}), passage.from, passage.to) >= reach) continue;
-      std::uint8_t& at = greys[frame.index({x, frame.height - 1 - y})];
+      std::uint8_t& at = greys[frame.index({x, y})];
       at = std::min(at, grey);
     }
 }
@@ -31,12 +28,7 @@ void slowDown(const Passage& passage, const GridFrame& frame, Greys& greys) {
 }  // namespace
 
 std::string areaLabelsPng(const AreaGraph& graph, const GridFrame& frame) {
-  const auto width = std::ptrdiff_t(frame.width);
-  std::vector<std::uint16_t> topFirst(graph.labels.size());
-  for (int y = 0; y < frame.height; ++y)
-    std::copy_n(graph.labels.begin() + y * width, width,
-                topFirst.begin() + (frame.height - 1 - y) * width);
-  return pngBytes(topFirst, frame.width, frame.height);
+  return pngBytes(graph.labels, frame.width, frame.height);
 }
 
 std::string keepoutMaskPng(const AreaGraph& graph, const GridFrame& frame,
@@ -52,7 +44,7 @@ std::string keepoutMaskPng(const AreaGraph& graph, const GridFrame& frame,
 }
 
 std::string speedMaskPng(const AreaGraph& graph, const GridFrame& frame) {
-  Greys greys(frame.cellCount(), 255);
+  std::vector<std::uint8_t> greys(frame.cellCount(), 255);
   for (const Passage& passage : graph.passages) slowDown(passage, frame, greys);
   return pngBytes(greys, frame.width, frame.height);
 }

@@ -1,6 +1,5 @@
 #include "roomgraph/graph_files/geojson.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

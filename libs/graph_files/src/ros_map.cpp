@@ -69,9 +69,7 @@ std::string mapsSession(const std::vector<SessionMap>& maps) {
 std::string mapPgm(const Grid& grid) {
   std::vector<std::uint8_t> greys;
   greys.reserve(grid.cells.size());
-  for (int y = grid.frame.height; y-- > 0;)
-    for (int x = 0; x < grid.frame.width; ++x)
-      greys.push_back(kGreys[std::size_t(grid.at({x, y}))]);
+  for (const State state : grid.cells) greys.push_back(kGreys[std::size_t(state)]);
   return pgmBytes(greys, grid.frame.width, grid.frame.height);
 }
 
@@ -80,8 +78,7 @@ std::string mapPng(const Grid& grid) {
   image.width = grid.frame.width, image.height = grid.frame.height;
   for (const std::uint8_t grey : kGreys) image.palette.push_back({grey, grey, grey});
   image.indices.reserve(grid.cells.size());
-  for (int y = image.height; y-- > 0;)
-    for (int x = 0; x < image.width; ++x) image.indices.push_back(std::uint8_t(grid.at({x, y})));
+  for (const State state : grid.cells) image.indices.push_back(std::uint8_t(state));
   return pngBytes(image);
 }
 

@@ -60,6 +60,13 @@ class Encoder {
   std::string bytes_;
 };
 
+/** Maps count their rows from below, files of pictures from above. */
+template <class Value, class Take>
+void eachRowFromTop(const std::vector<Value>& values, int width, const Take& take) {
+  for (std::size_t end = values.size(); end > 0; end -= std::size_t(width))
+    take(&values[end - std::size_t(width)]);
+}
+
 }  // namespace
 
 std::string pngBytes(const PaletteImage& image) {
@@ -75,13 +82,12 @@ std::string pngBytes(const PaletteImage& image) {
   }
   png_write_info(encoder.png(), encoder.info());
   std::vector<png_byte> row(std::size_t((image.width + perByte - 1) / perByte));
-  for (int y = 0; y < image.height; ++y) {
-    const std::uint8_t* source = &image.indices[std::size_t(y) * std::size_t(image.width)];
+  eachRowFromTop(image.indices, image.width, [&](const std::uint8_t* source) {
     std::fill(row.begin(), row.end(), png_byte(0));
     for (int x = 0; x < image.width; ++x)
       row[std::size_t(x / perByte)] |= png_byte(source[x] << (8 - depth * (1 + x % perByte)));
     png_write_row(encoder.png(), row.data());
-  }
+  });
   return encoder.finish();
 }
 
@@ -106,8 +112,8 @@ std::string pngBytes(const unsigned char* pixels, int width, int height, int str
 std::string pngBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
   Encoder encoder(width, height, 8, PNG_COLOR_TYPE_GRAY);
   png_write_info(encoder.png(), encoder.info());
-  for (int y = 0; y < height; ++y)
-    png_write_row(encoder.png(), &levels[std::size_t(y) * std::size_t(width)]);
+  eachRowFromTop(levels, width,
+                 [&](const std::uint8_t* row) { png_write_row(encoder.png(), row); });
   return encoder.finish();
 }
 
@@ -117,15 +123,20 @@ std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int he
   png_set_filter(encoder.png(), PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
   png_write_info(encoder.png(), encoder.info());
   std::vector<png_byte> row(std::size_t(width) * 2);
-  for (int y = 0; y < height; ++y) {
-    const std::uint16_t* source = &levels[std::size_t(y) * std::size_t(width)];
+  eachRowFromTop(levels, width, [&](const std::uint16_t* source) {
     for (std::size_t x = 0; x < std::size_t(width); ++x) {
       row[2 * x] = png_byte(source[x] >> 8);
       row[2 * x + 1] = png_byte(source[x] & 0xff);
     }
     png_write_row(encoder.png(), row.data());
-  }
+  });
   return encoder.finish();
+}
+
+std::string pgmBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
+  std::string bytes = "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n";
+  eachRowFromTop(levels, width, [&](const std::uint8_t* row) { bytes.append(row, row + width); });
+  return bytes;
 }
 
 }  // namespace roomgraph

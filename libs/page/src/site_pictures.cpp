@@ -146,7 +146,7 @@ SitePicture runPicture(const PlacedMap& placed, const RunInk& ink, double pixel)
   image.alphas = {0, ink.faint, kWallAlphas[0], kWallAlphas[1], kWallAlphas[2], kWallAlphas[3]};
   image.indices.reserve(frame.cellCount());
   const Sampler sampler(placed, pixel);
-  for (int y = frame.height - 1; y >= 0; --y)
+  for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x)
       image.indices.push_back(
           weave(sampler.at(frame.origin + pixel * Point{double(x), double(y)}), ink.pattern, x, y));
@@ -195,11 +195,8 @@ SitePicture heatPicture(const Disagreement& disagreement) {
   PaletteImage image{frame.width, frame.height, {{}}, {}, {0}};
   image.palette.insert(image.palette.end(), heatColours().begin(), heatColours().end());
   image.alphas.resize(image.palette.size(), 225);
-  for (int y = frame.height - 1; y >= 0; --y)
-    for (int x = 0; x < frame.width; ++x) {
-      const double share = double(disagreement.shares[frame.index({x, y})]);
-      image.indices.push_back(std::uint8_t(heatLevel(share)));
-    }
+  for (const float share : disagreement.shares)
+    image.indices.push_back(std::uint8_t(heatLevel(double(share))));
   return {boxOf(frame), pngBytes(image)};
 }
 

@@ -223,13 +223,8 @@ class Mask {
   }
 
   std::string pictureBytes(const std::vector<std::uint8_t>& grey, const GridFrame& frame) const {
-    std::vector<std::uint8_t> rows;
-    for (int y = frame.height; y-- > 0;) {
-      const auto row = grey.begin() + std::ptrdiff_t(frame.index({0, y}));
-      rows.insert(rows.end(), row, row + frame.width);
-    }
-    return isPgm_ ? pgmBytes(rows, frame.width, frame.height)
-                  : pngBytes(rows, frame.width, frame.height);
+    return isPgm_ ? pgmBytes(grey, frame.width, frame.height)
+                  : pngBytes(grey, frame.width, frame.height);
   }
 
   std::string text_, file_;

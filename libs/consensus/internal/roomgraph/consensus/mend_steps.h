@@ -30,13 +30,11 @@ struct MendedSteps {
  *  where it was drawn is left there, so a corridor on which it may slide contradicts nothing. Where
  *  that leaves a step as it was, the one scan before it is held against the few behind it, which
  *  tells slips that the next step takes back: the scan between lies wrong, and both steps do.
- *  Deterministic. O(scans * (cells around a few scans)). */
-MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn);
-
-/** The same of some steps only, those to the scans that are `asked` for; of all others there is no
- *  evidence. O(scans + asked * (cells around a few scans)). */
+ *  Only the steps to the scans that are `asked` for are held against others, where there are such;
+ *  of the others there is no evidence.
+ *  Deterministic. O(scans + asked * (cells around a few scans)). */
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-                      const std::vector<bool>& asked);
+                      const std::vector<bool>& asked = {});
 
 /** Whether the scans on both sides of the step to scan `k`, of at least 1, agree with it as it was
  *  drawn, and either clearly less with `step` (scan k - 1 <- scan k), where walls stand in a place

@@ -11,7 +11,7 @@ namespace roomgraph {
 struct PaletteImage {
   int width = 0, height = 0;
   std::vector<Colour> palette;        ///< at most 16
-  std::vector<std::uint8_t> indices;  ///< row-major, row 0 on top
+  std::vector<std::uint8_t> indices;  ///< row-major, row 0 lowest
   std::vector<std::uint8_t> alphas;   ///< of the first colours; the others are opaque
 };
 
@@ -27,14 +27,11 @@ std::string pngBytes(const PaletteImage& image);
  *  from row to row, row 0 on top. Fast rather than small. */
 std::string pngBytes(const unsigned char* pixels, int width, int height, int stride);
 
-/** PNG file with 8 bits of grey for each pixel, or 16; `levels` are row-major, row 0 on top. */
+/** PNG file with 8 bits of grey for each pixel, or 16; `levels` are row-major, row 0 lowest. */
 std::string pngBytes(const std::vector<std::uint8_t>& levels, int width, int height);
 std::string pngBytes(const std::vector<std::uint16_t>& levels, int width, int height);
 
-/** PGM file with 8 bits of grey for each pixel; `levels` are row-major, row 0 on top. */
-inline std::string pgmBytes(const std::vector<std::uint8_t>& levels, int width, int height) {
-  return "P5\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n" +
-         std::string(levels.begin(), levels.end());
-}
+/** PGM file with 8 bits of grey for each pixel; `levels` are row-major, row 0 lowest. */
+std::string pgmBytes(const std::vector<std::uint8_t>& levels, int width, int height);
 
 }  // namespace roomgraph
