@@ -94,5 +94,11 @@ TEST(FindWelded, theLargestIsFirst) {
   EXPECT_EQ(places[1].other.last, 40u);
 }
 
+TEST(BeamsThroughWalls, moreThanAreDrawnRefuteWhereARunWouldAgree) {
+  EXPECT_TRUE(seesThroughMore({100, 10, {}}, {120, 18, {}}));
+  EXPECT_FALSE(seesThroughMore({100, 10, {}}, {120, 16, {}}));
+  EXPECT_FALSE(seesThroughMore({0, 0, {}}, {120, 60, {}})) << "nothing to compare with";
+}
+
 }  // namespace
 }  // namespace roomgraph

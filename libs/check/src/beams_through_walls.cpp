@@ -11,6 +11,8 @@
 namespace roomgraph {
 namespace {
 
+constexpr double kMoreBeams = 1.4;  // times as many through walls: by few they may differ
+
 bool isThrough(const WallMap& map, std::size_t cell, Point place, Point normal) {
   if (map.states[cell] != State::free) return false;
   const WallPoint* wall = nearestWall(map, cell, normal);
@@ -81,6 +83,10 @@ BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
         beams.overlaid.push_back(scanPair(k, passes.nearestScan(pass, poses[k].shift())));
     }
   return beams;
+}
+
+bool seesThroughMore(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed) {
+  return drawn.share() && agreed.share() && *agreed.share() > kMoreBeams * *drawn.share();
 }
 
 std::vector<WeldedPlace> findWelded(const Run& run, const BeamsThroughWalls& drawn,

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "ScanPair.h"
@@ -18,6 +19,10 @@ namespace roomgraph {
 struct BeamsThroughWalls {
   std::size_t walls = 0;    ///< whose place was seen at another time, once for each such pass
   std::size_t through = 0;  ///< of those: where beams have gone through
+  /** The share of these; none of no walls. */
+  std::optional<double> share() const {
+    return walls > 0 ? std::optional(double(through) / double(walls)) : std::nullopt;
+  }
   /** Scans of most of whose walls that is so, each with the nearest one of that pass. */
   std::vector<ScanPair> overlaid;
 };
@@ -27,6 +32,10 @@ struct BeamsThroughWalls {
  *  around a few scans)). */
 BeamsThroughWalls beamsThroughWalls(const std::vector<LocalScan>& scans,
                                     const std::vector<Transform2D>& poses);
+
+/** Whether beams go through clearly more walls of a run where it would agree with itself: then what
+ *  it agrees on is not right. */
+bool seesThroughMore(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed);
 
 /** The places that the run has laid over each other though they are not one: where several
  *  scans beside each other see through most of the walls of another time, as drawn and as the run

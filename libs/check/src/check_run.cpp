@@ -86,15 +86,18 @@ double shareOfPath(const std::vector<CheckedPose>& path) {
   return all > 0 ? seen / all : 0;
 }
 
-std::string sentenceOf(const RunCheck& check) {
+std::string sentenceOf(const RunCheck& check, bool isRefuted) {
   const double percent = 100 * check.seenTwice;
   if (!check.selfError && !check.welded.empty())
     return formatted(
         "cannot tell: key frames %zu and %zu lie in one place, and see through each other's walls",
         check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
+  if (!check.selfError && isRefuted)
+    return "cannot tell: where it would agree with itself, it would see through more of its own "
+           "walls";
   if (!check.selfError && !check.breaks.empty())
     return formatted(
-        "cannot tell: it breaks before key frame %zu, and too little was seen from both sides of "
+        "cannot tell: the run breaks before key frame %zu, and too little was seen from both sides of "
         "its breaks to say how its parts lie to each other",
         *check.breaks.front().keyFrame);
   if (!check.selfError && check.seenTwice > kLeastSeenTwice)
@@ -103,7 +106,8 @@ std::string sentenceOf(const RunCheck& check) {
         percent);
   if (!check.selfError)
     return formatted("cannot tell: %.0f %% of its path was seen twice", percent);
-  const bool isSound = check.breaks.empty() && check.doubled.empty();
+  const bool isSound =
+      check.breaks.empty() && check.doubled.empty() && check.welded.empty();
   return formatted(
       "%s %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was driven once, and "
       "nothing is known of slow bends there",
@@ -165,12 +169,13 @@ RunCheck checkRun(const Run& run) {
   check.evidence = selfEvidence(run, mended, agreed, beams, agreedBeams);
   // It has not parted what cannot be one place, so that nothing says how far it is off.
   const bool isBlind = !check.welded.empty() && agreed.error.error < kBreakShift;
-  if (check.isConfirmed && !isBlind &&
+  const bool isRefuted = agreed.error.low > 0 && seesThroughMore(beams, agreedBeams);
+  if (check.isConfirmed && !isBlind && !isRefuted &&
       (check.seenTwice > kLeastSeenTwice || !check.breaks.empty())) {
     check.selfError = agreed.error.error;
     check.low = agreed.error.low, check.high = agreed.error.high;
   }
-  check.sentence = sentenceOf(check);
+  check.sentence = sentenceOf(check, isRefuted);
   return check;
 }
 

@@ -45,15 +45,11 @@ Evidence revisitsApart(const Run& run, const SelfConsensus& consensus) {
 }
 
 Evidence beamsThrough(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed) {
-  const auto share = [](const BeamsThroughWalls& beams) -> std::optional<double> {
-    if (beams.walls == 0) return std::nullopt;
-    return double(beams.through) / double(beams.walls);
-  };
-  return {kBeamsThroughWalls,
+  return {"beams_through_walls",
           "Walls that beams of another time go through",
           "1",
-          share(drawn),
-          share(agreed),
+          drawn.share(),
+          agreed.share(),
           double(drawn.walls)};
 }
 

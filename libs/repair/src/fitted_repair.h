@@ -12,7 +12,6 @@ constexpr double kWithin = 2.5 * 1.4826;  // medians: 2.5 standard deviations of
 
 // Whether a run gets better.
 constexpr std::size_t kProbes = 60;  // scans of it, or of a piece, by which it is judged, about
-constexpr double kMoreBeams = 1.4;   // times as many through its walls: by few they may differ
 
 // One map of several runs.
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall

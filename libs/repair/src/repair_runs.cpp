@@ -52,25 +52,13 @@ PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
           s * xp + c * yp};
 }
 
-/** Whether beams of a run go through more of its walls where it would agree with itself: then what
- *  it agrees on is not right, as where each key frame lies off on its own. */
-bool seesThroughMore(const RunCheck& check) {
-  const auto beams =
-      std::find_if(check.evidence.begin(), check.evidence.end(),
-                   [](const Evidence& row) { return row.name == kBeamsThroughWalls; });
-  return beams != check.evidence.end() && beams->drawn && beams->agreed &&
-         *beams->agreed > fitted::kMoreBeams * *beams->drawn;
-}
-
 /** Why a run is better left as it was; mended where nothing speaks for that. */
 void judge(const RunCheck& check, RepairedRun& repaired) {
   if (!check.selfError) {
     repaired.reason = "left as it was: " + check.sentence;
   } else if (check.low <= 0) {
     repaired.reason =
-        formatted("left as it was: its self error of %.3f m may be none", *check.selfError);
-  } else if (seesThroughMore(check)) {
-    repaired.reason = "left as it was: moved, it would see through more of its own walls";
+        formatted("left as it was: its self error of %.3f m may be zero", *check.selfError);
   } else {
     repaired.state = RepairState::mended;
     repaired.reason = formatted("mended: it was %.3f m from agreeing with itself (%.3f to %.3f)",
@@ -84,7 +72,7 @@ void judge(const MapError& error, RepairedRun& repaired) {
     repaired.reason =
         formatted("left as it was: others have seen only %.0f %% of it", 100 * error.seen);
   } else if (error.low <= 0) {
-    repaired.reason = formatted("left as it was: its error of %.3f m may be none", error.error);
+    repaired.reason = formatted("left as it was: its error of %.3f m may be zero", error.error);
   } else {
     repaired.state = RepairState::mended;
     repaired.reason =

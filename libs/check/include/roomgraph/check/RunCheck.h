@@ -28,9 +28,6 @@ struct Evidence {
   double support = 0;            ///< how many things were counted: steps, revisits, or walls
 };
 
-/** The name of one: walls that beams of other times go through. */
-constexpr const char* kBeamsThroughWalls = "beams_through_walls";
-
 /** A stretch of a run, and where it has drawn a place. */
 struct DrawnStretch {
   std::size_t first = 0, last = 0;  ///< key frames

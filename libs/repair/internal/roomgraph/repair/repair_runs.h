@@ -15,7 +15,7 @@ namespace roomgraph {
 // Next: keyFrameMoves, mergeRuns
 
 /** Puts the key frames of each run of the site where all runs together have them, in the run's own
- *  frame. A run is left as it was where its error may be none, by its interval, where less than
+ *  frame. A run is left as it was where its error may be zero, by its interval, where less than
  *  half of what it has drawn has been seen by others, or where its scans would fit what the others
  *  have seen no better. In the order of the site. O(scans). */
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real);
@@ -25,7 +25,7 @@ bool isTrusted(const MapError& error);
 
 /** A run laid as it would lie if it agreed with itself (checkRun), in its own frame, whose sound
  *  majority stays where it was. It is left as it was, with the reason, where nothing can be told of
- *  it, where its self error may be none, and where what was seen twice does not bear out how its
+ *  it, where its self error may be zero, and where what was seen twice does not bear out how its
  *  parts lie to each other. Slow bends of what was driven once stay: nothing shows them.
  *  Deterministic. O(scans). */
 RepairedRun repairAlone(const Run& run, const RunCheck& check);
