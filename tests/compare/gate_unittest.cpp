@@ -90,8 +90,7 @@ TEST(Gate, aMapThatNobodyBearsOutDoesNotPass) {
             Lines{"good: is borne out by others in 69 % of what it has drawn, less than 70 %"});
   comparison.runs[0].score->confirmed = 0.99, comparison.runs[0].score->contradicted = 0.002;
   EXPECT_EQ(gateVerdict(comparison, options).complaints,
-            Lines{"good: 1 % of what it has drawn is contradicted by other runs, and was found "
-                  "nowhere else"});
+            Lines{"good: has drawn 1 % that others contradict, and that fits nowhere else"});
 }
 
 TEST(Gate, aSmearedMapBreaksAtEachKeyFrame) {

@@ -58,13 +58,11 @@ TEST(ScoreRuns, aRunOfWhichOthersBearOutLessThanHalfHasNoMeaning) {
   EXPECT_TRUE(scores[0]->isMeaningful);
   EXPECT_FALSE(scores[1]->isMeaningful);
   EXPECT_EQ(scores[1]->confirmed, 0.49);
-  EXPECT_FALSE(scores[1]->isBorneOut());
   EXPECT_TRUE(scores[2]->isMeaningful);
-  EXPECT_FALSE(scores[2]->isBorneOut());
   EXPECT_EQ(scores[2]->jitter, 0.12);
   EXPECT_EQ(scores[2]->scale, 1.01);
   EXPECT_TRUE(scores[2]->isScaleDisputed);
-  EXPECT_TRUE(scores[0]->isBorneOut());
+  EXPECT_EQ(scores[0]->confirmed, 1);
 }
 
 TEST(ScoreRuns, whatOthersContradictIsTrustedAsItsWorstCase) {

@@ -27,6 +27,8 @@ void addScore(std::vector<Measure>& figures, const RunScore& score) {
   points.low = score.low, points.high = score.high;
   figures.push_back(error);
   figures.push_back(points);
+  figures.push_back(figure("confirmed", score.confirmed, "1", score));
+  figures.push_back(figure("contradicted", score.contradicted, "1", score));
   figures.push_back(figure("shared_walls", score.share, "1", score));
   figures.push_back(figure("trust", score.trust, "1", score));
 }

@@ -57,6 +57,9 @@ std::string mapFault(const HistoryRun& run, std::optional<double> usual,
   if (error > options.limit)
     return formatted("is %.2f m off, with a limit of %.2f m", error, options.limit);
   if (seen < kNearlyAll) return formatted("shows only %.0f %% of the site", 100 * seen);
+  const double confirmed = trustedValueOf(run.figures, "confirmed").value_or(1);
+  if (std::string fault = unconfirmedFault(confirmed, figure("contradicted"), seen); !fault.empty())
+    return fault;
   if (figure("walls_missing") > kMostMissing)
     return formatted("lacks %.0f %% of the walls that others have", 100 * figure("walls_missing"));
   if (figure("walls_added") > kMostAdded)

@@ -85,9 +85,7 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
   if (const Measure* added = best.addedWalls())
     doubts.push_back(formatted("has a place where others show no such walls, round (%.1f, %.1f)",
                                added->place->x, added->place->y));
-  if (!best.score->isBorneOut())
-    doubts.push_back(formatted("has only %.0f %% of what it has drawn borne out by another run",
-                               std::floor(100 * best.score->confirmed)));
+  if (const std::string fault = best.unconfirmedFault(); !fault.empty()) doubts.push_back(fault);
   if (const std::string fault = comparison.faultOfReference(best); !fault.empty())
     doubts.push_back("cannot be measured (" + fault + ")");
   else if (!best.score->isMeaningful)

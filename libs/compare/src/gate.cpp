@@ -117,14 +117,11 @@ class Judge {
   /** A run without a score, of which nothing is borne out, has to be told so by another figure. */
   void judgeConfirmed(const ComparedRun& run) {
     if (!options_.failsOnUnconfirmed || !run.score) return;
-    const RunScore& score = *run.score;
-    if (score.contradicted > 0)
-      return complain(run.name, formatted("%.0f %% of what it has drawn is contradicted by other "
-                                          "runs, and was found nowhere else",
-                                          std::max(1.0, 100 * score.contradicted)));
-    hold("confirmed", run.name, score.confirmed - kNearlyAll,
-         shareText("is borne out by others in", score.confirmed, kNearlyAll,
-                   "of what it has drawn"));
+    const std::string fault = run.unconfirmedFault();
+    if (!fault.empty()) return complain(run.name, fault);
+    const double confirmed = run.score->confirmed;
+    hold("confirmed", run.name, confirmed - kNearlyAll,
+         shareText("is borne out by others in", confirmed, kNearlyAll, "of what it has drawn"));
   }
 
   /** A run that is smeared breaks at each of its key frames. */

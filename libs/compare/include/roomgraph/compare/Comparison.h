@@ -18,6 +18,13 @@ namespace roomgraph {
  *  furniture adds less. */
 constexpr double kMostAdded = 0.25;
 
+/** What speaks against a map as a whole, as a sentence without its subject: that others contradict
+ *  some of it, or bear out less than kNearlyAll. What it lacks of what they have counts against it
+ *  as well, up to as much as nobody bears out: a part that is drawn in a wrong place is both. Empty
+ *  for nothing. `coverage`: 1 where it is not known. */
+[[nodiscard]] std::string unconfirmedFault(double confirmed, double contradicted,
+                                           double coverage);
+
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
 
@@ -53,8 +60,12 @@ struct ComparedRun {
   [[nodiscard]] std::optional<double> partialCoverage() const;
   /** The measure `walls_added`, where it is meaningful, and is more than kMostAdded; else null. */
   [[nodiscard]] const Measure* addedWalls() const;
+  /** See unconfirmedFault; empty without a score. */
+  [[nodiscard]] std::string unconfirmedFault() const;
   /** Whether its score is borne out, and no place of its map is other than the others show it. */
-  [[nodiscard]] bool isBorneOut() const { return score && score->isBorneOut() && !addedWalls(); }
+  [[nodiscard]] bool isBorneOut() const {
+    return score && unconfirmedFault().empty() && !addedWalls();
+  }
 };
 
 /** Two runs, placed or not. */

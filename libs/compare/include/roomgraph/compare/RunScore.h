@@ -31,9 +31,6 @@ struct RunScore {
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
   bool isMeaningful = false;  ///< see scoreRuns
-
-  /** Whether others bear out so much that it can be spoken of as a whole. */
-  [[nodiscard]] bool isBorneOut() const { return confirmed >= kNearlyAll && contradicted <= 0; }
   /** Whether it and the reference fit each other as wholes; true where there is none. */
   [[nodiscard]] bool fitsReference() const { return givenUp <= kMostGivenUp; }
 };
