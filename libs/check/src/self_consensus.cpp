@@ -13,11 +13,12 @@ namespace {
 
 /** The run at other poses than it has. */
 PoseGraph graphAt(const Run& run, const std::vector<Transform2D>& poses,
-                  const std::vector<Revisit>& revisits) {
+                  const std::vector<StepEvidence>& evidence, const std::vector<Revisit>& revisits) {
   PoseGraph graph;
   const RunId id = graph.addRun(true);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const NodeId node = graph.addNode(poses[k], run.scans[k].ends, run.scans[k].axes);
+    if (!evidence.empty()) graph.nodes[node].isDoubtful = evidence[k] != StepEvidence::agrees;
     if (k > 0) graph.addLink(NodeId(k - 1), node);
   }
   for (const Revisit& revisit : revisits) graph.addGroup({id, id, {}}, revisit);
@@ -37,7 +38,8 @@ std::vector<Transform2D> solvedFrom(const PoseGraph& graph, const std::vector<Tr
 /** The error of the run as it was drawn, and what of it was seen twice. */
 MapError errorOf(const Run& run, const std::vector<Revisit>& revisits,
                  const std::vector<Transform2D>& poses) {
-  MapError error = mapError(graphAt(run, drawnPoses(run.scans), {}), RunId(0), NodePoses(poses), 1);
+  MapError error =
+      mapError(graphAt(run, drawnPoses(run.scans), {}, {}), RunId(0), NodePoses(poses), 1);
   for (const Revisit& revisit : revisits)
     for (const PoseEdge& edge : revisit)
       error.isSeen[edge.from.index()] = error.isSeen[edge.to.index()] = true;
@@ -58,7 +60,8 @@ SelfConsensus selfConsensus(const Run& run, const std::vector<LocalScan>& scans,
   std::vector<Revisit> revisits;
   for (const StartIs startIs : {StartIs::rough, StartIs::good}) {
     revisits = findRevisits(scans, result.poses);
-    result.poses = solvedFrom(graphAt(run, mended.poses, revisits), result.poses, startIs);
+    result.poses =
+        solvedFrom(graphAt(run, mended.poses, mended.evidence, revisits), result.poses, startIs);
   }
   result.error = errorOf(run, revisits, result.poses);
   for (const Revisit& revisit : revisits)

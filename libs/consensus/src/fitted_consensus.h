@@ -26,8 +26,10 @@ constexpr double kLinkTurnPerRootRadian = 0.01;
 // Matches. What both runs have scanned as one is twice as sure, and counts twice.
 constexpr PoseNoise kMatchNoise{0.01, 0.06};
 constexpr double kMatchWeight = 0.25;
-// Walls of a node along the axes of the building [rad].
-constexpr double kAxesTurn = 0.03;
+// Walls of a node along the axes of the building [rad], and where these turn: by how much, between
+// how many nodes on either side, and how many in the turn itself.
+constexpr double kAxesTurn = 0.03, kAxesJump = 0.044;
+constexpr std::size_t kBesideTurn = 5, kAcrossTurn = 2;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr int kFirstWidening = 8;  // times as wide are those of links and matches at first

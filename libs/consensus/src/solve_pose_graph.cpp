@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "edge_cost.h"
+#include "wall_axes.h"
 
 namespace roomgraph {
 namespace {
@@ -50,7 +52,7 @@ class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
   explicit AlongAxes(double turn) : turn_(turn) {}
 
   bool Evaluate(double const* const* values, double* residuals, double** jacobians) const override {
-    residuals[0] = wrappedAngle(4 * (values[0][2] + turn_ - values[1][0])) / 4 / fitted::kAxesTurn;
+    residuals[0] = axesAngle(values[0][2] + turn_ - values[1][0]) / fitted::kAxesTurn;
     if (!jacobians) return true;
     if (double* j = jacobians[0]) j[0] = 0, j[1] = 0, j[2] = 1 / fitted::kAxesTurn;
     if (double* j = jacobians[1]) j[0] = -1 / fitted::kAxesTurn;
@@ -61,21 +63,28 @@ class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
   double turn_;
 };
 
-/** The direction that the axes of most nodes have [rad]. */
-double axesOfAll(const PoseGraph& graph, const NodePoses& poses) {
-  double cosine = 0, sine = 0;
+/** The direction of each pair of axes [rad]. */
+std::vector<double> directionsOf(const WallAxes& wallAxes, const PoseGraph& graph,
+                                 const NodePoses& poses) {
+  std::vector<Point> sums(wallAxes.count);
   for (const NodeId node : poses.ids())
-    if (const auto& axes = graph.nodes[node].axes) {
-      cosine += axes->weight * std::cos(4 * (poses[node].phi + axes->turn));
-      sine += axes->weight * std::sin(4 * (poses[node].phi + axes->turn));
+    if (const auto pair = wallAxes.ofNode[node]) {
+      const ScanAxes& axes = *graph.nodes[node].axes;
+      sums[*pair].x += axes.weight * std::cos(4 * (poses[node].phi + axes.turn));
+      sums[*pair].y += axes.weight * std::sin(4 * (poses[node].phi + axes.turn));
     }
-  return std::atan2(sine, cosine) / 4;
+  std::vector<double> directions;
+  for (const Point& sum : sums) directions.push_back(std::atan2(sum.y, sum.x) / 4);
+  return directions;
 }
 
 class Solver {
  public:
   Solver(const PoseGraph& graph, const GraphTrust& trust, const NodePoses& start)
-      : graph_(graph), trust_(trust), axes_(axesOfAll(graph, start)) {
+      : graph_(graph),
+        trust_(trust),
+        wallAxes_(wallAxes(graph, start)),
+        axes_(directionsOf(wallAxes_, graph, start)) {
     for (const Transform2D& pose : start) values_.add({pose.x, pose.y, pose.phi});
     for (const GraphRun& run : graph.runs) {
       for (const PoseEdgeId link : run.links) addEdge(graph.edges[link]);
@@ -130,11 +139,13 @@ class Solver {
   }
 
   void addAxes(NodeId node) {
-    if (const auto& axes = graph_.nodes[node].axes)
-      problem_.AddResidualBlock(new AlongAxes(axes->turn),
-                                new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth),
-                                                      axes->weight, ceres::TAKE_OWNERSHIP),
-                                values_[node].data(), &axes_);
+    const auto pair = wallAxes_.ofNode[node];
+    if (!pair) return;
+    const ScanAxes& axes = *graph_.nodes[node].axes;
+    problem_.AddResidualBlock(new AlongAxes(axes.turn),
+                              new ceres::ScaledLoss(new ceres::TukeyLoss(fitted::kAxesWidth),
+                                                    axes.weight, ceres::TAKE_OWNERSHIP),
+                              values_[node].data(), &axes_[*pair]);
   }
 
   /** Keeps in place what nothing else would. */
@@ -156,7 +167,8 @@ class Solver {
   const PoseGraph& graph_;
   const GraphTrust& trust_;
   ById<NodeId, std::array<double, 3>> values_;
-  double axes_ = 0;
+  WallAxes wallAxes_;
+  std::vector<double> axes_;  // directions of its pairs
   std::vector<Kernel> kernels_;
   ceres::Problem problem_;
 };

@@ -30,6 +30,8 @@ struct PoseNode {
   Transform2D pose;              ///< run <- node, as the run has it
   PointSums points;              ///< what it drew [m, frame of the node]
   std::optional<ScanAxes> axes;  ///< of its walls [frame of the node]
+  /** The scans on both sides of the step to it do not agree with that step. */
+  bool isDoubtful = false;
 };
 
 /** Where one node was measured to lie in another: a link of two nodes of a run, which are to keep
