@@ -165,7 +165,7 @@ std::vector<MeasureRow> mapRows() {
       ofMap({"wall_doubling", "Walls drawn twice", "1", kFewestWalls,
              "Share of its walls that stand before another one that faces the same way."},
             wallDoublingOf),
-      ofMap({"wall_sharpness", "Wall at the edge of free space", "1", kFewestWalls,
+      ofMap({"wall_sharpness", "Wall cells for each at the edge of free space", "1", kFewestWalls,
              "Cells drawn as wall for each cell at the edge of free space."},
             wallSharpnessOf),
       ofMap({"scan_disagreement", "Scans off another visit, 9 of 10 below", "m", kFewestThings,

@@ -96,22 +96,22 @@ std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
 }
 
 /** What two stretches of the run have met around a place, that of the second moved by `motion`. */
-std::string scansPicture(Point middle, const Run& run, const FrameRange& ahead,
-                         const FrameRange& behind, const Transform2D& motion) {
+std::string scansPicture(Point middle, const Run& run, const FrameRange& before,
+                         const FrameRange& after, const Transform2D& motion) {
   return pictureOf(Box{middle, middle}.widened(kScanReach), "scans", uprightTurn(run.map.walls, 0),
                    middle) +
-         dots(wallsNear(middle, run, ahead, {}), "#0a4f8f", 0.14) +
-         dots(wallsNear(middle, run, behind, motion), "#c44d00", 0.14) + "</g></svg>";
+         dots(wallsNear(middle, run, before, {}), "#0a4f8f", 0.14) +
+         dots(wallsNear(middle, run, after, motion), "#c44d00", 0.14) + "</g></svg>";
 }
 
 /** The same as drawn and, if that is known, as they fit. */
-std::string pairHtml(Point middle, const Run& run, const FrameRange& ahead,
-                     const FrameRange& behind, const std::optional<Transform2D>& mend) {
+std::string pairHtml(Point middle, const Run& run, const FrameRange& before,
+                     const FrameRange& after, const std::optional<Transform2D>& mend) {
   const std::string fits = mend ? "</figure>\n<figure>" +
-                                      scansPicture(middle, run, ahead, behind, *mend) +
+                                      scansPicture(middle, run, before, after, *mend) +
                                       "<figcaption>as they fit</figcaption>"
                                 : "";
-  return "<div class=\"pair\"><figure>" + scansPicture(middle, run, ahead, behind, {}) +
+  return "<div class=\"pair\"><figure>" + scansPicture(middle, run, before, after, {}) +
          "<figcaption>as drawn</figcaption>" + fits + "</figure></div>\n";
 }
 
@@ -128,10 +128,9 @@ std::string breaksHtml(const RunCheck& check, const Run& run) {
   std::string html = "<section id=\"breaks\">\n<h2>Breaks</h2>\n";
   if (check.breaks.empty())
     return html +
-           "<p class=\"none\">Of the steps from scan to scan none is contradicted.</p>\n"
-           "</section>\n";
+           "<p class=\"none\">No break was found.</p>\n</section>\n";
   html +=
-      "<p class=\"hint\">Blue is what the scans ahead of the break have met, orange those behind "
+      "<p class=\"hint\">Blue is what the scans before the break have met, orange those after "
       "it.</p>\n";
   for (std::size_t i = 0; i < check.breaks.size(); ++i)
     html += breakHtml(check.breaks[i], i + 1, run);
@@ -221,7 +220,9 @@ std::string figuresHtml(const RunCheck& check) {
          formatted("%.0f %% of its path", 100 * check.seenTwice) +
          "</td></tr>\n<tr><th scope=\"row\">Breaks</th><td>" + std::to_string(check.breaks.size()) +
          "</td></tr>\n<tr><th scope=\"row\">Places drawn twice</th><td>" +
-         std::to_string(check.doubled.size()) + "</td></tr></tbody></table>\n";
+         std::to_string(check.doubled.size()) +
+         "</td></tr>\n<tr><th scope=\"row\">Places laid over others</th><td>" +
+         std::to_string(check.welded.size()) + "</td></tr></tbody></table>\n";
 }
 
 std::string verdictOf(const RunCheck& check) {

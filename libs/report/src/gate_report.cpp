@@ -119,14 +119,14 @@ std::string gateJunit(const std::vector<RunCheck>& checks) {
 
 std::string gateMarkdown(const std::vector<RunCheck>& checks) {
   std::string text =
-      "| run | self error [m] | seen twice | breaks | drawn twice | gate |\n"
-      "|---|---|---|---|---|---|\n";
+      "| run | self error [m] | seen twice | breaks | drawn twice | laid over others | gate |\n"
+      "|---|---|---|---|---|---|---|\n";
   for (const RunCheck& check : checks)
     text += "| " + markdownText(check.name) + " | " +
             (check.selfError ? formatted("%.3f", *check.selfError) : "-") +
             formatted(" | %.0f %% | ", 100 * check.seenTwice) +
             std::to_string(check.breaks.size()) + " | " + std::to_string(check.doubled.size()) +
-            " | " +
+            " | " + std::to_string(check.welded.size()) + " | " +
             (check.complaints.empty() ? "passes"
                                       : "**" + markdownText(joined(check.complaints)) + "**") +
             " |\n";

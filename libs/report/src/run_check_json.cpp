@@ -28,8 +28,9 @@ Json poseJson(const CheckedPose& at) {
 }
 
 std::string stretchText(const DrawnStretch& stretch) {
-  return formatted("at (%.1f, %.1f) by key frames %zu to %zu", stretch.place.x, stretch.place.y,
-                   stretch.first, stretch.last);
+  return formatted("at (%.1f, %.1f) by key frame", stretch.place.x, stretch.place.y) +
+         (stretch.first == stretch.last ? formatted(" %zu", stretch.first)
+                                        : formatted("s %zu to %zu", stretch.first, stretch.last));
 }
 
 Json stretchJson(const DrawnStretch& stretch) {
@@ -82,17 +83,22 @@ std::string runCheckJson(const RunCheck& check) {
 
 std::string toldText(const RunCheck& check) {
   std::string text;
-  if (!check.breaks.empty()) {
-    text += counted(check.breaks.size(), "break", "breaks");
-    if (check.breaks.front().torn) text += ", the largest " + selfBreakText(check.breaks.front());
-    text += "; ";
-  }
+  const auto tell = [&](std::size_t count, const char* one, const char* many, const char* worst,
+                        const std::string& first) {
+    text += counted(count, one, many) + (count > 1 ? std::string(", ") + worst + " " : ", ") +
+            first + "; ";
+  };
+  if (!check.breaks.empty() && check.breaks.front().torn)
+    tell(check.breaks.size(), "break", "breaks", "the largest",
+         selfBreakText(check.breaks.front()));
+  else if (!check.breaks.empty())
+    text += counted(check.breaks.size(), "break", "breaks") + "; ";
   if (!check.doubled.empty())
-    text += counted(check.doubled.size(), "place", "places") + " drawn twice, the worst " +
-            doubledText(check.doubled.front()) + "; ";
+    tell(check.doubled.size(), "place drawn twice", "places drawn twice", "the worst",
+         doubledText(check.doubled.front()));
   if (!check.welded.empty())
-    text += counted(check.welded.size(), "place", "places") + " laid over another, the largest " +
-            weldedText(check.welded.front()) + "; ";
+    tell(check.welded.size(), "place laid over another", "places laid over others", "the largest",
+         weldedText(check.welded.front()));
   return text + check.sentence;
 }
 
