@@ -40,6 +40,10 @@ TEST(ConsensusDocument, saysWhatThePosesCost) {
   expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kMatchNoise.place / 2,
              kMatchNoise.turn / 2, kMatchWidth, 2 * kMatchWeight);
   expectSaid("| | %g rad | Tukey, %g | up to 1 |", kAxesTurn, kAxesWidth);
+  expectSaid("of %zu scans and of the %zu that follow after a gap of %zu differ", kBesideTurn,
+             kBesideTurn, 2 * kAcrossTurn);
+  expectSaid("%g rad, the axes turn, unless either set scatters by %g rad or more", kAxesJump,
+             kAxesTurn);
   expectSaid("They start %g times as wide", double(kFirstWidening));
 }
 

@@ -74,7 +74,8 @@ TEST(GateReport, runsThatWereCheckedAloneHaveARowAndATestEach) {
   checks[1].breaks.resize(1), checks[1].doubled.resize(2), checks[1].welded.resize(1);
   const std::string markdown = gateMarkdown(checks), junit = gateJunit(checks);
   EXPECT_TRUE(has(markdown, "| a | 0.051 | 70 % | 0 | 0 | 0 | passes |\n")) << markdown;
-  EXPECT_TRUE(has(markdown, "| b\\| | - | 0 % | 1 | 2 | 1 | **it breaks in 1 place** |\n")) << markdown;
+  EXPECT_TRUE(has(markdown, "| b\\| | - | 0 % | 1 | 2 | 1 | **it breaks in 1 place** |\n"))
+      << markdown;
   EXPECT_TRUE(has(junit, "tests=\"2\" failures=\"1\"")) << junit;
 }
 

@@ -97,8 +97,8 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
            "walls";
   if (!check.selfError && !check.breaks.empty())
     return formatted(
-        "cannot tell: the run breaks before key frame %zu, and too little was seen from both sides of "
-        "its breaks to say how its parts lie to each other",
+        "cannot tell: the run breaks before key frame %zu, and too little was seen from both sides "
+        "of its breaks to say how its parts lie to each other",
         *check.breaks.front().keyFrame);
   if (!check.selfError && check.seenTwice > kLeastSeenTwice)
     return formatted(
@@ -106,8 +106,7 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
         percent);
   if (!check.selfError)
     return formatted("cannot tell: %.0f %% of its path was seen twice", percent);
-  const bool isSound =
-      check.breaks.empty() && check.doubled.empty() && check.welded.empty();
+  const bool isSound = check.breaks.empty() && check.doubled.empty() && check.welded.empty();
   return formatted(
       "%s %.2f m where it was seen twice (%.0f %% of its path); %.0f %% was driven once, and "
       "nothing is known of slow bends there",

@@ -6,6 +6,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
 namespace {
@@ -93,6 +94,20 @@ Trust trustOf(const RunScores& scores, std::optional<std::size_t> reference) {
   for (std::size_t i = 0; i < scores.size(); ++i)
     trust.push_back(reference ? double(i == *reference) : scores[i] ? scores[i]->trust : 0);
   return trust;
+}
+
+std::string unconfirmedFault(double confirmed, double contradicted, double coverage) {
+  if (contradicted > 0)
+    return formatted("has drawn %.0f %% that others contradict, and that fits nowhere else",
+                     std::max(1.0, 100 * contradicted));
+  if (confirmed - std::min(1 - confirmed, 1 - coverage) >= kNearlyAll) return "";
+  if (confirmed < kNearlyAll)
+    return formatted("is borne out by others in %.0f %% of what it has drawn, less than %.0f %%",
+                     std::floor(100 * confirmed), 100 * kNearlyAll);
+  return formatted(
+      "has drawn %.0f %% that nobody bears out, and lacks %.0f %% of what others have: a part may "
+      "lie in a wrong place",
+      100 * (1 - confirmed), 100 * (1 - coverage));
 }
 
 }  // namespace roomgraph

@@ -126,9 +126,7 @@ std::string breakHtml(const MapBreak& tear, std::size_t number, const Run& run) 
 
 std::string breaksHtml(const RunCheck& check, const Run& run) {
   std::string html = "<section id=\"breaks\">\n<h2>Breaks</h2>\n";
-  if (check.breaks.empty())
-    return html +
-           "<p class=\"none\">No break was found.</p>\n</section>\n";
+  if (check.breaks.empty()) return html + "<p class=\"none\">No break was found.</p>\n</section>\n";
   html +=
       "<p class=\"hint\">Blue is what the scans before the break have met, orange those after "
       "it.</p>\n";

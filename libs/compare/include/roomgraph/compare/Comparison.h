@@ -18,13 +18,6 @@ namespace roomgraph {
  *  furniture adds less. */
 constexpr double kMostAdded = 0.25;
 
-/** What speaks against a map as a whole, as a sentence without its subject: that others contradict
- *  some of it, or bear out less than kNearlyAll. What it lacks of what they have counts against it
- *  as well, up to as much as nobody bears out: a part that is drawn in a wrong place is both. Empty
- *  for nothing. `coverage`: 1 where it is not known. */
-[[nodiscard]] std::string unconfirmedFault(double confirmed, double contradicted,
-                                           double coverage);
-
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
 

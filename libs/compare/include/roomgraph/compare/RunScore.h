@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <string>
 
 namespace roomgraph {
 
@@ -34,5 +35,11 @@ struct RunScore {
   /** Whether it and the reference fit each other as wholes; true where there is none. */
   [[nodiscard]] bool fitsReference() const { return givenUp <= kMostGivenUp; }
 };
+
+/** What speaks against a map as a whole, as a sentence without its subject: that others contradict
+ *  some of it, or bear out less than kNearlyAll. What it lacks of what they have counts against it
+ *  as well, up to as much as nobody bears out: a part that is drawn in a wrong place is both. Empty
+ *  for nothing. `coverage`: 1 where it is not known. */
+[[nodiscard]] std::string unconfirmedFault(double confirmed, double contradicted, double coverage);
 
 }  // namespace roomgraph
