@@ -63,7 +63,7 @@ void addStretches(const PoseGraph& graph, const NodePoses& drawn, const GraphRun
     if (!isTurn) stretches.back().nodes.push_back(nodes[i]);
     isNew = isTurn;
   }
-  if (!nodes.empty() && !stretches.empty())
+  if (!nodes.empty())  // of which the first are in no turn, so that a stretch was added
     stretches.back().isWholeRun = stretches.back().nodes.size() == nodes.size();
 }
 
