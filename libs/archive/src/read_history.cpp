@@ -27,7 +27,7 @@ RunPlaces readRuns(Database& database, const std::string& site, std::vector<Hist
                  "FROM run JOIN site ON run.site = site.id "
                  "JOIN comparison ON run.comparison = comparison.id "
                  "JOIN settings ON comparison.settings = settings.id "
-                 "WHERE site.name = ? ORDER BY time, sha256");
+                 "WHERE site.name = ? ORDER BY time, run.id");
   rows.with(site);
   RunPlaces places;
   while (rows.step()) {

@@ -9,6 +9,7 @@
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/compare/gate.h"
+#include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
 namespace {
@@ -81,10 +82,14 @@ std::string faultOf(const HistoryRun& run, bool isJudgeable, std::optional<doubl
 /** May the latest map be rolled out, with this fault; if not, which one stays? */
 void advise(RobotWatch& watch, const std::string& fault, const SiteHistory& history) {
   const auto timeOf = [&](std::size_t run) { return history.runs[run].time; };
-  const bool isOneDay = watch.lastGood && watch.lastGood != watch.latest &&
-                        dayText(timeOf(*watch.lastGood)) == dayText(timeOf(watch.latest));
+  const auto isOfOne = [&](const auto& textOf) {
+    return watch.lastGood && watch.lastGood != watch.latest &&
+           textOf(timeOf(*watch.lastGood)) == textOf(timeOf(watch.latest));
+  };
+  const bool isOneDay = isOfOne(dayText), isOneTime = isOfOne(timeText);
   const auto whenOf = [&](std::size_t run) {
-    return isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
+    const std::string when = isOneDay ? timeText(timeOf(run)) : dayText(timeOf(run));
+    return isOneTime ? when + " (" + mapStem(history.runs[run].file) + ")" : when;
   };
   const std::string map = "the map of " + whenOf(watch.latest);
   if (!fault.empty()) {
