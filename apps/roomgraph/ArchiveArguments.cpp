@@ -38,7 +38,7 @@ void declareWatch(ArchiveArguments& arguments, CLI::App& app) {
   addOption(app, "--limit M", arguments.watch.limit,
             "The largest map error that is good enough [m]; three of five nights above it are "
             "an alarm.")
-      ->check(CLI::Range(0.001, 1000.0))
+      ->check(isWithin(0.001, 1000))
       ->capture_default_str();
 }
 

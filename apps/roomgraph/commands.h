@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "roomgraph/base/sentence_text.h"
+
 namespace roomgraph {
 
 /** What the program ends with; kGateFailed where a gate such as --fail-below fails, or there is an
@@ -32,6 +34,19 @@ template <class Value>
 CLI::Option* addArgument(CLI::App& app, const char* name, Value& value,
                          const std::string& sentence) {
   return addOption(app, name, value, sentence)->required();
+}
+
+/** The check of a number from `least` to `most`. CLI::Range takes nan for one. */
+inline CLI::Validator isWithin(double least, double most) {
+  return CLI::Validator(
+      [least, most](const std::string& text) {
+        double value = 0;
+        const bool isNumber = CLI::detail::lexical_cast(text, value);
+        return isNumber && value >= least && value <= most
+                   ? std::string()
+                   : formatted("Value %s not in range %g to %g", text.c_str(), least, most);
+      },
+      "");
 }
 
 // What declares each of them, see Command::declare.

@@ -121,14 +121,14 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
   const std::string nearlyAll = std::to_string(std::lround(100 * kNearlyAll));
   addOption(app, "--fail-below SCORE", arguments.failBelow,
             "Exit with 3 if a run has a score below this (0 to 100), or no score.")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(isWithin(0, 100));
   addOption(app, "--fail-above M", arguments.failAbove,
             "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(isWithin(0, 1e6));
   addOption(app, "--fail-worse-by M", arguments.failWorseBy,
             "Exit with 3 if the map error of a run exceeds the median of the three best other "
             "runs by more than this [m], or cannot be trusted.")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(isWithin(0, 1e6));
   declareFailOn(arguments.failOn, {"broken", "unconfirmed", "coverage", "not-same-site", "walls"},
                 "Exit with 3 on any of these, separated by commas: 'coverage' (a run has seen "
                 "less than " +
@@ -147,12 +147,7 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
 }
 
 GateOptions gateOf(const GateArguments& arguments) {
-  if (arguments.failBelow && std::isnan(*arguments.failBelow))
-    throw UsageError("--fail-below: nan is not a score: give one from 0 to 100");
   const auto isAsked = [&](const char* what) { return isListed(arguments.failOn, what); };
-  for (const auto& most : {arguments.failAbove, arguments.failWorseBy})
-    if (most && std::isnan(*most))
-      throw UsageError("--fail-above, --fail-worse-by: nan is not a length: give one in metres");
   GateOptions gate;
   gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
   gate.maxWorse = arguments.failWorseBy;

@@ -50,7 +50,7 @@ void declareExperiment(StabilityOptions& options, CLI::App& app) {
       ->capture_default_str();
   addOption(app, "--base-percent P", options.basePercent,
             "Percentage of the occupied cells that move in that map.")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(isWithin(0, 100))
       ->capture_default_str();
   addOption(app, "--repeats N", options.repeats,
             "Number of noisy maps for each distance and percentage.")

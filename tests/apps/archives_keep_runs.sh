@@ -130,6 +130,7 @@ grep -q '^  anna: no, .*; its map is above the limit of 0.30 m; no good one is k
 expect 3 "$roomgraph" archive bad.db report --fail-on-alarm -q
 one_line err 'anna: its map is above the limit'
 expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
+expect 2 "$roomgraph" archive bad.db report --fail-on-alarm --limit nan
 
 # A run that should not be there is taken out, and a robot gets another name.
 cp site.db less.db
