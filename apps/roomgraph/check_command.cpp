@@ -42,7 +42,7 @@ constexpr char kNoUseForResolution[] =
 void declareCheckGate(CheckArguments& arguments, CLI::App& app) {
   addOption(app, "--fail-above M", arguments.gate.maxError,
             "Exit with 3 if a run has a self error above this [m], or none.")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(isWithin(0, 1e6));
   declareFailOn(arguments.failOn, {"broken", "doubled"},
                 "Exit with 3 on any of these, comma separated: 'broken' (a run has a break), "
                 "'doubled' (it has drawn a place twice, or laid one over another).",
@@ -104,8 +104,6 @@ void checkFiles(const CheckArguments& arguments) {
 }
 
 int run(CheckArguments arguments) {
-  if (arguments.gate.maxError && std::isnan(*arguments.gate.maxError))
-    throw UsageError("--fail-above: nan is not a length: give one in metres");
   arguments.gate.failsOnBreaks = isListed(arguments.failOn, "broken"),
   arguments.gate.failsOnDoubled = isListed(arguments.failOn, "doubled");
   checkFiles(arguments);
@@ -122,10 +120,16 @@ int run(CheckArguments arguments) {
   const int exitCode = runInOrder(jobs, arguments.running.threads, !arguments.running.isQuiet);
   unused.tell(arguments.files.size());
   std::vector<RunCheck> checks;
-  for (std::optional<RunCheck>& check : found)
-    if (check) checks.push_back(std::move(*check));
-  if (!arguments.junit.empty()) writeFileAtomically(arguments.junit, gateJunit(checks));
-  if (!arguments.summary.empty()) writeFileAtomically(arguments.summary, gateMarkdown(checks));
+  std::vector<std::string> unread;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i])
+      checks.push_back(std::move(*found[i]));
+    else
+      unread.push_back(arguments.files[i]);
+  }
+  if (!arguments.junit.empty()) writeFileAtomically(arguments.junit, gateJunit(checks, unread));
+  if (!arguments.summary.empty())
+    writeFileAtomically(arguments.summary, gateMarkdown(checks, unread));
   const bool fails = std::any_of(checks.begin(), checks.end(),
                                  [](const RunCheck& check) { return !check.complaints.empty(); });
   return fails ? kGateFailed : exitCode;

@@ -33,6 +33,7 @@ grep -q '"name":"wall_doubling"' grid/office.check.json || fail "nothing is told
 expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-above 1 --junit grid.xml --summary grid.md
 grep -q 'failures="1"' grid.xml || fail "no failure in JUnit's file"
 grep -q 'cannot tell' grid.md || fail "no summary"
+expect 3 "$roomgraph" check "$maps"/office.gridmap.gz -o grid --fail-on broken,doubled
 
 # The scans of each break and of each place that is drawn twice, where asked for.
 expect 0 "$roomgraph" check "$maps"/office_run?.simplemap.gz -o logs -q --break-files
@@ -51,12 +52,14 @@ ls logs/*.rawlog > /dev/null || fail "no run has a break or is drawn twice: noth
 
 # What cannot be read is one line, and the others are checked all the same.
 echo junk > junk.simplemap
-expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o mixed -q
+expect 1 "$roomgraph" check junk.simplemap "$maps"/office_run1.simplemap.gz -o mixed -q --junit mixed.xml --summary mixed.md
 one_line err junk.simplemap
+grep -q '| junk.simplemap | .*could not be read' mixed.md && grep -q 'tests="2" failures="1"' mixed.xml || fail "what could not be read passes the gate"
 [ -s mixed/office_run1.check.json ] || fail "the other run was not checked"
 expect 2 "$roomgraph" check
 expect 0 "$roomgraph" check "$maps"/office_run1.simplemap.gz -o mixed -q --fail-on broken,doubled
 expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms
+expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-above nan
 for list in broken,,doubled ,broken broken, ''; do
   expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on "$list"
   one_line err --fail-on "'' is none of broken and doubled"

@@ -5,6 +5,13 @@
 namespace roomgraph {
 namespace {
 
+/** A check of a run that has scans. */
+RunCheck checkOfScans() {
+  RunCheck check;
+  check.path.resize(2);
+  return check;
+}
+
 TEST(CheckGate, whatIsNotAskedIsNoComplaint) {
   RunCheck check;
   check.selfError = 3, check.breaks.resize(2);
@@ -12,7 +19,7 @@ TEST(CheckGate, whatIsNotAskedIsNoComplaint) {
 }
 
 TEST(CheckGate, errorsAndBreaksAreComplaints) {
-  RunCheck check;
+  RunCheck check = checkOfScans();
   check.selfError = 0.5, check.breaks.resize(2);
   const auto complaints = complaintsOf(check, {0.3, true});
   ASSERT_EQ(complaints.size(), 2u);
@@ -22,7 +29,7 @@ TEST(CheckGate, errorsAndBreaksAreComplaints) {
 }
 
 TEST(CheckGate, placesDrawnTwiceAreAComplaintWhereAsked) {
-  RunCheck check;
+  RunCheck check = checkOfScans();
   check.doubled.resize(1);
   EXPECT_EQ(complaintsOf(check, {{}, false, true}),
             std::vector<std::string>{"it has drawn 1 place twice"});
@@ -34,8 +41,11 @@ TEST(CheckGate, placesDrawnTwiceAreAComplaintWhereAsked) {
 TEST(CheckGate, whatCannotBeToldIsNotGoodEnough) {
   RunCheck check;
   check.sentence = "cannot tell: it has no scans";
-  EXPECT_EQ(complaintsOf(check, {0.3, false}), std::vector<std::string>{check.sentence});
-  EXPECT_TRUE(complaintsOf(check, {{}, true}).empty());
+  for (const CheckGateOptions& asked :
+       {CheckGateOptions{0.3}, CheckGateOptions{{}, true}, CheckGateOptions{{}, false, true}})
+    EXPECT_EQ(complaintsOf(check, asked), std::vector<std::string>{check.sentence});
+  check.path.resize(2);
+  EXPECT_TRUE(complaintsOf(check, {{}, true, true}).empty());
 }
 
 }  // namespace

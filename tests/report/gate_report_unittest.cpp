@@ -72,11 +72,14 @@ TEST(GateReport, runsThatWereCheckedAloneHaveARowAndATestEach) {
   checks[0].name = "a", checks[0].selfError = 0.0514, checks[0].seenTwice = 0.7;
   checks[1].name = "b|", checks[1].complaints = {"it breaks in 1 place"};
   checks[1].breaks.resize(1), checks[1].doubled.resize(2), checks[1].welded.resize(1);
-  const std::string markdown = gateMarkdown(checks), junit = gateJunit(checks);
+  const std::string markdown = gateMarkdown(checks, {"c.simplemap"});
+  const std::string junit = gateJunit(checks, {"c.simplemap"});
   EXPECT_TRUE(has(markdown, "| a | 0.051 | 70 % | 0 | 0 | 0 | passes |\n")) << markdown;
   EXPECT_TRUE(has(markdown, "| b\\| | - | 0 % | 1 | 2 | 1 | **it breaks in 1 place** |\n"))
       << markdown;
-  EXPECT_TRUE(has(junit, "tests=\"2\" failures=\"1\"")) << junit;
+  EXPECT_TRUE(has(markdown, "| c.simplemap | - | - | - | - | - | **it could not be read** |\n"))
+      << markdown;
+  EXPECT_TRUE(has(junit, "tests=\"3\" failures=\"2\"")) << junit;
 }
 
 }  // namespace

@@ -130,7 +130,10 @@ std::string sentenceOf(const WallMap& map) {
 
 std::vector<std::string> complaintsOf(const RunCheck& check, const CheckGateOptions& options) {
   std::vector<std::string> complaints;
-  if (options.maxError && !check.selfError)
+  const bool isUnknown =
+      (options.maxError && !check.selfError) ||
+      ((options.failsOnBreaks || options.failsOnDoubled) && check.path.size() < 2);
+  if (isUnknown)
     complaints.push_back(check.sentence);
   else if (options.maxError && *check.selfError > *options.maxError)
     complaints.push_back(

@@ -11,6 +11,8 @@
 namespace roomgraph {
 namespace {
 
+constexpr char kUnread[] = "it could not be read";
+
 /** What the gate says of a run. */
 struct TestCase {
   std::string name;
@@ -111,13 +113,15 @@ std::string junitOf(const std::vector<TestCase>& runs) {
 
 std::string gateJunit(const Comparison& comparison) { return junitOf(testCases(comparison)); }
 
-std::string gateJunit(const std::vector<RunCheck>& checks) {
+std::string gateJunit(const std::vector<RunCheck>& checks, const std::vector<std::string>& unread) {
   std::vector<TestCase> runs;
   for (const RunCheck& check : checks) runs.push_back({check.name, check.complaints});
+  for (const std::string& file : unread) runs.push_back({file, {kUnread}});
   return junitOf(runs);
 }
 
-std::string gateMarkdown(const std::vector<RunCheck>& checks) {
+std::string gateMarkdown(const std::vector<RunCheck>& checks,
+                         const std::vector<std::string>& unread) {
   std::string text =
       "| run | self error [m] | seen twice | breaks | drawn twice | laid over others | gate |\n"
       "|---|---|---|---|---|---|---|\n";
@@ -130,6 +134,8 @@ std::string gateMarkdown(const std::vector<RunCheck>& checks) {
             (check.complaints.empty() ? "passes"
                                       : "**" + markdownText(joined(check.complaints)) + "**") +
             " |\n";
+  for (const std::string& file : unread)
+    text += "| " + markdownText(file) + " | - | - | - | - | - | **" + kUnread + "** |\n";
   return text;
 }
 

@@ -26,8 +26,8 @@ struct CheckGateOptions {
   bool failsOnDoubled = false;     ///< it has drawn a place twice, or laid one over another
 };
 
-/** What is wrong with a run, a sentence each; none where it passes. Where nothing can be told of a
- *  run that must have a self error, that is a complaint. */
+/** What is wrong with a run, a sentence each; none where it passes. That nothing can be told of
+ *  what is asked, as of a run without scans, is a complaint too. */
 [[nodiscard]] std::vector<std::string> complaintsOf(const RunCheck& check,
                                                     const CheckGateOptions& options);
 

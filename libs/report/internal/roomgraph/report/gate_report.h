@@ -21,8 +21,10 @@ std::string gateJunit(const Comparison& comparison);
  *  how much it passes, the verdict of the comparison, and a table of the runs. */
 std::string gateMarkdown(const Comparison& comparison);
 
-/** The same of runs that were checked each by itself. */
-std::string gateJunit(const std::vector<RunCheck>& checks);
-std::string gateMarkdown(const std::vector<RunCheck>& checks);
+/** The same of runs that were checked each by itself, and of files that could not be read, which
+ *  do not pass. */
+std::string gateJunit(const std::vector<RunCheck>& checks, const std::vector<std::string>& unread);
+std::string gateMarkdown(const std::vector<RunCheck>& checks,
+                         const std::vector<std::string>& unread);
 
 }  // namespace roomgraph
