@@ -51,6 +51,7 @@ TEST(PlacesCsv, whatIsNoPlaceIsRefused) {
   EXPECT_THROW(csvPlaces("x,y\n1,\n", "goals.csv"), DataError);
   EXPECT_THROW(csvPlaces("x,y\n1,2 m\n", "goals.csv"), DataError);
   EXPECT_THROW(csvPlaces("x,y\n1,nan\n", "goals.csv"), DataError);
+  EXPECT_THROW(csvPlaces("x,y,X\n1,2,3\n", "goals.csv"), DataError);
   EXPECT_THROW(csvPlaces("name;x;y\na;1;2\n", "goals.csv"), DataError);
 }
 

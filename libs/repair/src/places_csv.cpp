@@ -14,11 +14,18 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
+auto isNamed(const char* name) {
+  return [name](const std::string& column) { return boost::algorithm::iequals(column, name); };
+}
+
 /** A table whose first line names its columns. */
 class PlacesTable {
  public:
   PlacesTable(const std::string& text, const std::string& file) : file_(file), reader_(text) {
     names_ = reader_.nextLine();
+    for (const char* name : {"name", "x", "y", "yaw"})
+      if (std::count_if(names_.begin(), names_.end(), isNamed(name)) > 1)
+        refuse(file, std::string("has two columns '") + name + "'", "leave one of them out");
     for (const char* needed : {"x", "y"})
       if (!columnOf(needed))
         refuse(file, std::string("has no column '") + needed + "'",
@@ -39,9 +46,7 @@ class PlacesTable {
   }
 
   std::optional<std::size_t> columnOf(const char* name) const {
-    const auto found = std::find_if(names_.begin(), names_.end(), [&](const std::string& one) {
-      return boost::algorithm::iequals(one, name);
-    });
+    const auto found = std::find_if(names_.begin(), names_.end(), isNamed(name));
     if (found == names_.end()) return std::nullopt;
     return std::size_t(found - names_.begin());
   }
@@ -62,7 +67,7 @@ class PlacesTable {
     const double value = std::strtod(cell.c_str(), &end);
     if (cell.empty() || *end != '\0' || !(std::abs(value) < kFarthestOrigin))
       refuse(file_, "'" + cell + "' in line " + std::to_string(reader_.line()) + " is no " + name,
-             "give metres, and radians for yaw");
+             "give metres, up to 10 000 km, and radians for yaw");
     return value;
   }
 
