@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Mapping as AnyMapping
 from typing import Callable, Mapping, Optional, Union
 
 from . import _core
@@ -20,7 +21,13 @@ def new_call(
     progress: Optional[Progress] = None,
 ) -> _core.Call:
     """The same arguments for the extension module."""
-    settings = [(name, _text_of(value)) for name, value in (options or {}).items()]
+    if options is not None and not isinstance(options, AnyMapping):
+        raise _core.UsageError(f"the options are {options!r}: give a dict")
+    if not isinstance(preset, str):
+        raise _core.UsageError(f"the preset is {preset!r}: give a str")
+    if not isinstance(threads, int) or threads < 0:
+        raise _core.UsageError(f"threads is {threads!r}: give 0, for one per core, or more")
+    settings = [(str(name), _text_of(value)) for name, value in (options or {}).items()]
     return _core.Call(preset, settings, threads, _tell, progress)
 
 

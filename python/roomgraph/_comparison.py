@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, List, Optional, Union
 
 from . import _core
 from ._call import Options, Progress, new_call
-from ._grid_map import MapLike, to_core
+from ._grid_map import MapLike, all_to_core, to_core
 
 if TYPE_CHECKING:
     import pandas
@@ -116,7 +116,7 @@ def compare(
     """
     given = None if reference is None else to_core(reference)
     compared = _core.compare(
-        [to_core(map) for map in maps], given, new_call(preset, options, threads, progress)
+        all_to_core(maps), given, new_call(preset, options, threads, progress)
     )
     return Comparison(compared.json(), compared)
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Iterable, List, NamedTuple, Optional
+from typing import Any, Iterable, List, NamedTuple, Optional
 
 import numpy as np
 
 from . import _core
 from ._call import Options, Progress, new_call
-from ._grid_map import MapLike, to_core
+from ._grid_map import MapLike, all_to_core, number, to_core
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ def repair(
     """
     given = None if reference is None else to_core(reference)
     call = new_call(preset, options, threads, progress)
-    repaired = _core.repair([to_core(map) for map in maps], given, call)
+    repaired = _core.repair(all_to_core(maps), given, call)
     return [RepairedRun(**run) for run in repaired]
 
 
@@ -102,14 +102,23 @@ def carry(
     via: more runs of the site, which tell how both maps bend.
     Other arguments as for compare. Raises DataError where the one map does not lie in the other.
     """
-    given = [Place(*place) for place in places]
+    given = [_place_of(place) for place in places]
     call = new_call(preset, options, threads, progress)
-    carried = _core.carry(
-        given, to_core(old), to_core(new), [to_core(map) for map in via], call
-    )
+    carried = _core.carry(given, to_core(old), to_core(new), all_to_core(via), call)
     return [
         CarriedPlace(
             place.name, None if pose is None else Place(place.name, *pose), state, error, reason
         )
         for place, (pose, state, error, reason) in zip(given, carried)
     ]
+
+
+def _place_of(given: Iterable[Any]) -> Place:
+    try:
+        name, *numbers = given
+        place = Place(name, *(number(value, f"{name}: a coordinate") for value in numbers))
+    except (TypeError, ValueError) as error:
+        raise _core.UsageError(f"{given!r} is no place: give name, x, y and yaw") from error
+    if not isinstance(name, str) or not np.isfinite(place[1:]).all():
+        raise _core.UsageError(f"{given!r} is no place: give a str, metres and radians")
+    return place

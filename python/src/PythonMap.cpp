@@ -7,6 +7,11 @@
 #include "roomgraph/map_files/ros_map_yaml.h"
 
 namespace roomgraph {
+namespace {
+
+bool isInReach(double coordinate) { return std::abs(coordinate) <= kFarthestOrigin; }
+
+}  // namespace
 
 ArrayMap arrayMap(const std::string& name, const std::string& sha256,
                   const pybind11::array_t<std::uint8_t, pybind11::array::c_style |
@@ -14,7 +19,7 @@ ArrayMap arrayMap(const std::string& name, const std::string& sha256,
                   double resolution, double x, double y) {
   if (grey.ndim() != 2 || grey.size() == 0 || std::size_t(grey.size()) > kMostCells)
     throw UsageError(name + ": is no array of rows and columns with 1 to 400 million cells");
-  if (!(resolution >= 1e-4 && resolution <= 1e3) || !std::isfinite(x) || !std::isfinite(y))
+  if (!(resolution >= 1e-4 && resolution <= 1e3) || !isInReach(x) || !isInReach(y))
     throw UsageError(name +
                      ": give the side of a cell as resolution (0.0001 to 1000 m), and its lower "
                      "left corner as origin [m]");

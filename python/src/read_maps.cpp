@@ -1,6 +1,7 @@
 #include "read_maps.h"
 
 #include <algorithm>
+#include <set>
 
 #include "PythonThreads.h"
 #include "roomgraph/base/Error.h"
@@ -82,8 +83,13 @@ GreyMap readGrid(const PythonMap& map, const PythonCall& call, const LoadGridOpt
 ReadRuns readMaps(const std::vector<PythonMap>& maps, const std::optional<PythonMap>& reference,
                   const PythonCall& call, CompareMapsOptions& options) {
   std::vector<std::string> files;
-  for (const PythonMap& map : maps)
-    if (std::holds_alternative<std::string>(map)) files.push_back(fileOf(map));
+  std::set<std::string> arrays;
+  for (const PythonMap& map : maps) {
+    if (std::holds_alternative<std::string>(map))
+      files.push_back(fileOf(map));
+    else if (!arrays.insert(fileOf(map)).second)
+      throw UsageError("two maps are named " + fileOf(map) + ": name them differently");
+  }
   const auto* truth = reference ? std::get_if<ArrayMap>(&*reference) : nullptr;
   if (reference && !truth) options.reference = fileOf(*reference);
   ReadRuns read;

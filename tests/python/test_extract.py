@@ -68,6 +68,9 @@ def test_unknown_cells_are_neither_free_nor_occupied():
     cells = np.where(unknown.cells == -1, np.nan, unknown.cells / 100.0)
     of_nan = roomgraph.extract(roomgraph.GridMap(cells, 0.05, (-1.0, -2.0), "flat"))
     assert of_nan.json == roomgraph.extract(unknown).json
+    masked = np.ma.masked_array(known.cells, unknown.cells == -1)
+    of_masked = roomgraph.extract(roomgraph.GridMap(masked, 0.05, (-1.0, -2.0), "flat"))
+    assert of_masked.json == roomgraph.extract(unknown).json
 
 
 def test_becomes_a_graph_of_networkx():
@@ -109,11 +112,23 @@ def test_wrong_arguments_are_value_errors(maps):
         (np.eye(4, dtype=np.int8), 0.05),
         (np.zeros((4, 4), np.int8), 0.0),
         (np.zeros((4, 4), np.int8), float("nan")),
+        (np.zeros((4, 4), np.int8), "0.05"),
+        (np.zeros((4, 4), np.int8), None),
+        (np.zeros((4, 4), complex), 0.05),
+        (np.zeros((4, 4), "m8[s]"), 0.05),
+        ([[1, 2], [3]], 0.05),
     ):
         with pytest.raises(ValueError, match="mine: "):
             roomgraph.extract(roomgraph.GridMap(cells, resolution, name="mine"))
-    with pytest.raises(roomgraph.UsageError, match="mine: its origin is not x and y"):
-        roomgraph.extract(roomgraph.GridMap(np.zeros((4, 4)), 0.05, (1, 2, 0.5), "mine"))
+    for origin in ((1, 2, 0.5), None, "12", ("a", 0), (1e15, 0)):
+        with pytest.raises(roomgraph.UsageError, match="mine: .*origin"):
+            roomgraph.extract(roomgraph.GridMap(np.zeros((4, 4)), 0.05, origin, "mine"))
+    for wrong in ({"preset": None}, {"options": [1]}):
+        with pytest.raises(roomgraph.UsageError):
+            roomgraph.extract(office, **wrong)
+    for wrong in ({"maps": office}, {"maps": [3]}, {"maps": [office], "threads": -1}):
+        with pytest.raises(roomgraph.UsageError):
+            roomgraph.compare(**wrong)
     with pytest.raises(roomgraph.UsageError, match="give roomgraph.GridMap"):
         roomgraph.extract(np.zeros((4, 4)))
 
