@@ -50,11 +50,7 @@ TEST(BorderVertices, onlyOpeningsThatTheClearancePassesAreCrossed) {
 }
 
 TEST(BorderVertices, eachEdgeHasItsStretchesWithoutGaps) {
-  const TopologyGraph graph({{{-3, 2}, 1, VertexKind::deadEnd, {}},
-                             {{2, 2}, 1, VertexKind::junction, {}},
-                             {{2, 9}, 1, VertexKind::deadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{-3, 2}, {2, 2}}), {}},
-                             {VertexId(1), VertexId(2), straight({{2, 2}, {2, 9}}), {}}});
+  const TopologyGraph graph = straightWays({{-3, 2}, {2, 2}, {2, 9}}, {{0, 1}, {1, 2}});
   const auto stretches = borderVertices(graph, {squareRoom(0, 0)}, kClearance, kEpsilon);
   ASSERT_EQ(stretches.size(), 2u);
   for (std::size_t e = 0; e < 2; ++e) {

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "hand_built.h"
+#include "square_rooms.h"
 
 namespace roomgraph::test {
 namespace {
 
 TEST(InnerPaths, startWhereThePathsComeNearestToTheCentre) {
-  const TopologyGraph graph(
-      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
-      {{VertexId(0), VertexId(1), straight({{0, 0}, {3, 0}, {8, 0}}), RoomId(0)}});
+  const TopologyGraph graph = wayBetweenBorders({{0, 0}, {3, 0}, {8, 0}});
   const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0), VertexId(1)}, {3, 4}, 0.5);
   EXPECT_EQ(inner.center, (Point{3, 0}));
   ASSERT_EQ(inner.paths.size(), 2u);
@@ -21,17 +19,13 @@ TEST(InnerPaths, startWhereThePathsComeNearestToTheCentre) {
 }
 
 TEST(InnerPaths, doNotStartInADoor) {
-  const TopologyGraph graph(
-      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
-      {{VertexId(0), VertexId(1), straight({{0, 0}, {3, 0}, {8, 0}}), RoomId(0)}});
+  const TopologyGraph graph = wayBetweenBorders({{0, 0}, {3, 0}, {8, 0}});
   const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0)}, {-1, 0}, 0.5);
   EXPECT_EQ(inner.center, (Point{3, 0}));
 }
 
 TEST(InnerPaths, doNotStartInADoorEvenWhereThereIsNoOtherPoint) {
-  const TopologyGraph graph(
-      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
-      {{VertexId(0), VertexId(1), straight({{0, 0}, {8, 0}}), RoomId(0)}});
+  const TopologyGraph graph = wayBetweenBorders({{0, 0}, {8, 0}});
   const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0), VertexId(1)}, {0, 0}, 0.5);
   EXPECT_EQ(inner.center, (Point{4, 0}));
   for (const Path& path : inner.paths) {
@@ -41,10 +35,7 @@ TEST(InnerPaths, doNotStartInADoorEvenWhereThereIsNoOtherPoint) {
 }
 
 TEST(InnerPaths, startAtNoPointThatOnlyRoundingPartsFromADoor) {
-  const TopologyGraph graph(
-      {{{0, 0}, 1, VertexKind::border, RoomId(0)}, {{8, 0}, 1, VertexKind::border, RoomId(0)}},
-      {{VertexId(0), VertexId(1), straight({{0, 0}, {1e-9, 0}, {8 - 1e-9, 0}, {8, 0}}),
-        RoomId(0)}});
+  const TopologyGraph graph = wayBetweenBorders({{0, 0}, {1e-9, 0}, {8 - 1e-9, 0}, {8, 0}});
   const InnerPaths inner = innerPaths(graph, {EdgeId(0)}, {VertexId(0), VertexId(1)}, {0, 0}, 0.5);
   EXPECT_EQ(inner.center, (Point{4, 0}));
 }

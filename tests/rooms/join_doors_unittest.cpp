@@ -46,13 +46,8 @@ TEST(JoinDoors, keepsTheWayAsLongAsItWas) {
 }
 
 TEST(JoinDoors, leavesADoorWithABranch) {
-  const TopologyGraph graph({{{2, 2}, 1, VertexKind::deadEnd, {}},
-                             {{4.2, 2}, 1, VertexKind::junction, {}},
-                             {{6.4, 2}, 1, VertexKind::deadEnd, {}},
-                             {{4.2, 9}, 1, VertexKind::deadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{2, 2}, {4.2, 2}}), {}},
-                             {VertexId(1), VertexId(2), straight({{4.2, 2}, {6.4, 2}}), {}},
-                             {VertexId(1), VertexId(3), straight({{4.2, 2}, {4.2, 9}}), {}}});
+  const TopologyGraph graph =
+      straightWays({{2, 2}, {4.2, 2}, {6.4, 2}, {4.2, 9}}, {{0, 1}, {1, 2}, {1, 3}});
   const TopologyGraph cut = cutAtRooms(graph, {squareRoom(0, 0), squareRoom(4.4, 0)}, 0);
   JoinDoorsOptions options;
   options.maxDepth = 0.5;

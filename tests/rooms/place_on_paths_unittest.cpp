@@ -7,12 +7,6 @@
 namespace roomgraph::test {
 namespace {
 
-TopologyGraph wayBetweenBorders(Polyline points) {
-  return {{{points.front(), 1, VertexKind::border, RoomId(0)},
-           {points.back(), 1, VertexKind::border, RoomId(0)}},
-          {{VertexId(0), VertexId(1), straight(points), RoomId(0)}}};
-}
-
 TEST(PlaceOnPaths, isTheNearestPointThatIsNoBorder) {
   const TopologyGraph graph = wayBetweenBorders({{0, 0}, {3, 0}, {8, 0}});
   EXPECT_DOUBLE_EQ(placeOnPaths(graph, {EdgeId(0)}, {3, 4}, 0.5).along, 3);

@@ -28,13 +28,8 @@ TEST(RoomGraph, numbersRoomsAnewAndTellsOfThoseLeftOut) {
 
 TEST(RoomGraph, takesWhatIsInsideOutAndJoinsTheRoomToItsBorders) {
   // A crossing in the middle of the room, with two ways out.
-  const TopologyGraph graph({{{1.5, 1.5}, 1, VertexKind::junction, {}},
-                             {{9, 1.5}, 1, VertexKind::deadEnd, {}},
-                             {{1.5, 9}, 1, VertexKind::deadEnd, {}},
-                             {{0.5, 0.5}, 1, VertexKind::deadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{1.5, 1.5}, {9, 1.5}}), {}},
-                             {VertexId(0), VertexId(2), straight({{1.5, 1.5}, {1.5, 9}}), {}},
-                             {VertexId(0), VertexId(3), straight({{1.5, 1.5}, {0.5, 0.5}}), {}}});
+  const TopologyGraph graph =
+      straightWays({{1.5, 1.5}, {9, 1.5}, {1.5, 9}, {0.5, 0.5}}, {{0, 1}, {0, 2}, {0, 3}});
   const Rooms rooms{squareRoom(0, 0)};
   Notes notes;
   const RoomGraph result = roomGraph(cutAtRooms(graph, rooms, 1), rooms, ObstacleRows(kNoObstacle),
@@ -77,15 +72,7 @@ TEST(RoomGraph, doesNotStandWhereAnObstacleIs) {
 
 /** A room with four ways out of its middle, and a way on from each. */
 TopologyGraph crossing() {
-  return {{{{2, 2}, 1, VertexKind::junction, {}},
-           {{9, 2}, 1, VertexKind::deadEnd, {}},
-           {{2, 9}, 1, VertexKind::deadEnd, {}},
-           {{-5, 2}, 1, VertexKind::deadEnd, {}},
-           {{2, -5}, 1, VertexKind::deadEnd, {}}},
-          {{VertexId(0), VertexId(1), straight({{2, 2}, {9, 2}}), {}},
-           {VertexId(0), VertexId(2), straight({{2, 2}, {2, 9}}), {}},
-           {VertexId(0), VertexId(3), straight({{2, 2}, {-5, 2}}), {}},
-           {VertexId(0), VertexId(4), straight({{2, 2}, {2, -5}}), {}}}};
+  return straightWays({{2, 2}, {9, 2}, {2, 9}, {-5, 2}, {2, -5}}, {{0, 1}, {0, 2}, {0, 3}, {0, 4}});
 }
 
 TEST(RoomGraph, theVertexOfARoomHasAnEdgeToEachOfItsBordersAndToNothingElse) {

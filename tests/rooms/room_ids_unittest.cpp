@@ -10,11 +10,7 @@ namespace {
 TEST(RoomIds, aVertexOnThePolygonBecomesABorderVertex) {
   // III-D, case A: the path is crossed at its source or target.
   const Rooms rooms{squareRoom(0, 0)};
-  const TopologyGraph graph({{{2, 2}, 1, VertexKind::deadEnd, {}},
-                             {{4, 2}, 1, VertexKind::junction, {}},
-                             {{9, 2}, 1, VertexKind::deadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{2, 2}, {4, 2}}), {}},
-                             {VertexId(2), VertexId(1), straight({{9, 2}, {4, 2}}), {}}});
+  const TopologyGraph graph = straightWays({{2, 2}, {4, 2}, {9, 2}}, {{0, 1}, {2, 1}});
   const auto stretches = borderVertices(graph, rooms, kClearance, kEpsilon);
   EXPECT_EQ(stretches[0].size(), 1u);
   EXPECT_EQ(stretches[1].size(), 1u);
@@ -37,21 +33,15 @@ TEST(RoomIds, aShortDeadEndBelongsToItsRoom) {
 }
 
 TEST(RoomIds, aLoneVertexGetsTheRoomAtItsPlace) {
-  const TopologyGraph lone(
-      {{{1, 1}, 1, VertexKind::junction, {}}, {{9, 1}, 1, VertexKind::junction, {}}}, {});
-  const TopologyGraph ids = roomIds(lone, {squareRoom(0, 0)}, 1);
+  const TopologyGraph ids = roomIds(straightWays({{1, 1}, {9, 1}}, {}), {squareRoom(0, 0)}, 1);
   EXPECT_EQ(ids.vertices()[0].room, RoomId(0));
   EXPECT_FALSE(ids.vertices()[1].room);
 }
 
 TEST(RoomIds, aPathThatOnlyClipsACornerIsNotInTheRoom) {
   // One way leads through the room, the other, which is not connected to it there, clips it.
-  const TopologyGraph graph({{{-3, 2}, 1, VertexKind::deadEnd, {}},
-                             {{9, 2}, 1, VertexKind::deadEnd, {}},
-                             {{-1, 3}, 1, VertexKind::deadEnd, {}},
-                             {{1, 5}, 1, VertexKind::deadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{-3, 2}, {9, 2}}), {}},
-                             {VertexId(2), VertexId(3), straight({{-1, 2.5}, {1.5, 5}}), {}}});
+  const TopologyGraph graph =
+      straightWays({{-3, 2}, {9, 2}, {-1, 2.5}, {1.5, 5}}, {{0, 1}, {2, 3}});
   const TopologyGraph ids = cutAtRooms(graph, {squareRoom(0, 0)}, 0);
   ASSERT_EQ(ids.edges().size(), 6u);
   EXPECT_EQ(ids.edges()[1].room, RoomId(0)) << "the long way";

@@ -21,6 +21,13 @@ inline TopologyGraph line(const Polyline& points) {
       {{VertexId(0), VertexId(1), straight(points), {}}}};
 }
 
+/** The same inside of room 0, with a border vertex at both sides. */
+inline TopologyGraph wayBetweenBorders(const Polyline& points) {
+  return {{{points.front(), 1, VertexKind::border, RoomId(0)},
+           {points.back(), 1, VertexKind::border, RoomId(0)}},
+          {{VertexId(0), VertexId(1), straight(points), RoomId(0)}}};
+}
+
 inline std::size_t countOf(const TopologyGraph& graph, VertexKind kind) {
   return std::size_t(std::count_if(graph.vertices().begin(), graph.vertices().end(),
                                    [&](const Vertex& v) { return v.kind == kind; }));

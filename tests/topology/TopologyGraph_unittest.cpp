@@ -29,10 +29,8 @@ TEST(TopologyGraph, aSelfLoopLeavesTwice) {
 }
 
 TEST(DissolveThrough, makesOneEdgeOfTwo) {
-  const TopologyGraph graph = dissolveThrough(
-      {{{{0, 0}, 1, kDeadEnd, {}}, {{2, 0}, 1, kJunction, {}}, {{5, 0}, 1, kDeadEnd, {}}},
-       {{VertexId(1), VertexId(0), straight({{2, 0}, {0, 0}}), {}},
-        {VertexId(1), VertexId(2), straight({{2, 0}, {5, 0}}), {}}}});
+  const TopologyGraph graph =
+      dissolveThrough(straightWays({{0, 0}, {2, 0}, {5, 0}}, {{1, 0}, {1, 2}}));
   ASSERT_EQ(graph.edges().size(), 1u);
   EXPECT_EQ(graph.vertices().size(), 2u);
   EXPECT_DOUBLE_EQ(graph.edges()[0].path.length, 5);
@@ -41,10 +39,8 @@ TEST(DissolveThrough, makesOneEdgeOfTwo) {
 
 TEST(DissolveThrough, keepsTheWidestOfACycle) {
   const TopologyGraph graph = dissolveThrough(
-      {{{{0, 0}, 1, kJunction, {}}, {{4, 0}, 2, kJunction, {}}, {{4, 4}, 1, kJunction, {}}},
-       {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}}), {}},
-        {VertexId(1), VertexId(2), straight({{4, 0}, {4, 4}}), {}},
-        {VertexId(2), VertexId(0), straight({{4, 4}, {0, 0}}), {}}}});
+      joinedUp({{{0, 0}, 1, kJunction, {}}, {{4, 0}, 2, kJunction, {}}, {{4, 4}, 1, kJunction, {}}},
+               {{0, 1}, {1, 2}, {2, 0}}));
   ASSERT_EQ(graph.vertices().size(), 1u);
   EXPECT_EQ(graph.vertices()[0].kind, VertexKind::ring);
   EXPECT_EQ(graph.vertices()[0].place, (Point{4, 0}));
@@ -63,10 +59,9 @@ TEST(DissolveThrough, leavesASelfLoopWithABranch) {
 }
 
 TEST(DissolveThrough, leavesOtherKindsAlone) {
-  const TopologyGraph graph = dissolveThrough(
-      {{{{0, 0}, 1, kDeadEnd, {}}, {{2, 0}, 1, VertexKind::border, {}}, {{5, 0}, 1, kDeadEnd, {}}},
-       {{VertexId(0), VertexId(1), straight({{0, 0}, {2, 0}}), {}},
-        {VertexId(1), VertexId(2), straight({{2, 0}, {5, 0}}), {}}}});
+  const TopologyGraph graph = dissolveThrough(joinedUp(
+      {{{0, 0}, 1, kDeadEnd, {}}, {{2, 0}, 1, VertexKind::border, {}}, {{5, 0}, 1, kDeadEnd, {}}},
+      {{0, 1}, {1, 2}}));
   EXPECT_EQ(graph.vertices().size(), 3u);
 }
 

@@ -9,17 +9,13 @@ namespace {
 
 TEST(RemoveDeadEnds, removesThemLayerByLayer) {
   // A twig with two short tips goes as a whole: first its tips, then itself.
-  const TopologyGraph tree({{{0, 0}, 0.5, kJunction, {}},
-                            {{9, 0}, 0.5, kDeadEnd, {}},
-                            {{0, 9}, 0.5, kDeadEnd, {}},
-                            {{-0.4, 0}, 0.3, kJunction, {}},
-                            {{-0.6, 0.1}, 0.2, kDeadEnd, {}},
-                            {{-0.6, -0.1}, 0.2, kDeadEnd, {}}},
-                           {{VertexId(0), VertexId(1), straight({{0, 0}, {9, 0}}), {}},
-                            {VertexId(0), VertexId(2), straight({{0, 0}, {0, 9}}), {}},
-                            {VertexId(0), VertexId(3), straight({{0, 0}, {-0.4, 0}}), {}},
-                            {VertexId(3), VertexId(4), straight({{-0.4, 0}, {-0.6, 0.1}}), {}},
-                            {VertexId(3), VertexId(5), straight({{-0.4, 0}, {-0.6, -0.1}}), {}}});
+  const TopologyGraph tree = joinedUp({{{0, 0}, 0.5, kJunction, {}},
+                                       {{9, 0}, 0.5, kDeadEnd, {}},
+                                       {{0, 9}, 0.5, kDeadEnd, {}},
+                                       {{-0.4, 0}, 0.3, kJunction, {}},
+                                       {{-0.6, 0.1}, 0.2, kDeadEnd, {}},
+                                       {{-0.6, -0.1}, 0.2, kDeadEnd, {}}},
+                                      {{0, 1}, {0, 2}, {0, 3}, {3, 4}, {3, 5}});
   const TopologyGraph pruned = removeDeadEnds(tree, {}, 0.1);
   EXPECT_EQ(pruned.vertices().size(), 2u);
   ASSERT_EQ(pruned.edges().size(), 1u);
@@ -48,9 +44,8 @@ TEST(RemoveDeadEnds, neverRemovesAWholeComponent) {
   const TopologyGraph kept = removeDeadEnds(star({0.1, 0.1, 0.1}), {}, 0.1);
   EXPECT_EQ(kept.vertices().size(), 1u);
   EXPECT_TRUE(kept.edges().empty());
-  const TopologyGraph line({{{0, 0}, 1, kDeadEnd, {}}, {{0.1, 0}, 1, kDeadEnd, {}}},
-                           {{VertexId(0), VertexId(1), straight({{0, 0}, {0.1, 0}}), {}}});
-  EXPECT_EQ(removeDeadEnds(line, {}, 0.1).edges().size(), 1u);
+  const TopologyGraph way = straightWays({{0, 0}, {0.1, 0}}, {{0, 1}});
+  EXPECT_EQ(removeDeadEnds(way, {}, 0.1).edges().size(), 1u);
 }
 
 TEST(RemoveDeadEnds, thePapersWayRemovesEachOnceThenTheShort) {

@@ -29,31 +29,20 @@ TEST(Invariants, nameWhatIsWrong) {
 }
 
 TEST(Invariants, seePathsThatCross) {
-  const TopologyGraph graph({{{0, 0}, 1, kDeadEnd, {}},
-                             {{4, 4}, 1, kDeadEnd, {}},
-                             {{0, 4}, 1, kDeadEnd, {}},
-                             {{4, 0}, 1, kDeadEnd, {}}},
-                            {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 4}}), {}},
-                             {VertexId(2), VertexId(3), straight({{0, 4}, {4, 0}}), {}}});
+  const TopologyGraph graph = straightWays({{0, 0}, {4, 4}, {0, 4}, {4, 0}}, {{0, 1}, {2, 3}});
   EXPECT_EQ(test::brokenInvariants(graph, 0).size(), 1u);
 }
 
 TEST(Invariants, pathsMayMeetInAVertexOrTouch) {
   EXPECT_TRUE(test::brokenInvariants(star({2, 3, 4}), 0).empty());
-  const TopologyGraph touching({{{0, 0}, 1, kDeadEnd, {}},
-                                {{4, 0}, 1, kDeadEnd, {}},
-                                {{2, 0}, 1, kDeadEnd, {}},
-                                {{2, 4}, 1, kDeadEnd, {}}},
-                               {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}}), {}},
-                                {VertexId(2), VertexId(3), straight({{2, 0}, {2, 4}}), {}}});
+  const TopologyGraph touching = straightWays({{0, 0}, {4, 0}, {2, 0}, {2, 4}}, {{0, 1}, {2, 3}});
   EXPECT_TRUE(test::brokenInvariants(touching, 0).empty());
 }
 
 TEST(Invariants, seeADeadEndWithTwoWays) {
-  const TopologyGraph graph(
-      {{{0, 0}, 1, kDeadEnd, {}}, {{4, 0}, 1, kDeadEnd, {}}, {{8, 0}, 1, kDeadEnd, {}}},
-      {{VertexId(0), VertexId(1), straight({{0, 0}, {4, 0}}), {}},
-       {VertexId(1), VertexId(2), straight({{4, 0}, {8, 0}}), {}}});
+  const TopologyGraph graph =
+      joinedUp({{{0, 0}, 1, kDeadEnd, {}}, {{4, 0}, 1, kDeadEnd, {}}, {{8, 0}, 1, kDeadEnd, {}}},
+               {{0, 1}, {1, 2}});
   ASSERT_EQ(test::brokenInvariants(graph, 0).size(), 1u);
   EXPECT_NE(test::brokenInvariants(graph, 0)[0].find("1"), std::string::npos) << "which one";
 }

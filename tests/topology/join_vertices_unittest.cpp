@@ -10,17 +10,8 @@ namespace {
 
 /** Two stars whose centres are `gap` apart. */
 TopologyGraph twoStars(double gap) {
-  return {{{{0, 0}, 1, kJunction, {}},
-           {{gap, 0}, 1, kJunction, {}},
-           {{-3, 1}, 1, kDeadEnd, {}},
-           {{-3, -1}, 1, kDeadEnd, {}},
-           {{5, 1}, 1, kDeadEnd, {}},
-           {{5, -1}, 1, kDeadEnd, {}}},
-          {{VertexId(0), VertexId(1), straight({{0, 0}, {gap, 0}}), {}},
-           {VertexId(0), VertexId(2), straight({{0, 0}, {-3, 1}}), {}},
-           {VertexId(0), VertexId(3), straight({{0, 0}, {-3, -1}}), {}},
-           {VertexId(1), VertexId(4), straight({{gap, 0}, {5, 1}}), {}},
-           {VertexId(1), VertexId(5), straight({{gap, 0}, {5, -1}}), {}}}};
+  return straightWays({{0, 0}, {gap, 0}, {-3, 1}, {-3, -1}, {5, 1}, {5, -1}},
+                      {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {1, 5}});
 }
 
 TEST(JoinVertices, makesOneOfTwoThatAreNear) {
@@ -66,20 +57,10 @@ TEST(JoinVertices, makesASelfLoopOfAWayRoundAnObstacle) {
 
 TEST(JoinVertices, joinsAWholeGroupIntoTheOneNearestToItsMean) {
   // Three junctions in a row, 0.1 m apart, each with a way out.
-  std::vector<Vertex> vertices;
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double x = 0.1 * double(i);
-    vertices.push_back({{x, 0}, 1, kJunction, {}});
-    vertices.push_back({{x, 5}, 1, kDeadEnd, {}});
-    edges.push_back({VertexId(2 * i), VertexId(2 * i + 1), straight({{x, 0}, {x, 5}}), {}});
-  }
-  for (std::size_t i = 0; i < 2; ++i)
-    edges.push_back({VertexId(2 * i),
-                     VertexId(2 * i + 2),
-                     straight({vertices[2 * i].place, vertices[2 * i + 2].place}),
-                     {}});
-  const TopologyGraph graph = joinVertices({vertices, edges}, {}, 0.1);
+  const TopologyGraph graph =
+      joinVertices(straightWays({{0, 0}, {0, 5}, {0.1, 0}, {0.1, 5}, {0.2, 0}, {0.2, 5}},
+                                {{0, 1}, {2, 3}, {4, 5}, {0, 2}, {2, 4}}),
+                   {}, 0.1);
   ASSERT_EQ(graph.vertices().size(), 4u);
   ASSERT_EQ(graph.edges().size(), 3u);
   for (const Edge& edge : graph.edges()) {

@@ -9,19 +9,8 @@ namespace {
 
 /** Three lines that are not connected, 5, 2 and 0.5 m long. */
 TopologyGraph threeLines() {
-  std::vector<Vertex> vertices;
-  std::vector<Edge> edges;
-  double y = 0;
-  for (const double along : {2.0, 5.0, 0.5}) {
-    vertices.push_back({{0, y}, 1, kDeadEnd, {}});
-    vertices.push_back({{along, y}, 1, kDeadEnd, {}});
-    edges.push_back({VertexId(vertices.size() - 2),
-                     VertexId(vertices.size() - 1),
-                     straight({{0, y}, {along, y}}),
-                     {}});
-    y += 10;
-  }
-  return {vertices, edges};
+  return straightWays({{0, 0}, {2, 0}, {0, 10}, {5, 10}, {0, 20}, {0.5, 20}},
+                      {{0, 1}, {2, 3}, {4, 5}});
 }
 
 TEST(KeepLargest, keepsTheLongestAndTellsOfTheOthers) {
