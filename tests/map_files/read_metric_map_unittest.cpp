@@ -9,6 +9,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -74,15 +75,9 @@ TEST_F(MetricMap, linesAndPlanesAreSteppedOver) {
 /** The walls of the room are in the map, within a cell, and nothing else is. */
 void expectRoom(const GreyMap& map) {
   const Grid grid = binarize(map, {});
-  int walls = 0;
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x) {
-      if (grid.at({x, y}) != State::occupied) continue;
-      const Point p = grid.frame.center({x, y});
-      EXPECT_NEAR(std::max(std::abs(p.x), std::abs(p.y)), 2, 0.08);
-      ++walls;
-    }
-  EXPECT_GT(walls, 250);
+  const auto walls = test::occupiedPlaces(grid);
+  for (const Point p : walls) EXPECT_NEAR(std::max(std::abs(p.x), std::abs(p.y)), 2, 0.08);
+  EXPECT_GT(walls.size(), 250u);
   EXPECT_TRUE(grid.isFree({0.5, 0.5}));
   EXPECT_FALSE(grid.isFree({2.3, 0}));
 }

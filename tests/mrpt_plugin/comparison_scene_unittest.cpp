@@ -8,19 +8,19 @@
 
 #include "mrpt_reads.h"
 #include "roomgraph/align/wall_map.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
 
 /** A room of 4 m, its lower left corner in the origin. */
 Run makeRun(const std::string& name) {
-  Grid grid;
-  grid.frame = {80, 80, 0.05, {0, 0}};
-  for (int y = 0; y < 80; ++y)
-    for (int x = 0; x < 80; ++x)
-      grid.cells.push_back(x < 4 || y < 4 || x >= 76 || y >= 76 ? State::occupied : State::free);
   Run run;
-  run.name = name, run.file = name + ".gridmap", run.map = wallMap(grid);
+  run.name = name, run.file = name + ".gridmap";
+  run.map = wallMap(test::sampledGrid({80, 80, 0.05, {0, 0}}, [](Point p) {
+    const bool isWall = std::min(p.x, p.y) < 0.2 || std::max(p.x, p.y) > 3.8;
+    return isWall ? State::occupied : State::free;
+  }));
   return run;
 }
 

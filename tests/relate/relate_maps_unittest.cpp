@@ -6,6 +6,7 @@
 
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -161,8 +162,6 @@ TEST(RelateMaps, copiesHaveNoBend) {
 /** A floor of 30 m by 16 m with a corridor along it, and walls across at these x on both of its
  *  sides; `furniture` are cupboards of 1.2 m in the middle of the rooms. */
 Grid floorWith(const std::vector<double>& walls, bool hasFurniture = false) {
-  Grid grid;
-  grid.frame = {680, 400, 0.05, {-2, -2}};
   const auto isWall = [&](Point p) {
     const bool isHull = p.x < 0.1 || p.x > 29.9 || p.y < 0.1 || p.y > 15.9;
     const bool isDoor = std::fmod(p.x, 5) < 0.9;
@@ -174,13 +173,10 @@ Grid floorWith(const std::vector<double>& walls, bool hasFurniture = false) {
     }
     return isHull || (isOfCorridor && !isDoor) || isAcross || (hasFurniture && isCupboard);
   };
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x) {
-      const Point p = grid.frame.center({x, y});
-      const bool isIn = p.x > 0 && p.x < 30 && p.y > 0 && p.y < 16;
-      grid.cells.push_back(!isIn ? State::unknown : isWall(p) ? State::occupied : State::free);
-    }
-  return grid;
+  return test::sampledGrid({680, 400, 0.05, {-2, -2}}, [&](Point p) {
+    const bool isIn = p.x > 0 && p.x < 30 && p.y > 0 && p.y < 16;
+    return !isIn ? State::unknown : isWall(p) ? State::occupied : State::free;
+  });
 }
 
 /** The pair as if it were surely aligned where it is, and followed. */

@@ -8,6 +8,7 @@
 #include "repaired_site.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/repair/sound_frame.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -106,19 +107,12 @@ TEST(CarryPlaces, aPlaceInANewWallIsGone) {
 
 /** Two rooms of 6 m beside each other, with a wall between, from (0, 0) on. */
 WallMap twoRooms() {
-  Grid grid;
-  grid.frame = {261, 141, 0.05, {-0.5, -0.5}};
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x) {
-      const Point p = grid.frame.center({x, y});
-      const bool isInside = p.y > 0 && p.y < 6 && p.x > 0 && p.x < 12;
-      const bool isWall = p.x > 5.9 && p.x < 6.1;
-      const bool isNear = p.y > -0.2 && p.y < 6.2 && p.x > -0.2 && p.x < 12.2;
-      grid.cells.push_back(isInside && !isWall ? State::free
-                           : isNear            ? State::occupied
-                                               : State::unknown);
-    }
-  return wallMap(grid);
+  return wallMap(test::sampledGrid({261, 141, 0.05, {-0.5, -0.5}}, [](Point p) {
+    const bool isInside = p.y > 0 && p.y < 6 && p.x > 0 && p.x < 12;
+    const bool isWall = p.x > 5.9 && p.x < 6.1;
+    const bool isNear = p.y > -0.2 && p.y < 6.2 && p.x > -0.2 && p.x < 12.2;
+    return isInside && !isWall ? State::free : isNear ? State::occupied : State::unknown;
+  }));
 }
 
 TEST(ViewFrom, wallsOfTheRoomAreSeenAndNoneBehindThem) {

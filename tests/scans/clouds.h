@@ -12,6 +12,7 @@
 #include "refusal.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
+#include "sampled_grid.h"
 
 namespace roomgraph::test {
 
@@ -29,13 +30,10 @@ class Clouds : public testing::Test {
   static void expectRoom(const GreyMap& map) {
     const Grid grid = binarize(map, {});
     int walls = 0, strays = 0;
-    for (int y = 0; y < grid.frame.height; ++y)
-      for (int x = 0; x < grid.frame.width; ++x) {
-        if (grid.at({x, y}) != State::occupied) continue;
-        const Point p = grid.frame.center({x, y});
-        const bool isWall = std::abs(std::max(std::abs(p.x), std::abs(p.y)) - 2) < 0.08;
-        ++(isWall ? walls : strays);
-      }
+    for (const Point p : occupiedPlaces(grid)) {
+      const bool isWall = std::abs(std::max(std::abs(p.x), std::abs(p.y)) - 2) < 0.08;
+      ++(isWall ? walls : strays);
+    }
     EXPECT_GT(walls, 250);
     EXPECT_LT(strays, walls / 20);
     EXPECT_TRUE(grid.isFree({0.5, 0.4}));

@@ -7,6 +7,7 @@
 #include "clouds.h"
 #include "newer_simplemap.h"
 #include "roomgraph/grid/binarize.h"
+#include "sampled_grid.h"
 #include "simplemap_entry.h"
 
 namespace roomgraph {
@@ -91,20 +92,18 @@ TEST(SlicedRun, hasTheWallsOfItsScans) {
   if (clouds.empty() || !test::isFile(original)) GTEST_SKIP() << "the run is not there";
   const Grid scans = binarize(loadGrid(original, {}), {}),
              sliced = binarize(loadGrid(clouds, {}), {});
-  int near = 0, all = 0;
-  for (int y = 0; y < sliced.frame.height; ++y)
-    for (int x = 0; x < sliced.frame.width; ++x) {
-      if (sliced.at({x, y}) != State::occupied) continue;
-      ++all;
-      const Cell c = scans.frame.cellAt(sliced.frame.center({x, y}));
-      bool isNear = false;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          isNear = isNear || scans.atOrUnknown({c.x + dx, c.y + dy}) == State::occupied;
-      near += isNear;
-    }
-  EXPECT_GT(all, 5000);
-  EXPECT_GT(near, 0.95 * all);
+  int near = 0;
+  const auto walls = test::occupiedPlaces(sliced);
+  for (const Point p : walls) {
+    const Cell c = scans.frame.cellAt(p);
+    bool isNear = false;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        isNear = isNear || scans.atOrUnknown({c.x + dx, c.y + dy}) == State::occupied;
+    near += isNear;
+  }
+  EXPECT_GT(walls.size(), 5000u);
+  EXPECT_GT(near, 0.95 * double(walls.size()));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "clouds.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/read_recording.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -58,14 +59,9 @@ TEST_F(ReadDepthScan, depthImagesGiveTheWallsThatTheyShow) {
     SCOPED_TRACE(isDepth);
     const GreyMap map = load(oneObservation(test::streamed(wallSeen(isDepth))));
     const Grid grid = binarize(map, {});
-    int walls = 0;
-    for (int y = 0; y < grid.frame.height; ++y)
-      for (int x = 0; x < grid.frame.width; ++x)
-        if (grid.at({x, y}) == State::occupied) {
-          EXPECT_NEAR(grid.frame.center({x, y}).x, 2, 0.08);
-          ++walls;
-        }
-    EXPECT_GT(walls, 50) << "3.2 m of wall are in view";
+    const auto walls = test::occupiedPlaces(grid);
+    for (const Point p : walls) EXPECT_NEAR(p.x, 2, 0.08);
+    EXPECT_GT(walls.size(), 50u) << "3.2 m of wall are in view";
     EXPECT_TRUE(grid.isFree({1, 0}));
   }
 }

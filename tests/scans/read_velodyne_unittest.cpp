@@ -5,6 +5,7 @@
 
 #include "clouds.h"
 #include "roomgraph/grid/binarize.h"
+#include "sampled_grid.h"
 
 namespace roomgraph {
 namespace {
@@ -43,17 +44,12 @@ TEST_F(ReadVelodyne, packetsOfVelodyneScansArePlacedByMrpt) {
     }
     scan.scan_packets.push_back(raw);
   }
-  const Grid grid = binarize(load(oneObservation(test::streamed(scan))), {});
-  int walls = 0;
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      if (grid.at({x, y}) == State::occupied) {
-        const double distance = norm(grid.frame.center({x, y}));
-        EXPECT_GT(distance, 2.8);
-        EXPECT_LT(distance, 3.1);
-        ++walls;
-      }
-  EXPECT_GT(walls, 200) << "rings at 3 m and 1 to 15 degrees up or down";
+  const auto walls = test::occupiedPlaces(binarize(load(oneObservation(test::streamed(scan))), {}));
+  for (const Point p : walls) {
+    EXPECT_GT(norm(p), 2.8);
+    EXPECT_LT(norm(p), 3.1);
+  }
+  EXPECT_GT(walls.size(), 200u) << "rings at 3 m and 1 to 15 degrees up or down";
 }
 
 }  // namespace

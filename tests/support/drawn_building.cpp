@@ -6,6 +6,8 @@
 #include <random>
 #include <vector>
 
+#include "sampled_grid.h"
+
 namespace roomgraph::test {
 namespace {
 
@@ -20,14 +22,9 @@ Grid sampled(const std::function<State(Point)>& stateAt, const Transform2D& pose
     least = {std::min(least.x, p.x), std::min(least.y, p.y)};
     most = {std::max(most.x, p.x), std::max(most.y, p.y)};
   }
-  Grid grid;
-  grid.frame = {int((most.x - least.x) / kCell) + 1, int((most.y - least.y) / kCell) + 1, kCell,
-                least};
-  const Transform2D back = pose.inverse();
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      grid.cells.push_back(stateAt(back(grid.frame.center({x, y}))));
-  return grid;
+  const GridFrame frame{int((most.x - least.x) / kCell) + 1, int((most.y - least.y) / kCell) + 1,
+                        kCell, least};
+  return sampledGrid(frame, [&, back = pose.inverse()](Point p) { return stateAt(back(p)); });
 }
 
 bool isAt(double value, double wall) { return std::abs(value - wall) <= kWall; }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "roomgraph/align/wall_map.h"
+#include "sampled_grid.h"
 
 namespace roomgraph::test {
 namespace {
@@ -89,16 +90,14 @@ House house() {
 
 Run runOf(const House& house, const std::string& name, const Transform2D& pose) {
   const Point middle = pose({10, 5});
-  Grid grid;
   const double half = 18;  // all of it, however it is turned
-  grid.frame = {int(2 * half / kCell), int(2 * half / kCell), kCell, middle - Point{half, half}};
+  const GridFrame frame{int(2 * half / kCell), int(2 * half / kCell), kCell,
+                        middle - Point{half, half}};
   const Transform2D back = pose.inverse();
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      grid.cells.push_back(stateAt(house, undrawn(house, back(grid.frame.center({x, y})))));
   Run run;
   run.name = name, run.file = name + ".gridmap", run.sha256 = "hash of " + name;
-  run.map = wallMap(grid);
+  run.map =
+      wallMap(sampledGrid(frame, [&](Point p) { return stateAt(house, undrawn(house, back(p))); }));
   run.areas = areasOf(house, pose);
   return run;
 }

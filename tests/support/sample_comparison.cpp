@@ -4,6 +4,7 @@
 
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/pipeline/ExtractOptions.h"
+#include "sampled_grid.h"
 
 namespace roomgraph::test {
 namespace {
@@ -28,18 +29,12 @@ State truthAt(Point p) {
 /** The building as a run sees it from `pose` (run <- building). */
 template <class Seen>
 Run makeRun(const std::string& name, const Transform2D& pose, const Seen& seen) {
-  Grid grid;
-  grid.frame.resolution = 0.05;
-  grid.frame.width = grid.frame.height = 900;
-  grid.frame.origin = {-22.5, -22.5};
   const Transform2D back = pose.inverse();
-  for (int y = 0; y < grid.frame.height; ++y)
-    for (int x = 0; x < grid.frame.width; ++x)
-      grid.cells.push_back(seen(back(grid.frame.center({x, y}))));
   Run run;
   run.name = name, run.file = "runs/" + name + ".gridmap";
   run.sha256 = "0123456789abcdef of " + name;
-  run.map = wallMap(grid);
+  run.map = wallMap(
+      sampledGrid({900, 900, 0.05, {-22.5, -22.5}}, [&](Point p) { return seen(back(p)); }));
   return run;
 }
 
