@@ -8,6 +8,7 @@
 
 #include "RandomNumbers.h"
 #include "drawn_graph.h"
+#include "hand_built.h"
 #include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
@@ -39,18 +40,6 @@ GraphMatch byNumbers(const TopologyGraph& a, const TopologyGraph& b) {
   return match;
 }
 
-TopologyGraph stretched(const TopologyGraph& graph, double factor) {
-  std::vector<Vertex> vertices = graph.vertices();
-  for (Vertex& v : vertices) v.place = factor * v.place;
-  std::vector<Edge> edges;
-  for (Edge edge : graph.edges()) {
-    for (Point& p : edge.path.points) p = factor * p;
-    edge.path = makePath(edge.path.points, {});
-    edges.push_back(edge);
-  }
-  return {vertices, edges};
-}
-
 TEST(CompareGraphs, aGraphAgreesWithItself) {
   const TopologyGraph graph = drawnGraph();
   const GraphComparison same = compareGraphs(graph, graph, matched(graph, graph), {});
@@ -78,7 +67,8 @@ TEST(CompareGraphs, aShiftIsGlobalButNotRelative) {
 }
 
 TEST(CompareGraphs, aScaleShowsInLengthsAndOverAllHops) {
-  const TopologyGraph graph = drawnGraph(), larger = stretched(graph, 1.1);
+  const TopologyGraph graph = drawnGraph(),
+                      larger = test::mapped(graph, [](Point p) { return 1.1 * p; });
   const GraphComparison found = compareGraphs(graph, larger, byNumbers(graph, larger), {});
   EXPECT_NEAR(found.lengthError.value.value(), 0.1 / 1.1, 1e-9);
   // One hop is a straight way here: its ends are 1.1 times as far apart.
@@ -91,14 +81,8 @@ TEST(CompareGraphs, aScaleShowsInLengthsAndOverAllHops) {
 TEST(CompareGraphs, hopsAreCountedOverMatchedPaths) {
   // Five vertices in a row, 1 m apart, the last of which b has 0.5 m farther away.
   const auto row = [](double more) {
-    std::vector<Vertex> vertices;
-    std::vector<Edge> edges;
-    for (int i = 0; i < 5; ++i)
-      vertices.push_back({{i + (i == 4 ? more : 0), 0}, 1, VertexKind::junction, RoomId::none()});
-    for (std::size_t i = 0; i < 4; ++i)
-      edges.push_back({VertexId(i), VertexId(i + 1),
-                       makePath({vertices[i].place, vertices[i + 1].place}, {}), RoomId::none()});
-    return TopologyGraph(vertices, edges);
+    return test::straightWays({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4 + more, 0}},
+                              {{0, 1}, {1, 2}, {2, 3}, {3, 4}});
   };
   const TopologyGraph a = row(0), b = row(0.5);
   const GraphComparison found = compareGraphs(a, b, byNumbers(a, b), {});
@@ -112,12 +96,7 @@ TEST(CompareGraphs, hopsAreCountedOverMatchedPaths) {
 }
 
 TEST(CompareGraphs, whatOneGraphLacksItDoesNotCover) {
-  const TopologyGraph all = drawnGraph();
-  std::vector<bool> vertices(all.vertices().size()), edges(all.edges().size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = all.vertices()[i].place.x < 10;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    edges[e] = vertices[all.edges()[e].source.index()] && vertices[all.edges()[e].target.index()];
-  const TopologyGraph part = keepOnly(all, vertices, edges);
+  const TopologyGraph all = drawnGraph(), part = test::westOf(all, 10);
   const GraphComparison found = compareGraphs(part, all, matched(part, all), {});
   EXPECT_NEAR(found.coverageOfB.value.value(), 1, 1e-9);
   EXPECT_LT(found.coverageOfA.value.value(), 0.6);
@@ -205,15 +184,12 @@ TEST(PathFrechet, isTheShortestLeash) {
   test::RandomNumbers random(1);
   for (int trial = 0; trial < 5; ++trial) {
     Polyline a{{0, 0}}, b{{0, 0}};
-    std::vector<Point> placesA{{0, 0}}, placesB{{0, 0}};
     for (int k = 1; k < 8; ++k) {  // heights that leave steps of equal length
       const double up = random.between(0.02, 0.1);
       a.push_back({0.25 * k, k % 2 ? up : 0}), b.push_back({0.25 * k, k % 2 ? -up : 0});
     }
     a.push_back({2, 0}), b.push_back({2, 0});
-    placesA = a, placesB = b;
-    const double slow = leash(placesA, placesB, 8, 8);
-    EXPECT_NEAR(pathFrechet(a, b).value(), slow, 0.05);
+    EXPECT_NEAR(pathFrechet(a, b).value(), leash(a, b, 8, 8), 0.05);
   }
 }
 

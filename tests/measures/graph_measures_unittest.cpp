@@ -45,12 +45,7 @@ TEST(GraphMeasures, aRunWithoutTrustHasNoVoice) {
 
 TEST(GraphMeasures, coverageIsThatOfTheOthers) {
   const TopologyGraph graph = drawnGraph();
-  std::vector<bool> vertices(graph.vertices().size()), edges(graph.edges().size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = graph.vertices()[i].place.x < 10;
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    edges[e] =
-        vertices[graph.edges()[e].source.index()] && vertices[graph.edges()[e].target.index()];
-  const PlacedGraphs graphs({graph, keepOnly(graph, vertices, edges), graph});
+  const PlacedGraphs graphs({graph, test::westOf(graph, 10), graph});
   EXPECT_NEAR(graphs.measure(0, "path_coverage").value.value(), 1, 1e-9);
   EXPECT_LT(graphs.measure(1, "path_coverage").value.value(), 0.6);
   EXPECT_NEAR(graphs.measure(1, "path_coverage").high.value(),

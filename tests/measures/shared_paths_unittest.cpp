@@ -5,21 +5,10 @@
 #include <cmath>
 
 #include "drawn_graph.h"
+#include "hand_built.h"
 
 namespace roomgraph {
 namespace {
-
-/** Vertices at these places, joined by straight edges. */
-TopologyGraph graphOf(const std::vector<Point>& places,
-                      const std::vector<std::pair<std::size_t, std::size_t>>& joined) {
-  std::vector<Vertex> vertices;
-  for (const Point p : places) vertices.push_back({p, 1, VertexKind::junction, RoomId::none()});
-  std::vector<Edge> edges;
-  for (const auto& [a, b] : joined)
-    edges.push_back(
-        {VertexId(a), VertexId(b), makePath({places[a], places[b]}, {}), RoomId::none()});
-  return {vertices, edges};
-}
 
 VertexMatch match(std::size_t a, std::size_t b) { return {VertexId(a), VertexId(b), 0}; }
 
@@ -32,7 +21,7 @@ TEST(IsSameLength, allowsSomeMetresAndAShareOfTheLongerOne) {
 }
 
 TEST(SharedPaths, edgesOfOneLengthBetweenMatchedVerticesAreShared) {
-  const TopologyGraph graph = graphOf({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
+  const TopologyGraph graph = test::straightWays({{0, 0}, {4, 0}, {4, 3}}, {{0, 1}, {1, 2}});
   const auto paths = sharedPaths(graph, graph, {match(0, 0), match(1, 1), match(2, 2)});
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_EQ(paths[0].from, 0u);
@@ -45,8 +34,8 @@ TEST(SharedPaths, edgesOfOneLengthBetweenMatchedVerticesAreShared) {
 }
 
 TEST(SharedPaths, aWayThroughAVertexThatIsNotMatchedIsShared) {
-  const TopologyGraph a = graphOf({{0, 0}, {4, 0}}, {{0, 1}});
-  const TopologyGraph b = graphOf({{0, 0}, {4, 0}, {2, 0}}, {{0, 2}, {2, 1}});
+  const TopologyGraph a = test::straightWays({{0, 0}, {4, 0}}, {{0, 1}});
+  const TopologyGraph b = test::straightWays({{0, 0}, {4, 0}, {2, 0}}, {{0, 2}, {2, 1}});
   const auto paths = sharedPaths(a, b, {match(0, 0), match(1, 1)});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_EQ(paths[0].a.size(), 1u);
@@ -55,15 +44,15 @@ TEST(SharedPaths, aWayThroughAVertexThatIsNotMatchedIsShared) {
 }
 
 TEST(SharedPaths, waysOfOtherLengthsAreNot) {
-  const TopologyGraph a = graphOf({{0, 0}, {4, 0}}, {{0, 1}});
-  const TopologyGraph b = graphOf({{0, 0}, {4, 0}, {2, 5}}, {{0, 2}, {2, 1}});
+  const TopologyGraph a = test::straightWays({{0, 0}, {4, 0}}, {{0, 1}});
+  const TopologyGraph b = test::straightWays({{0, 0}, {4, 0}, {2, 5}}, {{0, 2}, {2, 1}});
   EXPECT_TRUE(sharedPaths(a, b, {match(0, 0), match(1, 1)}).empty());
 }
 
 TEST(SharedPaths, anEdgeIsSharedOnce) {
   // Two ways about as long between the same places, where the other graph has one.
-  const TopologyGraph one = graphOf({{0, 0}, {4, 0}}, {{0, 1}});
-  const TopologyGraph two = graphOf({{0, 0}, {4, 0}}, {{0, 1}, {0, 1}});
+  const TopologyGraph one = test::straightWays({{0, 0}, {4, 0}}, {{0, 1}});
+  const TopologyGraph two = test::straightWays({{0, 0}, {4, 0}}, {{0, 1}, {0, 1}});
   EXPECT_EQ(sharedPaths(one, two, {match(0, 0), match(1, 1)}).size(), 1u);
   EXPECT_EQ(sharedPaths(two, two, {match(0, 0), match(1, 1)}).size(), 2u);
 }
@@ -73,9 +62,10 @@ TEST(SharedPaths, withoutMatchesThereAreNone) {
 }
 
 TEST(SharedPaths, areTheSameFromTheOtherSide) {
-  const TopologyGraph a = graphOf({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, {{0, 1}, {1, 2}, {2, 3}});
-  const TopologyGraph b =
-      graphOf({{0, 0}, {4, 0}, {4, 3}, {0, 3}, {4, 1.5}}, {{0, 1}, {1, 4}, {4, 2}, {3, 0}});
+  const TopologyGraph a =
+      test::straightWays({{0, 0}, {4, 0}, {4, 3}, {0, 3}}, {{0, 1}, {1, 2}, {2, 3}});
+  const TopologyGraph b = test::straightWays({{0, 0}, {4, 0}, {4, 3}, {0, 3}, {4, 1.5}},
+                                             {{0, 1}, {1, 4}, {4, 2}, {3, 0}});
   std::vector<VertexMatch> there, back;
   for (std::size_t v = 0; v < 4; ++v) there.push_back(match(v, v)), back.push_back(match(v, v));
   const auto forth = sharedPaths(a, b, there), other = sharedPaths(b, a, back);
@@ -117,7 +107,8 @@ TEST(SharedPaths, stepsLeadFromTheOneEndToTheOther) {
 
 TEST(SharedPaths, aWayThatIsTooLongIsNotLookedFor) {
   const auto found = [](double length) {
-    const TopologyGraph graph = graphOf({{0, 0}, {length / 2, 0}, {length, 0}}, {{0, 1}, {1, 2}});
+    const TopologyGraph graph =
+        test::straightWays({{0, 0}, {length / 2, 0}, {length, 0}}, {{0, 1}, {1, 2}});
     return sharedPaths(graph, graph, {match(0, 0), match(2, 2)}).size();
   };
   EXPECT_EQ(found(19), 1u);
@@ -126,7 +117,7 @@ TEST(SharedPaths, aWayThatIsTooLongIsNotLookedFor) {
 
 TEST(SharedPaths, ofTwoWaysTheShorterCounts) {
   const TopologyGraph a =
-      graphOf({{0, 0}, {4, 0}, {2, 0.5}, {2, -2}}, {{0, 2}, {2, 1}, {0, 3}, {3, 1}});
+      test::straightWays({{0, 0}, {4, 0}, {2, 0.5}, {2, -2}}, {{0, 2}, {2, 1}, {0, 3}, {3, 1}});
   const auto paths = sharedPaths(a, a, {match(0, 0), match(1, 1)});
   ASSERT_EQ(paths.size(), 1u);
   EXPECT_NEAR(paths[0].lengthInA, 2 * std::hypot(2, 0.5), 1e-9);

@@ -1,10 +1,8 @@
 #include "drawn_graph.h"
 
-#include <functional>
 #include <utility>
 
 namespace roomgraph::test {
-namespace {
 
 TopologyGraph mapped(const TopologyGraph& graph, const std::function<Point(Point)>& place) {
   std::vector<Vertex> vertices = graph.vertices();
@@ -17,8 +15,6 @@ TopologyGraph mapped(const TopologyGraph& graph, const std::function<Point(Point
   }
   return {std::move(vertices), std::move(edges)};
 }
-
-}  // namespace
 
 TopologyGraph drawnGraph() {
   std::vector<Vertex> vertices;
@@ -57,6 +53,14 @@ TopologyGraph moved(const TopologyGraph& graph, const Transform2D& pose) {
 
 TopologyGraph bentAt(const TopologyGraph& graph, double x, const Transform2D& far) {
   return mapped(graph, [&](Point p) { return p.x > x ? far(p) : p; });
+}
+
+TopologyGraph westOf(const TopologyGraph& graph, double x) {
+  std::vector<bool> vertices, edges;
+  for (const Vertex& v : graph.vertices()) vertices.push_back(v.place.x < x);
+  for (const Edge& e : graph.edges())
+    edges.push_back(vertices[e.source.index()] && vertices[e.target.index()]);
+  return keepOnly(graph, vertices, edges);
 }
 
 TopologyGraph withoutVertex(const TopologyGraph& graph, VertexId gone) {
