@@ -2,39 +2,31 @@
 
 #include <gtest/gtest.h>
 
+#include "drawn_grid.h"
+
 namespace roomgraph {
 namespace {
 
-/** Rows from the lowest: '.' free, '#' occupied, ' ' unknown. */
-Grid drawn(const std::vector<std::string>& rows) {
-  Grid grid;
-  grid.frame.width = int(rows.front().size()), grid.frame.height = int(rows.size());
-  grid.frame.resolution = 0.05;
-  for (const std::string& row : rows)
-    for (const char c : row)
-      grid.cells.push_back(c == '.' ? State::free : c == '#' ? State::occupied : State::unknown);
-  return grid;
-}
-
 TEST(ClearWallRims, aRimOfOneOrTwoCellsBecomesFree) {
-  const auto cleared = clearWallRims(drawn({"########", "#      #", "# .... #", "#  ..  #",  //
-                                            "#      #", "########"}));
+  const auto cleared =
+      clearWallRims(test::gridFrom({"########", "#??????#", "#?....?#", "#??..??#",  //
+                                    "#??????#", "########"}));
   ASSERT_TRUE(cleared);
-  EXPECT_EQ(cleared->cells, drawn({"########", "# .... #", "#......#", "#......#",  //
-                                   "# .... #", "########"})
+  EXPECT_EQ(cleared->cells, test::gridFrom({"########", "#?....?#", "#......#", "#......#",  //
+                                            "#?....?#", "########"})
                                 .cells);
 }
 
 TEST(ClearWallRims, mapsWithWallsBesideFreeCellsStayAsTheyAre) {
-  EXPECT_FALSE(clearWallRims(drawn({"######", "#... #", "#....#", "######"})));
-  EXPECT_FALSE(clearWallRims(drawn({"    ", " .. ", "    "})));
-  EXPECT_FALSE(clearWallRims(drawn({"...", "..."})));
+  EXPECT_FALSE(clearWallRims(test::gridFrom({"######", "#...?#", "#....#", "######"})));
+  EXPECT_FALSE(clearWallRims(test::gridFrom({"????", "?..?", "????"})));
+  EXPECT_FALSE(clearWallRims(test::gridFrom({"...", "..."})));
 }
 
 TEST(ClearWallRims, widerGapsAndViewsIntoTheUnknownStay) {
-  const auto cleared = clearWallRims(drawn({"#   .. #", "#   .. #", "        "}));
+  const auto cleared = clearWallRims(test::gridFrom({"#???..?#", "#???..?#", "????????"}));
   ASSERT_TRUE(cleared);
-  EXPECT_EQ(cleared->cells, drawn({"#   ...#", "#   ...#", "        "}).cells);
+  EXPECT_EQ(cleared->cells, test::gridFrom({"#???...#", "#???...#", "????????"}).cells);
 }
 
 }  // namespace
