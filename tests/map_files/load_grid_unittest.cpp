@@ -220,15 +220,21 @@ TEST(LoadGrid, otherObservationsAreSteppedOverAndNoted) {
   EXPECT_EQ(map.notes[0].text.substr(0, 2), "2 ") << "a comment is no sensor";
 }
 
+/** The simplemap after `change` of each of its scans. */
+template <class Change>
+std::string withScans(const Change& change) {
+  auto simplemap = test::smallSimplemap();
+  for (std::size_t i = 0; i < simplemap.size(); ++i)
+    change(dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
+        **test::entryOf(simplemap, i).sf->begin()));
+  return test::streamed(simplemap);
+}
+
 /** The simplemap with scanners that look down by so many degrees. */
 std::string tiltedScans(double degrees, double roll = 0) {
-  auto simplemap = test::smallSimplemap();
-  for (std::size_t i = 0; i < simplemap.size(); ++i) {
-    auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
-        **test::entryOf(simplemap, i).sf->begin());
+  return withScans([&](auto& scan) {
     scan.sensorPose = mrpt::poses::CPose3D(0, 0, 0.3, 0, degrees * M_PI / 180, roll);
-  }
-  return test::streamed(simplemap);
+  });
 }
 
 TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
@@ -247,14 +253,7 @@ TEST(LoadGrid, scansThatAreSlightlyTiltedAreTakenForLevelAndNoted) {
 TEST(LoadGrid, aNegativeFieldOfViewRunsTheOtherWay) {
   const TestFolder dir;
   const auto bytes = [](float aperture, bool rightToLeft) {
-    auto simplemap = test::smallSimplemap();
-    for (std::size_t i = 0; i < simplemap.size(); ++i) {
-      auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
-          **test::entryOf(simplemap, i).sf->begin());
-      scan.aperture = aperture;
-      scan.rightToLeft = rightToLeft;
-    }
-    return test::streamed(simplemap);
+    return withScans([&](auto& scan) { scan.aperture = aperture, scan.rightToLeft = rightToLeft; });
   };
   const GreyMap expected = loadGrid(dir.write("a", bytes(2.5f, false)), {});
   EXPECT_EQ(loadGrid(dir.write("b", bytes(-2.5f, true)), {}).grey, expected.grey);
@@ -280,14 +279,11 @@ TEST(LoadGrid, aSliceOfScansIsRefusedAsSuch) {
 
 TEST(LoadGrid, aScanThatDoesNotSurroundItsSensorStaysInsideTheGrid) {
   const TestFolder dir;
-  auto simplemap = test::smallSimplemap();
-  for (std::size_t n = 0; n < simplemap.size(); ++n) {
-    auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(
-        **test::entryOf(simplemap, n).sf->begin());
+  const std::string narrow = withScans([](auto& scan) {
     scan.aperture = 0.1f;
     for (std::size_t i = 0; i < scan.getScanSize(); ++i) scan.setScanRange(i, 25);
-  }
-  const GreyMap map = loadGrid(dir.write("a", test::streamed(simplemap)), {});
+  });
+  const GreyMap map = loadGrid(dir.write("a", narrow), {});
   EXPECT_TRUE(map.frame.contains(map.frame.cellAt({-0.5, 0})));
   EXPECT_TRUE(map.frame.contains(map.frame.cellAt({25.5, 0})));
   EXPECT_GT(map.grey[map.frame.index(map.frame.cellAt({-0.3, 0}))], 128);
