@@ -20,8 +20,8 @@ constexpr int kSight = 100;           // of the robot [cells]
 constexpr int kStep = 8;              // between two places it looks from [cells]
 constexpr int kRobot = 3;             // half of its side [cells]
 
-Home::Box readBox(std::istream& words) {
-  Home::Box box;
+Box readBox(std::istream& words) {
+  Box box;
   words >> box.low.x >> box.low.y >> box.high.x >> box.high.y;
   return box;
 }
@@ -60,7 +60,7 @@ bool readLine(const std::string& line, Home& home) {
   return bool(words);
 }
 
-CellBox cellsOf(const GridFrame& frame, const Home::Box& box) {
+CellBox cellsOf(const GridFrame& frame, const Box& box) {
   const auto cell = [&](double metres, double origin) {
     return int(std::lround((metres - origin) / frame.resolution));
   };
@@ -68,21 +68,12 @@ CellBox cellsOf(const GridFrame& frame, const Home::Box& box) {
           cell(box.high.x, frame.origin.x), cell(box.high.y, frame.origin.y)};
 }
 
-Home::Box bounds(const Home& home) {
-  Home::Box all{{1e9, 1e9}, {-1e9, -1e9}};
+Box bounds(const Home& home) {
+  Box all;
   for (const Home::LabelledRoom& room : home.rooms)
-    for (const Home::Box& box : room.floor) {
-      all.low = {std::min(all.low.x, box.low.x), std::min(all.low.y, box.low.y)};
-      all.high = {std::max(all.high.x, box.high.x), std::max(all.high.y, box.high.y)};
-    }
+    for (const Box& box : room.floor) all.include(box.low), all.include(box.high);
   return all;
 }
-
-Home::Box grown(const Home::Box& box, double by) {
-  return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
-}
-
-Point centre(const Home::Box& box) { return midpoint(box.low, box.high); }
 
 bool hasSpace(const GreyMap& plan, Cell at) {
   for (int y = at.y - kRobot; y <= at.y + kRobot; ++y)
@@ -121,11 +112,8 @@ std::vector<Point> drivenPlaces(const GreyMap& plan, Point start) {
 bool isIn(const Ring& outline, Cell cell, int height) {
   const Point at{cell.x + 0.5, height - cell.y - 0.5};
   bool isInside = false;
-  for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++) {
-    const Point a = outline[i], b = outline[last];
-    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y))
-      isInside = !isInside;
-  }
+  for (std::size_t i = 0, last = outline.size() - 1; i < outline.size(); last = i++)
+    if (rayCrosses(at, outline[i], outline[last])) isInside = !isInside;
   return isInside;
 }
 
@@ -145,12 +133,12 @@ Home readHome(const std::string& file) {
 }
 
 GreyMap homePlan(const Home& home, bool isFurnished) {
-  const Home::Box house = grown(bounds(home), 0.1), site = grown(house, kGarden);
-  FloorPlan plan(int(std::lround((site.high.x - site.low.x) / kResolution)),
-                 int(std::lround((site.high.y - site.low.y) / kResolution)), kResolution, site.low);
+  const Box house = bounds(home).widened(0.1), site = house.widened(kGarden);
+  FloorPlan plan(int(std::lround(site.size().x / kResolution)),
+                 int(std::lround(site.size().y / kResolution)), kResolution, site.low);
   const GridFrame frame = plan.map().frame;
-  const auto fill = [&](const std::vector<Home::Box>& boxes, std::uint8_t level) {
-    for (const Home::Box& box : boxes) plan.fill(cellsOf(frame, box), level);
+  const auto fill = [&](const std::vector<Box>& boxes, std::uint8_t level) {
+    for (const Box& box : boxes) plan.fill(cellsOf(frame, box), level);
   };
   fill({site}, grey::kFree);
   fill({house}, grey::kWall);
@@ -164,8 +152,9 @@ GreyMap homePlan(const Home& home, bool isFurnished) {
 GreyMap robotMap(const Home& home) {
   Home shut = home;
   shut.windows.clear();  // no way out for the robot
+  const Box& first = home.rooms.front().floor.front();
   const std::vector<Point> places =
-      drivenPlaces(homePlan(shut, true), centre(home.rooms.front().floor.front()));
+      drivenPlaces(homePlan(shut, true), midpoint(first.low, first.high));
   GreyMap map = homePlan(home, true);
   roughenWalls(map, {});
   return keepSeen(map, places, kSight);
@@ -174,7 +163,7 @@ GreyMap robotMap(const Home& home) {
 LabelMap homeTruth(const Home& home, const GridFrame& frame) {
   LabelMap truth{frame.width, frame.height, std::vector<std::uint32_t>(frame.cellCount()), {}};
   for (std::size_t r = 0; r < home.rooms.size(); ++r) {
-    for (const Home::Box& box : home.rooms[r].floor) {
+    for (const Box& box : home.rooms[r].floor) {
       const CellBox cells = cellsOf(frame, box);
       for (int y = cells.y0; y < cells.y1; ++y)
         for (int x = cells.x0; x < cells.x1; ++x)

@@ -19,19 +19,16 @@ namespace roomgraph {
  *
  *  Everything else is wall; '#' starts a comment. */
 struct Home {
-  struct Box {
-    Point low, high;  ///< [m]
-  };
   struct LabelledRoom {
     std::string name;
-    std::vector<Box> floor;
-    Ring outline;  ///< [pixels]
+    std::vector<Box> floor;  ///< [m]
+    Ring outline;            ///< [pixels]
   };
   std::string name;
   std::vector<LabelledRoom> rooms;
-  std::vector<Box> doors, windows, things;
-  std::string mapFile;    ///< empty for a home that is drawn
-  double resolution = 0;  ///< of that map [m]
+  std::vector<Box> doors, windows, things;  ///< [m]
+  std::string mapFile;                      ///< empty for a home that is drawn
+  double resolution = 0;                    ///< of that map [m]
 };
 
 /** Throws DataError where a line says something else. */

@@ -15,6 +15,7 @@
 #include "roomgraph/archive/add_run.h"
 #include "roomgraph/archive/watch_site.h"
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/base/time_text.h"
 #include "run_benchmark.h"
 #include "sample_office.h"
 #include "write_map.h"
@@ -23,8 +24,8 @@ namespace roomgraph {
 namespace {
 
 constexpr int kDecayBegins = 20, kLimitPassed = 40, kDoorWalledUp = 30;
-constexpr double kSound = 0.1;                          // map error of a robot that is well [m]
-constexpr double kDay = 86400, kFirstDay = 1767225600;  // 2026-01-01
+constexpr double kSound = 0.1;            // map error of a robot that is well [m]
+constexpr double kFirstDay = 1767225600;  // 2026-01-01
 constexpr double kMetresPerFrame = 2.5;
 const char* const kSite = "office";
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/geometry/Polyline.h"
+
 namespace roomgraph {
 
 std::vector<WalkPose> walk(const std::vector<Point>& corners, int count) {
-  double total = 0;
-  for (std::size_t i = 1; i < corners.size(); ++i) total += distance(corners[i - 1], corners[i]);
+  const double total = length(corners);
   std::vector<WalkPose> poses;
   std::size_t leg = 1;
   double before = 0;  // length of the legs that are done
