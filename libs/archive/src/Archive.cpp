@@ -58,7 +58,7 @@ class Recorder {
     added.runs = runs.size();
     addStale(site, addition.comparison, runs);
     Comparison comparison = addition.comparison;
-    added.roomsFailed = nameRoomsOf(site, comparison);
+    added.roomsFailed = nameRoomsOf(addition.site, site, comparison);
     const std::int64_t id = writeComparison(site, comparison);
     for (const Entry& run : runs) write(run, site, id, comparison);
     for (const ComparedRun& run : comparison.runs)
@@ -132,11 +132,8 @@ class Recorder {
     }
   }
 
-  std::string nameRoomsOf(std::int64_t site, Comparison& comparison) {
-    Statement row(database_, "SELECT ledger FROM site WHERE id = ?");
-    row.with(site).step();
-    const std::string text = row.text(0);
-    SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database_.file());
+  std::string nameRoomsOf(const std::string& name, std::int64_t site, Comparison& comparison) {
+    SiteFile ledger = readLedger(database_, name);
     try {
       if (isKnownSite(site, comparison)) nameKnownRooms(comparison, ledger, database_.file());
     } catch (const DataError&) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "Database.h"
+#include "read_history.h"
 #include "roomgraph/archive/Archive.h"
 #include "roomgraph/archive/SiteHistory.h"
 #include "roomgraph/base/Error.h"
@@ -36,9 +37,7 @@ void Archive::renameRobot(const std::string& site, const std::string& robot,
 void Archive::nameRoom(const std::string& site, const std::string& id, const std::string& name) {
   Database& database = *database_;
   Transaction transaction(database);
-  Statement row(database, "SELECT ledger FROM site WHERE name = ?");
-  const std::string text = row.with(site).step() ? row.text(0) : "";
-  SiteFile ledger = text.empty() ? SiteFile() : parseSiteJson(text, database.file());
+  SiteFile ledger = readLedger(database, site);
   const auto room = std::find_if(ledger.rooms.begin(), ledger.rooms.end(),
                                  [&](const KnownRoom& known) { return known.id == id; });
   if (room == ledger.rooms.end())

@@ -95,9 +95,13 @@ SiteHistory readHistory(Database& database, const std::string& site) {
   const RunPlaces places = readRuns(database, site, history.runs);
   readFigures(database, site, "%", places, history.runs);
   readSightings(database, site, places, history.runs);
-  Statement ledger(database, "SELECT ledger FROM site WHERE name = ? AND ledger <> ''");
-  if (ledger.with(site).step()) history.ledger = parseSiteJson(ledger.text(0), database.file());
+  history.ledger = readLedger(database, site);
   return history;
+}
+
+SiteFile readLedger(Database& database, const std::string& site) {
+  Statement row(database, "SELECT ledger FROM site WHERE name = ? AND ledger <> ''");
+  return row.with(site).step() ? parseSiteJson(row.text(0), database.file()) : SiteFile();
 }
 
 }  // namespace roomgraph

@@ -14,4 +14,7 @@ std::vector<HistoryRun> readRuns(Database& database, const std::string& site,
 /** All that the tables have of a site; empty for one that is not there. */
 SiteHistory readHistory(Database& database, const std::string& site);
 
+/** The rooms that are known of a site. */
+SiteFile readLedger(Database& database, const std::string& site);
+
 }  // namespace roomgraph
