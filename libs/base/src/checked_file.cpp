@@ -42,17 +42,6 @@ class Inflater {
 
 }  // namespace
 
-std::string nameOf(Compression compression) {
-  switch (compression) {
-    case Compression::gzip:
-      return "gzip";
-    case Compression::zstd:
-      return "zstd";
-    default:
-      return "none";
-  }
-}
-
 std::string sha256Of(ByteView first, ByteView second) {
   const std::unique_ptr<EVP_MD_CTX, void (*)(EVP_MD_CTX*)> context(EVP_MD_CTX_new(),
                                                                    EVP_MD_CTX_free);

@@ -1,5 +1,4 @@
 #pragma once
-#include <charconv>
 #include <string>
 
 #include "roomgraph/base/sentence_text.h"
@@ -18,13 +17,6 @@ inline std::string quotedText(const std::string& text) {
     quoted += c;
   }
   return quoted + "\"";
-}
-
-/** The shortest text that reads back equal; the same in every locale. */
-inline std::string numberText(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
 }
 
 }  // namespace roomgraph

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "roomgraph/base/checked_file.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/grid/GreyMap.h"
 #include "roomgraph/grid/LoadGridOptions.h"
 
@@ -54,10 +55,9 @@ GreyMap readMetricMap(CheckedFile& file, const LoadGridOptions& options);
 
 /** What the writer meant where a file keeps single precision: 0.05 is stored as 0.0500000007. */
 inline double decimal(float value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  const std::string text = numberText(value);
   double result = value;
-  std::from_chars(text, end, result);
+  std::from_chars(text.data(), text.data() + text.size(), result);
   return result;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -6,6 +7,7 @@
 
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/base/enum_names.h"
 
 namespace roomgraph {
 
@@ -13,8 +15,9 @@ namespace roomgraph {
 constexpr std::uint64_t kMostCells = 400'000'000;
 
 enum class Compression { none, gzip, zstd };  ///< of a file
-/** "none", "gzip" or "zstd". */
-[[nodiscard]] std::string nameOf(Compression compression);
+[[nodiscard]] constexpr std::array<const char*, 3> enumNames(Compression) {
+  return {"none", "gzip", "zstd"};
+}
 
 /** A file whose bytes can be trusted to be those that were written: compressed files are inflated
  *  with their length and checksum verified (zstd need not have one). But for zstd, reads no more

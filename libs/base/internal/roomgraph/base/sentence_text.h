@@ -1,4 +1,5 @@
 #pragma once
+#include <charconv>
 #include <cstddef>
 #include <cstdio>
 #include <string>
@@ -12,6 +13,13 @@ std::string formatted(const char* format, Values... values) {
   std::string text(std::size_t(std::snprintf(nullptr, 0, format, values...)), '\0');
   std::snprintf(text.data(), text.size() + 1, format, values...);
   return text;
+}
+
+/** The shortest text that reads back equal; the same in every locale. */
+template <class Number>
+std::string numberText(Number value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 /** "1 room", "2 rooms". */
