@@ -109,13 +109,6 @@ struct BareTraits {
 
 using BareDiagram = boost::polygon::voronoi_diagram<double, BareTraits>;
 
-/** Smallest distance along the ray from `a` that keeps equally far from p on its left and q on its
- *  right. */
-double minClearanceOfRay(Point p, Point q, Point a, double clearanceA) {
-  const Point ahead{p.y - q.y, q.x - p.x};
-  return dot(midpoint(p, q) - a, ahead) > 0 ? distance(p, q) / 2 : clearanceA;
-}
-
 class Converter {
  public:
   Converter(const ObstacleCells& obstacles, const BareDiagram& diagram)
@@ -156,7 +149,7 @@ class Converter {
       const VoronoiVertex& target = graph_.vertices[result.target];
       result.minClearance = edgeClearance(p, q, source, target);
     } else {
-      result.minClearance = minClearanceOfRay(p, q, source.place, source.clearance);
+      result.minClearance = rayClearance(p, q, source);
     }
     graph_.edges.push_back(result);
   }

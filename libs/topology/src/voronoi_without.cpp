@@ -167,11 +167,8 @@ class HoleFiller {
     const Point p = graph_.obstacles[edge.left], q = graph_.obstacles[edge.right];
     edge.target = inner;
     if (edge.source == kNone) {  // from infinity: edges start at a vertex
-      const VoronoiVertex& vertex = result_.vertices[inner];
       edge = flip(edge);
-      const Point ahead{q.y - p.y, p.x - q.x};
-      const bool passesBetween = dot(midpoint(p, q) - vertex.place, ahead) > 0;
-      edge.minClearance = passesBetween ? distance(p, q) / 2 : vertex.clearance;
+      edge.minClearance = rayClearance(q, p, result_.vertices[inner]);
     } else {
       edge.source = newOf_[edge.source];
       edge.minClearance =
