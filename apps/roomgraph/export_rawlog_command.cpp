@@ -5,7 +5,6 @@
 #include "option_arguments.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
-#include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/write_file.h"
 #include "terminal.h"
@@ -29,9 +28,7 @@ int run(const RawlogArguments& arguments) {
   makeWritableFolder(arguments.folder);
   return doEach(arguments.runs, [&](const std::string& file) {
     const std::string name = outputFile(arguments.folder, file, "rawlog");
-    StagedFiles staged;
-    staged.add(name, scanLog(file, options.loadGrid, arguments.stretch));
-    staged.commit();
+    writeFileAtomically(name, scanLog(file, options.loadGrid, arguments.stretch));
     print(printable(name) + "\n");
   });
 }

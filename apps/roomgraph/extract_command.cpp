@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <charconv>
 #include <memory>
 
 #include "Laps.h"
@@ -188,11 +189,13 @@ std::vector<RoomId> keptOutRooms(const ExtractArguments& arguments,
                                  const std::vector<OutputFormat>& formats) {
   std::vector<RoomId> rooms;
   for (const std::string& name : arguments.keptOut) {
-    const auto number = numberAfter('R', name);
-    if (!number)
+    std::size_t number = 0;
+    const char* end = name.data() + name.size();
+    if (name.size() < 2 || name[0] != 'R' ||
+        std::from_chars(name.data() + 1, end, number).ptr != end)
       throw UsageError("extract: --keep-out " + name +
                        ": is no room: name one as X.json has it, R3");
-    rooms.emplace_back(*number);
+    rooms.emplace_back(number);
   }
   if (!rooms.empty() &&
       std::none_of(formats.begin(), formats.end(), [](const OutputFormat& format) {

@@ -1,7 +1,6 @@
 #include "option_arguments.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 
@@ -216,14 +215,6 @@ CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArgument
   files.reads(maps);
   files.consults(arguments.configFile.value_or(""));
   return files;
-}
-
-std::optional<std::size_t> numberAfter(char letter, const std::string& word) {
-  std::size_t number = 0;
-  const char *begin = word.data(), *end = begin + word.size();
-  if (word.size() < 2 || *begin != letter || std::from_chars(begin + 1, end, number).ptr != end)
-    return std::nullopt;
-  return number;
 }
 
 std::function<int()> configCommand(CLI::App& app) {

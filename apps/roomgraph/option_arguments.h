@@ -36,9 +36,6 @@ void declareRooms(OptionArguments& arguments, CLI::App& app);
 /** The files that a call reads: its maps, and first its options. */
 CallFiles filesReadBy(const std::vector<std::string>& maps, const OptionArguments& arguments);
 
-/** The number of a room or corridor in a word like "R3"; none where it is another one. */
-std::optional<std::size_t> numberAfter(char letter, const std::string& word);
-
 /** Declares --fail-on, comma-separated lists of `known` words; may be repeated. */
 void declareFailOn(std::vector<std::string>& lists, const std::vector<std::string>& known,
                    const std::string& sentence, CLI::App& app);
