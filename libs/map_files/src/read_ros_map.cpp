@@ -13,6 +13,8 @@
 namespace roomgraph {
 namespace {
 
+constexpr double kRounding = 1e-6;  // of what is computed from the numbers of a yaml
+
 /** A rotation about the origin of a frame, and its way back. */
 struct Turn {
   double cosine = 1, sine = 0;
@@ -36,9 +38,8 @@ GridFrame frameOf(const GridFrame& from, const Turn& turn, const std::string& fi
   Box box;
   for (const Point corner : {Point{}, Point{w, 0}, Point{0, h}, Point{w, h}})
     box.include(turn(corner));
-  constexpr double rounding = 1e-6;
-  const double columns = std::ceil(box.size().x / from.resolution - rounding);
-  const double rows = std::ceil(box.size().y / from.resolution - rounding);
+  const double columns = std::ceil(box.size().x / from.resolution - kRounding);
+  const double rows = std::ceil(box.size().y / from.resolution - kRounding);
   if (columns * rows > double(kMostCells))
     refuse(file, "turned by its yaw it has more than 400 million cells", "crop it");
   GridFrame frame = from;
@@ -95,9 +96,8 @@ std::uint8_t unknownGrey(const GreyMap& map) {
 /** The thresholds, which are meant for percents, for the greys that stand for them; beyond 100
  *  pixels say nothing. */
 void applyRaw(GreyMap& map) {
-  constexpr double rounding = 1e-6;
-  const double free = std::floor(100 * map.freeBelow + rounding);
-  const double occupied = std::ceil(100 * map.occupiedAbove - rounding);
+  const double free = std::floor(100 * map.freeBelow + kRounding);
+  const double occupied = std::ceil(100 * map.occupiedAbove - kRounding);
   map.freeBelow = occupancyOf(greyOfPercent(int(free)));
   map.occupiedAbove = occupancyOf(greyOfPercent(int(occupied)));
   const std::uint8_t unknown = unknownGrey(map);
@@ -110,7 +110,7 @@ void applyRaw(GreyMap& map) {
 bool isSavedByHumble(const RosMapYaml& ros, const std::vector<std::uint8_t>& grey) {
   constexpr double threshold = 0.25;
   constexpr std::uint8_t unknown = 205, darkestFree = 192;
-  if (std::abs(ros.freeBelow - threshold) > 1e-6 || ros.negate || ros.mode != "trinary")
+  if (std::abs(ros.freeBelow - threshold) > kRounding || ros.negate || ros.mode != "trinary")
     return false;
   const auto count = std::count(grey.begin(), grey.end(), unknown);
   const auto darker = std::count_if(grey.begin(), grey.end(), [](std::uint8_t level) {
@@ -150,7 +150,7 @@ void applyTransparency(const std::vector<std::uint8_t>& isClear, GreyMap& map) {
 }
 
 GreyMap inMapFrame(const RosMapYaml& ros, GreyMap map, const std::string& file) {
-  if (std::abs(ros.yaw) <= 1e-6) return map;
+  if (std::abs(ros.yaw) <= kRounding) return map;
   const double darkest = 255 * (1 - map.occupiedAbove);
   map = turned(map, ros.yaw, unknownGrey(map), std::uint8_t(std::clamp(darkest, 0.0, 255.0)), file);
   map.notes.push_back(

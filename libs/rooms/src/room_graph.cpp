@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "place_on_paths.h"
 #include "roomgraph/geometry/intersect.h"
 #include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_paths.h"
@@ -47,10 +48,10 @@ bool crosses(const Path& straight, const Path& other) {
   const Point p = straight.points.front(), q = straight.points.back();
   const auto isShared = [&](double at) {
     const Point meeting = p + at * (q - p);
-    const double rounding = 1e-6;  // [m]
-    return (distance(meeting, p) < rounding && distance(other.points.front(), p) < rounding) ||
-           (distance(meeting, q) < rounding && distance(other.points.back(), q) < rounding) ||
-           (distance(meeting, q) < rounding && distance(other.points.front(), q) < rounding);
+    const auto isSame = [](Point a, Point b) { return distance(a, b) < kSamePlace; };
+    return (isSame(meeting, p) && isSame(other.points.front(), p)) ||
+           (isSame(meeting, q) && isSame(other.points.back(), q)) ||
+           (isSame(meeting, q) && isSame(other.points.front(), q));
   };
   for (std::size_t i = 0; i + 1 < other.points.size(); ++i)
     for (const double at : intersect(p, q, other.points[i], other.points[i + 1]))
