@@ -79,16 +79,21 @@ class Browser:
             self.events.append(message)
         return message
 
-    def open(self, url, what="document.readyState === 'complete' &&"
-             " !!document.querySelector('.leaflet-pane')"):
-        self.ask("Page.navigate", {"url": url})
-        self.wait(what)
+    def open(self, url):
+        """Anew, also where only what follows the # of the address differs."""
+        for to, is_there in (("about:blank", "true"),
+                             (url, "!!document.querySelector('.leaflet-pane')")):
+            self.ask("Page.navigate", {"url": to})
+            self.wait("document.readyState === 'complete' && " + is_there)
 
     def value(self, expression):
         result = self.ask("Runtime.evaluate", {"expression": expression, "returnByValue": True})
         if "exceptionDetails" in result:
             raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
         return result["result"].get("value")
+
+    def count(self, selector):
+        return self.value(f"document.querySelectorAll('{selector}').length")
 
     def wait(self, expression):
         end = time.monotonic() + TIMEOUT
@@ -203,33 +208,32 @@ def the_map_leads_to_rows(browser):
 
 
 def layers_are_switched_by_keyboard(browser):
-    images = "document.querySelectorAll('.leaflet-runs-pane img').length"
-    check(browser.value(images) == 2, "not the best run and the torn one are shown at first")
+    images = ".leaflet-runs-pane img"
+    check(browser.count(images) == 2, "not the best run and the torn one are shown at first")
     browser.click_on('button[data-show="all"]')
-    check(browser.value(images) == 4, "not every run is shown")
+    check(browser.count(images) == 4, "not every run is shown")
     browser.value("document.querySelector('input[data-layer=\"run-1\"]').focus()")
     browser.press(" ", 32, " ")
-    check(browser.value(images) == 3, "the space bar does not hide a run")
+    check(browser.count(images) == 3, "the space bar does not hide a run")
     browser.press("Tab", 9)
     check(browser.value("document.activeElement.dataset.layer") == "run-2", "Tab goes elsewhere")
     browser.press(" ", 32, " ")
-    check(browser.value(images) == 2, "the space bar does not hide the next run")
+    check(browser.count(images) == 2, "the space bar does not hide the next run")
     browser.value("document.querySelector('button[data-show=heat]').focus()")
     browser.press("Enter", 13, "\r")
-    check(browser.value(images) == 1, "more than the best run is shown with the heat map")
-    check(browser.value("document.querySelectorAll('.leaflet-heat-pane img').length") == 1,
-          "no heat map")
+    check(browser.count(images) == 1, "more than the best run is shown with the heat map")
+    check(browser.count(".leaflet-heat-pane img") == 1, "no heat map")
     browser.click_on('button[data-show="all"]')
-    check(browser.value(images) == 4, "not all runs come back")
+    check(browser.count(images) == 4, "not all runs come back")
 
 
 def names_of_rooms_do_not_cover_each_other(browser):
-    hidden = "document.querySelectorAll('.room-label.covered').length"
-    check(browser.value(hidden) == 0, "names are hidden though they do not touch")
+    hidden = ".room-label.covered"
+    check(browser.count(hidden) == 0, "names are hidden though they do not touch")
     browser.value("document.querySelector('.room-label:nth-child(2) span').textContent = 'long'.repeat(99);0")
     browser.value("document.querySelector('input[data-layer=rooms]').click();0")
     browser.value("document.querySelector('input[data-layer=rooms]').click();0")
-    check(browser.value(hidden) > 0, "a name lies over others")
+    check(browser.count(hidden) > 0, "a name lies over others")
     browser.value("document.querySelector('.room-label:nth-child(2) span').textContent = 'R2';0")
 
 
@@ -255,35 +259,32 @@ def breaks_and_sorting_work(browser):
 
 
 def breaks_and_marks_belong_together(browser):
-    marks = "document.querySelectorAll('.break-mark').length"
-    paths = "document.querySelectorAll('.leaflet-paths-pane path').length"
+    marks, paths = ".break-mark", ".leaflet-paths-pane path"
     browser.click_on('button[data-show="all"]')
-    check(browser.value(marks) == 2, "a mark is missing")
+    check(browser.count(marks) == 2, "a mark is missing")
     browser.click_on('tr[data-break="0"] td')
     check(browser.value("document.querySelector('#break-0').classList.contains('chosen') &&"
                         " document.querySelectorAll('.break-mark.chosen').length") == 1,
           "row and mark of a break are not chosen together")
-    check(browser.value("document.querySelectorAll('.leaflet-poses-pane path[stroke=\"#00825a\"]')"
-                        ".length") == 1, "the torn piece is not shown where it belongs")
+    check(browser.count(".leaflet-poses-pane path[stroke=\"#00825a\"]") == 1,
+          "the torn piece is not shown where it belongs")
     check(browser.value("document.querySelector('#break-0').cells[6].textContent") == "12",
           "the key frame is not told")
     check(browser.value("document.querySelector('.break-card b').textContent") ==
           browser.value("document.querySelector('#break-0').cells[0].textContent").strip(),
           "nothing is said of the break on the map")
     browser.click_on(".break-card button")
-    check(browser.value("document.querySelectorAll('.break-card, tr.break.chosen').length") == 0,
-          "the break does not close")
-    before = browser.value(paths)
+    check(browser.count(".break-card, tr.break.chosen") == 0, "the break does not close")
+    before = browser.count(paths)
     browser.click_on('input[data-layer="run-2"]')
-    check(browser.value(marks) == 0, "a hidden run keeps its marks")
-    check(browser.value(paths) < before, "a hidden run keeps its path")
+    check(browser.count(marks) == 0, "a hidden run keeps its marks")
+    check(browser.count(paths) < before, "a hidden run keeps its path")
     browser.click_on('tr[data-break="1"] td')
-    check(browser.value(marks) == 2, "the run of a chosen break is not shown")
-    check(browser.value("document.querySelectorAll('tr.break.chosen').length") == 1,
-          "more than one break is chosen")
+    check(browser.count(marks) == 2, "the run of a chosen break is not shown")
+    check(browser.count("tr.break.chosen") == 1, "more than one break is chosen")
     browser.click_on('button[data-show="fit"]')
-    check(browser.value("document.querySelectorAll('tr.break.chosen, .leaflet-poses-pane path')"
-                        ".length") == 0, "the whole site still shows a break")
+    check(browser.count("tr.break.chosen, .leaflet-poses-pane path") == 0,
+          "the whole site still shows a break")
 
 
 def the_ledger_can_be_filtered(browser):
@@ -344,8 +345,8 @@ def runs_are_swiped(browser):
 
 def runs_are_shown_side_by_side(browser):
     browser.click_on("#beside")
-    images = "document.querySelectorAll('#map-beside .leaflet-runs-pane img').length"
-    check(browser.value(images) == 1, "no second map")
+    images = "#map-beside .leaflet-runs-pane img"
+    check(browser.count(images) == 1, "no second map")
     check(browser.value("document.querySelector('#map-beside').getBoundingClientRect().left >"
                         " document.querySelector('#map').getBoundingClientRect().right"),
           "not side by side")
@@ -355,8 +356,7 @@ def runs_are_shown_side_by_side(browser):
 
 
 def scans_are_shown_in_the_row_of_a_break(browser):
-    check(browser.value("document.querySelectorAll('#break-0 .scans path').length") == 3,
-          "no picture of the scans at the break")
+    check(browser.count("#break-0 .scans path") == 3, "no picture of the scans at the break")
     check(browser.value("document.querySelector('#break-1 .scans').textContent") == "–",
           "scans of a break that has none")
 
@@ -366,23 +366,16 @@ def the_address_brings_back_what_is_shown(browser, url):
     browser.click_on("#room-1 td")
     browser.wait("location.hash.includes('room=R2') && location.hash.includes('runs=1&')")
     address = browser.value("location.href")
-    browser.open("about:blank", "true")
     browser.open(address)
     check(chosen(browser) == (["1"], ["1"]), "the room of the address is not chosen")
-    check(browser.value("document.querySelectorAll('.leaflet-runs-pane img').length") == 1,
-          "the runs of the address are not those shown")
-    browser.open("about:blank", "true")
+    check(browser.count(".leaflet-runs-pane img") == 1, "the runs of the address are not those shown")
     browser.open(url + "#break=1&runs=1,3&layers=breaks")
-    check(browser.value("document.querySelectorAll('tr.break.chosen').length") == 1,
-          "the break of the address is not chosen")
-    browser.open("about:blank", "true")
+    check(browser.count("tr.break.chosen") == 1, "the break of the address is not chosen")
     browser.open(url + "#swipe=1,2,30")
     check(browser.value("document.querySelector('#divider').getAttribute('aria-valuenow')") == "30",
           "the line of the address is not there")
     for nonsense in ("#break=99&room=nowhere&view=a,b&swipe=7,8,x&runs=&layers=none", "#=&&%E0%A4"):
-        browser.open("about:blank", "true")
         browser.open(url + nonsense)
-    browser.open("about:blank", "true")
     browser.open(url)
 
 
@@ -427,14 +420,12 @@ def figures_and_tables_are_saved(browser, folder):
 
 
 def a_hundred_runs_can_be_worked_with(browser, folder):
-    check(browser.value("document.querySelectorAll('.layers.runs label').length") == 100,
-          "not all runs are listed")
+    check(browser.count(".layers.runs label") == 100, "not all runs are listed")
     check(browser.value("document.querySelector('#pairs-table').closest('details').open") is False,
           "thousands of pairs are open")
     check(browser.value("document.documentElement.scrollHeight") < 9000, "the page is endless")
     browser.click_on('button[data-show="all"]')
-    check(browser.value("document.querySelectorAll('.layers.runs input:checked').length") == 100,
-          "not all runs can be shown")
+    check(browser.count(".layers.runs input:checked") == 100, "not all runs can be shown")
     rows_lead_to_the_map(browser, 100)
     weaves = browser.value("Array.from(new Set(Array.from(document.querySelectorAll('.weave'),"
                            " w => w.className + w.style.color))).length")
@@ -470,14 +461,13 @@ def an_askew_site_stands_upright(browser, url, upright):
     check(abs(float(center[0]) - x) < 0.1 and abs(float(center[1]) - y) < 0.1,
           f"the address has {center}, the table {x}, {y}")
     address = browser.value("location.href").replace("&break=1", "")
-    browser.open("about:blank", "true")
     browser.open(address)
     check(middle_on_map(browser, ".break-mark") < 0.05, "the address leads elsewhere")
 
 
 def names_strike_nothing(browser):
     check(browser.value("window.struck") is None, "a name was run as code")
-    check(browser.value("document.querySelectorAll('img[src=x]').length") == 0, "a name made an image")
+    check(browser.count("img[src=x]") == 0, "a name made an image")
     check(browser.value("document.querySelector('#ranking-table').textContent"
                         ".includes('<img src=x onerror')"), "a name is not shown as it is")
 
@@ -595,7 +585,6 @@ def main():
         return 77
     with opened_report(program, write_sample, folder) as (browser, url):
         upright = places_on_the_map(browser)
-        browser.open("about:blank", "true")
         browser.open(url)
         work_with(browser, folder, url)
     with opened_report(program, write_sample, folder / "askew", "4", "0.4") as (browser, url):
