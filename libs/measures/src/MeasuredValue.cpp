@@ -28,4 +28,16 @@ MeasuredValue measureOverOthers(
   return measured;
 }
 
+MeasuredValue shareOverOthers(const std::vector<ShareInOther>& others) {
+  std::vector<double> supports;
+  for (const ShareInOther& other : others) supports.push_back(other.support);
+  return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
+    double part = 0, whole = 0;
+    for (std::size_t k = 0; k < others.size(); ++k)
+      if (k != but) part += others[k].part, whole += others[k].whole;
+    if (whole <= 0) return std::nullopt;
+    return part / whole;
+  });
+}
+
 }  // namespace roomgraph

@@ -25,6 +25,14 @@ MeasuredValue measureOverOthers(
     const std::vector<double>& supports,
     const std::function<std::optional<double>(std::size_t)>& valueWithout);
 
+/** What one other run says of a share: a part of a whole, both weighted. */
+struct ShareInOther {
+  double support = 0, part = 0, whole = 0;
+};
+
+/** The same for the sum of all parts over that of the wholes; none where there is no whole. */
+MeasuredValue shareOverOthers(const std::vector<ShareInOther>& others);
+
 /** A number, and from how many things it was made. */
 struct Figure {
   std::optional<double> value;  ///< none where nothing supports it

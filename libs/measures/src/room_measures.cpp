@@ -33,20 +33,13 @@ RoomCount countRooms(const std::vector<GraphRoom>& others, const std::vector<boo
 /** The share `part` of `all` in the rooms of the others. */
 MeasuredValue shareOf(const RoomCounts& counts, const Trust& trust, std::size_t run,
                       double RoomCount::*part, double RoomCount::*all) {
-  const std::vector<std::size_t>& others = counts.othersOf(run);
-  std::vector<double> supports;
-  for (const std::size_t j : others) supports.push_back(trust[j] > 0 ? counts(run, j).*all : 0);
-  return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
-    RoomCount sum;
-    for (std::size_t k = 0; k < others.size(); ++k) {
-      if (k == but) continue;
-      const RoomCount& count = counts(run, others[k]);
-      sum.*all += trust[others[k]] * count.*all;
-      sum.*part += trust[others[k]] * count.*part;
-    }
-    if (sum.*all <= 0) return std::nullopt;
-    return sum.*part / sum.*all;
-  });
+  std::vector<ShareInOther> others;
+  for (const std::size_t j : counts.othersOf(run)) {
+    const RoomCount& count = counts(run, j);
+    others.push_back(
+        {trust[j] > 0 ? count.*all : 0, trust[j] * count.*part, trust[j] * count.*all});
+  }
+  return shareOverOthers(others);
 }
 
 }  // namespace

@@ -142,22 +142,13 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps
 
 MeasuredValue bendOf(const PairBends& bends, const DistinctMaps& maps, const Trust& trust,
                      std::size_t run) {
-  const auto weightOf = [&](std::size_t j) {
-    return maps.isMeasuredAgainst(run, j) ? trust[j] * bends(run, j).share : 0.0;
-  };
-  const std::vector<std::size_t>& others = bends.othersOf(run);
-  std::vector<double> supports;
-  for (const std::size_t j : others) supports.push_back(weightOf(j) > 0 ? bends(run, j).walls : 0);
-  return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
-    double sum = 0, weights = 0;
-    for (std::size_t k = 0; k < others.size(); ++k) {
-      if (k == but) continue;
-      const double weight = weightOf(others[k]);
-      sum += weight * bends(run, others[k]).bend, weights += weight;
-    }
-    if (weights <= 0) return std::nullopt;
-    return sum / weights;
-  });
+  std::vector<ShareInOther> others;
+  for (const std::size_t j : bends.othersOf(run)) {
+    const PairBend& bend = bends(run, j);
+    const double weight = maps.isMeasuredAgainst(run, j) ? trust[j] * bend.share : 0;
+    others.push_back({weight > 0 ? bend.walls : 0, weight * bend.bend, weight});
+  }
+  return shareOverOthers(others);
 }
 
 MeasuredValue bendOfPair(const PairBend& bend) {

@@ -125,21 +125,13 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run) {
   const auto others = othersOf(sightings, maps, trust, run);
-  std::vector<Count> counts;
-  std::vector<double> supports;
+  std::vector<ShareInOther> missing;
   for (const std::size_t other : others) {
-    counts.push_back(missingOf(sightings, others, other, run));
-    supports.push_back(trust[other] > 0 ? counts.back().all : 0);
+    const Count count = missingOf(sightings, others, other, run);
+    const double all = trust[other] * count.all;
+    missing.push_back({trust[other] > 0 ? count.all : 0, trust[other] * count.some, all});
   }
-  return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
-    Count sum;
-    for (std::size_t k = 0; k < others.size(); ++k) {
-      if (k == but) continue;
-      sum.all += trust[others[k]] * counts[k].all, sum.some += trust[others[k]] * counts[k].some;
-    }
-    if (sum.all <= 0) return std::nullopt;
-    return sum.some / sum.all;
-  });
+  return shareOverOthers(missing);
 }
 
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
