@@ -50,8 +50,7 @@ TopologyGraph star(Point middle, const std::vector<Point>& doors) {
 }
 
 double lengthBetween(const TopologyGraph& graph, VertexId a, VertexId b) {
-  std::vector<EdgeId> all;
-  for (std::size_t e = 0; e < graph.edges().size(); ++e) all.push_back(EdgeId(e));
+  const std::vector<EdgeId> all = allEdges(graph);
   for (const EdgeId e : all)
     if (graph.edge(e).target == a)
       return ShortestWays(graph, all, {e, graph.edge(e).path.length}).lengthTo(b);

@@ -33,4 +33,10 @@ inline std::size_t countOf(const TopologyGraph& graph, VertexKind kind) {
                                    [&](const Vertex& v) { return v.kind == kind; }));
 }
 
+inline std::vector<EdgeId> allEdges(const TopologyGraph& graph) {
+  std::vector<EdgeId> edges;
+  for (std::size_t e = 0; e < graph.edges().size(); ++e) edges.push_back(EdgeId(e));
+  return edges;
+}
+
 }  // namespace roomgraph::test

@@ -11,13 +11,13 @@ namespace roomgraph::test {
 constexpr auto kJunction = VertexKind::junction;
 constexpr auto kDeadEnd = VertexKind::deadEnd;
 
-/** A path along the points, with an obstacle 1 m to the left of the middle of each segment. */
-inline Path straight(const Polyline& points) {
+/** A path along the points, with an obstacle on the left of the middle of each segment. */
+inline Path straight(const Polyline& points, double clearance = 1) {
   std::vector<Point> obstacles;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Point along = points[i + 1] - points[i];
     obstacles.push_back(midpoint(points[i], points[i + 1]) +
-                        (1 / norm(along)) * Point{-along.y, along.x});
+                        (clearance / norm(along)) * Point{-along.y, along.x});
   }
   return makePath(points, obstacles);
 }
