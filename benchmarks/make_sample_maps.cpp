@@ -1,8 +1,4 @@
-// Makes the samples of share/roomgraph/maps: make_sample_maps DIRECTORY
-
 #include <cstdio>
-#include <exception>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -10,7 +6,9 @@
 #include "keep_seen.h"
 #include "map_error.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/write_file.h"
 #include "roughen_walls.h"
+#include "run_benchmark.h"
 #include "sample_office.h"
 #include "sample_runs.h"
 #include "simulate_scans.h"
@@ -69,9 +67,7 @@ void makeRuns(const SampleOffice& office, const std::string& directory) {
     writeSimplemap(frames, directory + "/" + run.name + ".simplemap.gz", 9);
     truth += truthLine(run, mapError(frames, run.truth));
   }
-  std::ofstream out(directory + "/office_runs.csv");
-  out << truth;
-  if (!out.flush()) throw DataError(directory + "/office_runs.csv: cannot be written");
+  writeFileAtomically(directory + "/office_runs.csv", truth);
 }
 
 void makeAll(const std::string& directory) {
@@ -92,15 +88,8 @@ void makeAll(const std::string& directory) {
 }  // namespace roomgraph
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: make_sample_maps DIRECTORY\n");
-    return 2;
-  }
-  try {
-    roomgraph::makeAll(argv[1]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "make_sample_maps: %s\n", error.what());
-    return 1;
-  }
-  return 0;
+  CLI::App app("Makes the samples of share/roomgraph/maps, the same bytes each time.");
+  std::string directory;
+  app.add_option("DIRECTORY", directory, "share/roomgraph/maps")->required();
+  return roomgraph::runBenchmark(app, argc, argv, [&] { roomgraph::makeAll(directory); });
 }
