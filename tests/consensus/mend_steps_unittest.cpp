@@ -82,6 +82,18 @@ TEST(MendSteps, aScanThatLiesWrongOnItsOwnIsMendedByItself) {
   }
 }
 
+TEST(MendSteps, aScanThatFitsWhereTheRobotCannotHaveBeenIsNotMended) {
+  // It has seen what it would have seen to the right of where it was drawn, or so far ahead that no
+  // other step is as long.
+  const auto contradictionsOf = [](Point moved) {
+    std::vector<Keyframe> frames = test::driveOnce();
+    for (Point& end : frames[18].ends) end = end + moved;
+    return contradictions(mended(frames));
+  };
+  EXPECT_EQ(contradictionsOf({0.05, 0.6}), 2);
+  EXPECT_EQ(contradictionsOf({-0.5, -0.6}), 0);
+}
+
 TEST(MendSteps, aSlipIsMendedForAllThatComesBehindIt) {
   const auto slipped = test::broken(test::driveOnce(), 18, 0.15, {0.4, 0.3});
   const MendedSteps steps = mended(slipped);

@@ -1,17 +1,16 @@
 #pragma once
-#include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/near_poses.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   the scans of a run, and where the run has drawn them
+// In:   where a run has drawn its scans, and when they were taken
 // Out:  Gait
-// Next: mendSteps
+// Next: mendSteps, PoseGraph
 
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {
@@ -19,22 +18,34 @@ struct Gait {
   PoseTolerance longest;  ///< no step is longer
   double speed = 0;       ///< nor faster, where scans have times [m/s]; else 0
 
-  Gait(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& poses);
+  /** `times` [s], as long as `poses`, run <- robot. */
+  Gait(const std::vector<Transform2D>& poses, std::vector<std::optional<double>> times);
 
-  /** From the scan before; 0 where that is not known. Negative behind a clock that was set back. */
-  static double secondsTo(const std::vector<LocalScan>& scans, std::size_t k);
+  /** How far the robot can have come to scan `k` from the one before [m]; anywhere behind a clock
+   *  that was set back: that is another drive. */
+  double reachTo(std::size_t k) const;
 
-  /** Whether the robot may have gone so in so many seconds; anywhere, if these are negative: that
-   *  is another drive. Who has turned may come from any side. */
-  bool isPossible(const Transform2D& step, double seconds) const;
+  /** Whether the robot may have gone so to scan `k`. Who has turned may come from any side. */
+  bool isPossible(const Transform2D& step, std::size_t k) const;
 
   /** The same of a step that is only guessed: whether it has turned or not, it does not lead
    *  farther back than others do. */
-  bool isLikely(const Transform2D& step, double seconds) const;
+  bool isLikely(const Transform2D& step, std::size_t k) const;
 
  private:
-  bool isInReach(const Transform2D& step, double seconds) const;
-  double reachIn(double seconds) const { return std::max(longest.place, seconds * speed); }
+  /** From the scan before [s]; 0 where that is not known. */
+  double secondsTo(std::size_t k) const;
+  bool isInReach(const Transform2D& step, std::size_t k) const;
+
+  std::vector<std::optional<double>> times_;
 };
+
+/** When scans were taken [s]. */
+template <class Scan>
+std::vector<std::optional<double>> timesOf(const std::vector<Scan>& scans) {
+  std::vector<std::optional<double>> times;
+  for (const Scan& scan : scans) times.push_back(scan.time);
+  return times;
+}
 
 }  // namespace roomgraph

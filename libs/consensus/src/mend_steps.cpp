@@ -38,7 +38,7 @@ class Mender {
  public:
   Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
          const std::vector<bool>& asked)
-      : scans_(scans), drawn_(drawn), asked_(asked), gait_(scans, drawn) {}
+      : scans_(scans), drawn_(drawn), asked_(asked), gait_(drawn, timesOf(scans)) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
@@ -58,7 +58,7 @@ class Mender {
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
     const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
     return drawn.quality >= kMajority &&
-           (drawn.score - fit.score > kClearSlip.leastGain || !isLikely(k, other));
+           (drawn.score - fit.score > kClearSlip.leastGain || !gait_.isLikely(other, k));
   }
 
  private:
@@ -71,13 +71,7 @@ class Mender {
   /** Of the walls that count [m]. */
   double range() const { return 10 + 2 * gait_.longest.place; }
 
-  bool isPossible(std::size_t k) const {
-    return gait_.isPossible(step(k - 1, k), Gait::secondsTo(scans_, k));
-  }
-
-  bool isLikely(std::size_t k, const Transform2D& by) const {
-    return gait_.isLikely(by, Gait::secondsTo(scans_, k));
-  }
+  bool isPossible(std::size_t k) const { return gait_.isPossible(step(k - 1, k), k); }
 
   void mend(std::size_t k) {
     // As drawn to the last bit, up to the first contradiction.
@@ -190,7 +184,9 @@ class Mender {
       const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
       const ScanFit drawn = asDrawn(scans_[k - 2], behind, back * before);
       if (drawn.score >= asDrawn(scans_[k - 2], behind, pose * before).score) {
-        mendTo(k - 1, result_.poses[k] * pose);
+        const Transform2D mended = result_.poses[k] * pose;
+        if (!gait_.isLikely(result_.poses[k - 2].inverse() * mended, k - 1)) return;
+        mendTo(k - 1, mended);
         result_.evidence[k - 1] = result_.evidence[k] = StepEvidence::contradicts;
         ahead_.walls.clear();  // that scan may be in it
         return;
@@ -244,7 +240,7 @@ class Mender {
     std::vector<ScanFit> found = findScan(after, ahead_, result_.poses[k], kSlipped, 2);
     if (!mayBeTorn) return found;
     for (const ScanFit& fit : findScan(after, ahead_, result_.poses[k - 1], gait_.longest, 4))
-      if (isLikely(k, result_.poses[k - 1].inverse() * fit.pose)) found.push_back(fit);
+      if (gait_.isLikely(result_.poses[k - 1].inverse() * fit.pose, k)) found.push_back(fit);
     return found;
   }
 
