@@ -87,6 +87,33 @@ TEST(MoveStretches, leavesWhatLiesWhereItBelongs) {
   EXPECT_EQ(two.misplacedAfterMoving(), 0);
 }
 
+/** How far all lies off where some key frames of a run were found in the next wing only, four times
+ *  over, and its robot goes no farther than `reach` in one step [m]. */
+double misplacedByTheNextWing(double reach) {
+  TwoRuns two;
+  const IdRange<NodeId> nodes = two.graph.runs[RunId(1)].nodes;
+  const auto isOff = [&](NodeId node) { return !(node < nodes[20]) && !(nodes[27] < node); };
+  two.graph =
+      test::withMatches(two.graph, [&](const MatchGroup&, const PoseEdge& edge, std::size_t) {
+        return !isOff(edge.from) && !isOff(edge.to);
+      });
+  for (const PoseEdgeId link : two.graph.runs[RunId(1)].links) two.graph.edges[link].reach = reach;
+  two.misplace(20, 27, {14, 0, 0});
+  std::vector<PoseEdge> matches;
+  for (std::size_t k = 20; k <= 27; ++k) {
+    const Transform2D& pose = two.poses[nodes[k]];
+    const NodeId from = nearestNode(two.graph.runs[RunId(0)].nodes, two.poses, pose.shift());
+    matches.push_back(matchEdge(from, nodes[k], two.poses[from].inverse() * pose, 1));
+  }
+  for (int group = 0; group < 4; ++group) two.graph.addGroup({RunId(0), RunId(1), {}}, matches);
+  return two.misplacedAfterMoving();
+}
+
+TEST(MoveStretches, aRobotDoesNotLeapIntoAWingThatLooksAlike) {
+  EXPECT_GT(misplacedByTheNextWing(15), 3) << "which it can reach";
+  EXPECT_LT(misplacedByTheNextWing(5), 1e-6);
+}
+
 TEST(MoveStretches, theReferenceStays) {
   TwoRuns two;
   two.misplace(20, 22);

@@ -3,15 +3,19 @@
 #include <limits>
 
 #include "fitted_consensus.h"
+#include "gait.h"
+#include "roomgraph/align/LocalScan.h"
 
 namespace roomgraph {
 namespace {
 
 void addScans(const Run& run, PoseGraph& graph) {
+  const Gait gait(drawnPoses(run.scans), timesOf(run.scans));
   NodeId last;
-  for (const ScanWalls& scan : run.scans) {
+  for (std::size_t k = 0; k < run.scans.size(); ++k) {
+    const ScanWalls& scan = run.scans[k];
     const NodeId node = graph.addNode(scan.pose, scan.ends, scan.axes);
-    if (last) graph.addLink(last, node);
+    if (last) graph.addLink(last, node, 1, gait.reachTo(k));
     last = node;
   }
 }
@@ -81,9 +85,9 @@ NodeId PoseGraph::addNode(const Transform2D& pose, const PointSums& points,
   return node;
 }
 
-void PoseGraph::addLink(NodeId from, NodeId to, double share) {
+void PoseGraph::addLink(NodeId from, NodeId to, double share, double reach) {
   const Transform2D step = nodes[from].pose.inverse() * nodes[to].pose;
-  edges.add({from, to, step, linkNoise(step), {}, share});
+  edges.add({from, to, step, linkNoise(step), {}, share, false, reach});
   GraphRun& run = runs[runOf(to)];
   run.links = {edges.size() - 1 - run.links.size(), edges.size()};
 }

@@ -22,7 +22,7 @@ PoseGraph graphBeside(const PoseGraph& graph, RunId added, const std::vector<Mat
   for (const NodeId id : graph.runs[added].nodes) add(id, graph.nodes[id].pose);
   for (const PoseEdgeId id : graph.runs[added].links) {
     const PoseEdge& link = graph.edges[id];
-    beside.addLink(placeOf[link.from], placeOf[link.to], link.share);
+    beside.addLink(placeOf[link.from], placeOf[link.to], link.share, link.reach);
   }
   for (const MatchGroupId id : groups) {
     MatchGroup group = graph.groups[id];

@@ -56,6 +56,15 @@ inline EdgeTerm linkTerm(const PoseEdge& link, double slack) {
   return {link.noise.times(slack), fitted::kLinkWidth, link.share};
 }
 
+/** Half the robust squared residual of a link from which on it gave way. */
+constexpr double kGaveWay = 10;
+
+/** What a link costs more whose nodes lie farther apart than its robot goes in one step: to give
+ *  way may have mended a tear, to leap has not. */
+inline double costOfLeap(const PoseEdge& link, double apart) {
+  return apart > link.reach ? kGaveWay : 0;
+}
+
 /** A match lays its nodes on each other as far as its group is believed. */
 inline EdgeTerm matchTerm(const PoseEdge& match, double belief) {
   return {match.noise, fitted::kMatchWidth,

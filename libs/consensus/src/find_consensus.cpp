@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "coarse_graph.h"
+#include "edge_cost.h"
 #include "fitted_consensus.h"
 #include "move_stretches.h"
 #include "roomgraph/consensus/belief.h"
@@ -36,6 +37,13 @@ struct Solution {
   GraphTrust trust;
 };
 
+double costOfLeaps(const PoseGraph& graph, const NodePoses& poses) {
+  double cost = 0;
+  for (const PoseEdge& edge : graph.edges)
+    cost += costOfLeap(edge, distance(poses[edge.from].shift(), poses[edge.to].shift()));
+  return cost;
+}
+
 Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& coarse,
                     const NodePoses& start) {
   GraphTrust trust{ById<RunId, double>(graph.runs.size(), 1), beliefIn(graph, start, kRoughly)};
@@ -45,7 +53,8 @@ Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& co
   moveStretches(graph, trust.slack, poses);
   trust.belief = beliefIn(graph, poses, kInlier);
   Solution solution{solvePoseGraph(graph, trust, poses, StartIs::good), trust};
-  solution.found.cost += costOfDisbelief(graph, trust.belief);
+  solution.found.cost +=
+      costOfDisbelief(graph, trust.belief) + costOfLeaps(graph, solution.found.poses);
   return solution;
 }
 

@@ -10,9 +10,8 @@
 namespace roomgraph {
 namespace {
 
-constexpr double kGaveWay = 10;  // half the robust squared residual of a link from which on it did
-constexpr double kLenient = 4;   // times the noise of matches: what is left over the solver mends
-constexpr int kAskEvery = 8;     // nodes, whether a motion can still be the best
+constexpr double kLenient = 4;  // times the noise of matches: what is left over the solver mends
+constexpr int kAskEvery = 8;    // nodes, whether a motion can still be the best
 
 /** Nodes first to last of a run. */
 struct Stretch {
@@ -78,7 +77,8 @@ class Mover {
   EdgeState stateAt(PoseEdgeId id, const TurnedPose& from, const TurnedPose& to) const {
     const PoseEdge& edge = graph_.edges[id];
     const PoseGap gap = from.gapOf(edge, to);
-    const double cost = terms_[id].cost(gap);
+    const double leap = costOfLeap(edge, distance(from.shift, to.shift));
+    const double cost = terms_[id].cost(gap) + leap;
     return {cost, edge.group && isInlier(edge, gap, kInlier)};
   }
 

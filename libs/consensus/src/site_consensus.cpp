@@ -101,8 +101,10 @@ PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
       const PoseNode& node = graph.nodes[id];
       core.addNode(node.pose, node.points, node.axes);
     }
-    for (const PoseEdgeId link : run.links)
-      core.addLink(graph.edges[link].from, graph.edges[link].to, graph.edges[link].share);
+    for (const PoseEdgeId id : run.links) {
+      const PoseEdge& link = graph.edges[id];
+      core.addLink(link.from, link.to, link.share, link.reach);
+    }
   }
   for (const MatchGroup& group : graph.groups) {
     if (group.from.index() >= runs || group.to.index() >= runs) continue;

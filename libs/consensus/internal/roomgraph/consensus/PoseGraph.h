@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,8 @@ struct PoseEdge {
   MatchGroupId group;       ///< none of a link
   double share = 1;         ///< of the walls of `to` that were found; how far a link holds
   bool isSameScan = false;  ///< both are one scan of one drive, so `measured` changes nothing
+  /** Of a link: how far apart a robot can have its nodes, in one step [m]. */
+  double reach = std::numeric_limits<double>::infinity();
 };
 
 /** A match, `share` of whose walls were found. */
@@ -88,8 +91,9 @@ struct PoseGraph {
   NodeId addNode(const Transform2D& pose, const PointSums& points,
                  const std::optional<ScanAxes>& axes);
   /** Between two nodes of the run that was added last, which keep the pose that they have as far as
-   *  the link holds, 0 to 1. */
-  void addLink(NodeId from, NodeId to, double share = 1);
+   *  the link holds, 0 to 1; `reach` as in PoseEdge. */
+  void addLink(NodeId from, NodeId to, double share = 1,
+               double reach = std::numeric_limits<double>::infinity());
   /** The edges need no `group`; once this was called, no run may be added. */
   void addGroup(MatchGroup group, const std::vector<PoseEdge>& matches);
 
