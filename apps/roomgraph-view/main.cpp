@@ -3,16 +3,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 
+#include "CallFiles.h"
 #include "HelpFormatter.h"
 #include "ViewWindow.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/version.h"
+#include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/stage_names.h"
+#include "roomgraph/images/png_bytes.h"
 #include "roomgraph/mrpt_plugin/mrpt_compat.h"
 #include "usage_fault.h"
 
@@ -70,6 +74,29 @@ std::string wordsFor(const std::vector<std::string>& files) {
          " files";
 }
 
+/** Throws where the picture would take the place of a file that is read, or of somebody else's. */
+void checkScreenshot(const Arguments& arguments) {
+  CallFiles files;
+  files.reads(arguments.files);
+  files.draws("--screenshot", arguments.screenshot);
+  if (!endsWith(arguments.screenshot, ".png"))
+    throw UsageError(arguments.screenshot + ": is no name of a picture: name it .png");
+}
+
+/** MRPT holds blue, green and red, row by row from the top. */
+std::string pngOf(const mrpt::img::CImage& picture) {
+  const auto width = std::size_t(picture.getWidth()), height = std::size_t(picture.getHeight());
+  std::vector<std::uint32_t> pixels;
+  pixels.reserve(width * height);
+  for (std::size_t y = 0; y < height; ++y) {
+    const auto* row = picture.ptrLine<std::uint8_t>(unsigned(y));
+    for (std::size_t x = 0; x < width; ++x)
+      pixels.push_back(std::uint32_t(row[3 * x + 2] << 16 | row[3 * x + 1] << 8 | row[3 * x]));
+  }
+  return pngBytes(reinterpret_cast<const unsigned char*>(pixels.data()), int(width), int(height),
+                  int(4 * width));
+}
+
 /** Draws into memory: no display is needed. */
 void writeScreenshot(const Arguments& arguments, const View& view) {
   const ViewState state = stateOf(arguments, view);
@@ -83,8 +110,7 @@ void writeScreenshot(const Arguments& arguments, const View& view) {
   useCameraOf(*drawn.scene(), render);
   mrpt::img::CImage picture(width, height, mrpt::img::CH_RGB);
   render.render_RGB(*drawn.scene(), picture);
-  if (!picture.saveToFile(arguments.screenshot))
-    throw DataError(arguments.screenshot + ": cannot be written: name another file, as .png");
+  writeFileAtomically(arguments.screenshot, pngOf(picture));
   std::printf("%s\n", printable(arguments.screenshot).c_str());
 }
 
@@ -125,6 +151,7 @@ int run(int count, char** words) {
     say(usageFault(app, {words + 1, words + count}, error) + " (see 'roomgraph-view --help')");
     return kBadUsage;
   }
+  if (!arguments.screenshot.empty()) checkScreenshot(arguments);
   const auto load = [&] { return loadView(arguments.files, ExtractOptions(), say); };
   if (arguments.screenshot.empty())
     showWindow({load, wordsFor(arguments.files),

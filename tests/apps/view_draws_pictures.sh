@@ -17,6 +17,17 @@ expect 0 "$view" --break 1 --screenshot break.png --size 640 480 "$maps"/office_
 [ "$(identify -format '%wx%h' break.png)" = 640x480 ] || fail "size"
 [ "$(pixels break.png 'rgb(0,130,90)')" -gt 100 ] || fail "no torn piece"
 
+# What is read, or somebody else's, is not replaced; its own picture is.
+cp "$maps"/office.yaml "$maps"/office.png . && cp office.png mine.png
+for picture in office.png mine.png; do
+  expect 2 "$view" office.yaml --screenshot $picture
+  one_line err $picture "would replace" "choose another file with --screenshot"
+  cmp $picture "$maps"/office.png || fail "$picture was replaced"
+done
+expect 2 "$view" office.yaml --screenshot one.simplemap.gz
+one_line err one.simplemap.gz "name it .png"
+expect 0 "$view" office.yaml --screenshot one.png
+
 # A stage takes the place of the graph: the obstacle cells are orange, and no vertex is there yet.
 expect 0 "$view" "$maps/office.yaml" --stage 2 --screenshot stage.png
 [ "$(pixels stage.png 'rgb(213,94,0)')" -gt 1000 ] || fail "no obstacles"

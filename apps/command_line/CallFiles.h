@@ -29,13 +29,15 @@ class CallFiles {
   void writesNumbered(const std::string& stem, const std::string& source = kFolderOption);
   /** The file that an option names. An empty name is none. */
   void writesTo(const std::string& option, const std::string& file);
+  /** The same for a picture, which may take the place of one of ours. */
+  void draws(const std::string& option, const std::string& file);
   /** The same for one that is read and written anew by design. */
   void updates(const std::string& option, const std::string& file);
 
  private:
   static constexpr char kFolderOption[] = "--output";
 
-  enum class Place { inFolder, named, updated };
+  enum class Place { inFolder, named, drawn, updated };
 
   struct Output {
     std::string file;

@@ -80,6 +80,10 @@ void CallFiles::writesTo(const std::string& option, const std::string& file) {
   if (!file.empty()) add({file, option, Place::named});
 }
 
+void CallFiles::draws(const std::string& option, const std::string& file) {
+  add({file, option, Place::drawn});
+}
+
 void CallFiles::updates(const std::string& option, const std::string& file) {
   if (!file.empty()) add({file, option, Place::updated});
 }
@@ -117,7 +121,8 @@ void CallFiles::checkReplaced(const Output& output) const {
   if (!hasContent(file)) return;
   if (const std::string map = foreignMapOf(file); !map.empty())
     refuseTo("a part of the map " + map + ", which roomgraph has not written");
-  if (output.place != Place::inFolder && isMapOrArchive(file)) refuseTo("a map or an archive");
+  const bool mayBeMap = output.place == Place::inFolder || output.place == Place::drawn;
+  if (!mayBeMap && isMapOrArchive(file)) refuseTo("a map or an archive");
   if (output.place != Place::updated && !isOurs(file))
     refuseTo("a file that roomgraph has not written");
 }
