@@ -142,6 +142,16 @@ TEST(ScoreRuns, twoRunsOrFewWallsAreNotEnough) {
   EXPECT_FALSE(isMeaningful(3, 20));
 }
 
+TEST(ScoreRuns, oneOtherAndAScanOrTwoAreNotEnough) {
+  PairBends bends = allBends(3, 0.1);
+  const auto shared = [&](double share) {
+    for (const std::size_t run : {0u, 1u}) bends(run, 2).share = share;
+    return scored(bends, errorsOf({0.1, 0.1, 0}), {}, {})[0]->isMeaningful;
+  };
+  EXPECT_TRUE(shared(0.25));
+  EXPECT_FALSE(shared(0.02));
+}
+
 TEST(ScoreRuns, theBestRunHasTheMostTrust) {
   PairBends bends = allBends(4, 0.1);
   for (std::size_t i = 0; i < 3; ++i) bends(i, 3).bend = 1;

@@ -122,6 +122,21 @@ TEST(MapErrors, theIntervalIsNarrowerForMoreRuns) {
   }
 }
 
+TEST(MapErrors, aRunThatHasSeenLittleIsLittleOfAWitness) {
+  const Way truth = roundTheBlock(), drawn = test::drifting(truth, 0.01);
+  const auto widthWith = [&](std::size_t most) {
+    // Of the last run few have seen anything.
+    const PoseGraph graph =
+        test::withMatches(test::matchedPoseGraph({drawn, truth, truth}, {truth, truth, truth}),
+                          [&](const MatchGroup& group, const PoseEdge&, std::size_t at) {
+                            return !test::joins(group, 0, 2) || at < most;
+                          });
+    const MapError error = errorOf(graph, {truth, truth, truth});
+    return error.high - error.low;
+  };
+  EXPECT_GT(widthWith(1), 1.05 * widthWith(1000));
+}
+
 TEST(MapErrors, whatIsLostCountsAsAMetreOff) {
   const Way truth = roundTheBlock(), drawn = test::drifting(truth, 0.01);
   const PoseGraph graph = test::drawnPoseGraph({drawn});

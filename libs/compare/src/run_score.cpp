@@ -40,14 +40,15 @@ void setTrust(RunScores& scores, const PairBends& bends, const DistinctMaps& map
     if (score && most > 0) score->trust /= most;
 }
 
-/** Sets what of one run was compared with the others, as their trust weighs it. */
-void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const DistinctMaps& maps,
-           std::optional<std::size_t> reference) {
+/** Sets what of one run was compared with the others, as their trust weighs it. Returns the share
+ *  of all others but one, that of which it was most. */
+double weigh(RunScores& scores, std::size_t run, const PairBends& bends, const DistinctMaps& maps,
+             std::optional<std::size_t> reference) {
   const auto isAsked = [&](std::size_t other) {
     return reference ? other == *reference : maps.isMeasuredAgainst(run, other);
   };
   RunScore& score = *scores[run];
-  double weights = 0, trust = 0;
+  double weights = 0, trust = 0, shares = 0, most = 0;
   for (const std::size_t j : bends.othersOf(run)) {
     if (!isAsked(j) || bends(run, j).share <= 0) continue;
     const PairBend& pair = bends(run, j);
@@ -55,8 +56,10 @@ void weigh(RunScores& scores, std::size_t run, const PairBends& bends, const Dis
     weights += trustOfOther * pair.share, trust += trustOfOther;
     score.support += pair.walls;
     ++score.others;
+    shares += pair.share, most = std::max(most, pair.share);
   }
   if (weights > 0) score.share = weights / trust;
+  return shares - most;
 }
 
 }  // namespace
@@ -76,16 +79,17 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
     grade(*scores[i], errors[i], options);
   }
   setTrust(scores, bends, maps, options);
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    if (scores[i]) weigh(scores, i, bends, maps, reference);
-  const std::size_t minOthers = reference ? 1 : kFewestOthers;
   const bool haveWitness = reference || maps.count() > 1;
-  for (std::size_t i = 0; i < scores.size(); ++i)
-    if (auto& score = scores[i])
-      score->isMeaningful = haveWitness && score->support >= kFewestWalls &&
-                            score->others >= minOthers &&
-                            mostShare(bends, i) >= options.leastShare &&
-                            score->confirmed >= kMajority && score->fitsReference();
+  for (std::size_t i = 0; i < scores.size(); ++i) {
+    if (!scores[i]) continue;
+    const double shareOfSecond = weigh(scores, i, bends, maps, reference);
+    RunScore& score = *scores[i];
+    // One other alone, or one and a scan or two, cannot tell which of the two errs.
+    const double least = std::min(mostShare(bends, i), reference ? 1 : shareOfSecond);
+    score.isMeaningful = haveWitness && score.support >= kFewestWalls &&
+                         least >= options.leastShare && score.others >= 1 &&
+                         score.confirmed >= kMajority && score.fitsReference();
+  }
   return scores;
 }
 

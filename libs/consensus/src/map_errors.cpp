@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "fitted_consensus.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -80,9 +82,33 @@ ById<NodeId, bool> seenNodes(const PoseGraph& graph) {
   return isSeen;
 }
 
+/** How many runs the others are worth as witnesses of one: each that has seen half of what it has
+ *  drawn one, others as much less as they have seen less. */
+double witnessesOf(const PoseGraph& graph, RunId run) {
+  ById<RunId, std::set<NodeId>> seenBy(graph.runs.size());
+  for (const MatchGroup& group : graph.groups) {
+    if (group.from == group.to || (group.from != run && group.to != run)) continue;
+    for (const PoseEdgeId edge : group.edges)
+      if (group.from == run)
+        seenBy[group.to].insert(graph.edges[edge].from);
+      else
+        seenBy[group.from].insert(graph.edges[edge].to);
+  }
+  const auto pointsOf = [&](const auto& nodes) {
+    double count = 0;
+    for (const NodeId node : nodes) count += graph.nodes[node].points.count;
+    return count;
+  };
+  const double half = kMajority * pointsOf(graph.runs[run].nodes);
+  double witnesses = 0;
+  for (const std::set<NodeId>& nodes : seenBy)
+    if (half > 0) witnesses += std::min(1.0, pointsOf(nodes) / half);
+  return witnesses;
+}
+
 /** e / f - p to e * f + p, see docs/scoring.md, "Map error". */
-void addInterval(MapError& error, std::size_t otherRuns) {
-  const double others = double(std::max<std::size_t>(1, otherRuns));
+void addInterval(MapError& error, double witnesses) {
+  const double others = std::max(1.0, witnesses);
   // Round numbers, so that 75 to 90 % of the true errors lie in it on the sites of
   // benchmarks/README.md, with ten, five and three runs.
   const double factor =
@@ -94,7 +120,7 @@ void addInterval(MapError& error, std::size_t otherRuns) {
 }
 
 MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
-                 const ById<NodeId, bool>& isSeen, std::size_t others) {
+                 const ById<NodeId, bool>& isSeen, double others) {
   const IdRange<NodeId>& nodes = graph.runs[run].nodes;
   Displacement all;
   MapError error;
@@ -121,12 +147,12 @@ ById<RunId, MapError> mapErrors(const PoseGraph& graph, const NodePoses& poses) 
   const ById<NodeId, bool> isSeen = seenNodes(graph);
   ById<RunId, MapError> errors;
   for (const RunId run : graph.runs.ids())
-    errors.add(errorOf(graph, run, poses, isSeen, graph.runs.size() - 1));
+    errors.add(errorOf(graph, run, poses, isSeen, witnessesOf(graph, run)));
   return errors;
 }
 
 MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std::size_t others) {
-  return errorOf(graph, run, poses, seenNodes(graph), others);
+  return errorOf(graph, run, poses, seenNodes(graph), double(others));
 }
 
 void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost) {

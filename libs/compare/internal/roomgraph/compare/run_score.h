@@ -25,8 +25,9 @@ using RunScores = std::vector<std::optional<RunScore>>;
  *  consensus. With `reference`, that run is taken for the truth and gets no score itself. Trust
  *  falls with the fourth power of kTrustFloor plus the map error; that of the most trusted run, or
  *  of the reference, is 1, that of a run without leastShare 0, unless all are so. Runs of which no
- *  other has anything have no score. Meaningful with kFewestOthers other runs (one reference),
- *  kFewestWalls wall points and leastShare. `errors` and `maps` are by run, as `bends`. O(runs^2).
+ *  other has anything have no score. Meaningful with kFewestWalls wall points and leastShare in
+ *  common with a reference, or with one other run and with all the rest. `errors` and `maps` are by
+ *  run, as `bends`. O(runs^2).
  *  @throws UsageError where `reference` is none of the runs, or errors are not as many as runs. */
 RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                     const std::vector<MapError>& errors, std::optional<std::size_t> reference,
