@@ -125,6 +125,22 @@ TEST_F(PlacesMask, eachRegionTellsItsState) {
   EXPECT_NE(text.find("area_m2: 0.2, state: carried, error_m: 0.05}\n"), std::string::npos) << text;
 }
 
+TEST_F(PlacesMask, aLoneCellIsAPlaceAndALargeRegionAnAreaThatMayTouchWalls) {
+  const MarkedFile file = read("mask.pgm", pgm());
+  const auto areAll = [&](std::size_t thing, bool isCorner) {
+    const std::vector<std::size_t>& places = file.things[thing].places;
+    return std::all_of(places.begin(), places.end(),
+                       [&](std::size_t k) { return file.places[k].isCorner == isCorner; });
+  };
+  std::size_t lone = 0;
+  for (std::size_t i = 0; i < file.things.size(); ++i) {
+    const bool isLone = file.things[i].places.size() == 1;
+    lone += isLone;
+    EXPECT_TRUE(areAll(i, !isLone)) << i;
+  }
+  EXPECT_EQ(lone, 1u);
+}
+
 TEST_F(PlacesMask, picturesOfOtherKindsBecomePng) {
   const MarkedFile file = read("mask.jpg", test::jpeg(kWidth, kHeight, 1, drawn()));
   EXPECT_EQ(carried(file, {}).yaml.image, "mask.png");

@@ -52,9 +52,11 @@ class Mask {
       Thing& thing = result.things.emplace_back();
       const Point first = placeOf(middleOf(cellOf(region.front()))).pose.shift();
       thing.name = formatted("%zu, at (%.1f, %.1f)", result.things.size(), first.x, first.y);
-      for (const auto& [block, middle] : blocksOf(region)) {
+      const auto blocks = blocksOf(region);
+      for (const auto& [block, middle] : blocks) {
         thing.places.push_back(result.places.size());
         result.places.push_back(placeOf(middleOf(middle)));
+        result.places.back().isCorner = blocks.size() > 1;
       }
       for (const auto& corner : cornersOf(region)) {
         const auto [known, isNew] = corners.emplace(corner, result.places.size());

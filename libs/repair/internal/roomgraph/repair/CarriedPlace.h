@@ -12,8 +12,8 @@ namespace roomgraph {
 struct Place {
   std::string name;
   Transform2D pose;  ///< map <- place
-  bool isCorner =
-      false;  ///< of an area: these lie at walls, so in one it is neither gone nor unsure
+  /** Of an area, or a part of it: these lie at walls, so in one it is neither gone nor unsure. */
+  bool isCorner = false;
 };
 
 enum class CarryState {
