@@ -96,6 +96,9 @@ std::optional<std::string> lineOf(const std::string& file, const WatchArguments&
                      [&](const RobotWatch& one) { return one.robot == options.robot; });
     return addedRunJson(file, added, robot == site.robots.end() ? nullptr : &*robot);
   } catch (const DataError& error) {
+    // A fault of the archive is none of the map: a watch that is started anew adds it.
+    const std::string text = error.what();
+    if (text.rfind(arguments.adding.archive + ": ", 0) == 0) throw;
     return failedRunJson(file, error.what());
   }
 }

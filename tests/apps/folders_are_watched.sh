@@ -73,6 +73,20 @@ code=0
 wait $watcher || code=$?
 watcher=
 [ $code -eq 143 ] || fail "ends with $code, not by SIGTERM"
+# With its archive, too, so that no map is passed over.
+cp site.db kept.db
+: > lines
+start
+sleep 1
+printf 'this is no archive' > site.db
+cp "$maps/office_run3.simplemap.gz" in/five.simplemap.gz
+code=0
+wait $watcher || code=$?
+watcher=
+[ $code -eq 1 ] || fail "ends with $code where its archive is broken"
+[ ! -s lines ] || fail "blames the map for the archive"
+tail -1 errors | grep -q 'site.db: ' || fail "does not name the archive"
+cp kept.db site.db && rm -f site.db-wal site.db-shm in/five.simplemap.gz
 : > lines
 start
 sleep 1
