@@ -9,6 +9,9 @@ rooms maps/a.pgm
 rooms maps/b.pgm 164
 printf '\xef\xbb\xbfsite,file,time\r\noffice,maps/a.pgm,2026-11-01\r\noffice,maps/b.pgm,2026-11-02\r\n' > list.csv
 
+expect 2 "$night" list.csv
+one_line err "night: give LIST ARCHIVE FOLDER"
+
 for folder in 'my night' 'n$(touch pwned)' 'n;touch pwned;x' "it's"; do
   rm -f a.db
   expect 0 "$night" list.csv a.db "$folder" --resolution 0.05
