@@ -68,9 +68,9 @@ TEST(ConsensusDocument, saysHowFarLinksGiveWay) {
 }
 
 TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
-  expectSaid("ln *f* = 1.28 · (%g + %g / (*n* − 1)² + %g · (1 − *v*))", kFactor, kFactorPerRun,
+  expectSaid("ln *f* = 1.28 · (%g + %g / *w*² + %g · (1 − *v*))", kFactor, kFactorPerRun,
              kFactorUnseen);
-  expectSaid("*p* = %g m + %g m / (*n* − 1)", kMetres, kMetresPerRun);
+  expectSaid("*p* = %g m + %g m / *w*", kMetres, kMetresPerRun);
   expectSaid("costs at most %g times as much as the best", kAboutAsGood);
   EXPECT_EQ(kLeastKnowing, 3);
   expectSaid("If at least three other runs have seen most of the surroundings");
