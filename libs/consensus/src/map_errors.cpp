@@ -72,37 +72,31 @@ double restAt(const PointSums& points, const Transform2D& l, const Transform2D& 
       std::max(0.0, turned + 2 * (x * apart.x + y * apart.y) + squaredNorm(apart.shift())));
 }
 
-/** Of each node, whether it was found in another run, or another in it. */
-ById<NodeId, bool> seenNodes(const PoseGraph& graph) {
-  ById<NodeId, bool> isSeen(graph.nodes.size());
-  for (const MatchGroup& group : graph.groups)
-    if (group.from != group.to)
-      for (const PoseEdgeId edge : group.edges)
-        isSeen[graph.edges[edge].to] = isSeen[graph.edges[edge].from] = true;
-  return isSeen;
+/** Of each node, the other runs that it was found in, or that have a node found in it. */
+ById<NodeId, std::set<RunId>> seenBy(const PoseGraph& graph) {
+  ById<NodeId, std::set<RunId>> runs(graph.nodes.size());
+  for (const MatchGroup& group : graph.groups) {
+    if (group.from == group.to) continue;
+    for (const PoseEdgeId id : group.edges) {
+      runs[graph.edges[id].from].insert(group.to);
+      runs[graph.edges[id].to].insert(group.from);
+    }
+  }
+  return runs;
 }
 
 /** How many runs the others are worth as witnesses of one: each that has seen half of what it has
  *  drawn one, others as much less as they have seen less. */
-double witnessesOf(const PoseGraph& graph, RunId run) {
-  ById<RunId, std::set<NodeId>> seenBy(graph.runs.size());
-  for (const MatchGroup& group : graph.groups) {
-    if (group.from == group.to || (group.from != run && group.to != run)) continue;
-    for (const PoseEdgeId edge : group.edges)
-      if (group.from == run)
-        seenBy[group.to].insert(graph.edges[edge].from);
-      else
-        seenBy[group.from].insert(graph.edges[edge].to);
+double witnessesOf(const PoseGraph& graph, RunId run, const ById<NodeId, std::set<RunId>>& seen) {
+  ById<RunId, double> counts(graph.runs.size());
+  double all = 0;
+  for (const NodeId node : graph.runs[run].nodes) {
+    all += graph.nodes[node].points.count;
+    for (const RunId other : seen[node]) counts[other] += graph.nodes[node].points.count;
   }
-  const auto pointsOf = [&](const auto& nodes) {
-    double count = 0;
-    for (const NodeId node : nodes) count += graph.nodes[node].points.count;
-    return count;
-  };
-  const double half = kMajority * pointsOf(graph.runs[run].nodes);
   double witnesses = 0;
-  for (const std::set<NodeId>& nodes : seenBy)
-    if (half > 0) witnesses += std::min(1.0, pointsOf(nodes) / half);
+  for (const double count : counts)
+    if (all > 0) witnesses += std::min(1.0, count / (kMajority * all));
   return witnesses;
 }
 
@@ -120,16 +114,17 @@ void addInterval(MapError& error, double witnesses) {
 }
 
 MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
-                 const ById<NodeId, bool>& isSeen, double others) {
+                 const ById<NodeId, std::set<RunId>>& seenByOthers, double others) {
   const IdRange<NodeId>& nodes = graph.runs[run].nodes;
   Displacement all;
   MapError error;
   double seen = 0;
   for (const NodeId id : nodes) {
     const PoseNode& node = graph.nodes[id];
+    const bool isSeen = !seenByOthers[id].empty();
     all.add(node.points, node.pose, poses[id]);
-    seen += isSeen[id] ? node.points.count : 0;
-    error.isSeen.push_back(isSeen[id]);
+    seen += isSeen ? node.points.count : 0;
+    error.isSeen.push_back(isSeen);
   }
   error.error = all.rest(), error.pose = all.motion();
   error.seen = all.weight() > 0 ? seen / all.weight() : 0;
@@ -144,15 +139,15 @@ MapError errorOf(const PoseGraph& graph, RunId run, const NodePoses& poses,
 }  // namespace
 
 ById<RunId, MapError> mapErrors(const PoseGraph& graph, const NodePoses& poses) {
-  const ById<NodeId, bool> isSeen = seenNodes(graph);
+  const ById<NodeId, std::set<RunId>> seen = seenBy(graph);
   ById<RunId, MapError> errors;
   for (const RunId run : graph.runs.ids())
-    errors.add(errorOf(graph, run, poses, isSeen, witnessesOf(graph, run)));
+    errors.add(errorOf(graph, run, poses, seen, witnessesOf(graph, run, seen)));
   return errors;
 }
 
 MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std::size_t others) {
-  return errorOf(graph, run, poses, seenNodes(graph), double(others));
+  return errorOf(graph, run, poses, seenBy(graph), double(others));
 }
 
 void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost) {
