@@ -151,14 +151,15 @@ int run(int count, char** words) {
     say(usageFault(app, {words + 1, words + count}, error) + " (see 'roomgraph-view --help')");
     return kBadUsage;
   }
-  if (!arguments.screenshot.empty()) checkScreenshot(arguments);
   const auto load = [&] { return loadView(arguments.files, ExtractOptions(), say); };
-  if (arguments.screenshot.empty())
+  if (arguments.screenshot.empty()) {
     showWindow({load, wordsFor(arguments.files),
                 [&](const View& view) { return stateOf(arguments, view); }, arguments.size[0],
                 arguments.size[1]});
-  else
+  } else {
+    checkScreenshot(arguments);
     writeScreenshot(arguments, load());
+  }
   return kDone;
 }
 

@@ -44,7 +44,7 @@ inline CLI::Validator isWithin(double least, double most) {
         const bool isNumber = CLI::detail::lexical_cast(text, value);
         return isNumber && value >= least && value <= most
                    ? std::string()
-                   : formatted("Value %s not in range %g to %g", text.c_str(), least, most);
+                   : formatted("Value %s not in range %.7g to %.7g", text.c_str(), least, most);
       },
       "");
 }
