@@ -19,8 +19,8 @@ class GridMap:
 
     cells: rows and columns, the first row lowest (smallest y). Integers are percents, as in a
       nav_msgs/OccupancyGrid: 0 free, 100 occupied, -1 unknown. Floating-point numbers are
-      probabilities of being occupied, NaN unknown. So is what is masked. A cell is occupied from 0.65 on and free up to
-      0.196, unless the options of `binarize` say otherwise.
+      probabilities of being occupied, NaN unknown. So is what is masked. A cell is occupied from
+      0.65 on and free up to 0.196, unless the options of `binarize` say otherwise.
     resolution: side of a cell [m].
     origin: x and y of the lower left corner of the map [m].
     name: of the map in results and errors; each map of a comparison has its own.
