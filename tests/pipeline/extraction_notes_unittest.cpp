@@ -32,6 +32,14 @@ TEST(ExtractionNotes, tellThatNoPathIsWideEnough) {
   EXPECT_EQ(notesOf({"###", "#.#", "###"}), "no_path ");
 }
 
+TEST(ExtractionNotes, tellThatFreeFloorRunsOutOfTheMap) {
+  std::vector<std::string> rows(60, std::string(29, '.') + '#' + std::string(30, '.'));
+  EXPECT_EQ(notesOf(rows), "open_edge ");
+  for (std::string& row : rows) row.front() = row.back() = '?';
+  rows.front() = rows.back() = std::string(60, '?');
+  EXPECT_EQ(notesOf(rows).find("open_edge"), std::string::npos);
+}
+
 TEST(ExtractionNotes, haveNothingToSayOfARoom) {
   std::vector<std::string> rows(60, '#' + std::string(58, '.') + '#');
   rows.front() = rows.back() = std::string(60, '#');

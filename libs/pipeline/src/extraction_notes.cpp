@@ -61,13 +61,27 @@ void noteHalfSeen(const Stages& s, Notes& notes) {
        std::array<double, 2>{place.x, place.y}});
 }
 
+/** Whether free floor runs out of the map. Without unknown cells that is outside of a drawing. */
+bool runsOut(const Grid& grid) {
+  const auto isFreeAt = [&](int x, int y) { return grid.at({x, y}) == State::free; };
+  bool isFree = false;
+  for (int x = 0; x < grid.frame.width; ++x)
+    isFree |= isFreeAt(x, 0) || isFreeAt(x, grid.frame.height - 1);
+  for (int y = 0; y < grid.frame.height; ++y)
+    isFree |= isFreeAt(0, y) || isFreeAt(grid.frame.width - 1, y);
+  return isFree &&
+         std::find(grid.cells.begin(), grid.cells.end(), State::unknown) == grid.cells.end();
+}
+
 }  // namespace
 
 Notes extractionNotes(const Stages& s) {
   Notes notes;
   const bool isEmpty = s.result.graph.vertices().empty();
   if (!s.cleared.clutter.empty()) notes.push_back(clutterNote(s.cleared.clutter));
-  if (!isEmpty) noteHalfSeen(s, notes), noteNarrowRegions(s, notes);
+  const bool isOpen = s.result.rooms.empty() && runsOut(s.grid);
+  if (!isEmpty) noteHalfSeen(s, notes);
+  if (!isEmpty && !isOpen) noteNarrowRegions(s, notes);
   const auto note = [&](const char* code, const char* text) {
     notes.push_back({code, text, std::nullopt});
   };
@@ -76,6 +90,9 @@ Notes extractionNotes(const Stages& s) {
     note("no_free_cell", "the map has no free cell, so its graph is empty");
   else if (s.obstacles.cells.empty())
     note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");
+  else if (isOpen)
+    note("open_edge", "free floor reaches the edge of the map and counts as outside: a margin of "
+                      "unknown cells closes it");
   else if (isEmpty)
     note("no_path", "no place of the map is wide enough for a path");
   else if (s.result.rooms.empty())
