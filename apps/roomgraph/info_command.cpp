@@ -1,6 +1,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "commands.h"
@@ -76,9 +77,10 @@ std::string runText(const Recording& run) {
          nameOf(run.compression) + "\n";
 }
 
-/** Of X.json or comparison.json. */
-std::string jsonText(const std::string& file) {
+/** Of X.json or comparison.json; nothing for JSON that is not of this package. */
+std::optional<std::string> jsonText(const std::string& file) {
   const std::string json = readFile(file);
+  if (json.find("\"roomgraph/") == std::string::npos) return std::nullopt;
   if (jsonFault(json, "roomgraph/comparison").empty())
     return CMapComparison(parseComparisonJson(json, file), {}).asString();
   return graphText(parseGraphJson(json, file));
@@ -87,7 +89,8 @@ std::string jsonText(const std::string& file) {
 std::string infoText(const std::string& file, const ExtractOptions& options) {
   const std::string start = firstBytes(file);
   const auto first = start.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && start[first] == '{') return jsonText(file);
+  if (first != std::string::npos && start[first] == '{')
+    if (auto text = jsonText(file)) return *std::move(text);
   if (start.find("CRoomGraph") != std::string::npos) return loadRoomGraph(file).asString();
   if (start.find("CMapComparison") != std::string::npos) return loadMapComparison(file).asString();
   return mapText(file, options);

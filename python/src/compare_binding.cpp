@@ -57,7 +57,7 @@ std::unique_ptr<PythonComparison> compare(const std::vector<PythonMap>& maps,
                                           const std::optional<PythonMap>& reference,
                                           const PythonCall& call) {
   if (maps.size() + (reference ? 1 : 0) < 2)
-    throw UsageError("compare: one map cannot be compared: give two, or a reference");
+    throw UsageError("compare: give at least two maps, or one and a reference");
   CompareMapsOptions options = optionsOf(call);
   ReadRuns read = readMaps(maps, reference, call, options);
   Comparison comparison = compareMaps(read, options);

@@ -30,6 +30,9 @@ ROOMGRAPH_CANDIDATE='missing.simplemap' ROOMGRAPH_FAIL_ABOVE=5 expect 3 "$gate"
 grep -q missing.simplemap err || fail "does not name the missing map"
 ROOMGRAPH_CANDIDATE='' expect 2 "$gate"
 one_line err 'ROOMGRAPH_CANDIDATE names no map'
+# A gate that no map can fail is none.
+ROOMGRAPH_CANDIDATE='tonight*' expect 2 "$gate"
+one_line err 'every map would pass: set a limit'
 : > shown.md
 ROOMGRAPH_CANDIDATE='tonight*' ROOMGRAPH_FAIL_ON=everything expect 2 "$gate"
 [ ! -s shown.md ] && [ ! -e results/junit.xml ] || fail "shows the summary of an earlier job"

@@ -32,3 +32,8 @@ one_line err missing.json
 head -c 200 object.bin > cut.roomgraph
 expect 1 "$roomgraph" info cut.roomgraph
 one_line err cut.roomgraph
+
+printf %s "{\"type\": \"FeatureCollection\", \"features\": []}" > route.geojson
+# What is not of this package is told with what opens it.
+expect 1 "$roomgraph" info route.geojson
+one_line err "is GeoJSON, and no map"
