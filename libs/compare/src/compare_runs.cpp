@@ -9,6 +9,7 @@
 #include "roomgraph/base/return_memory.h"
 #include "roomgraph/breaks/site_breaks.h"
 #include "roomgraph/compare/run_score.h"
+#include "roomgraph/consensus/agreed_bends.h"
 #include "roomgraph/consensus/errors_by_bends.h"
 #include "roomgraph/consensus/site_consensus.h"
 #include "roomgraph/ledger/site_rooms.h"
@@ -52,11 +53,12 @@ Comparison compareRuns(const std::vector<Run>& runs, const MapPairs& related,
   // Every function here has its section in docs/method.md.
   const Site site = placeRuns(runs, related, options.reference);
   const MapPairs pairs = pairsInSite(site, related, forEach);
-  const PairBends bends = bendsOf(pairs);
-  const DistinctMaps maps(bends);
+  const PairBends drawn = bendsOf(pairs);
+  const DistinctMaps maps(drawn);
   const Consensus consensus = siteConsensus(site, pairs, maps, forEach);
   returnMemory();  // of hundreds of runs, what it is worked out from is much
-  const std::vector<MapError> errors = siteErrors(site, pairs, bends, maps, consensus);
+  const std::vector<MapError> errors = siteErrors(site, pairs, drawn, maps, consensus);
+  const PairBends bends = agreedBends(site, consensus, drawn);
   RunScores scores = scoreRuns(bends, maps, errors, site.reference, options);
   const Trust trust = trustOf(scores, site.reference);
   const FindBreaksOptions breaking{options.breakRotation, options.breakShift};
