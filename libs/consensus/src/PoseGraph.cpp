@@ -77,6 +77,24 @@ RunId PoseGraph::addRun(bool hasScans) {
   return runs.add({{nodes.size(), nodes.size()}, {edges.size(), edges.size()}, hasScans});
 }
 
+RunId PoseGraph::addRun(const PoseGraph& other, RunId run) {
+  const GraphRun& theirs = other.runs[run];
+  const RunId id = addRun(theirs.hasScans);
+  const std::size_t firstNode = nodes.size(), firstLink = edges.size();
+  const auto ours = [&](NodeId node) { return NodeId(firstNode + theirs.nodes.placeOf(node)); };
+  for (const NodeId node : theirs.nodes) {
+    nodes.add(other.nodes[node]);
+    nodes[ours(node)].run = id;
+  }
+  for (const PoseEdgeId link : theirs.links) {
+    PoseEdge edge = other.edges[link];
+    edge.from = ours(edge.from), edge.to = ours(edge.to);
+    edges.add(edge);
+  }
+  runs[id].nodes = {firstNode, nodes.size()}, runs[id].links = {firstLink, edges.size()};
+  return id;
+}
+
 NodeId PoseGraph::addNode(const Transform2D& pose, const PointSums& points,
                           const std::optional<ScanAxes>& axes) {
   const RunId run = runs.ids().back();

@@ -12,18 +12,13 @@ PoseGraph graphBeside(const PoseGraph& graph, RunId added, const std::vector<Mat
                       const std::set<RunId>& others, const NodePoses& poses) {
   PoseGraph beside;
   ById<NodeId, NodeId> placeOf(graph.nodes.size());
-  const auto add = [&](NodeId id, const Transform2D& pose) {
-    placeOf[id] = beside.addNode(pose, graph.nodes[id].points, graph.nodes[id].axes);
-  };
   const RunId known = beside.reference = beside.addRun(true);
   for (const RunId run : others)
-    for (const NodeId id : graph.runs[run].nodes) add(id, poses[id]);
-  const RunId own = beside.addRun(graph.runs[added].hasScans);
-  for (const NodeId id : graph.runs[added].nodes) add(id, graph.nodes[id].pose);
-  for (const PoseEdgeId id : graph.runs[added].links) {
-    const PoseEdge& link = graph.edges[id];
-    beside.addLink(placeOf[link.from], placeOf[link.to], link.share, link.reach);
-  }
+    for (const NodeId id : graph.runs[run].nodes)
+      placeOf[id] = beside.addNode(poses[id], graph.nodes[id].points, graph.nodes[id].axes);
+  const RunId own = beside.addRun(graph, added);
+  for (const NodeId id : beside.runs[own].nodes)
+    placeOf[graph.runs[added].nodes[beside.runs[own].nodes.placeOf(id)]] = id;
   for (const MatchGroupId id : groups) {
     MatchGroup group = graph.groups[id];
     std::vector<PoseEdge> matches;

@@ -94,18 +94,7 @@ void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
 PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
   PoseGraph core;
   core.reference = graph.reference;
-  for (std::size_t r = 0; r < runs; ++r) {
-    const GraphRun& run = graph.runs[RunId(r)];
-    core.addRun(run.hasScans);
-    for (const NodeId id : run.nodes) {
-      const PoseNode& node = graph.nodes[id];
-      core.addNode(node.pose, node.points, node.axes);
-    }
-    for (const PoseEdgeId id : run.links) {
-      const PoseEdge& link = graph.edges[id];
-      core.addLink(link.from, link.to, link.share, link.reach);
-    }
-  }
+  for (std::size_t r = 0; r < runs; ++r) core.addRun(graph, RunId(r));
   for (const MatchGroup& group : graph.groups) {
     if (group.from.index() >= runs || group.to.index() >= runs) continue;
     std::vector<PoseEdge> matches;

@@ -87,6 +87,8 @@ struct PoseGraph {
   RunId reference;  ///< the run that is taken for the truth and stays as it is, or none
 
   RunId addRun(bool hasScans);
+  /** A run of another graph with its nodes and links, but not its matches. */
+  RunId addRun(const PoseGraph& other, RunId run);
   /** To the run that was added last. */
   NodeId addNode(const Transform2D& pose, const PointSums& points,
                  const std::optional<ScanAxes>& axes);
