@@ -10,8 +10,11 @@ int main(int count, char** arguments) try {
   const roomgraph::Comparison comparison = roomgraph::compareMaps(files, {});
 
   for (const roomgraph::ComparedRun& run : comparison.runs)
-    std::printf("%zu. %s: %.2f m, %s\n", run.rank, run.name.c_str(),
-                run.score ? run.score->mapError : 0.0, run.reason.c_str());
+    if (run.score)
+      std::printf("%zu. %s: %.2f m, %s\n", run.rank, run.name.c_str(), run.score->mapError,
+                  run.reason.c_str());
+    else
+      std::printf("-. %s: %s\n", run.name.c_str(), run.reason.c_str());
   for (const roomgraph::LeftOutRun& run : comparison.leftOut)
     std::printf("-. %s: %s\n", run.name.c_str(), run.reason.c_str());
   std::puts(comparison.verdict.c_str());

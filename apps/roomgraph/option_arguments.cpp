@@ -68,6 +68,8 @@ void apply(const OptionArguments& arguments, ExtractOptions& options, FieldTable
   const double assumed = options.loadGrid.resolution;
   options.loadGrid.resolution = NAN;  // no text can set that
   if (arguments.configFile) readConfig(*arguments.configFile, known);
+  // Outputs name the usual one where none was given.
+  if (options.loadGrid.resolution == assumed) options.loadGrid.resolution = NAN;
   for (const std::string& setting : arguments.settings) applySetting(setting, settable);
   if (arguments.resolution) known.set("load_grid", "resolution", *arguments.resolution);
   if (!arguments.slice.empty()) {

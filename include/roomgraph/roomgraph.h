@@ -3,6 +3,7 @@
 // them. What is behind them has a header for each step; MRPT's classes are in
 // roomgraph/mrpt_plugin.
 
+#include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/compare_runs.h"

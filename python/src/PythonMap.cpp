@@ -1,17 +1,9 @@
 #include "PythonMap.h"
 
-#include <cmath>
-
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
-#include "roomgraph/map_files/ros_map_yaml.h"
 
 namespace roomgraph {
-namespace {
-
-bool isInReach(double coordinate) { return std::abs(coordinate) <= kFarthestOrigin; }
-
-}  // namespace
 
 ArrayMap arrayMap(const std::string& name, const std::string& sha256,
                   const pybind11::array_t<std::uint8_t, pybind11::array::c_style |
@@ -19,16 +11,14 @@ ArrayMap arrayMap(const std::string& name, const std::string& sha256,
                   double resolution, double x, double y) {
   if (grey.ndim() != 2 || grey.size() == 0 || std::size_t(grey.size()) > kMostCells)
     throw UsageError(name + ": is no array of rows and columns with 1 to 400 million cells");
-  if (!(resolution >= 1e-4 && resolution <= 1e3) || !isInReach(x) || !isInReach(y))
-    throw UsageError(name +
-                     ": give the side of a cell as resolution (0.0001 to 1000 m), and its lower "
-                     "left corner as origin [m]");
   ArrayMap array;
   GreyMap& map = array.map;
   map.frame = {int(grey.shape(1)), int(grey.shape(0)), resolution, {x, y}};
+  if (!map.frame.isSane())
+    throw UsageError(name +
+                     ": give the side of a cell as resolution (0.0001 to 1000 m), and its lower "
+                     "left corner as origin [m]");
   map.grey.assign(grey.data(), grey.data() + grey.size());
-  const RosMapYaml usual{};  // of map_server, for the percents that the greys stand for
-  map.occupiedAbove = usual.occupiedAbove, map.freeBelow = usual.freeBelow;
   map.source.file = name, map.source.kind = "array", map.source.sha256 = sha256;
   return array;
 }

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "roomgraph/base/Error.h"
+
 namespace roomgraph::test {
 namespace {
 
@@ -19,6 +23,22 @@ TEST(Binarize, usesTheThresholdsOfTheFormat) {
   const std::vector<State> expected{State::occupied, State::occupied, State::unknown, State::free,
                                     State::free};
   EXPECT_EQ(binarize(map, {}).cells, expected);
+}
+
+TEST(Binarize, aMapWithoutFormatHasUnknownCells) {
+  const std::vector<State> expected{State::occupied, State::unknown, State::unknown, State::free};
+  EXPECT_EQ(binarize(greyMapOf({0, 128, 205 - 1, 254}), {}).cells, expected);
+}
+
+TEST(Binarize, refusesCellsThatTheFrameDoesNotHave) {
+  GreyMap map = greyMapOf({0, 128, 255});
+  for (const GridFrame& frame :
+       {GridFrame{2, 1, 0.1, {}}, GridFrame{4, 1, 0.1, {}}, GridFrame{-3, -1, 0.1, {}},
+        GridFrame{3, 1, 0, {}}, GridFrame{3, 1, NAN, {}}, GridFrame{3, 1, 0.1, {NAN, 0}},
+        GridFrame{3, 1, 0.1, {0, 1e9}}}) {
+    map.frame = frame;
+    EXPECT_THROW((void)binarize(map, {}), UsageError);
+  }
 }
 
 TEST(Binarize, optionsOverrideTheFormat) {

@@ -1,5 +1,7 @@
 #include "roomgraph/grid/GridFrame.h"
 
+#include <cmath>
+
 namespace roomgraph {
 namespace {
 
@@ -15,6 +17,11 @@ int cellIndex(double offset, double resolution, int count) {
 Cell GridFrame::cellAt(Point p) const {
   return {cellIndex(p.x - origin.x, resolution, width),
           cellIndex(p.y - origin.y, resolution, height)};
+}
+
+bool GridFrame::isSane() const {
+  return resolution >= kSmallestCell && resolution <= kLargestCell &&
+         std::abs(origin.x) <= kFarthestOrigin && std::abs(origin.y) <= kFarthestOrigin;
 }
 
 }  // namespace roomgraph

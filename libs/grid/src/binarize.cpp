@@ -1,6 +1,9 @@
 #include "roomgraph/grid/binarize.h"
 
 #include <array>
+#include <string>
+
+#include "roomgraph/base/Error.h"
 
 namespace roomgraph {
 namespace {
@@ -27,6 +30,16 @@ StateOfGrey threeStates(double occupiedAbove, double freeBelow) {
   return states;
 }
 
+void check(const GreyMap& map) {
+  const GridFrame& frame = map.frame;
+  if (frame.width < 0 || frame.height < 0 || map.grey.size() != frame.cellCount())
+    throw UsageError("binarize: the map has " + std::to_string(map.grey.size()) + " cells, but is " +
+                     std::to_string(frame.width) + " x " + std::to_string(frame.height));
+  if (!map.grey.empty() && !frame.isSane())
+    throw UsageError("binarize: the side of a cell must be 0.0001 to 1000 m, and the origin of the "
+                     "map within 10000 km");
+}
+
 }  // namespace
 
 void describe(BinarizeOptions& options, FieldTable& table) {
@@ -43,6 +56,7 @@ void describe(BinarizeOptions& options, FieldTable& table) {
 }
 
 Grid binarize(const GreyMap& map, const BinarizeOptions& options) {
+  check(map);
   const StateOfGrey states =
       options.blackThreshold > 0
           ? paperStates(options.blackThreshold)

@@ -7,7 +7,6 @@
 #include "readers.h"
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/remedies.h"
-#include "roomgraph/map_files/ros_map_yaml.h"
 
 namespace roomgraph {
 namespace {
@@ -112,13 +111,11 @@ GreyMap readRtabmap(CheckedFile& file, const LoadGridOptions&) {
   GreyMap map;
   map.frame.origin.x = lengthAt(row.get(), 1, -kFarthestOrigin, kFarthestOrigin, file.name());
   map.frame.origin.y = lengthAt(row.get(), 2, -kFarthestOrigin, kFarthestOrigin, file.name());
-  map.frame.resolution = lengthAt(row.get(), 3, 1e-4, 1e3, file.name());
+  map.frame.resolution = lengthAt(row.get(), 3, kSmallestCell, kLargestCell, file.name());
   const ByteView packed{static_cast<const std::uint8_t*>(sqlite3_column_blob(row.get(), 0)),
                         std::size_t(sqlite3_column_bytes(row.get(), 0))};
   map.grey = unpack(packed, map.frame, file.name());
   for (auto& cell : map.grey) cell = greyOfCell(cell);
-  const RosMapYaml usual{};  // of ROS, as the cells are percents
-  map.occupiedAbove = usual.occupiedAbove, map.freeBelow = usual.freeBelow;
   return map;
 }
 

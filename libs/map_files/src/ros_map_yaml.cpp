@@ -45,7 +45,7 @@ RosMapYaml parse(const YAML::Node& yaml, const std::string& file) {
   RosMapYaml map;
   map.image = yaml["image"].Scalar();
   if (map.image.empty()) refuse(file, "its 'image' names no file", "correct the yaml");
-  map.resolution = readNumber(yaml["resolution"], "resolution", 1e-4, 1e3, file);
+  map.resolution = readNumber(yaml["resolution"], "resolution", kSmallestCell, kLargestCell, file);
   readOrigin(yaml["origin"], map, file);
   map.negate = readNegate(yaml["negate"], file);
   readOptional(yaml, "occupied_thresh", map.occupiedAbove, file);

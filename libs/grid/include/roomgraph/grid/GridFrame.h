@@ -12,6 +12,8 @@ struct Cell {
 
 /** So far off lies no map that is read, and nothing that is marked on one [m]. */
 constexpr double kFarthestOrigin = 1e7;
+/** Sides of cells that maps may have [m]. */
+constexpr double kSmallestCell = 1e-4, kLargestCell = 1e3;
 
 /** How the cells of a grid lie in the map frame: the only place that knows cells and metres. */
 struct GridFrame {
@@ -33,6 +35,8 @@ struct GridFrame {
   /** The cell that holds `p`, which may lie outside of the grid. A point far outside of it (or NaN)
    *  gives a cell outside of it. */
   [[nodiscard]] Cell cellAt(Point p) const;
+  /** Whether cells and origin are within the bounds above. */
+  [[nodiscard]] bool isSane() const;
 };
 
 }  // namespace roomgraph

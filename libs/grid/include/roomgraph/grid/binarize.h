@@ -20,7 +20,8 @@ struct BinarizeOptions {
 void describe(BinarizeOptions& options, FieldTable& table);
 
 /** Decides for each cell whether it is free, occupied or unknown. A cell exactly at a threshold is
- *  decided by it, free first, as ROS's map_server does. O(cells). */
+ *  decided by it, free first, as ROS's map_server does. O(cells).
+ *  @throws UsageError where the cells of the map are not those of its frame, or that is absurd. */
 [[nodiscard]] Grid binarize(const GreyMap& map, const BinarizeOptions& options);
 
 }  // namespace roomgraph
