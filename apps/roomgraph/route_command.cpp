@@ -95,10 +95,19 @@ bool isPlace(Point place) {
   return std::abs(place.x) < kFarthestPlace && std::abs(place.y) < kFarthestPlace;
 }
 
-/** Where one stands that is in an area: where the vertex of a room is, or in its widest place. */
+/** Where one stands that is in an area: where the vertex of a room is, or on a way through a
+ *  corridor, next to its widest place: there may be clutter, or it may be open to outside. */
 Point placeIn(const GraphFile& file, AreaId id) {
   const Area& area = file.areas.areas[id.index()];
-  return area.isRoom() ? file.graph.rooms[area.room.index()].center : area.widestPlace;
+  if (area.isRoom()) return file.graph.rooms[area.room.index()].center;
+  Point nearest = area.widestPlace;
+  double least = HUGE_VAL;
+  for (const Edge& edge : file.graph.graph.edges())
+    for (const Point point : edge.path.points)
+      if (const double far = distance(point, area.widestPlace);
+          far < least && sideOf(area.polygon, point) == Side::inside)
+        nearest = point, least = far;
+  return nearest;
 }
 
 /** "R0 to R11", or the names that were given. */

@@ -64,3 +64,29 @@ expect 2 "$roomgraph" where g/a.json left 1
 one_line err "X: 'left' is not a number"
 expect 2 "$roomgraph" route g/a.json --from inf 0 --to R0
 one_line err "--from 1.5 2"
+# A corridor is on its ways, though a pillar stands where it is widest, in a crossing.
+python3 - <<'P'
+side = 300
+cells = [[0] * side for _ in range(side)]
+def free(x, y, width, height):
+    for row in range(y, y + height):
+        cells[row][x:x + width] = [254] * width
+for x, y in ((20, 20), (180, 20), (20, 180), (180, 180)):
+    free(x, y, 100, 100)
+free(20, 130, 260, 40)
+free(130, 20, 40, 260)
+for x in (50, 220):
+    free(x, 120, 18, 10)
+    free(x, 170, 18, 10)
+for row in range(145, 155):
+    cells[row][145:155] = [0] * 10
+open("crossing.pgm", "wb").write(b"P5\n300 300\n255\n" + bytes(sum(cells, [])))
+P
+expect 0 "$roomgraph" extract crossing.pgm --resolution 0.05 --format json -o g -q
+corridor=$(python3 -c "import json
+areas = json.load(open('g/crossing.json'))['areas']
+print('C%d' % max((a['area'], a['id']) for a in areas if a['kind'] == 'corridor')[1])")
+for map in g/crossing.json "crossing.pgm --resolution 0.05"; do
+  # shellcheck disable=SC2086
+  expect 0 "$roomgraph" route $map --from "$corridor" --to R0
+done
