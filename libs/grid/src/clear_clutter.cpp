@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "roomgraph/geometry/Transform2D.h"
@@ -18,15 +19,62 @@ constexpr double kTableShare = 0.3;
 /** In so many directions one looks from a table for walls; in more than half of them there are
  *  some. */
 constexpr int kLooks = 16;
+/** A wall goes on for so many times its thickness. */
+constexpr double kWallShape = 3;
+/** Lines through a piece that are tried, beside that along it, for walls that it is in line with. */
+constexpr int kLines = 32;
 
-enum class Mark : std::uint8_t { unseen, inGroup, other };
+enum class Mark : std::uint8_t { unseen, inGroup, small, other };
 
 /** Connected cells that are not free. */
 struct Group {
   std::vector<Cell> cells;
   CellBox box;
   std::size_t rim = 0, wall = 0;  // cells at free ones, and occupied cells
+  double size = 0;                // [cells]
+
+  bool isSeen() const { return 2 * wall >= rim; }
+  Point middle() const {
+    return 0.5 * Point{double(box.low.x + box.high.x), double(box.low.y + box.high.y)};
+  }
 };
+
+/** How far apart two of its cells are, with half of each: about the same however it is turned. */
+double sizeOf(const Group& group) {
+  std::vector<std::pair<int, int>> rows(std::size_t(group.box.height()), {INT_MAX, INT_MIN});
+  for (const Cell cell : group.cells) {
+    auto& [left, right] = rows[std::size_t(cell.y - group.box.low.y)];
+    left = std::min(left, cell.x), right = std::max(right, cell.x);
+  }
+  double squares = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = i; j < rows.size(); ++j) {
+      const int across = std::max(rows[i].second - rows[j].first, rows[j].second - rows[i].first);
+      squares = std::max(squares, squaredNorm({double(across), double(j - i)}));
+    }
+  return std::sqrt(squares) + 1;
+}
+
+/** The direction in which a group is longest. */
+Point directionOf(const Group& group) {
+  double xx = 0, xy = 0, yy = 0;
+  const Point middle = group.middle();
+  for (const Cell cell : group.cells) {
+    const double x = cell.x - middle.x, y = cell.y - middle.y;
+    xx += x * x, xy += x * y, yy += y * y;
+  }
+  return turned({1, 0}, std::atan2(2 * xy, xx - yy) / 2);
+}
+
+/** How wide a group is across a direction [cells]. */
+double widthAcross(const Group& group, Point direction) {
+  double low = 0, high = 0;
+  for (const Cell cell : group.cells) {
+    const double place = cross(direction, Point{double(cell.x), double(cell.y)} - group.middle());
+    low = std::min(low, place), high = std::max(high, place);
+  }
+  return high - low + 1;
+}
 
 class ClutterFinder {
  public:
@@ -43,25 +91,30 @@ class ClutterFinder {
     for (const Cell cell : obstacles) {
       if (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::unseen) continue;
       const bool isFound = collect(cell);
-      mark(group_, Mark::other);
-      if (!isFound) continue;
-      if (isSmall(group_)) freeCells(group_);
-      found.push_back(std::move(group_));
+      mark(group_, isFound && isSmall(group_) ? Mark::small : Mark::other);
+      if (isFound) found.push_back(std::move(group_));
     }
-    const auto stays = [&](const Group& group) { return !isSmall(group) && !isTable(group); };
-    found.erase(std::remove_if(found.begin(), found.end(), stays), found.end());
+    drop(found, [&](const Group& group) { return isSmall(group) && isPieceOfWall(group); });
+    for (const Group& group : found)
+      if (isSmall(group)) freeCells(group);
+    drop(found, [&](const Group& group) { return !isSmall(group) && !isTable(group); });
     std::vector<Clutter> clutter;
     for (const Group& group : found) {
       freeCells(group);
       const GridFrame& frame = grid_.frame;
-      if (2 * group.wall >= group.rim)
-        clutter.push_back(
-            {midpoint(frame.center(group.box.low), frame.center(group.box.high)), sizeOf(group)});
+      if (group.isSeen())
+        clutter.push_back({midpoint(frame.center(group.box.low), frame.center(group.box.high)),
+                           frame.resolution * group.size});
     }
     return clutter;
   }
 
  private:
+  template <class Stays>
+  static void drop(std::vector<Group>& groups, const Stays& stays) {
+    groups.erase(std::remove_if(groups.begin(), groups.end(), stays), groups.end());
+  }
+
   void mark(const Group& group, Mark as) {
     for (const Cell cell : group.cells) marks_[grid_.frame.index(cell)] = as;
   }
@@ -76,7 +129,6 @@ class ClutterFinder {
     group_.box = {};
     group_.rim = group_.wall = 0;
     add(first);
-    if (sizeOf(group_) > maxTable_) return false;
     // The last one first: what is large is left on the shortest way.
     for (open_ = {first}; !open_.empty();) {
       const Cell cell = open_.back();
@@ -88,22 +140,88 @@ class ClutterFinder {
       group_.rim += grid_.countBeside(cell, State::free) > 0 ? 1 : 0;
       group_.wall += grid_.at(cell) == State::occupied ? 1 : 0;
     }
-    return isSmall(group_) || isCompact(group_);
+    group_.size = sizeOf(group_);
+    return isSmall(group_) || (metres(group_.size) <= maxTable_ && isCompact(group_));
   }
 
-  bool isSmall(const Group& group) const { return sizeOf(group) <= maxSize_; }
+  double metres(double cells) const { return grid_.frame.resolution * cells; }
 
-  bool isCompact(const Group& group) const {
-    const double cell = grid_.frame.resolution, size = sizeOf(group);
-    return double(group.cells.size()) * cell * cell >= kTableShare * size * size;
+  bool isSmall(const Group& group) const { return metres(group.size) <= maxSize_; }
+
+  static bool isCompact(const Group& group) {
+    return double(group.cells.size()) >= kTableShare * group.size * group.size;
   }
+
+  /** Where a wall ends that a line meets, and how thick it is [cells]. */
+  struct WallEnd {
+    double far = 0, thickness = 0;
+  };
+
+  /** Whether it fills a part of a gap between two walls that are in line with it, as do the pier
+   *  between two doors and the posts of a glass front. Not what stands in a single door. */
+  bool isPieceOfWall(const Group& group) const {
+    if (!group.isSeen()) return false;
+    const auto isInLine = [&](Point start, Point direction) {
+      const auto ahead = wallEndFrom(start, direction), behind = wallEndFrom(start, -1 * direction);
+      return ahead && behind && metres(ahead->far + behind->far - 1) > maxSize_ &&
+             2 * widthAcross(group, direction) >= std::max(ahead->thickness, behind->thickness);
+    };
+    const Point middle = group.middle(), along = directionOf(group);
+    // Where the middle lies between two rows, one on either side of it.
+    for (const double side : {-0.25, 0.25})
+      if (isInLine(middle + side * turned(along, M_PI / 2), along)) return true;
+    for (int k = 0; k < kLines; ++k)
+      if (isInLine(middle, turned({1, 0}, (k + 0.5) * M_PI / kLines))) return true;
+    return false;
+  }
+
+  /** The first wall in a direction, past other small things, if it ends there and no gap on the way
+   *  is wider than clutter is large. */
+  std::optional<WallEnd> wallEndFrom(Point middle, Point direction) const {
+    int gap = 0;
+    for (int step = 1; metres(gap) <= maxSize_; ++step) {
+      const Point place = middle + double(step) * direction;
+      const Cell c = cellAt(place);
+      if (!grid_.frame.contains(c)) break;
+      if (grid_.at(c) == State::free)
+        ++gap;
+      else if (marks_[grid_.frame.index(c)] == Mark::small)
+        gap = 0;
+      else if (const double thickness = thicknessAt(place, direction); thickness > 0)
+        return WallEnd{double(step), thickness};
+      else
+        break;
+    }
+    return std::nullopt;
+  }
+
+  /** Of a wall that begins at a place and goes on in a direction [cells]; 0 where none does, but
+   *  something stands there across it, or as large. */
+  double thicknessAt(Point place, Point direction) const {
+    const int most = int(maxSize_ / grid_.frame.resolution);
+    const auto run = [&](Point from, Point to) {
+      int count = 0;
+      while (count < most && isSolid(cellAt(from + double(count + 1) * to))) ++count;
+      return count;
+    };
+    const int length = 1 + run(place, direction);
+    const Point inside = place + (length / 2) * direction, across = turned(direction, M_PI / 2);
+    const int thickness = 1 + run(inside, across) + run(inside, -1 * across);
+    return kWallShape * thickness <= length ? thickness : 0;
+  }
+
+  bool isSolid(Cell cell) const {
+    return grid_.atOrUnknown(cell) != State::free &&
+           (!grid_.frame.contains(cell) || marks_[grid_.frame.index(cell)] != Mark::small);
+  }
+
+  static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
 
   /** Whether it has a room round it. What stands in a hall splits nothing, and a row of cupboards
    *  with doors between them has space on two sides: both stay. */
   bool isTable(const Group& group) {
     mark(group, Mark::inGroup);
-    const Point middle = 0.5 * Point{double(group.box.low.x + group.box.high.x),
-                                     double(group.box.low.y + group.box.high.y)};
+    const Point middle = group.middle();
     int walls = 0;
     for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
       walls += hasWallFrom(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
@@ -117,8 +235,7 @@ class ClutterFinder {
     const GridFrame& frame = grid_.frame;
     int gap = 0;  // cells behind the rim
     for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
-      const Point place = middle + double(step) * direction;
-      const Cell c{int(std::lround(place.x)), int(std::lround(place.y))};
+      const Cell c = cellAt(middle + double(step) * direction);
       if (!frame.contains(c)) return false;
       if (grid_.at(c) == State::free)
         ++gap;
@@ -140,7 +257,7 @@ class ClutterFinder {
     if (grid_.cells[index] == State::free || marks_[index] == Mark::inGroup) return true;
     if (marks_[index] == Mark::other) return false;
     open_.push_back(near);
-    return !add(near) || sizeOf(group_) <= maxTable_;
+    return !add(near) || metres(std::max(group_.box.width(), group_.box.height())) <= maxTable_;
   }
 
   /** Returns whether the box of the group has grown. */
@@ -150,10 +267,6 @@ class ClutterFinder {
     const bool isWithin = group_.box.contains(cell);
     group_.box.include(cell);
     return !isWithin;
-  }
-
-  double sizeOf(const Group& group) const {
-    return grid_.frame.resolution * norm({double(group.box.width()), double(group.box.height())});
   }
 
   Grid& grid_;
@@ -168,8 +281,9 @@ class ClutterFinder {
 void describe(ClearClutterOptions& options, FieldTable& table) {
   table.number(
       "clear_clutter", "max_size", options.maxSize, "m", 0, 10,
-      "Free-standing obstacles whose box has at most this diagonal do not split rooms, nor "
-      "do compact ones up to twice that with a room round them, as tables; 0 for none.");
+      "Free-standing obstacles up to this size do not split rooms, nor do compact ones up to "
+      "twice that with a room round them, as tables; what is in line with walls on two sides, as "
+      "the pier between two doors, is wall; 0 for none.");
 }
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,

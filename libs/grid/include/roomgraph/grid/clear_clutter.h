@@ -15,14 +15,14 @@ namespace roomgraph {
 // Next: voronoiWithout
 
 struct ClearClutterOptions {
-  double maxSize = 1.2;  ///< diagonal of the upright box round an obstacle; 0 keeps all [m]
+  double maxSize = 1.2;  ///< how far apart two places of an obstacle are; 0 keeps all [m]
 };
 void describe(ClearClutterOptions& options, FieldTable& table);
 
 /** A small obstacle with free space all round it: a table, a pillar, a bin, a person, a speck. */
 struct Clutter {
   Point center;     ///< of its box [m, map frame]
-  double size = 0;  ///< diagonal of its box [m]
+  double size = 0;  ///< how far apart two places of it are [m]
 };
 
 /** The map as if the clutter were not there. */
@@ -35,7 +35,9 @@ struct ClearedMap {
 /** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
  *  limit and does not touch the border; then, up to twice the limit, all that are compact and, in
  *  more than half of all directions, no farther from another obstacle that is left than that, as a
- *  table is in its room. So chairs are no room, and no order of the cells matters. Specks that
+ *  table is in its room. So chairs are no room, and no order of the cells matters. What is small
+ *  but stands between the ends of two walls that are in line with it, which are farther apart than
+ *  the limit, is wall: the pier between two doors, a stub beside a hole, a post. Specks that
  *  beams have missed are cleared as well: groups with fewer occupied cells than half of the length
  *  of their rim. They are no obstacles, and so not in `clutter`. `obstacles` must be those of
  *  `grid`. O(cells). */
