@@ -20,9 +20,9 @@
 #include "roomgraph/map_files/map_formats.h"
 #include "roomgraph/mrpt_plugin/mrpt_files.h"
 #include "roomgraph/page/repair_page.h"
-#include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/loop_constraints.h"
 #include "roomgraph/repair/repair_runs.h"
+#include "roomgraph/repair/repair_site.h"
 #include "site_runs.h"
 #include "terminal.h"
 

@@ -6,7 +6,7 @@
 #include "UnusedOptions.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/check_run.h"
-#include "roomgraph/relate/relate_runs.h"
+#include "roomgraph/repair/solve_runs.h"
 #include "roomgraph/report/PairFolder.h"
 #include "run_in_order.h"
 #include "terminal.h"
@@ -79,12 +79,8 @@ std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   options.compare.reference = read.reference;
   PairFolder cache(arguments.cache);
   options.compare.kept = cache.kept();
-  const ForEach& forEach = options.compare.forEach;
-  const RelateRunsOptions relating{options.compare.areAligned, read.reference,
-                                   std::size_t(options.compare.core), arguments.areOneSite};
-  const MapPairs related = relateRuns(read.runs, relating, forEach, options.compare.kept);
+  SolvedSite solved = solveRuns(read.runs, options.compare, arguments.areOneSite);
   if (!cache.failure().empty()) printError(cache.failure());
-  SolvedSite solved = solveSite(read.runs, related, read.reference, forEach);
   // The runs stay where they are: the vector is moved, not what it holds.
   std::unique_ptr<SolvedRuns> runs(new SolvedRuns{std::move(read), std::move(solved)});
   printOthers(*runs);

@@ -5,6 +5,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/write_file.h"
+#include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/compare/compare_runs.h"
 #include "roomgraph/compare/gate.h"
@@ -18,4 +19,6 @@
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/page/comparison_report.h"
 #include "roomgraph/pipeline/extract.h"
+#include "roomgraph/repair/merge_runs.h"
+#include "roomgraph/repair/repair_site.h"
 #include "roomgraph/report/comparison_json.h"

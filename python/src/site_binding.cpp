@@ -10,10 +10,10 @@
 #include "read_maps.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/check/check_run.h"
-#include "roomgraph/relate/relate_runs.h"
 #include "roomgraph/repair/carry_places.h"
-#include "roomgraph/repair/key_frame_moves.h"
 #include "roomgraph/repair/repair_runs.h"
+#include "roomgraph/repair/repair_site.h"
+#include "roomgraph/repair/solve_runs.h"
 
 namespace roomgraph {
 namespace {
@@ -33,11 +33,8 @@ std::unique_ptr<Solved> solve(const std::vector<PythonMap>& maps,
                               bool areOneSite = false) {
   CompareMapsOptions options = optionsOf(call);
   ReadRuns read = readMaps(maps, reference, call, options);
-  const CompareRunsOptions& compare = options.compare;
-  const MapPairs related = relateRuns(
-      read.runs, {compare.areAligned, read.reference, std::size_t(compare.core), areOneSite},
-      compare.forEach);
-  SolvedSite site = solveSite(read.runs, related, read.reference, compare.forEach);
+  options.compare.reference = read.reference;
+  SolvedSite site = solveRuns(read.runs, options.compare, areOneSite);
   std::unique_ptr<Solved> solved(new Solved{std::move(read), std::move(site)});
   for (std::size_t i = 0; i < solved->read.runs.size(); ++i)
     if (!solved->site.site.has(i))

@@ -28,8 +28,7 @@ struct TornAndWhole {
   }
 
   void believe(double belief) {
-    consensus.trust.belief =
-        ById<MatchGroupId, double>(consensus.graph.groups.size(), belief);
+    consensus.trust.belief = ById<MatchGroupId, double>(consensus.graph.groups.size(), belief);
   }
   double bend() const { return agreedBends(site, consensus, bends)(0, 1).bend; }
 };

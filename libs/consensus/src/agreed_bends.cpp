@@ -21,8 +21,8 @@ FoundTable foundIn(const Consensus& consensus) {
     for (const PoseEdgeId edge : group.edges) {
       const PoseNode &from = graph.nodes[graph.edges[edge].from],
                      &to = graph.nodes[graph.edges[edge].to];
-      const Transform2D there = consensus.poses[graph.edges[edge].from].inverse() *
-                                consensus.poses[graph.edges[edge].to];
+      const Transform2D there =
+          consensus.poses[graph.edges[edge].from].inverse() * consensus.poses[graph.edges[edge].to];
       found[{group.from, group.to}].add(to.points, to.pose, from.pose * there);
     }
   }

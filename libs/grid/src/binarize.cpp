@@ -33,11 +33,13 @@ StateOfGrey threeStates(double occupiedAbove, double freeBelow) {
 void check(const GreyMap& map) {
   const GridFrame& frame = map.frame;
   if (frame.width < 0 || frame.height < 0 || map.grey.size() != frame.cellCount())
-    throw UsageError("binarize: the map has " + std::to_string(map.grey.size()) + " cells, but is " +
-                     std::to_string(frame.width) + " x " + std::to_string(frame.height));
+    throw UsageError("binarize: a map of " + std::to_string(map.grey.size()) +
+                     " cells says that it is " + std::to_string(frame.width) + " x " +
+                     std::to_string(frame.height));
   if (!map.grey.empty() && !frame.isSane())
-    throw UsageError("binarize: the side of a cell must be 0.0001 to 1000 m, and the origin of the "
-                     "map within 10000 km");
+    throw UsageError(
+        "binarize: the side of a cell must be 0.0001 to 1000 m, and the origin of the "
+        "map within 10000 km");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr double kTableShare = 0.3;
 constexpr int kLooks = 16;
 /** A wall goes on for so many times its thickness. */
 constexpr double kWallShape = 3;
-/** Lines through a piece that are tried, beside that along it, for walls that it is in line with. */
+/** Lines through a piece, beside that along it, on which walls are looked for. */
 constexpr int kLines = 32;
 
 enum class Mark : std::uint8_t { unseen, inGroup, small, other };

@@ -91,8 +91,9 @@ Notes extractionNotes(const Stages& s) {
   else if (s.obstacles.cells.empty())
     note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");
   else if (isOpen)
-    note("open_edge", "free floor reaches the edge of the map and counts as outside: a margin of "
-                      "unknown cells closes it");
+    note("open_edge",
+         "free floor reaches the edge of the map and counts as outside: a margin of "
+         "unknown cells closes it");
   else if (isEmpty)
     note("no_path", "no place of the map is wide enough for a path");
   else if (s.result.rooms.empty())

@@ -5,7 +5,6 @@
 
 #include "roomgraph/base/compressed.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/scans/StoredPose.h"
 
 namespace roomgraph {
@@ -101,18 +100,6 @@ std::vector<PoseMove> keyFrameMoves(const Run& run, const RepairedRun& repaired,
 
 std::string packedMap(const std::string& content, Compression how) {
   return how == Compression::gzip ? gzipped(content, kGzipMark) : compressed(content, how);
-}
-
-MovedRun movedRun(const Run& run, const RepairedRun& repaired) {
-  CheckedFile file(run.file);
-  const StoredPoses stored = readStoredPoses(file);
-  const std::vector<PoseMove> moves = keyFrameMoves(run, repaired, stored);
-  const std::string content = movePoses(file.content(), file.name(), stored, moves);
-  MovedRun moved;
-  moved.simplemap = packedMap(content, file.compression());
-  moved.tum = std::string(kRosMapMark) + "\n# Its simplemap has the SHA-256 " +
-              sha256Of(viewOf(moved.simplemap)) + ".\n" + trajectoryTum(stored, moves);
-  return moved;
 }
 
 }  // namespace roomgraph

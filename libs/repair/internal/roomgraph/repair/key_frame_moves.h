@@ -12,7 +12,7 @@ namespace roomgraph {
 // Ours
 // In:   RepairedRun, and the poses of the key frames in its file
 // Out:  PoseMove of each key frame
-// Next: movePoses, trajectoryTum; movedRun does both
+// Next: movePoses, trajectoryTum; movedRun (repair_site.h) does both
 
 /** How each key frame of the run's file is moved. One without a scan goes along with those before
  *  and behind it, with the nearer one more. O(key frames). */
@@ -26,14 +26,5 @@ std::string trajectoryTum(const StoredPoses& stored, const std::vector<PoseMove>
 
 /** The content of a simplemap as its file holds it; gzip has a comment on who has written it. */
 std::string packedMap(const std::string& content, Compression how);
-
-/** The files of a run whose key frames have moved: the map, packed as it was, and its path, which
- *  begins with a comment on who has written both, and has the SHA-256 of the map. */
-struct MovedRun {
-  std::string simplemap, tum;
-};
-
-/** @throws DataError where the file of the run cannot be read any more. */
-MovedRun movedRun(const Run& run, const RepairedRun& repaired);
 
 }  // namespace roomgraph

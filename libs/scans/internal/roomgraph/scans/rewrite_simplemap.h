@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "roomgraph/base/byte_reader.h"
+#include "roomgraph/geometry/PlanarCovariance.h"
 #include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/scans/StoredPose.h"
 
@@ -14,11 +15,6 @@ namespace roomgraph {
 // In:   the content of simplemaps, and how key frames are to be moved
 // Out:  the content of the moved one, or of one with the key frames of all
 // Next: compressed, writeFileAtomically
-
-/** How sure a pose in the plane is: of x, y [m] and phi [rad], in the frame of the map. */
-struct PlanarCovariance {
-  double xx = 0, yy = 0, pp = 0, xy = 0, xp = 0, yp = 0;
-};
 
 /** What becomes of the pose of a key frame. */
 struct PoseMove {

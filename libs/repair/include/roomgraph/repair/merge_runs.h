@@ -6,7 +6,6 @@
 
 #include "roomgraph/base/ForEach.h"
 #include "roomgraph/grid/GreyMap.h"
-#include "roomgraph/repair/RepairedRun.h"
 #include "roomgraph/scans/Keyframe.h"
 
 namespace roomgraph {
@@ -46,7 +45,7 @@ struct MergedMap {
  *  through, or go through what is wall to them. The same for any order of the runs of different
  *  times. O(beams * their lengths).
  *  @throws DataError where they reach over more cells than a map may have. */
-MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
-                    const ForEach& forEach);
+[[nodiscard]] MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
+                                  const ForEach& forEach);
 
 }  // namespace roomgraph

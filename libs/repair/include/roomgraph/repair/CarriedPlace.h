@@ -23,7 +23,7 @@ enum class CarryState {
   unseen    ///< the new map has not been there
 };
 
-constexpr std::array<const char*, 4> enumNames(CarryState) {
+[[nodiscard]] constexpr std::array<const char*, 4> enumNames(CarryState) {
   return {"carried", "unsure", "gone", "unseen"};
 }
 

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "roomgraph/base/enum_names.h"
-#include "roomgraph/scans/rewrite_simplemap.h"
+#include "roomgraph/geometry/PlanarCovariance.h"
+#include "roomgraph/geometry/Transform2D.h"
 
 namespace roomgraph {
 
@@ -17,7 +18,7 @@ enum class RepairState {
   lost        ///< left as it was: much of it fits nowhere
 };
 
-constexpr std::array<const char*, 4> enumNames(RepairState) {
+[[nodiscard]] constexpr std::array<const char*, 4> enumNames(RepairState) {
   return {"mended", "kept", "reference", "lost"};
 }
 
@@ -26,7 +27,7 @@ struct KeyFrames {
   std::size_t from = 0, to = 0;
 
   /** "5", or "5 to 8". */
-  std::string text() const {
+  [[nodiscard]] std::string text() const {
     return from == to ? std::to_string(from) : std::to_string(from) + " to " + std::to_string(to);
   }
 };
