@@ -19,6 +19,7 @@ constexpr std::size_t kLongestFileName = NAME_MAX - StagedFiles::kLongestSuffix;
 
 [[noreturn]] void refuseBoth(const std::string& one, const std::string& other,
                              const std::string& file) {
+  if (one == other) throw UsageError(one + ": is named twice: name it once");
   throw UsageError(one + " and " + other + " would both be written as " + file +
                    ": rename one, or choose another folder or file for it");
 }

@@ -134,7 +134,7 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
                 "less than " +
                     nearlyAll +
                     " % of what at least two runs have seen), 'broken' (a run has a break that is "
-                    "not slight), 'unconfirmed' (other runs bear out less than " +
+                    "not slight), 'unconfirmed' (other runs confirm less than " +
                     nearlyAll +
                     " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
                     "run is of another site, or mirrored), 'walls' (walls that others have are "

@@ -46,7 +46,7 @@ constexpr Command kCommands[] = {
     {"convert", "Convert maps to ROS maps, MRPT grid maps or pictures.", convertCommand},
     {"export-rawlog", "Write the scans of a simplemap as a log for MRPT's RawLogViewer.",
      exportRawlogCommand},
-    {"info", "Tell what is in a map, a graph, a comparison or an MRPT object (.json, .roomgraph).",
+    {"info", "Show what is in a map, a graph, a comparison or an MRPT object (.json, .roomgraph).",
      infoCommand},
     {"config", "Print all options as a commented ini file, for use with --config.", configCommand},
 };

@@ -73,7 +73,7 @@ Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
     }
   }
   if (merging.runs.empty())
-    throw DataError("merge: there is no run with scans that others bear out: add runs of the site");
+    throw DataError("merge: there is no run with scans that others confirm: add runs of the site");
   return merging;
 }
 

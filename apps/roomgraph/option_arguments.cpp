@@ -156,7 +156,7 @@ void declareFailOn(std::vector<std::string>& lists, const std::vector<std::strin
   const auto fault = [known](const std::string& list) -> std::string {
     for (const std::string& word : wordsOf(list))
       if (std::find(known.begin(), known.end(), word) == known.end())
-        return "'" + word + "' is none of " + listed(known) + ", separated by commas";
+        return "'" + word + "' is not one of " + listed(known) + ", separated by commas";
     return {};
   };
   addOption(app, "--fail-on LIST", lists, sentence)

@@ -88,15 +88,6 @@ void check(const RepairArguments& arguments) {
   for (const char* name : {kPage, kPoseGraph}) files.writes(inFolder(site.folder, name));
 }
 
-/** Runs that --only names and that are not there. */
-void checkNames(const std::vector<Run>& runs, const RepairArguments& arguments) {
-  for (const std::string& name : arguments.only)
-    if (std::none_of(runs.begin(), runs.end(), [&](const Run& run) { return run.name == name; }))
-      throw UsageError("repair: --only " + name +
-                       ": no run has this name: name one of those that " +
-                       "'roomgraph compare' prints");
-}
-
 /** What becomes of a run, for terminal and page. */
 std::string lineOf(const RepairedRun& repaired, const char* unseen) {
   std::string line = repaired.reason;
@@ -141,7 +132,6 @@ int runAlone(const RepairArguments& arguments) {
   options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
   const Run run = readRun(site.files.front(), options);
   unused.tell(1);
-  checkNames({run}, arguments);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");
   const RunCheck check = checkRun(run);
   const RepairedRun repaired = repairAlone(run, check);
@@ -152,13 +142,14 @@ int runAlone(const RepairArguments& arguments) {
   return kDone;
 }
 
-int run(const RepairArguments& arguments) {
+int run(RepairArguments arguments) {
   const SiteArguments& site = arguments.site;
+  for (std::string& only : arguments.only)
+    only = nameOfRun(only, runNames(site.files), "--only");
   check(arguments);
   makeWritableFolder(site.folder);
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
-  checkNames(runs->read.runs, arguments);
   if (runs->solved.site.runs.size() < 2)
     throw DataError("repair: no two runs lie in one site: name one alone to mend it by itself");
   FolderFiles files{site.folder};
@@ -170,7 +161,7 @@ int run(const RepairArguments& arguments) {
     if (!isAskedFor(run.name, arguments)) continue;
     addRun(run, one, files);
     if (arguments.format == "mola") addConstraints(run, real[one.siteRun], files);
-    shown.push_back({&run, &one, lineOf(one, "borne out by no other run")});
+    shown.push_back({&run, &one, lineOf(one, "confirmed by no other run")});
   }
   if (shown.empty())
     throw DataError("repair: no run has scans and lies in the site of the others: give simplemaps");

@@ -11,6 +11,7 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "roomgraph/compare/run_names.h"
 #include "roomgraph/report/comparison_json.h"
 #include "roomgraph/report/comparison_sentences.h"
 #include "terminal.h"
@@ -34,13 +35,14 @@ std::filesystem::path folderOf(const ReportArguments& arguments) {
 }
 
 /** A name that is none of them would be judged by nothing. */
-void checkCandidates(const ReportArguments& arguments, const Comparison& comparison) {
-  for (const std::string& name : arguments.candidates) {
-    const auto isIt = [&](const auto& run) { return run.name == name; };
-    if (std::none_of(comparison.runs.begin(), comparison.runs.end(), isIt) &&
-        std::none_of(comparison.leftOut.begin(), comparison.leftOut.end(), isIt))
-      throw UsageError("--candidate: " + name + " is not a run of " + arguments.comparison);
-  }
+std::vector<std::string> candidatesOf(const ReportArguments& arguments,
+                                      const Comparison& comparison) {
+  std::vector<std::string> names, candidates;
+  for (const ComparedRun& run : comparison.runs) names.push_back(run.name);
+  for (const LeftOutRun& run : comparison.leftOut) names.push_back(run.name);
+  for (const std::string& given : arguments.candidates)
+    candidates.push_back(nameOfRun(given, names, "--candidate"));
+  return candidates;
 }
 
 struct FoundMaps {
@@ -102,11 +104,10 @@ void keepOthers(const FoundMaps& maps, const Comparison& comparison,
 }
 
 int run(const ReportArguments& arguments) {
-  GateOptions gate = gateOf(arguments.gate);
-  gate.candidates = arguments.candidates;
   ResultFiles files(folderOf(arguments));
   Comparison comparison = readComparison(arguments.comparison);
-  checkCandidates(arguments, comparison);
+  GateOptions gate = gateOf(arguments.gate);
+  gate.candidates = candidatesOf(arguments, comparison);
   checkFiles(arguments, comparison, files);
   const FoundMaps maps = findMaps(arguments, comparison);
   keepOthers(maps, comparison, arguments, files);

@@ -52,6 +52,6 @@ def check(map: MapLike, *, preset: str = "default", options: Optional[Options] =
     map: a simplemap; of a map without scans only what its walls show is told.
     preset, options: as for extract.
 
-    Raises DataError for a map that cannot be used, UsageError for an option that is none.
+    Raises DataError for a map that cannot be used, UsageError for an unknown option.
     """
     return RunCheck(_core.check(to_core(map), new_call(preset, options)))

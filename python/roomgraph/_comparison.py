@@ -112,7 +112,7 @@ def compare(
       raises ends the comparison, as Ctrl-C does.
 
     Maps that cannot be used are left out, see left_out. Raises DataError where none can be used,
-    UsageError for fewer than two, two of one name, or an option that is none.
+    UsageError for fewer than two, two of one name, or an unknown option.
     """
     given = None if reference is None else to_core(reference)
     compared = _core.compare(

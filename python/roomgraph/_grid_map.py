@@ -50,12 +50,12 @@ MapLike = Union[str, "os.PathLike[str]", GridMap]
 def to_core(given: MapLike) -> Union[bytes, _core.ArrayMap]:
     """What the extension module takes for a map."""
     if isinstance(given, np.ndarray):
-        raise _core.UsageError("an array is no map: give roomgraph.GridMap(array, resolution)")
+        raise _core.UsageError("an array is not a map: give roomgraph.GridMap(array, resolution)")
     if isinstance(given, GridMap):
         return given._to_core()
     if isinstance(given, (str, bytes, os.PathLike)):
         return os.fsencode(given)
-    raise _core.UsageError(f"{given!r} is no map: give a file or a roomgraph.GridMap")
+    raise _core.UsageError(f"{given!r} is not a map: give a file or a roomgraph.GridMap")
 
 
 def all_to_core(given: Iterable[MapLike]) -> List[Union[bytes, _core.ArrayMap]]:

@@ -118,7 +118,7 @@ def _place_of(given: Iterable[Any]) -> Place:
         name, *numbers = given
         place = Place(name, *(number(value, f"{name}: a coordinate") for value in numbers))
     except (TypeError, ValueError) as error:
-        raise _core.UsageError(f"{given!r} is no place: give name, x, y and yaw") from error
+        raise _core.UsageError(f"{given!r} is not a place: give name, x, y and yaw") from error
     if not isinstance(name, str) or not np.isfinite(place[1:]).all():
-        raise _core.UsageError(f"{given!r} is no place: give a str, metres and radians")
+        raise _core.UsageError(f"{given!r} is not a place: give a str, metres and radians")
     return place

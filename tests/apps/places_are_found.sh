@@ -7,7 +7,7 @@ for map in g/a.json "a.pgm --resolution 0.05"; do
   grep -q '^R0: a room' out || fail "not in the left room: $map"
   grep -q 'm wide, to ' out || fail "does not say where its door leads: $map"
   expect 0 "$roomgraph" route $map --from R0 --to 6 1
-  grep -qE '^[0-9.]+ m, at least [01]\.[0-9]+ m wide but for [0-9.]+ m straight' out ||
+  grep -qE '^[0-9.]+ m, at least [01]\.[0-9]+ m wide except for [0-9.]+ m in a straight line' out ||
     fail "no width"
   [ "$(sed -n 2p out)" = "  R0" ] || fail "does not start in R0: $map"
   tail -n 1 out | grep -q 'to R1$' || fail "does not end in R1: $map"

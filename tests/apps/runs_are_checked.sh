@@ -62,7 +62,7 @@ expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on rooms
 expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-above nan
 for list in broken,,doubled ,broken broken, ''; do
   expect 2 "$roomgraph" check "$maps"/office_run1.simplemap.gz --fail-on "$list"
-  one_line err --fail-on "'' is none of broken and doubled"
+  one_line err --fail-on "'' is not one of broken and doubled"
 done
 # An option of no use is told, by other commands, too.
 for options in "--layer nosuch" "--resolution 10"; do

@@ -113,7 +113,7 @@ TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
   EXPECT_EQ(adviceWith("contradicted", 0.2),
             no + "has drawn 20 % that others contradict, and that fits nowhere else" + stays);
   EXPECT_EQ(adviceWith("confirmed", 0.6),
-            no + "is borne out by others in 60 % of what it has drawn, less than 70 %" + stays);
+            no + "is confirmed by others in 60 % of what it has drawn, less than 70 %" + stays);
   EXPECT_EQ(adviceWith("confirmed", 0.75), "yes, the map of 1970-01-12 may be rolled out");
   EXPECT_EQ(adviceWith("walls_missing", 0.2),
             no + "lacks 20 % of the walls that others have" + stays);

@@ -53,7 +53,7 @@ TEST(ReasonOf, saysWhatNobodyBearsOut) {
   RunScore& score = *comparison.runs[0].score;
   score.confirmed = 0.8;
   EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; 20 % of what it has drawn no other run bears out"),
+                .find("; 20 % of what it has drawn no other run confirms"),
             std::string::npos);
   score.contradicted = 0.2;
   EXPECT_NE(reasonOf(comparison.runs[0], comparison)
@@ -72,7 +72,7 @@ TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
   Comparison unconfirmed = comparison, smeared = comparison, disputed = comparison;
   unconfirmed.runs[0].score->confirmed = 0.6;
   EXPECT_EQ(verdictOf(unconfirmed).find("a has the smallest error"), 0u);
-  EXPECT_NE(verdictOf(unconfirmed).find("But a is borne out by others in 60 % of what"),
+  EXPECT_NE(verdictOf(unconfirmed).find("But a is confirmed by others in 60 % of what"),
             std::string::npos);
   smeared.runs[0].score->jitter = 0.12;
   EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);

@@ -87,7 +87,7 @@ TEST(Gate, aMapThatNobodyBearsOutDoesNotPass) {
   EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
   comparison.runs[0].score->confirmed = 0.699;
   EXPECT_EQ(gateVerdict(comparison, options).complaints,
-            Lines{"good: is borne out by others in 69 % of what it has drawn, less than 70 %"});
+            Lines{"good: is confirmed by others in 69 % of what it has drawn, less than 70 %"});
   comparison.runs[0].score->confirmed = 0.99, comparison.runs[0].score->contradicted = 0.002;
   EXPECT_EQ(gateVerdict(comparison, options).complaints,
             Lines{"good: has drawn 1 % that others contradict, and that fits nowhere else"});

@@ -53,7 +53,7 @@ TEST(CheckPage, showsWhatIsDrawnTwiceAsDrawnAndAsItFits) {
   check.breaks.clear(), check.path[1].agreed = {1, 2, 0};
   check.doubled = {{{0, 0, 0, {}, {0, 0}}, {1, 1, 1, {}, {0, -2}}, 2, {0, 2, 0}}};
   const std::string page = checkPage(check, twoScans());
-  EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frame 0 and, 2.00 m beside"));
+  EXPECT_TRUE(has(page, "Place 1: at (0.0, 0.0) by key frame 0 and, 2.00 m away"));
   EXPECT_TRUE(has(page, "M3.00 -3.00h0")) << "the later scan's wall, 2 m farther, as it fits";
   EXPECT_TRUE(has(page, "d=\"M0.00 -0.00L0.00 2.00\"")) << "from one place to the other on the map";
 }

@@ -71,7 +71,7 @@ TEST(RunCheckText, isOneLineWithTheLargestBreak) {
   EXPECT_EQ(runCheckText(sampleCheck()),
             "a: 1 break, before key frame 17, "
             "45.0 degrees and -0.50 m; 1 place drawn twice, at (3.0, 4.0) by key frames 12 "
-            "to 30 and, 0.80 m beside, at (3.0, 4.8) by key frames 210 to 228; 1 place laid over "
+            "to 30 and, 0.80 m away, at (3.0, 4.8) by key frames 210 to 228; 1 place laid over "
             "another, at (1.0, 1.0) by key frames 40 to 45 and at (1.0, 1.5) by key "
             "frames 80 to 86; contradicts itself by 0.51 m\n");
 }

@@ -34,7 +34,7 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
         "found nowhere else",
         std::max(1.0, 100 * score.contradicted));
   if (score.confirmed < 1 - score.contradicted - kWorthAWord)
-    text += formatted("; %.0f %% of what it has drawn no other run bears out",
+    text += formatted("; %.0f %% of what it has drawn no other run confirms",
                       100 * (1 - score.confirmed));
   if (const Measure* added = run.addedWalls())
     text += formatted(
@@ -123,9 +123,12 @@ std::string verdictOf(const Comparison& result) {
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text = best.name + (isBest ? " is the best map" : " has the smallest error") +
                      // Of the figures as comparison.json holds them, from which others are made.
-                     formatted(", with score %.1f (%.1f to %.1f) and a map error of about %.2f m",
+                     formatted(", with score %.1f (%.1f to %.1f) and a map error ",
                                rounded(best.score->score), rounded(best.score->low),
-                               rounded(best.score->high), rounded(best.score->mapError));
+                               rounded(best.score->high)) +
+                     (best.score->mapError < 0.005
+                          ? "below 0.01 m"
+                          : formatted("of about %.2f m", rounded(best.score->mapError)));
   const std::vector<std::string> rivals = rivalsOf(best, result);
   if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
   const std::vector<std::string> doubts = doubtsAbout(best, result);

@@ -121,7 +121,7 @@ class Judge {
     if (!fault.empty()) return complain(run.name, fault);
     const double confirmed = run.score->confirmed;
     hold("confirmed", run.name, confirmed - kNearlyAll,
-         shareText("is borne out by others in", confirmed, kNearlyAll, "of what it has drawn"));
+         shareText("is confirmed by others in", confirmed, kNearlyAll, "of what it has drawn"));
   }
 
   /** A run that is smeared breaks at each of its key frames. */
@@ -222,7 +222,7 @@ class Judge {
                     *options_.maxWorse));
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
     if (options_.failsOnBreaks) lines.push_back("no break that is not slight");
-    if (options_.failsOnUnconfirmed) lines.push_back("a map that others bear out");
+    if (options_.failsOnUnconfirmed) lines.push_back("a map that others confirm");
     if (options_.failsOnOtherSites) lines.push_back("the same site");
     if (options_.failsOnWalls) lines.push_back("walls as the others have them");
     if (lines.empty()) lines.push_back("a map error that can be told");

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "roomgraph/base/Error.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
 #include "roomgraph/map_files/map_formats.h"
 
@@ -53,6 +55,13 @@ std::vector<std::string> runNames(const std::vector<std::string>& files) {
     names.push_back(given.insert(file).second ? name : firstFree(name, taken));
   }
   return names;
+}
+
+std::string nameOfRun(const std::string& given, const std::vector<std::string>& names,
+                      const std::string& option) {
+  for (const std::string& name : {given, utf8Text(mapStem(given))})
+    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  throw UsageError(option + ": there is no run " + given + ": name one of " + listed(names, 10));
 }
 
 }  // namespace roomgraph

@@ -106,10 +106,10 @@ std::string unconfirmedFault(double confirmed, double contradicted, double cover
                      std::max(1.0, 100 * contradicted));
   if (confirmed - std::min(1 - confirmed, 1 - coverage) >= kNearlyAll) return "";
   if (confirmed < kNearlyAll)
-    return formatted("is borne out by others in %.0f %% of what it has drawn, less than %.0f %%",
+    return formatted("is confirmed by others in %.0f %% of what it has drawn, less than %.0f %%",
                      std::floor(100 * confirmed), 100 * kNearlyAll);
   return formatted(
-      "has drawn %.0f %% that nobody bears out, and lacks %.0f %% of what others have: a part may "
+      "has drawn %.0f %% that no other run confirms, and lacks %.0f %% of what others have: a part may "
       "lie in a wrong place",
       100 * (1 - confirmed), 100 * (1 - coverage));
 }

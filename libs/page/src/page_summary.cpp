@@ -186,7 +186,7 @@ std::string navigationWord(const Comparison& comparison) {
     return start +
            "not good enough. Its key frames lie off each on its own, which smears its walls.";
   if (!best.isBorneOut())
-    return start + "cannot be told, not all of it is borne out by other runs.";
+    return start + "cannot be told, not all of it is confirmed by other runs.";
   return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";
 }
 

@@ -131,10 +131,10 @@ class Carrier {
     if (here.quality < kMajority) return "what lies around it looks otherwise on the new map";
     const double off = distance(here.pose.shift(), pose.shift());
     carried.error = std::hypot(carried.error, off);
-    if (off > fitted::kOwnPlace) return formatted("what lies around it lies %.1f m beside", off);
+    if (off > fitted::kOwnPlace) return formatted("its surroundings are shifted by %.1f m", off);
     for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)
-        return formatted("what lies around it fits better %.1f m beside",
+        return formatted("its surroundings fit better %.1f m away",
                          distance(other.pose.shift(), pose.shift()));
     return isPlaceSure_ || !looksAlikeElsewhere(place, view, here)
                ? ""

@@ -107,7 +107,7 @@ std::string runCheckText(const RunCheck& check) {
 }
 
 std::string doubledText(const DoubledPlace& place) {
-  return stretchText(place.one) + formatted(" and, %.2f m beside, ", place.apart) +
+  return stretchText(place.one) + formatted(" and, %.2f m away, ", place.apart) +
          stretchText(place.other);
 }
 

@@ -127,7 +127,7 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "A region whose area is less than this many squares round its largest disc is a "
                "leftover.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
-               "Where no disc of this diameter fits in is no room.");
+               "A region in which no disc of this diameter fits is no room.");
   table.number(
       section, "min_room_ratio", options.minRoomRatio, "", 0, 1,
       "Nor is a region narrower than this share of the median width of the map's space, up "

@@ -10,4 +10,9 @@ namespace roomgraph {
  *  names of files do not depend on their order. */
 std::vector<std::string> runNames(const std::vector<std::string>& files);
 
+/** The one of some names that a user means who gives it or the file of that run to an option.
+ *  @throws UsageError with some of the names where it is none. */
+std::string nameOfRun(const std::string& given, const std::vector<std::string>& names,
+                      const std::string& option);
+
 }  // namespace roomgraph
