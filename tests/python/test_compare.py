@@ -72,7 +72,7 @@ def test_arrays_are_compared_beside_each_other_and_files():
 
 
 def test_one_map_alone_is_no_comparison(runs):
-    with pytest.raises(roomgraph.UsageError, match="give two"):
+    with pytest.raises(roomgraph.UsageError, match="at least two"):
         roomgraph.compare(runs[:1])
 
 

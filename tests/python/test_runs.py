@@ -92,7 +92,7 @@ def test_carry_takes_arrays():
 def test_carry_refuses_what_is_no_place_and_maps_of_one_name():
     nan = float("nan")
     for place in (("dock", nan, 1), ("dock", 1, 1, nan), ("dock", 1), ("dock", 1, 1, 0, 0), (3, 1, 1)):
-        with pytest.raises(roomgraph.UsageError, match="is no place"):
+        with pytest.raises(roomgraph.UsageError, match="is not a place"):
             roomgraph.carry([place], drawn_flat("old"), drawn_flat("new"))
     with pytest.raises(roomgraph.UsageError, match="two maps are named old"):
         roomgraph.carry([("dock", 8.0, 1.0)], drawn_flat("old"), drawn_flat("old"))
