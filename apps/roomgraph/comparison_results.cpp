@@ -208,14 +208,16 @@ int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
     for (const std::string& line : comparison.gate->complaints) printError(line);
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });
-  const bool isOfOtherSite =
-      gate.failsOnOtherSites && std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
-                                            [](const LeftOutRun& run) { return run.isOtherSite; });
-  if (gateFails && (isCompared || isOfOtherSite)) return kGateFailed;
+  const bool areSeveralSites =
+      std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
+                  [](const LeftOutRun& run) { return run.isOtherSite; });
+  const bool isAskedForSites = gate.failsOnOtherSites && areSeveralSites;
+  if (gateFails && (isCompared || isAskedForSites)) return kGateFailed;
   if (isCompared) return kDone;
-  printError(comparison.runs.size() < 2
-                 ? "compare: nothing was compared: no two maps lie in one site"
-                 : "compare: nothing was compared: no walls could be followed from map to map");
+  const char* reason = comparison.runs.size() > 1 ? "no walls could be followed from map to map"
+                       : areSeveralSites          ? "no two maps lie in one site"
+                                                  : "only one map could be used";
+  printError(std::string("compare: nothing was compared: ") + reason);
   return kBadData;
 }
 

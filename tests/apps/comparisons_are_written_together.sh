@@ -18,6 +18,7 @@ diff -r o before
 # One is enough.
 expect 1 "$roomgraph" compare junk.gridmap c.gridmap.gz -o one
 grep -q '"name":"c"' one/comparison.json || fail "no results of one map"
+grep -q "nothing was compared: only one map could be used" err || fail "another reason"
 
 # No room for the report, the last and largest file.
 sed -i 's/"name":"R3"/"name":"Kitchen"/' o/site.json before/site.json
