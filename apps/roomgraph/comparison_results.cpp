@@ -208,9 +208,8 @@ int exitCodeOf(const Comparison& comparison, const GateOptions& gate) {
     for (const std::string& line : comparison.gate->complaints) printError(line);
   const bool isCompared = std::any_of(comparison.runs.begin(), comparison.runs.end(),
                                       [](const ComparedRun& run) { return run.score.has_value(); });
-  const bool areSeveralSites =
-      std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
-                  [](const LeftOutRun& run) { return run.isOtherSite; });
+  const bool areSeveralSites = std::any_of(comparison.leftOut.begin(), comparison.leftOut.end(),
+                                           [](const LeftOutRun& run) { return run.isOtherSite; });
   const bool isAskedForSites = gate.failsOnOtherSites && areSeveralSites;
   if (gateFails && (isCompared || isAskedForSites)) return kGateFailed;
   if (isCompared) return kDone;

@@ -144,8 +144,7 @@ int runAlone(const RepairArguments& arguments) {
 
 int run(RepairArguments arguments) {
   const SiteArguments& site = arguments.site;
-  for (std::string& only : arguments.only)
-    only = nameOfRun(only, runNames(site.files), "--only");
+  for (std::string& only : arguments.only) only = nameOfRun(only, runNames(site.files), "--only");
   check(arguments);
   makeWritableFolder(site.folder);
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);

@@ -146,7 +146,8 @@ std::string routeText(const AskedMap& asked, const Route& route, const Whereabou
   const double width = 2 * route.minClearance - file.input.frame.resolution;
   std::string text = formatted("%.1f m, at least %.2f m wide", route.length, width);
   if (route.besideWays > file.input.frame.resolution) {
-    text += formatted(" except for %.1f m in a straight line to and from the ways", route.besideWays);
+    text +=
+        formatted(" except for %.1f m in a straight line to and from the ways", route.besideWays);
     if (!isFreeToWay(asked, from) || !isFreeToWay(asked, to)) text += ", not all of it free";
   }
   text += "\n  " + areaName(file, from.area) + "\n";

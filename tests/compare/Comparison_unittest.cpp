@@ -93,8 +93,8 @@ TEST(Comparison, whatNobodyBearsOutCountsTwiceWhereAsMuchIsLacking) {
   EXPECT_EQ(unconfirmedFault(0.7, 0, 1), "") << "as a wing of its own may be";
   EXPECT_EQ(unconfirmedFault(0.98, 0, 0.5), "") << "as a part of the site is";
   EXPECT_EQ(unconfirmedFault(0.75, 0, 0.8),
-            "has drawn 25 % that no other run confirms, and lacks 20 % of what others have: a part may "
-            "lie in a wrong place");
+            "has drawn 25 % that no other run confirms, and lacks 20 % of what others have: a part "
+            "may lie in a wrong place");
   EXPECT_EQ(unconfirmedFault(0.699, 0, 1),
             "is confirmed by others in 69 % of what it has drawn, less than 70 %");
   EXPECT_EQ(unconfirmedFault(0.99, 0.002, 1),

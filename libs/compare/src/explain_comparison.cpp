@@ -121,14 +121,13 @@ std::string verdictOf(const Comparison& result) {
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      valueOf(best.measures, "bend").value_or(0));
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
-  std::string text = best.name + (isBest ? " is the best map" : " has the smallest error") +
-                     // Of the figures as comparison.json holds them, from which others are made.
-                     formatted(", with score %.1f (%.1f to %.1f) and a map error ",
-                               rounded(best.score->score), rounded(best.score->low),
-                               rounded(best.score->high)) +
-                     (best.score->mapError < 0.005
-                          ? "below 0.01 m"
-                          : formatted("of about %.2f m", rounded(best.score->mapError)));
+  std::string text =
+      best.name + (isBest ? " is the best map" : " has the smallest error") +
+      // Of the figures as comparison.json holds them, from which others are made.
+      formatted(", with score %.1f (%.1f to %.1f) and a map error ", rounded(best.score->score),
+                rounded(best.score->low), rounded(best.score->high)) +
+      (best.score->mapError < 0.005 ? "below 0.01 m"
+                                    : formatted("of about %.2f m", rounded(best.score->mapError)));
   const std::vector<std::string> rivals = rivalsOf(best, result);
   if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
   const std::vector<std::string> doubts = doubtsAbout(best, result);

@@ -109,8 +109,8 @@ std::string unconfirmedFault(double confirmed, double contradicted, double cover
     return formatted("is confirmed by others in %.0f %% of what it has drawn, less than %.0f %%",
                      std::floor(100 * confirmed), 100 * kNearlyAll);
   return formatted(
-      "has drawn %.0f %% that no other run confirms, and lacks %.0f %% of what others have: a part may "
-      "lie in a wrong place",
+      "has drawn %.0f %% that no other run confirms, and lacks %.0f %% of what others have: a part "
+      "may lie in a wrong place",
       100 * (1 - confirmed), 100 * (1 - coverage));
 }
 

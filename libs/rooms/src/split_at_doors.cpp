@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "RegionGroups.h"
+#include "find_halls.h"
 #include "follow_corridors.h"
 #include "join_leftovers.h"
 #include "number_regions.h"
@@ -164,7 +165,13 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   // A joined region goes by the smallest of its parts, all of which are corridors.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
-  return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0);
+  const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
+  const Regions found = numbered();
+  const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
+  for (std::uint32_t v = 0; v < kinds.size(); ++v)
+    if (found.regionOf[v] != Regions::kNone && isHall[found.regionOf[v]])
+      kinds[v] = RegionKind::room;
+  return numbered();
 }
 
 }  // namespace roomgraph

@@ -1,0 +1,22 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "region_kinds.h"
+#include "roomgraph/rooms/Regions.h"
+#include "roomgraph/rooms/SplitAtDoorsOptions.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   VoronoiGraph and its Regions
+// Out:  which pieces of corridor are halls
+// Next: numberRegions
+
+/** Whether each region is corridor by its aisles alone: it goes round several islands that hold no
+ *  other region and are smaller together than its floor, and with them it would be as short as a
+ *  room. O(corners of islands * corners of their region). */
+std::vector<std::uint8_t> findHalls(const VoronoiGraph& voronoi, const Regions& regions,
+                                    const SplitAtDoorsOptions& options);
+
+}  // namespace roomgraph
