@@ -162,8 +162,9 @@ class ClutterFinder {
   bool isPieceOfWall(const Group& group) const {
     if (!group.isSeen()) return false;
     const auto isInLine = [&](Point start, Point direction) {
-      const auto ahead = wallEndFrom(start, direction), behind = wallEndFrom(start, -1 * direction);
-      return ahead && behind && metres(ahead->far + behind->far - 1) > maxSize_ &&
+      const auto ahead = wallEndFrom(start, direction);
+      const auto behind = ahead ? wallEndFrom(start, -1 * direction) : ahead;
+      return behind && metres(ahead->far + behind->far - 1) > maxSize_ &&
              2 * widthAcross(group, direction) >= std::max(ahead->thickness, behind->thickness);
     };
     const Point middle = group.middle(), along = directionOf(group);
