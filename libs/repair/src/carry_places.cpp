@@ -103,7 +103,7 @@ class Carrier {
     if (route.onward.nearest > fitted::kBeenThere)
       return flag(
           CarryState::unseen,
-          formatted("the nearest key frame of the new map is %.1f m away", route.onward.nearest));
+          formatted("on the new map the robot came no nearer than %.1f m", route.onward.nearest));
     const bool wasFree = !place.isCorner && stateAt(old_, was) == State::free;
     if (wasFree && stateAt(new_, point) == State::occupied &&
         !isFreeNear(new_, point, 3 * carried.error))
