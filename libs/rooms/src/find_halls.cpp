@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "roomgraph/rooms/trace_rooms.h"
 
@@ -17,24 +16,27 @@ std::vector<const Ring*> islandsOf(const Room& room, const Rooms& all) {
   std::vector<const Ring*> islands;
   for (const Ring& hole : room.polygon.holes) {
     const Polygon inside{hole, {}};
+    const Box box = boundingBox(hole);
     const auto isIn = [&](const Room& other) {
-      return &other != &room && sideOf(inside, other.widestPlace) == Side::inside;
+      return box.contains(other.widestPlace) && &other != &room &&
+             sideOf(inside, other.widestPlace) == Side::inside;
     };
     if (std::none_of(all.begin(), all.end(), isIn)) islands.push_back(&hole);
   }
   return islands;
 }
 
-/** How far the innermost corner of an island is from the outer ring [m]. */
-double depthOf(const Ring& outer, const std::vector<const Ring*>& islands) {
-  double deepest = 0;
+/** Whether a corner of an island is so far from the outer ring [m]. */
+bool areDeep(const std::vector<const Ring*>& islands, const Ring& outer, double far) {
+  std::size_t near = 0;  // what is near one corner is near the next one, too
   for (const Ring* island : islands)
     for (const Point corner : *island) {
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const Point wall : outer) nearest = std::min(nearest, squaredNorm(wall - corner));
-      deepest = std::max(deepest, nearest);
+      std::size_t seen = 0;
+      while (seen < outer.size() && squaredNorm(outer[near] - corner) >= far * far)
+        ++seen, near = (near + 1) % outer.size();
+      if (seen == outer.size()) return true;
     }
-  return std::sqrt(deepest);
+  return false;
 }
 
 bool isHall(const Room& room, const Rooms& all, const SplitAtDoorsOptions& options) {
@@ -43,8 +45,9 @@ bool isHall(const Room& room, const Rooms& all, const SplitAtDoorsOptions& optio
   if (islands.size() < kFewestIslands) return false;
   double filled = 0;
   for (const Ring* island : islands) filled += std::abs(signedArea(*island));
-  const double floor = area(room.polygon), width = 2 * depthOf(room.polygon.outer, islands);
-  return filled <= floor && floor + filled <= options.maxElongation * width * width;
+  const double floor = area(room.polygon);
+  const double radius = std::sqrt((floor + filled) / options.maxElongation) / 2;
+  return filled <= floor && areDeep(islands, room.polygon.outer, radius);
 }
 
 }  // namespace

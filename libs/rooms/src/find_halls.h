@@ -15,7 +15,7 @@ namespace roomgraph {
 
 /** Whether each region is corridor by its aisles alone: it goes round several islands that hold no
  *  other region and are smaller together than its floor, and with them it would be as short as a
- *  room. O(corners of islands * corners of their region). */
+ *  room. O(regions * islands + corners), as what is near one corner is near the next one, too. */
 std::vector<std::uint8_t> findHalls(const VoronoiGraph& voronoi, const Regions& regions,
                                     const SplitAtDoorsOptions& options);
 
