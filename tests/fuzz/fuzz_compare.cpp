@@ -1,5 +1,6 @@
 // Two to four tiny maps: compares them, writes all results and reads them back; then once more with
 // pairs out of a cache that somebody has changed and given the right checksum.
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -36,8 +37,8 @@ GreyMap nextMap(ByteSource& bytes, GreyMap map) {
         map.grey[bytes.below(unsigned(map.grey.size()))] = bytes.byte();
       return map;
     default:
-      map.frame.origin.x += bytes.oneOf(shifts);
-      map.frame.origin.y -= bytes.oneOf(shifts);
+      map.frame.origin.x = std::min(kFarthestOrigin, map.frame.origin.x + bytes.oneOf(shifts));
+      map.frame.origin.y = std::max(-kFarthestOrigin, map.frame.origin.y - bytes.oneOf(shifts));
       return map;
   }
 }

@@ -4,13 +4,12 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
-#include "roomgraph/map_files/map_formats.h"
 
 namespace roomgraph {
 namespace {
 
 bool isMeant(const std::string& name, const HistoryRun& run) {
-  return name == run.file || name == fileName(run.file) || name == mapStem(run.file) ||
+  return name == run.file || name == fileName(run.file) ||
          (name.size() >= 8 && run.sha256.compare(0, name.size(), name) == 0);
 }
 

@@ -135,6 +135,8 @@ LoadedMap readMap(const std::string& name, const LoadGridOptions& options, bool 
   std::optional<PlacedScans> scans;
   if (format.readRecording) scans = placeScans(format.readRecording(file), options);
   result.map = format.readGrid ? format.readGrid(file, options) : gridOfScans(*scans, options);
+  if (!result.map.grey.empty() && !result.map.frame.isSane())
+    refuse(name, "it lies over 10000 km off", "save it in a frame that begins near it");
   if (scans && wantsKeyframes)
     result.keyframes = makeKeyframes(*scans, options.maxDistanceInsertion);
   const Notes unused = unusedOptions(format, options);
