@@ -205,8 +205,8 @@ class ClutterFinder {
       while (count < most && isSolid(cellAt(from + double(count + 1) * to))) ++count;
       return count;
     };
-    const int length = 1 + run(place, direction);
-    const Point inside = place + (length / 2) * direction, across = turned(direction, M_PI / 2);
+    const int length = 1 + run(place, direction), half = length / 2;
+    const Point inside = place + double(half) * direction, across = turned(direction, M_PI / 2);
     const int thickness = 1 + run(inside, across) + run(inside, -1 * across);
     return kWallShape * thickness <= length ? thickness : 0;
   }
