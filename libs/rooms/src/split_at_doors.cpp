@@ -166,8 +166,9 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
   const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
-  const Regions found = numbered();
+  Regions found = numbered();
   const std::vector<std::uint8_t> isHall = findHalls(voronoi, found, options);
+  if (std::find(isHall.begin(), isHall.end(), 1) == isHall.end()) return found;
   for (std::uint32_t v = 0; v < kinds.size(); ++v)
     if (found.regionOf[v] != Regions::kNone && isHall[found.regionOf[v]])
       kinds[v] = RegionKind::room;
