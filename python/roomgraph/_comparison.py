@@ -108,8 +108,9 @@ def compare(
     preset, options: as for extract; those of a comparison are also known, such as
       {"compare.aligned": True} or {"compare.estimate_scale": True}.
     threads: how many maps or pairs to work on at once; 0 for one per core. It changes no number.
-    progress: called with how many maps, or then pairs, are done and how many there are. What it
-      raises ends the comparison, as Ctrl-C does.
+    progress: called with how many jobs of a step are done and how many it has: first maps, then
+      pairs, then a dozen shorter steps, each from 1 on. What it raises ends the comparison, as
+      Ctrl-C does.
 
     Maps that cannot be used are left out, see left_out. Raises DataError where none can be used,
     UsageError for fewer than two, two of one name, or an unknown option.
