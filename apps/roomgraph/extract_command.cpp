@@ -157,7 +157,7 @@ class Extraction {
     report_.out += summaryLine(mapFile_, stages.result);
     report_.out += keptOutLines(stages.result) + fileLines(files_);
     if (isMadeOfScans(stages.source.kind))
-      report_.out += "To see how good this run is: roomgraph check " + printable(mapFile_) + "\n";
+      report_.out += "To see how good this run is: roomgraph check '" + printable(mapFile_) + "'\n";
   }
 
   const std::string& mapFile_;

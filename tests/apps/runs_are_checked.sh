@@ -23,7 +23,7 @@ diff -r results again || fail "another result"
 
 # Who extracts a graph from scans is told that they say how good the map is.
 expect 0 "$roomgraph" extract "$maps"/office_run1.simplemap.gz "$maps"/office.gridmap.gz -o graphs --format json
-[ "$(grep -c "^To see how good this run is: roomgraph check $maps/office_run1.simplemap.gz$" out)" -eq 1 ] || { cat out; fail "one of the two maps has scans"; }
+[ "$(grep -c "^To see how good this run is: roomgraph check '$maps/office_run1.simplemap.gz'$" out)" -eq 1 ] || { cat out; fail "one of the two maps has scans"; }
 
 # A map without scans tells nothing, which is no error but for a gate.
 expect 0 "$roomgraph" check "$maps"/office.gridmap.gz -o grid
