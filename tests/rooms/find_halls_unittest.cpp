@@ -36,14 +36,18 @@ TEST(FindHalls, islandsThatAreLargerThanTheFloorAreBlocks) {
   EXPECT_EQ(hallsOf(Plan(100, 60).wall(7, 7, 40, 46).wall(54, 7, 40, 46)), 0);
 }
 
+TEST(FindHalls, islandsThatAreWiderThanTheAislesAreBlocksThoughTheFloorIsLarger) {
+  EXPECT_EQ(hallsOf(Plan(90, 50).wall(10, 10, 30, 30).wall(50, 10, 30, 30)), 0);
+}
+
 TEST(FindHalls, aLongCorridorWithBenchesIsNone) {
   EXPECT_EQ(hallsOf(Plan(200, 16).wall(40, 7, 8, 3).wall(140, 7, 8, 3)), 0);
 }
 
 TEST(FindHalls, anIslandWithARoomInItDoesNotCount) {
   const auto withRoom = [](bool isThere) {
-    Plan plan = Plan(80, 60).wall(10, 10, 4, 30).wall(40, 10, 24, 30);
-    return isThere ? plan.gap(43, 13, 18, 24).gap(50, 36, 4, 4) : plan;
+    Plan plan = Plan(120, 70).wall(20, 20, 4, 30).wall(62, 20, 24, 30);
+    return isThere ? plan.gap(65, 23, 18, 24) : plan;
   };
   EXPECT_EQ(hallsOf(withRoom(false)), 1);
   EXPECT_EQ(hallsOf(withRoom(true)), 0);

@@ -31,7 +31,7 @@ namespace roomgraph {
  *  on two sides to corridor that is about as wide by the mean over its whole length, or that opens
  *  into it, if it is longer than a niche, about as wide as it is. Pieces of corridor without a door
  *  between them become one. One that is corridor by its aisles alone is a room: it goes round
- *  several islands in which no other region lies, smaller together than its floor, and would be no
+ *  several islands in which no other region lies, none wider than its widest aisle, and would be no
  *  longer than a room without them, as a hall with shelves or desks. All widths are free ones,
  *  between the sides of obstacle cells of size `resolution` [m], not between their centres.
  *  `minClearance` keeps passages between neighbouring cells of a wall out [m]. Equal widths are
