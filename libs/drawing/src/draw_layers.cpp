@@ -169,8 +169,7 @@ LegendItem roomLegend(std::size_t count) {
 std::vector<LegendItem> stateLegend(const Grid& grid) {
   std::vector<LegendItem> items;
   const auto add = [&](State state, const char* label) {
-    if (std::find(grid.cells.begin(), grid.cells.end(), state) != grid.cells.end())
-      items.push_back(squareLegend(label, stateColour(state)));
+    if (grid.has(state)) items.push_back(squareLegend(label, stateColour(state)));
   };
   add(State::free, "free");
   add(State::occupied, "occupied");

@@ -176,24 +176,29 @@ class ClutterFinder {
     return false;
   }
 
-  /** The first wall in a direction, past other small things, if it ends there and no gap on the way
-   *  is wider than clutter is large. */
-  std::optional<WallEnd> wallEndFrom(Point middle, Point direction) const {
-    int gap = 0;
-    for (int step = 1; metres(gap) <= maxSize_; ++step) {
-      const Point place = middle + double(step) * direction;
-      const Cell c = cellAt(place);
+  /** How many steps it is to the first obstacle in a direction but for those with a mark, if no gap
+   *  on the way is wider [m]. */
+  std::optional<int> stepsToObstacle(Point from, Point direction, Mark passed,
+                                     double widest) const {
+    int gap = 0;  // cells
+    for (int step = 1; metres(gap) <= widest; ++step) {
+      const Cell c = cellAt(from + double(step) * direction);
       if (!grid_.frame.contains(c)) break;
       if (grid_.at(c) == State::free)
         ++gap;
-      else if (marks_[grid_.frame.index(c)] == Mark::small)
+      else if (marks_[grid_.frame.index(c)] == passed)
         gap = 0;
-      else if (const double thickness = thicknessAt(place, direction); thickness > 0)
-        return WallEnd{double(step), thickness};
       else
-        break;
+        return step;
     }
     return std::nullopt;
+  }
+
+  /** The first wall in a direction, past other small things, if it ends there. */
+  std::optional<WallEnd> wallEndFrom(Point middle, Point direction) const {
+    const auto far = stepsToObstacle(middle, direction, Mark::small, maxSize_);
+    const double thickness = far ? thicknessAt(middle + double(*far) * direction, direction) : 0;
+    return thickness > 0 ? std::optional(WallEnd{double(*far), thickness}) : std::nullopt;
   }
 
   /** Of a wall that begins at a place and goes on in a direction [cells]; 0 where none does, but
@@ -225,27 +230,12 @@ class ClutterFinder {
     const Point middle = group.middle();
     int walls = 0;
     for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
-      walls += hasWallFrom(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks)) ? 1 : 0;
+      walls += stepsToObstacle(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks), Mark::inGroup,
+                               maxTable_)
+                   ? 1
+                   : 0;
     mark(group, Mark::other);
     return 2 * walls > kLooks;
-  }
-
-  /** Whether another obstacle is no farther from the rim of the group round `middle` [cells] than
-   *  the largest table is long. */
-  bool hasWallFrom(Point middle, Point direction) const {
-    const GridFrame& frame = grid_.frame;
-    int gap = 0;  // cells behind the rim
-    for (int step = 1; gap * frame.resolution <= maxTable_; ++step) {
-      const Cell c = cellAt(middle + double(step) * direction);
-      if (!frame.contains(c)) return false;
-      if (grid_.at(c) == State::free)
-        ++gap;
-      else if (marks_[frame.index(c)] == Mark::inGroup)
-        gap = 0;
-      else
-        return true;
-    }
-    return false;
   }
 
   bool isAtBorder(Cell cell) const {

@@ -43,9 +43,8 @@ Stages prepare(const GreyMap& map, const ExtractOptions& options) {
 /** The flags of all cells go before the diagram needs their memory. */
 ObstacleCells obstaclesOf(const Stages& s) {
   // Without unknown cells a map is a drawing: beyond its border is outside, not unknown.
-  const std::vector<State>& cells = s.grid.cells;
-  const bool ringIsObstacle = s.options.thinObstacles.unknownIsObstacle &&
-                              std::find(cells.begin(), cells.end(), State::unknown) != cells.end();
+  const bool ringIsObstacle =
+      s.options.thinObstacles.unknownIsObstacle && s.grid.has(State::unknown);
   return obstacleCells(s.grid, thinObstacles(s.grid, s.options.thinObstacles), ringIsObstacle);
 }
 

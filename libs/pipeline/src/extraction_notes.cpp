@@ -69,8 +69,7 @@ bool runsOut(const Grid& grid) {
     isFree |= isFreeAt(x, 0) || isFreeAt(x, grid.frame.height - 1);
   for (int y = 0; y < grid.frame.height; ++y)
     isFree |= isFreeAt(0, y) || isFreeAt(grid.frame.width - 1, y);
-  return isFree &&
-         std::find(grid.cells.begin(), grid.cells.end(), State::unknown) == grid.cells.end();
+  return isFree && !grid.has(State::unknown);
 }
 
 }  // namespace
@@ -85,8 +84,7 @@ Notes extractionNotes(const Stages& s) {
   const auto note = [&](const char* code, const char* text) {
     notes.push_back({code, text, std::nullopt});
   };
-  const std::vector<State>& cells = s.grid.cells;
-  if (std::find(cells.begin(), cells.end(), State::free) == cells.end())
+  if (!s.grid.has(State::free))
     note("no_free_cell", "the map has no free cell, so its graph is empty");
   else if (s.obstacles.cells.empty())
     note("no_obstacle", "the map has no obstacle, so there is nothing to keep clear of");

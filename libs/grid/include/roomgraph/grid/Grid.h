@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Grid {
   [[nodiscard]] int countBeside(Cell c, State state) const {
     const auto is = [&](int dx, int dy) { return atOrUnknown({c.x + dx, c.y + dy}) == state; };
     return is(1, 0) + is(-1, 0) + is(0, 1) + is(0, -1);
+  }
+  /** Whether any cell is of this state. O(cells). */
+  [[nodiscard]] bool has(State state) const {
+    return std::find(cells.begin(), cells.end(), state) != cells.end();
   }
   [[nodiscard]] bool isFree(Point p) const { return atOrUnknown(frame.cellAt(p)) == State::free; }
 };
