@@ -39,10 +39,7 @@ double meanStrain(const PoseGraph& graph, const GraphRun& run, const NodePoses& 
 
 }  // namespace
 
-double beliefOf(double share) {
-  constexpr double kLeast = 1e-3;  // so that a group can come back
-  return std::max(kLeast, share * share);
-}
+double beliefOf(double share) { return std::max(kGivenUp, share * share); }
 
 double costOfGivingUp(const MatchGroup& group) {
   return fitted::kGivingUp * std::sqrt(double(group.edges.size()));

@@ -3,6 +3,7 @@
 
 #include "fitted_consensus.h"
 #include "roomgraph/consensus/PoseGraph.h"
+#include "roomgraph/consensus/belief.h"
 
 namespace roomgraph {
 
@@ -75,6 +76,13 @@ inline EdgeTerm matchTerm(const PoseEdge& match, double belief) {
 inline EdgeTerm termOf(const PoseGraph& graph, const PoseEdge& edge, const GraphTrust& trust) {
   return edge.group ? matchTerm(edge, trust.belief[edge.group])
                     : linkTerm(edge, trust.slack[graph.runOf(edge.from)]);
+}
+
+/** Whether an edge takes part in the solution. Groups that are given up would join look-alike
+ *  places all with all, which takes most of the time and moves nothing. */
+inline bool takesPart(const PoseEdge& edge, const GraphTrust& trust) {
+  const bool isOfOneNode = edge.from == edge.to;  // of a coarse graph: as it was found in itself
+  return !isOfOneNode && (!edge.group || trust.belief[edge.group] > kGivenUp);
 }
 
 /** The information of a measured pose, the inverse of its variances [1/rad^2, 1/m^2]. */

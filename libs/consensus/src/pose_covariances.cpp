@@ -47,7 +47,7 @@ void decompose(const PoseGraph& graph, const GraphTrust& trust, const NodePoses&
                Factor& factor) {
   Blocks blocks;
   for (const PoseEdge& edge : graph.edges)
-    if (edge.from != edge.to) addEdge(graph, edge, trust, poses, blocks);
+    if (takesPart(edge, trust)) addEdge(graph, edge, trust, poses, blocks);
   for (const NodeId node : poses.ids())
     addBlock(node, node, 1 / kFixed * Matrix3d::Identity(), blocks);
   for (const NodeId node : graph.reference ? graph.runs[graph.reference].nodes : poses.ids()) {

@@ -131,7 +131,7 @@ class Solver {
   }
 
   void addEdge(const PoseEdge& edge) {
-    if (edge.from == edge.to) return;  // of a coarse graph: one node as it was found in itself
+    if (!takesPart(edge, trust_)) return;
     const EdgeTerm term = termOf(graph_, edge, trust_);
     problem_.AddResidualBlock(new RelativePose(edge.measured, term.noise),
                               kernel(term.width, term.weight), values_[edge.from].data(),

@@ -14,9 +14,12 @@ inline bool isInlier(const PoseEdge& match, const PoseGap& gap, const PoseTolera
   return match.isSameScan || (gap.turn < within.turn && gap.place < within.place);
 }
 
-/** How far a group is believed of whose matches this share are inliers, 0 to 1. In a building that
- *  repeats itself a run is found in the wrong wing as a whole, which is one mistake, however many
- *  scans it has. */
+/** How far a group is believed that is given up. */
+constexpr double kGivenUp = 1e-3;
+
+/** How far a group is believed of whose matches this share are inliers, kGivenUp to 1. In a
+ *  building that repeats itself a run is found in the wrong wing as a whole, which is one mistake,
+ *  however many scans it has. */
 double beliefOf(double share);
 
 /** What it costs to give up a group, see docs/scoring.md, "Belief". Its matches are no independent
