@@ -1,10 +1,8 @@
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <memory>
@@ -37,25 +35,16 @@ int fileWith(const std::string& content) {
   return -1;
 }
 
-/** The command gets the signals that this program keeps back. */
-int spawn(const std::string& command, int input, pid_t& child) {
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  posix_spawnattr_init(&attributes);
+/** The shell runs the command, with the signals that this program keeps back. Only what may be called
+ *  between fork and exec. */
+[[noreturn]] void runShell(const char* command, int input) {
   sigset_t none;
   sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  std::string shell = "sh", option = "-c", text = command;
-  const std::array<char*, 4> arguments{shell.data(), option.data(), text.data(), nullptr};
-  const int failure =
-      posix_spawn(&child, "/bin/sh", &actions, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  posix_spawnattr_destroy(&attributes);
-  return failure;
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  dup2(input, STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  execl("/bin/sh", "sh", "-c", command, static_cast<char*>(nullptr));
+  _exit(kNoShell);
 }
 
 /** Calls a command of the shell with `input` on its stdin, its stdout going to stderr, and waits
@@ -64,10 +53,10 @@ int spawn(const std::string& command, int input, pid_t& child) {
 int callCommand(const std::string& command, const std::string& input) {
   const int file = fileWith(input);
   if (file < 0) return kNoShell;
-  pid_t child = 0;
-  const int failure = spawn(command, file, child);
+  const pid_t child = fork();
+  if (child == 0) runShell(command.c_str(), file);
   close(file);
-  if (failure != 0) return kNoShell;
+  if (child < 0) return kNoShell;
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
     if (errno != EINTR) return kNoShell;

@@ -27,6 +27,10 @@ class Writer {
     std::memcpy(raw, &wide, sizeof wide);
     bytes_.append(raw, sizeof wide);
   }
+  template <typename... T>
+  void numbers(const T&... values) {
+    (number(values), ...);
+  }
   void coordinate(double value) { number(value); }
   template <typename T>
   std::size_t count(const T& of) {
@@ -70,6 +74,10 @@ class Reader {
     isWhole_ = isWhole_ && holds<T>(wide);
     value = isWhole_ ? T(wide) : T();
   }
+  template <typename... T>
+  void numbers(T&... values) {
+    (number(values), ...);
+  }
   void coordinate(double& value) {
     number(value);
     isWhole_ = isWhole_ && std::isfinite(value);
@@ -106,44 +114,37 @@ void visitPose(Archive& archive, Pose& pose) {
 template <typename Archive, typename Candidate>
 void visitCandidate(Archive& archive, Candidate& c) {
   visitPose(archive, c.pose);
-  archive.number(c.evidence.close), archive.number(c.evidence.loose);
-  archive.number(c.evidence.slightly), archive.number(c.evidence.contradicted);
-  archive.number(c.evidence.known), archive.number(c.evidence.all);
-  archive.number(c.evidence.weakest), archive.number(c.evidence.overlap);
-  archive.number(c.evidence.common), archive.number(c.evidence.freeOnWall);
-  archive.number(c.score);
+  auto& e = c.evidence;
+  archive.numbers(e.close, e.loose, e.slightly, e.contradicted, e.known, e.all, e.weakest,
+                  e.overlap, e.common, e.freeOnWall, c.score);
 }
 
 template <typename Archive, typename AnAlignment>
-void visitAlignment(Archive& archive, AnAlignment& alignment) {
-  visitPose(archive, alignment.pose);
-  archive.number(alignment.confidence), archive.number(alignment.siteConfidence);
-  archive.number(alignment.overlap);
-  archive.number(alignment.isSameSite), archive.number(alignment.isAmbiguous);
-  archive.number(alignment.isMirrored), archive.number(alignment.isOnlySaid);
-  archive.number(alignment.runnerUpConfidence);
-  if (archive.isThere(alignment.best)) visitCandidate(archive, *alignment.best);
-  if (archive.isThere(alignment.runnerUp)) visitCandidate(archive, *alignment.runnerUp);
-  const std::size_t poses = archive.count(alignment.poses);
-  for (std::size_t i = 0; i < poses; ++i) visitPose(archive, alignment.poses[i]);
+void visitAlignment(Archive& archive, AnAlignment& a) {
+  visitPose(archive, a.pose);
+  archive.numbers(a.confidence, a.siteConfidence, a.overlap, a.isSameSite, a.isAmbiguous,
+                  a.isMirrored, a.isOnlySaid, a.runnerUpConfidence);
+  if (archive.isThere(a.best)) visitCandidate(archive, *a.best);
+  if (archive.isThere(a.runnerUp)) visitCandidate(archive, *a.runnerUp);
+  const std::size_t poses = archive.count(a.poses);
+  for (std::size_t i = 0; i < poses; ++i) visitPose(archive, a.poses[i]);
 }
 
 template <typename Archive, typename Walls>
 void visitWalls(Archive& archive, Walls& walls) {
   visitPose(archive, walls.pose);
-  archive.number(walls.bend), archive.number(walls.share), archive.number(walls.misfit);
+  archive.numbers(walls.bend, walls.share, walls.misfit);
   const std::size_t patches = archive.count(walls.patches);
   for (std::size_t i = 0; i < patches; ++i) {
     auto& patch = walls.patches[i];
-    archive.number(patch.patch), archive.number(patch.walls), archive.number(patch.layer);
+    archive.numbers(patch.patch, patch.walls, patch.layer);
     visitPose(archive, patch.pose);
   }
 }
 
 template <typename Archive, typename Pair>
 void visitPair(Archive& archive, Pair& pair) {
-  archive.number(pair.areIdentical), archive.number(pair.areEdits);
-  archive.number(pair.areStoreys);
+  archive.numbers(pair.areIdentical, pair.areEdits, pair.areStoreys);
   visitAlignment(archive, pair.alignment);
   visitWalls(archive, pair.bInA);
   visitWalls(archive, pair.aInB);
