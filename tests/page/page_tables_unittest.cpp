@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mustache_values.h"
 #include "sample_comparison.h"
 
 namespace roomgraph {
@@ -11,7 +12,7 @@ using test::sample;
 
 /** What a template makes of the tables. */
 std::string shown(const Comparison& comparison, const std::string& text) {
-  return kainjow::mustache::mustache(text).render(pageTables(comparison));
+  return kainjow::mustache::mustache(text).render(mustacheValues(pageTables(comparison)));
 }
 
 TEST(PageTables, runsStandInTheOrderOfTheirRanks) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mustache_values.h"
+
 namespace roomgraph {
 namespace {
 
@@ -19,9 +21,8 @@ SiteRoom room(const std::string& id, const std::vector<std::string>& runs) {
 }
 
 std::string shownRows(const std::vector<SiteRoom>& rooms, const std::string& text) {
-  kainjow::mustache::data page;
-  page.set("rooms", roomRows(rooms));
-  return kainjow::mustache::mustache("{{#rooms}}" + text + "{{/rooms}}").render(page);
+  return kainjow::mustache::mustache("{{#rooms}}" + text + "{{/rooms}}")
+      .render(mustacheValues({{"rooms", roomRows(rooms)}}));
 }
 
 TEST(RoomRows, aRoomThatAllHaveAlikeIsTheSame) {

@@ -1,6 +1,7 @@
 #include "roomgraph/page/comparison_report.h"
 
 #ifdef ROOMGRAPH_DRAWS_REPORT
+#include "mustache_values.h"
 #include "page_data.h"
 #include "page_files.h"
 #include "page_tables.h"
@@ -12,7 +13,7 @@ namespace roomgraph {
 
 #ifdef ROOMGRAPH_DRAWS_REPORT
 std::string comparisonReport(const Comparison& comparison, const std::vector<Run>& runs) {
-  kainjow::mustache::data page = pageTables(comparison);
+  kainjow::mustache::data page = mustacheValues(pageTables(comparison));
   page.set("leafletStyle", page_files::kLeafletCss);
   page.set("leaflet", page_files::kLeafletJs);
   page.set("d3", page_files::kD3Js);

@@ -6,10 +6,10 @@
 
 #include "page_data.h"
 #include "page_summary.h"
-#include "page_values.h"
 #include "room_rows.h"
 #include "roomgraph/align/alignment_confidence.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/version.h"
 #include "roomgraph/drawing/run_marks.h"
@@ -18,11 +18,6 @@
 
 namespace roomgraph {
 namespace {
-
-using kainjow::mustache::data;
-using page_values::flag;
-using page_values::rowsOf;
-using page_values::text;
 
 /** "0.12" for metres, "93 %" for shares. */
 std::string valueText(std::optional<double> value, const std::string& unit) {
@@ -58,17 +53,16 @@ std::string labelOf(const Measure& measure) {
   return kind ? kind->label : measure.name;
 }
 
-data measureCell(const Measure* measure) {
-  data cell;
-  cell.set("value", measure ? valueText(measure->value, measure->unit) : "–");
+Json measureCell(const Measure* measure) {
+  Json cell{{"value", measure ? valueText(measure->value, measure->unit) : "–"},
+            {"weak", !measure || !measure->isMeaningful}};
   const bool isShare = measure && measure->unit == "1";
   const auto scaled = [&](std::optional<double> value) -> std::optional<double> {
     if (!value) return std::nullopt;
     return isShare ? 100 * *value : *value;
   };
   if (measure)
-    cell.set("range", rangeText(scaled(measure->low), scaled(measure->high), isShare ? 0 : 2));
-  cell.set("weak", flag(!measure || !measure->isMeaningful));
+    cell["range"] = rangeText(scaled(measure->low), scaled(measure->high), isShare ? 0 : 2);
   return cell;
 }
 
@@ -78,95 +72,84 @@ class Tables {
     for (const ComparedRun& run : comparison.runs) places_.emplace(run.name, places_.size());
   }
 
-  data runs() const {
+  Json runs() const {
     return rowsOf(comparison_.runs,
                   [&](const ComparedRun& run, std::size_t i) { return runRow(run, i); });
   }
 
-  data measureNames() const {
+  Json measureNames() const {
     return rowsOf(allMeasures(), [](const Measure& measure, std::size_t) {
-      data name;
-      name.set("name", text(labelOf(measure)));
-      name.set("unit", unitText(measure.unit));
-      return name;
+      return Json{{"name", labelOf(measure)}, {"unit", unitText(measure.unit)}};
     });
   }
 
-  data breaks() const {
+  Json breaks() const {
     return rowsOf(comparison_.breaks, [&](const MapBreak& tear, std::size_t i) {
-      data row = runCell(tear.run);
-      row.set("index", std::to_string(i));
-      row.set("x", fixedText(tear.place.x, 1));
-      row.set("y", fixedText(tear.place.y, 1));
-      row.set("turn", fixedText(tear.rotation * 180 / M_PI, 1));
-      row.set("shift", fixedText(tear.shift, 2));
-      row.set("class", nameOf(tear.kind()));
-      row.set("frame", tear.keyFrame ? std::to_string(*tear.keyFrame) : "–");
-      row.set("time", tear.time ? timeText(*tear.time) : "–");
+      Json row = runCell(tear.run);
+      row["index"] = std::to_string(i);
+      row["x"] = fixedText(tear.place.x, 1);
+      row["y"] = fixedText(tear.place.y, 1);
+      row["turn"] = fixedText(tear.rotation * 180 / M_PI, 1);
+      row["shift"] = fixedText(tear.shift, 2);
+      row["class"] = nameOf(tear.kind());
+      row["frame"] = tear.keyFrame ? std::to_string(*tear.keyFrame) : "–";
+      row["time"] = tear.time ? timeText(*tear.time) : "–";
       return row;
     });
   }
 
-  data pairs() const {
+  Json pairs() const {
     return rowsOf(comparison_.pairs, [](const ComparedPair& pair, std::size_t) {
-      data row;
-      row.set("a", text(pair.a));
-      row.set("b", text(pair.b));
-      row.set("same", flag(pair.isSameSite));
-      row.set("confidence", fixedText(pair.confidence, 2));
-      row.set("doubtful", flag(pair.isSameSite && pair.confidence < kSureConfidence));
-      row.set("overlap", pair.transform ? percentText(pair.overlap) : "–");
-      row.set("distance", valueText(valueOf(pair.measures, "wall_distance"), "m"));
-      row.set("runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–");
-      return row;
+      return Json{{"a", pair.a},
+                  {"b", pair.b},
+                  {"same", pair.isSameSite},
+                  {"confidence", fixedText(pair.confidence, 2)},
+                  {"doubtful", pair.isSameSite && pair.confidence < kSureConfidence},
+                  {"overlap", pair.transform ? percentText(pair.overlap) : "–"},
+                  {"distance", valueText(valueOf(pair.measures, "wall_distance"), "m")},
+                  {"runnerUp", pair.runnerUp ? fixedText(pair.runnerUpConfidence, 2) : "–"}};
     });
   }
 
-  data leftOut() const {
+  Json leftOut() const {
     return rowsOf(comparison_.leftOut, [](const LeftOutRun& run, std::size_t) {
-      data row;
-      row.set("name", text(run.name));
-      row.set("file", text(fileName(run.file)));
-      row.set("reason", text(run.reason));
-      return row;
+      return Json{{"name", run.name}, {"file", fileName(run.file)}, {"reason", run.reason}};
     });
   }
 
  private:
-  data runCell(const std::string& name) const {
+  Json runCell(const std::string& name) const {
     const auto found = places_.find(name);
     const std::size_t place = found == places_.end() ? 0 : found->second;
-    data cell;
-    cell.set("run", text(name));
-    cell.set("colour", colourText(place));
-    cell.set("shape", runShape(place));
-    cell.set("pattern", std::to_string(int(runPattern(place))));
-    return cell;
+    return {{"run", name},
+            {"colour", colourText(place)},
+            {"shape", runShape(place)},
+            {"pattern", std::to_string(int(runPattern(place)))}};
   }
 
-  data runRow(const ComparedRun& run, std::size_t i) const {
-    data row = runCell(run.name);
-    row.set("index", std::to_string(i));
-    row.set("rank", run.rank ? std::to_string(run.rank) : "–");
-    row.set("isReference", flag(comparison_.reference == run.name));
-    row.set("file", text(fileName(run.file)));
-    row.set("hash", text(run.sha256));
-    row.set("dates", datesOf(run.path));
-    row.set("reason", text(run.reason));
-    row.set("weak", flag(run.score && !run.score->isMeaningful));
-    row.set("score", run.score ? fixedText(run.score->score, 1) : "–");
-    row.set("error", run.score ? fixedText(run.score->mapError, 2) : "–");
+  Json runRow(const ComparedRun& run, std::size_t i) const {
+    Json row = runCell(run.name);
+    row["index"] = std::to_string(i);
+    row["rank"] = run.rank ? std::to_string(run.rank) : "–";
+    row["isReference"] = comparison_.reference == run.name;
+    row["file"] = fileName(run.file);
+    row["hash"] = run.sha256;
+    row["dates"] = datesOf(run.path);
+    row["reason"] = run.reason;
+    row["weak"] = run.score && !run.score->isMeaningful;
+    row["score"] = run.score ? fixedText(run.score->score, 1) : "–";
+    row["error"] = run.score ? fixedText(run.score->mapError, 2) : "–";
     if (run.score) {
-      row.set("scoreRange", rangeText(run.score->low, run.score->high, 1));
-      row.set("errorRange", rangeText(run.score->errorLow, run.score->errorHigh, 2));
+      row["scoreRange"] = rangeText(run.score->low, run.score->high, 1);
+      row["errorRange"] = rangeText(run.score->errorLow, run.score->errorHigh, 2);
     }
-    row.set("breaks", std::to_string(breaksOf(run.name)));
+    row["breaks"] = std::to_string(breaksOf(run.name));
     const Measure* coverage = find(run.measures, "coverage");
-    row.set("coverage", coverage ? valueText(coverage->value, coverage->unit) : "–");
-    row.set("measures", rowsOf(allMeasures(), [&](const Measure& measure, std::size_t) {
-              return measureCell(find(run.measures, measure.name));
-            }));
-    row.set("isShown", flag(isShownAtFirst(i)));
+    row["coverage"] = coverage ? valueText(coverage->value, coverage->unit) : "–";
+    row["measures"] = rowsOf(allMeasures(), [&](const Measure& measure, std::size_t) {
+      return measureCell(find(run.measures, measure.name));
+    });
+    row["isShown"] = isShownAtFirst(i);
     return row;
   }
 
@@ -193,58 +176,49 @@ class Tables {
   std::map<std::string, std::size_t> places_;
 };
 
-data optionRows(const std::vector<UsedOption>& options) {
+Json optionRows(const std::vector<UsedOption>& options) {
   return rowsOf(options, [](const UsedOption& option, std::size_t) {
-    data row;
-    row.set("key", text(option.section + (option.section.empty() ? "" : ".") + option.name));
-    row.set("value", text(option.value));
-    row.set("unit", text(option.unit));
-    row.set("sentence", text(option.sentence));
-    return row;
+    return Json{{"key", option.section + (option.section.empty() ? "" : ".") + option.name},
+                {"value", option.value},
+                {"unit", option.unit},
+                {"sentence", option.sentence}};
   });
 }
 
-data heatRows() {
+Json heatRows() {
   return rowsOf(heatColours(), [](const Colour& c, std::size_t i) {
-    data row;
-    row.set("colour", "rgb(" + std::to_string(c.red) + "," + std::to_string(c.green) + "," +
-                          std::to_string(c.blue) + ")");
-    row.set("upTo", std::to_string(10 * (i + 1)));
-    return row;
+    return Json{{"colour", formatted("rgb(%d,%d,%d)", c.red, c.green, c.blue)},
+                {"upTo", std::to_string(10 * (i + 1))}};
   });
 }
 
 }  // namespace
 
-data pageTables(const Comparison& comparison) {
+Json pageTables(const Comparison& comparison) {
   const Tables tables(comparison);
-  data page;
-  page.set("version", version());
   // The first sentence is the headline, what qualifies it stands below.
-  const std::size_t end = std::min(comparison.verdict.find(". "), comparison.verdict.size() - 1);
-  page.set("verdict", text(comparison.verdict.substr(0, end + 1)));
-  page.set("caveats",
-           text(comparison.verdict.substr(std::min(end + 2, comparison.verdict.size()))));
-  page.set("counts", pageCounts(comparison));
-  page.set("summary", rowsOf(pageSummary(comparison), [](const std::string& sentence, std::size_t) {
-             return text(sentence);
-           }));
-  page.set("runs", tables.runs());
-  page.set("runsAreMany", flag(comparison.runs.size() > 30));
-  page.set("measureNames", tables.measureNames());
-  page.set("command", text(commandLine(comparison)));
-  page.set("hasPairs", flag(comparison.runs.size() > 1));
-  page.set("hasRooms", flag(!comparison.rooms.empty()));
-  page.set("rooms", roomRows(comparison.rooms));
-  page.set("hasBreaks", flag(!comparison.breaks.empty()));
-  page.set("breaks", tables.breaks());
-  page.set("pairs", tables.pairs());
-  page.set("pairsAreFew", flag(comparison.pairs.size() <= 60));
-  page.set("hasLeftOut", flag(!comparison.leftOut.empty()));
-  page.set("leftOut", tables.leftOut());
-  page.set("options", optionRows(comparison.options));
-  page.set("heat", heatRows());
-  return page;
+  const std::string& verdict = comparison.verdict;
+  const std::size_t end = std::min(verdict.find(". "), verdict.size() - 1);
+  return {{"version", version()},
+          {"verdict", verdict.substr(0, end + 1)},
+          {"caveats", verdict.substr(std::min(end + 2, verdict.size()))},
+          {"counts", pageCounts(comparison)},
+          {"summary", pageSummary(comparison)},
+          {"runs", tables.runs()},
+          {"runsAreMany", comparison.runs.size() > 30},
+          {"measureNames", tables.measureNames()},
+          {"command", commandLine(comparison)},
+          {"hasPairs", comparison.runs.size() > 1},
+          {"hasRooms", !comparison.rooms.empty()},
+          {"rooms", roomRows(comparison.rooms)},
+          {"hasBreaks", !comparison.breaks.empty()},
+          {"breaks", tables.breaks()},
+          {"pairs", tables.pairs()},
+          {"pairsAreFew", comparison.pairs.size() <= 60},
+          {"hasLeftOut", !comparison.leftOut.empty()},
+          {"leftOut", tables.leftOut()},
+          {"options", optionRows(comparison.options)},
+          {"heat", heatRows()}};
 }
 
 }  // namespace roomgraph

@@ -1,13 +1,21 @@
 #pragma once
 #include <vector>
 
-#include "kainjow/mustache.hpp"
+#include "roomgraph/base/Json.h"
 #include "roomgraph/compare/Comparison.h"
 
 namespace roomgraph {
 
+/** A list with what `toRow` makes of each thing and its place, in their order. */
+template <class Things, class ToRow>
+Json rowsOf(const Things& things, const ToRow& toRow) {
+  Json rows = Json::array();
+  for (const auto& thing : things) rows.push_back(toRow(thing, rows.size()));
+  return rows;
+}
+
 /** The ledger of the page's template, a row for each room: who has seen it, the largest shift, and
  *  in how many runs it is split, merged, or has other doors. */
-kainjow::mustache::data roomRows(const std::vector<SiteRoom>& rooms);
+Json roomRows(const std::vector<SiteRoom>& rooms);
 
 }  // namespace roomgraph
