@@ -35,8 +35,8 @@ int fileWith(const std::string& content) {
   return -1;
 }
 
-/** The shell runs the command, with the signals that this program keeps back. Only what may be called
- *  between fork and exec. */
+/** The shell runs the command, with the signals that this program keeps back. Calls only what may
+ *  be called between fork and exec. */
 [[noreturn]] void runShell(const char* command, int input) {
   sigset_t none;
   sigemptyset(&none);
