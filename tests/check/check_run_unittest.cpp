@@ -33,6 +33,21 @@ TEST(CheckRun, aTornRunIsToldBeforeItsFirstKeyFrameBehindTheTear) {
   }
 }
 
+TEST(CheckRun, aRunThatBendsLittleByLittleHasNoBreak) {
+  const std::vector<Keyframe> sound = test::driveForthAndBack();
+  for (const double turn : {0.006, -0.006}) {  // of each step, as of a gyro
+    std::vector<Keyframe> bent = sound;
+    for (std::size_t k = 1; k < bent.size(); ++k)
+      bent[k].pose =
+          bent[k - 1].pose * sound[k - 1].pose.inverse() * sound[k].pose * Transform2D{0, 0, turn};
+    const RunCheck check = checked(bent);
+    EXPECT_TRUE(check.breaks.empty()) << turn;
+    ASSERT_TRUE(check.selfError) << turn;
+    EXPECT_GT(*check.selfError, 0.5);
+    EXPECT_NE(check.sentence.find("contradicts itself by"), std::string::npos);
+  }
+}
+
 TEST(CheckRun, ofWhatWasDrivenOnceNothingIsTold) {
   const auto& once = test::driveOnce();
   const RunCheck check = checked({once.begin(), once.begin() + 20});
