@@ -22,7 +22,7 @@ std::string geojsonOf(const Stages& stages) {
 const ObstacleCells kNoObstacle{{1, 1, 1, {}}, {}};
 
 struct Features {
-  std::vector<Json> nodes, edges, polygons, lines;
+  std::vector<Json> nodes, edges, polygons, passages;
 };
 
 /** Sorted by the type of geometry, as nav2's loader does it. */
@@ -33,7 +33,8 @@ Features features(const std::string& text) {
     const std::string type = feature["geometry"]["type"];
     (type == "Point"             ? sorted.nodes
      : type == "MultiLineString" ? sorted.edges
-     : type == "LineString"      ? sorted.lines
+     : type == "LineString"      ? sorted.edges
+     : type == "MultiPoint"      ? sorted.passages
                                  : sorted.polygons)
         .push_back(feature);
   }
@@ -114,16 +115,16 @@ TEST(Geojson, roomsHaveNoStairsOfOneCell) {
   EXPECT_LE(features(geojsonOf(stages)).polygons[0]["geometry"]["coordinates"][0].size(), 6u);
 }
 
-TEST(Geojson, passagesAreLinesFromEndToEnd) {
+TEST(Geojson, passagesAreTheirTwoEnds) {
   const Stages stages = sampleStages();
-  const std::vector<Json> lines = features(geojsonOf(stages)).lines;
-  ASSERT_EQ(lines.size(), stages.areas.passages.size());
-  EXPECT_EQ(lines[0]["geometry"]["coordinates"], Json({{3.45, 2.55}, {3.45, -1.55}}));
-  EXPECT_EQ(lines[0]["properties"], Json({{"passage", 0},
-                                          {"width", 4.1},
-                                          {"confidence", 0.8765},
-                                          {"evidence", "wall_on_both_sides"}}));
-  EXPECT_EQ(lines[1]["properties"], Json({{"passage", 1}, {"width", 0.9552}}));
+  const std::vector<Json> passages = features(geojsonOf(stages)).passages;
+  ASSERT_EQ(passages.size(), stages.areas.passages.size());
+  EXPECT_EQ(passages[0]["geometry"]["coordinates"], Json({{3.45, 2.55}, {3.45, -1.55}}));
+  EXPECT_EQ(passages[0]["properties"], Json({{"passage", 0},
+                                             {"width", 4.1},
+                                             {"confidence", 0.8765},
+                                             {"evidence", "wall_on_both_sides"}}));
+  EXPECT_EQ(passages[1]["properties"], Json({{"passage", 1}, {"width", 0.9552}}));
 }
 
 /** nav2's loader throws at null, wherever in the properties it is. */

@@ -120,7 +120,7 @@ class Writer {
     if (passage.evidence)
       properties.number("confidence", passage.evidence->confidence)
           .quoted("evidence", nameOf(passage.evidence->reason));
-    addFeature(properties, "LineString",
+    addFeature(properties, "MultiPoint",
                "[" + pointText(passage.from) + "," + pointText(passage.to) + "]");
   }
 

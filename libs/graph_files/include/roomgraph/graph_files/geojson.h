@@ -28,8 +28,9 @@ namespace roomgraph {
  *  the highest speed], 100 from 1 m of clearance on, less in proportion, at least 20; penalty: for
  *  PenaltyScorer [m], what the robot could drive in the time that this speed costs}; rooms are
  *  Polygons, off by a cell at most, with room, area, inscribed_radius and, where there are
- *  `roomNames` (by RoomId; more may follow), name; `passages` are LineStrings from end to end with
- *  passage (their number), width, confidence and evidence (Passage). nav2 skips both.
+ *  `roomNames` (by RoomId; more may follow), name; `passages` are MultiPoints, their two ends, with
+ *  passage (their number), width, confidence and evidence (Passage). nav2 skips both, but not
+ *  lines: since 2025 it takes each LineString for an edge, too, and stops at one without ids.
  *  class (SemanticScorer) is that of the vertex ("border", "room", ...), "bend", or of the edge
  *  ("room", "way", "corridor"). All numbers but ids have a point, as nav2 casts metadata to float
  *  and stops at an integer. It refuses a graph without edges, and a node without one is none: a
