@@ -81,7 +81,7 @@ expect 0 "$share/parallel/night" short.csv short.db short --resolution 0.05
 # An alarm ends the night with another code: here by hand, as if five nights had been bad.
 sqlite3 short.db "UPDATE figure SET value = 2 WHERE name = 'map_error_m'"
 expect 3 "$share/parallel/night" short.csv short.db short --resolution 0.05
-one_line err "its map is above the limit"
+one_line err "above the limit of 0.30 m"
 
 # With GNU parallel.
 expect 1 "$share/parallel/night" list.csv parallel.db parallel --resolution 0.05

@@ -18,6 +18,17 @@ for folder in 'my night' 'n$(touch pwned)' 'n;touch pwned;x' "it's"; do
   [ "$(sqlite3 a.db 'SELECT count(*) FROM run')" = 2 ] || { cat err; fail "nothing is done in '$folder'"; }
   [ -s "$folder/fleet.html" ] || fail "no page in '$folder'"
 done
+cp list.csv -- -list.csv
+expect 0 "$night" -list.csv -a.db -folder --resolution 0.05
+[ -s ./-a.db ] && [ -s ./-folder/fleet.html ] || fail "names with a dash are lost"
+expect 2 "$night" list.csv a.db options --no-such-option
+one_line err no-such-option
+# One night at a time in a folder.
+(flock 9; sleep 5) 9> -folder/lock &
+sleep 0.5
+expect 1 "$night" list.csv a.db -folder --resolution 0.05
+one_line err "another night is at work in ./-folder"
+wait
 [ ! -e pwned ] || fail "the name of a folder was executed"
 
 # A line that is wrong costs itself alone, and is told; a list without any run is an export that has failed.
