@@ -33,7 +33,7 @@ std::string lineOf(const std::string& file, const AddedRun& run) {
   if (run.score && run.score->isMeaningful) {
     text += formatted("map error %.3f m, score %.0f: ", run.score->mapError, run.score->score);
   } else if (run.isPlaced) {
-    text += "added, too few runs to judge it yet: ";
+    text += "added, not judged yet: ";
   } else {
     text += "added as a run of another site: ";
   }

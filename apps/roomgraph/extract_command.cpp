@@ -178,7 +178,7 @@ void declareResults(ExtractArguments& arguments, CLI::App& app) {
       ->capture_default_str();
   addOption(app, "--keep-out ROOM", arguments.keptOut,
             "A room that robots must not enter, as X.json numbers it (R3), for the format keepout. "
-            "May be repeated.")
+            "Repeat it for more: --keep-out R3 --keep-out R4.")
       ->allow_extra_args(false);
   addOption(app, "--stages DIR", arguments.stagesFolder,
             "Also draw every step of the extraction, into DIR/X.");

@@ -134,7 +134,7 @@ class Carrier {
     if (off > fitted::kOwnPlace) return formatted("its surroundings are shifted by %.1f m", off);
     for (const ScanFit& other : findScan(view, new_, pose, kRoughly, 1))
       if (other.score * kRivalScore > here.score)
-        return formatted("its surroundings fit better %.1f m away",
+        return formatted("its surroundings fit better %.2f m away",
                          distance(other.pose.shift(), pose.shift()));
     return isPlaceSure_ || !looksAlikeElsewhere(place, view, here)
                ? ""

@@ -195,6 +195,9 @@ std::string nameOfFeature(const Json& feature) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number()) return value.dump();
   }
+  for (const char* kind : {"room", "passage"})  // of extract's
+    if (const Json& value = propertyOf(feature, kind); value.is_number())
+      return std::string(kind) + " " + value.dump();
   return "";
 }
 
