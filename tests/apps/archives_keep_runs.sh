@@ -126,9 +126,9 @@ cp site.db bad.db
 sqlite3 bad.db "UPDATE figure SET value = 2 WHERE name = 'map_error_m';
   UPDATE run SET robot = 'anna'"
 expect 0 "$roomgraph" archive bad.db report
-grep -q '^  anna: no, .*; its map is above the limit of 0.30 m; no good one is known$' out || { cat out; fail "no alarm"; }
+grep -q '^  anna: no, .*; its latest maps are above the limit of 0.30 m; no good one is known$' out || { cat out; fail "no alarm"; }
 expect 3 "$roomgraph" archive bad.db report --fail-on-alarm -q
-one_line err 'anna: its map is above the limit'
+one_line err 'anna: its latest maps are above the limit'
 expect 0 "$roomgraph" archive bad.db report --fail-on-alarm --limit 3
 expect 2 "$roomgraph" archive bad.db report --fail-on-alarm --limit nan
 

@@ -44,7 +44,7 @@ TEST(WatchSite, theRobotThatGetsWorseAlarmsAndTheOtherDoesNot) {
   ASSERT_TRUE(watch.robots[1].lastGood);
   EXPECT_EQ(history.runs[*watch.robots[1].lastGood].time, 30 * 86400);
   EXPECT_EQ(watch.robots[1].sentence,
-            "its map is above the limit of 0.30 m; the last good one is of 1970-01-31");
+            "its latest maps are above the limit of 0.30 m; the last good one is of 1970-01-31");
   EXPECT_TRUE(watch.robots[1].errors.isAlarm());
 }
 
@@ -241,7 +241,7 @@ TEST(WatchSite, aSentenceSaysWhatIsWrong) {
   EXPECT_EQ(sentenceOf(std::vector<double>(9, 0.1)), "too few nights to see a trend");
   EXPECT_EQ(sentenceOf(std::vector<double>(10, 0.1)), "its map is as good as ever");
   EXPECT_EQ(sentenceOf(std::vector<double>(40, 0.9)),
-            "its map is above the limit of 0.30 m; no good one is known");
+            "its latest maps are above the limit of 0.30 m; no good one is known");
   std::vector<double> rising, stepped;
   for (int n = 0; n < 40; ++n) {
     rising.push_back(0.05 + 0.004 * n + 0.002 * (n % 3));

@@ -138,7 +138,8 @@ std::string sentenceOf(const RobotWatch& watch, const SiteHistory& history,
   const ErrorWatch& errors = watch.errors;
   const auto dayOf = [&](std::size_t run) { return dayText(history.runs[run].time); };
   if (errors.isOverLimit)
-    return "its map is above the limit of " + formatted("%.2f m", options.limit) +
+    return std::string(watch.runs.size() > 1 ? "its latest maps are" : "its map is") +
+           " above the limit of " + formatted("%.2f m", options.limit) +
            (watch.lastGood ? "; the last good one is of " + dayOf(*watch.lastGood)
                            : "; no good one is known");
   if (errors.isDeclining) {
