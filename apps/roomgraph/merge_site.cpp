@@ -65,6 +65,8 @@ Merging chooseRuns(const SolvedRuns& runs, const LoadGridOptions& reading) {
       merging.leftOut.push_back(run.name + ": has no scans");
     } else if (!isTrusted(runs.solved.consensus.errorOf(i))) {
       merging.leftOut.push_back(run.name + ": others have not seen enough of it");
+    } else if (fitsInTwoWays(runs.solved.consensus.errorOf(i))) {
+      merging.leftOut.push_back(run.name + ": fits the others in two ways");
     } else {
       merging.runs.push_back(mergedRun(run, real[i], reading));
       merging.from.push_back(&run);

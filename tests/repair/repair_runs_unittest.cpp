@@ -56,6 +56,19 @@ TEST(RepairRuns, aRunWhoseErrorMayBeNoneStaysAsItWas) {
     EXPECT_EQ(sound.poses[k].shift(), torn.runs[0].scans[k].pose.shift());
 }
 
+TEST(RepairRuns, aRunThatFitsInTwoWaysStaysAsItWas) {
+  const test::SolvedDrives& torn = test::tornAmongSound();
+  SolvedSite unsure = torn.solved;
+  MapError& error = unsure.consensus.errors[unsure.consensus.graphRuns[1]];
+  EXPECT_FALSE(fitsInTwoWays(error));
+  error.low = 0.05 * error.error;  // as of another solution that is as good
+  const RepairedRun kept = repairRuns(unsure, torn.real)[1];
+  EXPECT_EQ(kept.state, RepairState::kept);
+  EXPECT_NE(kept.reason.find("in two ways"), std::string::npos) << kept.reason;
+  error.error = 0.3, error.low = 0.02;  // slight errors have wide intervals
+  EXPECT_FALSE(fitsInTwoWays(error));
+}
+
 TEST(RepairRuns, aRunThatWouldFitNoBetterStaysAsItWas) {
   const test::SolvedDrives site({test::drifting(test::drive(1), 0.01), test::drive(2)}, 1);
   RealPoses wrong = site.real;

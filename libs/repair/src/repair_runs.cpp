@@ -8,6 +8,7 @@
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/consensus/pose_covariances.h"
 #include "roomgraph/repair/sound_frame.h"
 
@@ -73,6 +74,10 @@ void judge(const MapError& error, RepairedRun& repaired) {
         formatted("left as it was: others have seen only %.0f %% of it", 100 * error.seen);
   } else if (error.low <= 0) {
     repaired.reason = formatted("left as it was: its error of %.3f m may be zero", error.error);
+  } else if (fitsInTwoWays(error)) {
+    repaired.reason =
+        formatted("left as it was: it fits the others in two ways, and may be %.3f m or %.3f m off",
+                  error.low, error.error);
   } else {
     repaired.state = RepairState::mended;
     repaired.reason =
@@ -173,6 +178,10 @@ void tellCovariances(const Consensus& consensus, std::vector<RepairedRun>& all) 
 }  // namespace
 
 bool isTrusted(const MapError& error) { return error.seen >= kMajority; }
+
+bool fitsInTwoWays(const MapError& error) {
+  return error.error >= kBreakShift && error.low * fitted::kTwoWays < error.error;
+}
 
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real) {
   std::vector<RepairedRun> all;

@@ -16,12 +16,15 @@ namespace roomgraph {
 
 /** Puts the key frames of each run of the site where all runs together have them, in the run's own
  *  frame. A run is left as it was where its error may be zero, by its interval, where less than
- *  half of what it has drawn has been seen by others, or where its scans would fit what the others
- *  have seen no better. In the order of the site. O(scans). */
+ *  half of what it has drawn has been seen by others, where it fits them in two ways, or where its
+ *  scans would fit what the others have seen no better. In the order of the site. O(scans). */
 std::vector<RepairedRun> repairRuns(const SolvedSite& solved, const RealPoses& real);
 
 /** Whether others have seen enough of a run to tell where it really lies. */
 bool isTrusted(const MapError& error);
+
+/** Whether a run may lie in the site in two ways of which one has it far off, the other sound. */
+bool fitsInTwoWays(const MapError& error);
 
 /** A run laid as it would lie if it agreed with itself (checkRun), in its own frame, whose sound
  *  majority stays where it was. It is left as it was, with the reason, where nothing can be told of
