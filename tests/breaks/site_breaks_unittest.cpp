@@ -10,6 +10,7 @@
 #include "drawn_pose_graph.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/consensus/find_consensus.h"
+#include "sample_drives.h"
 
 namespace roomgraph {
 namespace {
@@ -103,6 +104,15 @@ TEST(SiteBreaks, eachTearOfARunIsOne) {
   EXPECT_EQ(breaks[0].keyFrame, 30u);
   EXPECT_EQ(breaks[1].keyFrame, 90u);
   EXPECT_NEAR(breaks[1].shift, 2, 0.1);
+}
+
+TEST(SiteBreaks, aStepThatTheScansHoldAsItWasDrawnIsNone) {
+  const std::vector<Keyframe> frames = test::driveForthAndBack();
+  const Way drawn = test::posesOf(frames);
+  DrivenSite site({drawn, drawn, drawn}, {drawn, test::torn(drawn, 18, 0.4, {}), drawn});
+  EXPECT_EQ(site.breaks()[1].size(), 1u) << "of scans that show nothing";
+  site.runs[1].scans = test::runOf(frames).scans;
+  EXPECT_TRUE(site.breaks()[1].empty());
 }
 
 TEST(SiteBreaks, soundAndSlowlyDriftingRunsHaveNone) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
+#include "roomgraph/consensus/mend_steps.h"
 
 namespace roomgraph {
 namespace {
@@ -50,9 +52,20 @@ class BreakSearch {
     for (std::size_t k = 0; k < run.scans.size(); ++k)
       track.push_back(poseOf(k) * run.scans[k].pose.inverse());
     std::vector<MapBreak> breaks;
-    for (const ScanBreak& found : findBreaks(run.scans, track, options_))
-      breaks.push_back(breakOf(found));
+    std::vector<LocalScan> scans;
+    for (const ScanBreak& found : findBreaks(run.scans, track, options_)) {
+      if (scans.empty()) scans = localScans(run.scans);
+      if (!isHeld(found, scans)) breaks.push_back(breakOf(found));
+    }
     return breaks;
+  }
+
+  /** Whether the scans on both sides of a step hold it as it was drawn: where a run bends little by
+   *  little, the consensus lets single steps give way. */
+  bool isHeld(const ScanBreak& found, const std::vector<LocalScan>& scans) const {
+    const std::size_t k = found.behind;
+    return k == found.before + 1 && isRefuted(scans, drawnPoses(site_.runs[run_]->scans), k,
+                                              poseOf(k - 1).inverse() * poseOf(k));
   }
 
   /** Where a scan lies in the consensus. */
