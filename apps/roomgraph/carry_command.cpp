@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "ArchiveArguments.h"
+#include "ResultFolder.h"
 #include "add_to_archive.h"
 #include "commands.h"
 #include "output_names.h"
@@ -10,7 +11,6 @@
 #include "roomgraph/base/StagedFiles.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/repair/MarkedFile.h"
 #include "roomgraph/repair/carry_things.h"
 #include "run_in_order.h"
@@ -124,7 +124,7 @@ int run(const CarryArguments& given) {
   std::vector<MarkedFile> files;
   for (const std::string& thing : arguments.things) files.push_back(readMarked(thing));
   checkFiles(arguments, files);
-  makeWritableFolder(arguments.site.folder);
+  const ResultFolder folder(arguments.site.folder);
   const auto runs = solveBoth(arguments);
   const std::size_t from = placeIn(runs->solved.site, arguments.from),
                     to = placeIn(runs->solved.site, arguments.to);

@@ -5,6 +5,7 @@
 
 #include "FolderFiles.h"
 #include "Laps.h"
+#include "ResultFolder.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "more_files.h"
@@ -107,7 +108,7 @@ int run(CheckArguments arguments) {
   arguments.gate.failsOnBreaks = isListed(arguments.failOn, "broken"),
   arguments.gate.failsOnDoubled = isListed(arguments.failOn, "doubled");
   checkFiles(arguments);
-  makeWritableFolder(arguments.folder);
+  const ResultFolder folder(arguments.folder);
   std::vector<std::optional<RunCheck>> found(arguments.files.size());
   UnusedOptions unused;
   JobList jobs;

@@ -6,6 +6,7 @@
 
 #include "FolderFiles.h"
 #include "Laps.h"
+#include "ResultFolder.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "comparison_results.h"
@@ -232,7 +233,7 @@ int run(const CompareArguments& arguments) {
   check(arguments);
   GateOptions gate = gateOf(arguments.gate);
   checkFiles(arguments);
-  makeWritableFolder(arguments.folder);
+  const ResultFolder folder(arguments.folder);
   std::optional<SiteFile> site;
   if (!arguments.names.empty()) site = readSite(arguments.names);
   Laps laps;

@@ -1,12 +1,12 @@
 #include <memory>
 
 #include "FolderFiles.h"
+#include "ResultFolder.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -77,7 +77,7 @@ int run(const ConvertArguments& arguments) {
   const MapOutput& output = outputNamed(arguments.format);
   filesReadBy(arguments.maps, arguments.options)
       .writesOfEach(arguments.maps, arguments.folder, output.extensions);
-  makeWritableFolder(arguments.folder);
+  const ResultFolder folder(arguments.folder);
   UnusedOptions unused;
   const int exitCode = doEach(arguments.maps, [&](const std::string& file) {
     convert(file, output, options, arguments.folder, unused);

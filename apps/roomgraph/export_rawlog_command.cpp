@@ -1,5 +1,6 @@
 #include <memory>
 
+#include "ResultFolder.h"
 #include "commands.h"
 #include "more_files.h"
 #include "option_arguments.h"
@@ -25,7 +26,7 @@ int run(const RawlogArguments& arguments) {
   const ExtractOptions options = toOptions(arguments.options);
   filesReadBy(arguments.runs, arguments.options)
       .writesOfEach(arguments.runs, arguments.folder, {"rawlog"});
-  makeWritableFolder(arguments.folder);
+  const ResultFolder folder(arguments.folder);
   return doEach(arguments.runs, [&](const std::string& file) {
     const std::string name = outputFile(arguments.folder, file, "rawlog");
     writeFileAtomically(name, scanLog(file, options.loadGrid, arguments.stretch));

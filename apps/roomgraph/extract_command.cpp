@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "Laps.h"
+#include "ResultFolder.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "option_arguments.h"
@@ -12,7 +13,6 @@
 #include "roomgraph/base/file_name.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/draw_stages.h"
 #include "roomgraph/map_files/load_grid.h"
 #include "roomgraph/map_files/map_formats.h"
@@ -221,8 +221,9 @@ int run(const ExtractArguments& arguments) {
     for (const std::string& map : arguments.maps)
       for (const std::string& name : stageFiles())
         files.writes(inFolder(stagesOf(map, arguments), name), map);
-  makeWritableFolder(arguments.folder);
-  if (!arguments.stagesFolder.empty()) makeWritableFolder(arguments.stagesFolder);
+  const ResultFolder folder(arguments.folder);
+  std::optional<ResultFolder> stages;
+  if (!arguments.stagesFolder.empty()) stages.emplace(arguments.stagesFolder);
 
   JobList jobs;
   jobs.count = arguments.maps.size();

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "FolderFiles.h"
+#include "ResultFolder.h"
 #include "commands.h"
 #include "more_files.h"
 #include "output_formats.h"
@@ -13,7 +14,6 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/images/png_bytes.h"
 #include "roomgraph/ledger/name_rooms.h"
@@ -171,7 +171,7 @@ int mergeSite(const MergeArguments& arguments) {
   if (arguments.files.size() < 2)
     throw UsageError("merge: one run is a map of its own: name two or more");
   checkFiles(arguments);
-  makeWritableFolder(arguments.folder);
+  const ResultFolder folder(arguments.folder);
   const CompareMapsOptions options = toCompareOptions(arguments.options);
   const auto runs = solveRuns(arguments);
   Merging merging = chooseRuns(*runs, options.extract.loadGrid);

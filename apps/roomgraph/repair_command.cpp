@@ -3,6 +3,7 @@
 #include <set>
 
 #include "FolderFiles.h"
+#include "ResultFolder.h"
 #include "UnusedOptions.h"
 #include "commands.h"
 #include "file_authors.h"
@@ -10,7 +11,6 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
-#include "roomgraph/base/write_file.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/compare/run_names.h"
 #include "roomgraph/consensus/Consensus.h"
@@ -146,7 +146,7 @@ int run(RepairArguments arguments) {
   const SiteArguments& site = arguments.site;
   for (std::string& only : arguments.only) only = nameOfRun(only, runNames(site.files), "--only");
   check(arguments);
-  makeWritableFolder(site.folder);
+  const ResultFolder folder(site.folder);
   if (site.files.size() == 1 && site.reference.empty()) return runAlone(arguments);
   const auto runs = solveRuns(site);
   if (runs->solved.site.runs.size() < 2)

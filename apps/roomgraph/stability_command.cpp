@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "ResultFolder.h"
 #include "commands.h"
 #include "option_arguments.h"
 #include "output_names.h"
@@ -175,7 +176,7 @@ int run(const StabilityArguments& arguments) {
   filesReadBy(arguments.maps, arguments.options)
       .writesOfEach(arguments.maps, task.folder,
                     {"stability.csv", "stability.json", "stability.partial.json"});
-  makeWritableFolder(task.folder);
+  const ResultFolder folder(task.folder);
   int worst = kDone;
   const int exitCode = doEach(arguments.maps, [&](const std::string& map) {
     worst = std::max(worst, measureMap(map, task));

@@ -18,3 +18,10 @@ for command in extract compare stability; do
   grep -q "roomgraph-$command)$" ../help ||
     fail "$command does not tell its folder"
 done
+# A call that writes nothing leaves no folder behind, and none that was there goes.
+mkdir there
+for folder in none there; do
+  expect 1 "$roomgraph" extract nothing.yaml -o "$folder"
+  expect 1 "$roomgraph" check nothing.simplemap -o "$folder"
+done
+[ ! -e none ] && [ -d there ] || fail "an empty folder is left, or a user's is gone"

@@ -1,0 +1,33 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "roomgraph/base/write_file.h"
+
+namespace roomgraph {
+
+/** A folder for the results of a call. It is made if it is not there, and goes with the call if
+ *  that has left nothing in it. */
+class ResultFolder {
+ public:
+  /** @throws DataError with one line where files cannot be written to it. */
+  explicit ResultFolder(std::string folder) : folder_(std::move(folder)) {
+    std::error_code isUnknown;
+    isNew_ = !std::filesystem::exists(folder_, isUnknown);
+    makeWritableFolder(folder_);
+  }
+  ~ResultFolder() {
+    std::error_code isInUse;
+    if (isNew_) std::filesystem::remove(folder_, isInUse);
+  }
+  ResultFolder(const ResultFolder&) = delete;
+  ResultFolder& operator=(const ResultFolder&) = delete;
+
+ private:
+  std::string folder_;
+  bool isNew_ = false;
+};
+
+}  // namespace roomgraph
