@@ -84,6 +84,20 @@ TEST(FollowCorridors, aRoomWithTwoDoorsOnOneSideOfItIsNone) {
   EXPECT_EQ(split(room).count, 2u);
 }
 
+TEST(FollowCorridors, itGoesOnBetweenPilasters) {
+  // 2 m wide, with a pair of pilasters each 3 m that leave 1.4 m.
+  const auto corridor = [](int pairs) {
+    const int length = 16 * pairs + 15;
+    Plan plan(length, 10);
+    for (int pair = 1; pair <= pairs; ++pair)
+      plan.wall(16 * pair, 1, 1, 10).gap(16 * pair, 3, 1, 7);
+    return split(plan);
+  };
+  EXPECT_EQ(corridor(5).roomCount, 0u);
+  EXPECT_EQ(corridor(5).count, 1u);
+  EXPECT_EQ(corridor(1).roomCount, 2u) << "two rooms";
+}
+
 TEST(FollowCorridors, roomsInARowAreNoCorridorByThemselves) {
   // Three rooms of 5 m x 5 m, one behind the other, with doors of 2 m.
   const Plan row = Plan(77, 25).wall(26, 1, 1, 25).wall(52, 1, 1, 25);

@@ -106,6 +106,16 @@ TEST(RegionKinds, theLongSpaceBehindOneDoorIsARoom) {
   EXPECT_EQ(Kinds(through).at(50, 6), RegionKind::corridor);
 }
 
+TEST(RegionKinds, aBlindWingIsACorridor) {
+  // 2 m wide, behind one opening of 1 m; by its length.
+  const auto wing = [](int cells) {
+    return Kinds(Plan(26 + cells, 20).wall(26, 1, 1, 20).wall(27, 11, cells, 10).gap(26, 4, 1, 5))
+        .at(26 + cells / 2, 6);
+  };
+  EXPECT_EQ(wing(60), RegionKind::room) << "12 m";
+  EXPECT_EQ(wing(100), RegionKind::corridor) << "20 m";
+}
+
 TEST(RegionKinds, aSpaceNarrowerThanARoomIsACorridor) {
   SplitAtDoorsOptions options;
   const auto kindOfSpace = [&] {

@@ -30,6 +30,81 @@ void joinPieces(RegionGroups& regions, const SplitAtDoorsOptions& options,
   for (const auto& [a, b] : pieces) regions.join(a, b);
 }
 
+/** Narrower than halls are: the wider it is, the longer it has to be. */
+bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+              std::uint32_t region) {
+  const double length = std::min(1.0, regions.elongation(region) / options.maxElongation);
+  const double widest = std::max(options.maxWidth, options.maxCorridorWidth * length);
+  return 2 * regions.radius(region) * (1 + kSameWidth) < widest;
+}
+
+/** Rooms in a row may be together this much longer than one room. */
+constexpr double kChainElongation = 1.5;
+
+/** Rooms in a row that only pilasters or cabinets part: those are pieces of a corridor where they
+ *  are as long as one together, though none of them is by itself. */
+class Chains {
+ public:
+  Chains(RegionGroups& regions, const SplitAtDoorsOptions& options,
+         const std::vector<RegionKind>& kinds)
+      : regions_(regions), options_(options), chains_(kinds.size()), isLink_(kinds.size()) {
+    for (std::uint32_t v = 0; v < kinds.size(); ++v)
+      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(regions, options, v))
+        links_.push_back(v), isLink_[v] = 1;
+  }
+
+  /** Those that are pieces of a corridor. */
+  std::vector<std::uint32_t> find() && {
+    for (const auto& [region, around] : regions_.neighbours()) {
+      for (const auto& [other, passage] : around)
+        if (areLinked(region, other, passage.clearance)) chains_.join(region, other);
+      // Between pilasters that are thick, and two equal pieces, a leftover belongs to neither.
+      if (around.size() == 2 && regions_.elongation(region) < options_.minElongation &&
+          areLinked(around[0].first, around[1].first, narrower(around)))
+        chains_.join(around[0].first, around[1].first);
+    }
+    std::vector<Chain> all(isLink_.size());
+    for (const std::uint32_t region : links_) {
+      Chain& chain = all[chains_.find(region)];
+      ++chain.count;
+      chain.area += regions_.area(region);
+      chain.radius = std::max(chain.radius, regions_.radius(region));
+    }
+    const auto isShort = [&](std::uint32_t region) { return !isLong(all[chains_.find(region)]); };
+    links_.erase(std::remove_if(links_.begin(), links_.end(), isShort), links_.end());
+    return std::move(links_);
+  }
+
+ private:
+  struct Chain {
+    int count = 0;
+    double area = 0, radius = 0;  // of all of it, and of its largest disc
+  };
+
+  static double narrower(const RegionGroups::Neighbours& two) {
+    return std::min(two[0].second.clearance, two[1].second.clearance);
+  }
+
+  /** Without a door between pieces of corridor, and about as wide: a crossing is a square. */
+  bool areLinked(std::uint32_t a, std::uint32_t b, double clearance) const {
+    const double narrow = std::min(regions_.radius(a), regions_.radius(b));
+    const double wide = std::max(regions_.radius(a), regions_.radius(b));
+    return isLink_[a] && isLink_[b] && wide <= narrow * std::sqrt(2.0) * (1 + kSameWidth) &&
+           clearance >= options_.corridorRatio * narrow * (1 - kSameWidth);
+  }
+
+  bool isLong(const Chain& chain) const {
+    const double side = 2 * chain.radius;
+    return chain.count > 1 && chain.area > kChainElongation * options_.maxElongation * side * side;
+  }
+
+  RegionGroups& regions_;
+  const SplitAtDoorsOptions& options_;
+  UnionFind chains_;
+  std::vector<std::uint32_t> links_;
+  std::vector<std::uint8_t> isLink_;  // per region
+};
+
 bool leadOnTwoSides(const std::vector<Point>& waysOn) {
   for (const Point p : waysOn)
     for (const Point q : waysOn)
@@ -44,7 +119,8 @@ class Pieces {
          const std::vector<RegionKind>& kinds)
       : regions_(regions), options_(options), kinds_(kinds), mayBe_(kinds.size()) {
     for (std::uint32_t v = 0; v < kinds.size(); ++v)
-      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(v)) found_.push_back(v);
+      if (kinds[v] == RegionKind::room && regions.find(v) == v && isNarrow(regions, options, v))
+        found_.push_back(v);
     for (const std::uint32_t v : found_) mayBe_[v] = 1;
   }
 
@@ -55,13 +131,6 @@ class Pieces {
   }
 
  private:
-  /** The wider it is, the longer it has to be. */
-  bool isNarrow(std::uint32_t region) const {
-    const double length = std::min(1.0, regions_.elongation(region) / options_.maxElongation);
-    const double widest = std::max(options_.maxWidth, options_.maxCorridorWidth * length);
-    return 2 * regions_.radius(region) * (1 + kSameWidth) < widest;
-  }
-
   bool dropOthers() {
     WaysOn waysOn = allWaysOn();
     const auto isOther = [&](std::uint32_t region) { return !leadOnTwoSides(waysOn[region]); };
@@ -116,6 +185,8 @@ class Pieces {
 
 void followCorridors(RegionGroups& regions, const SplitAtDoorsOptions& options,
                      std::vector<RegionKind>& kinds) {
+  for (const std::uint32_t region : Chains(regions, options, kinds).find())
+    kinds[region] = RegionKind::corridor;
   joinPieces(regions, options, kinds);
   for (;;) {
     const std::vector<std::uint32_t> found = Pieces(regions, options, kinds).find();

@@ -52,6 +52,10 @@ using Neighbours = RegionGroups::Neighbours;
 /** A room behind one door may be this much longer than others before it is a corridor. */
 constexpr double kDeadEndElongation = 1.5;
 
+/** The same where ways out are no doors, or it is wide: a room round a core or between benches is
+ *  as long as many a corridor. */
+constexpr double kBlindElongation = 2.5;
+
 bool hasLittleWall(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                    std::uint32_t region) {
   return regions.wallShare(region) < options.minWallShare;
@@ -99,8 +103,11 @@ bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
   if (isWayThrough(regions, options, region, exits)) return true;
   int count = 0;
   for (const auto& [other, passage] : exits) count += passage.count;
-  return count > 1 && regions.area(region) > options.maxElongation * own * own &&
-         own * (1 + kSameWidth) <= options.maxCorridorWidth;
+  // What furniture leaves of a room behind one door is narrow: so that goes by its largest disc.
+  const bool isLong = count > 1
+                          ? regions.area(region) > options.maxElongation * own * own
+                          : regions.elongation(region) > options.maxElongation * kBlindElongation;
+  return isLong && own * (1 + kSameWidth) <= options.maxCorridorWidth;
 }
 
 class KindFinder {
