@@ -138,8 +138,8 @@ class Hall {
     }
   }
 
-  /** Squares round the centroid, so that they turn with the map; but not along walls, which ways
-   *  in their middle reach. */
+  /** Squares round the centroid, so that they turn with the map; but not those at walls, which
+   *  ways beside them reach. */
   std::vector<Place> openFloor() const {
     const double side = kFarFloor / 2;
     const Point middle = centroid(room_.polygon);
@@ -153,7 +153,7 @@ class Hall {
     std::vector<Place> places;
     for (const Cell cell : cellsIn(room_.polygon, frame)) {
       const Point point = middle + side * Point{cell.x - left, cell.y - below};
-      if (obstacles_.clearance(point, point, side) >= side) places.push_back({point, {}});
+      if (obstacles_.clearance(point, point, side) >= side / 2) places.push_back({point, {}});
     }
     return places;
   }
