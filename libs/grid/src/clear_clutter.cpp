@@ -223,19 +223,23 @@ class ClutterFinder {
 
   static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
 
-  /** Whether it has a room round it. What stands in a hall splits nothing, and a row of cupboards
-   *  with doors between them has space on two sides: both stay. */
+  /** Whether it has a room round it, or nothing near it. What stands in a hall beside others splits
+   *  nothing, and a row of cupboards with doors between them has space on two sides: both stay. */
   bool isTable(const Group& group) {
     mark(group, Mark::inGroup);
-    const Point middle = group.middle();
-    int walls = 0;
-    for (int k = 0; k < kLooks; ++k)  // never along an axis, where cells could tie
-      walls += stepsToObstacle(middle, turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks), Mark::inGroup,
-                               maxTable_)
-                   ? 1
-                   : 0;
+    const int near = looksToObstacles(group, maxSize_), all = looksToObstacles(group, maxTable_);
     mark(group, Mark::other);
-    return 2 * walls > kLooks;
+    return near == 0 || 2 * all > kLooks;
+  }
+
+  /** In how many directions something stands within so much free space of a group. */
+  int looksToObstacles(const Group& group, double widest) const {
+    int count = 0;
+    for (int k = 0; k < kLooks; ++k) {  // never along an axis, where cells could tie
+      const Point direction = turned({1, 0}, (k + 0.5) * 2 * M_PI / kLooks);
+      count += stepsToObstacle(group.middle(), direction, Mark::inGroup, widest).has_value();
+    }
+    return count;
   }
 
   bool isAtBorder(Cell cell) const {
