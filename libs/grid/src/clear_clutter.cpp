@@ -223,13 +223,15 @@ class ClutterFinder {
 
   static Cell cellAt(Point place) { return {int(std::lround(place.x)), int(std::lround(place.y))}; }
 
-  /** Whether it has a room round it, or nothing near it. What stands in a hall beside others splits
-   *  nothing, and a row of cupboards with doors between them has space on two sides: both stay. */
+  /** Whether it has a room round it, which may be larger where nothing else is near. What stands in
+   *  a hall splits nothing, and a row of cupboards with doors between them has space on two sides:
+   *  both stay. */
   bool isTable(const Group& group) {
     mark(group, Mark::inGroup);
-    const int near = looksToObstacles(group, maxSize_), all = looksToObstacles(group, maxTable_);
+    const bool isAlone = looksToObstacles(group, maxSize_) == 0;
+    const int walls = looksToObstacles(group, isAlone ? 2 * maxTable_ : maxTable_);
     mark(group, Mark::other);
-    return near == 0 || 2 * all > kLooks;
+    return 2 * walls > kLooks;
   }
 
   /** In how many directions something stands within so much free space of a group. */

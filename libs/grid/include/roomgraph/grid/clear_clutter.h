@@ -33,14 +33,14 @@ struct ClearedMap {
 };
 
 /** Frees every connected group (8 neighbours) of cells that are not free, is not larger than the
- *  limit and does not touch the border; then, up to twice the limit, all that are compact and
- *  either, in more than half of all directions, no farther from another obstacle that is left than
- *  that, as a table is in its room, or farther than the limit in each. So chairs are no room, and
- *  no order of the cells matters. What is small but stands between the ends of two walls that are
- *  in line with it, which are farther apart than the limit, is wall: the pier between two doors, a
- *  stub beside a hole, a post. Specks that beams have missed are cleared as well: groups with fewer
- *  occupied cells than half of the length of their rim. They are no obstacles, and so not in
- *  `clutter`. `obstacles` must be those of `grid`. O(cells). */
+ *  limit and does not touch the border; then, up to twice the limit, all that are compact and, in
+ *  more than half of all directions, no farther from another obstacle that is left than that, or
+ *  twice that where each is farther than the limit, as a table is in its room. So chairs are no
+ *  room, and no order of the cells matters. What is small but stands between the ends of two walls
+ *  that are in line with it, which are farther apart than the limit, is wall: the pier between two
+ *  doors, a stub beside a hole, a post. Specks that beams have missed are cleared as well: groups
+ *  with fewer occupied cells than half of the length of their rim. They are no obstacles, and so
+ *  not in `clutter`. `obstacles` must be those of `grid`. O(cells). */
 [[nodiscard]] ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,
                                       const ClearClutterOptions& options);
 
