@@ -202,3 +202,6 @@ damage slurm-run/log/collect.txt
 results slurm-run | cmp - serial.results
 runs slurm.db | cmp - serial.runs
 cmp slurm-run/fleet.html parallel/fleet.html
+# A night without a new run has its page and its alarm, too, in a folder that is not there yet.
+expect 3 env WAIT=1 "$share/slurm/night" short.csv short.db new/quiet --resolution 0.05
+[ -s new/quiet/fleet.html ] || fail "a night without news has no page"
