@@ -38,9 +38,6 @@ bool isNarrow(const RegionGroups& regions, const SplitAtDoorsOptions& options,
   return 2 * regions.radius(region) * (1 + kSameWidth) < widest;
 }
 
-/** Rooms in a row may be together this much longer than one room. */
-constexpr double kChainElongation = 1.5;
-
 /** Rooms in a row that only pilasters or cabinets part: those are pieces of a corridor where they
  *  are as long as one together, though none of them is by itself. */
 class Chains {
@@ -95,7 +92,7 @@ class Chains {
 
   bool isLong(const Chain& chain) const {
     const double side = 2 * chain.radius;
-    return chain.count > 1 && chain.area > kChainElongation * options_.maxElongation * side * side;
+    return chain.count > 1 && chain.area > kLongerThanOthers * options_.maxElongation * side * side;
   }
 
   RegionGroups& regions_;

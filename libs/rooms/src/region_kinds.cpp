@@ -49,11 +49,8 @@ double mainWidth(Stretches& of) {
 
 using Neighbours = RegionGroups::Neighbours;
 
-/** A room behind one door may be this much longer than others before it is a corridor. */
-constexpr double kDeadEndElongation = 1.5;
-
-/** The same where ways out are no doors, or it is wide: a room round a core or between benches is
- *  as long as many a corridor. */
+/** The same as kLongerThanOthers where ways out are no doors, or it is wide: a room round a core or
+ *  between benches is as long as many a corridor. */
 constexpr double kBlindElongation = 2.5;
 
 bool hasLittleWall(const RegionGroups& regions, const SplitAtDoorsOptions& options,
@@ -74,7 +71,7 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
                    std::uint32_t region, const Neighbours& around, const Neighbours& exits) {
   double widest = 0;
   for (const auto& [other, passage] : around) widest = std::max(widest, passage.clearance);
-  const double longest = options.maxElongation * (exits.size() == 1 ? kDeadEndElongation : 1);
+  const double longest = options.maxElongation * (exits.size() == 1 ? kLongerThanOthers : 1);
   return regions.elongation(region) <= longest &&
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
