@@ -51,21 +51,22 @@ class BreakSearch {
     ScanTrack track;  // where each scan lies in the consensus
     for (std::size_t k = 0; k < run.scans.size(); ++k)
       track.push_back(poseOf(k) * run.scans[k].pose.inverse());
+    const std::vector<ScanBreak> found = findBreaks(run.scans, track, options_);
+    if (found.empty()) return {};
+    const std::vector<LocalScan> scans = localScans(run.scans);
+    const std::vector<Transform2D> drawn = drawnPoses(run.scans);
     std::vector<MapBreak> breaks;
-    std::vector<LocalScan> scans;
-    for (const ScanBreak& found : findBreaks(run.scans, track, options_)) {
-      if (scans.empty()) scans = localScans(run.scans);
-      if (!isHeld(found, scans)) breaks.push_back(breakOf(found));
-    }
+    for (const ScanBreak& one : found)
+      if (!isHeld(one, scans, drawn)) breaks.push_back(breakOf(one));
     return breaks;
   }
 
   /** Whether the scans on both sides of a step hold it as it was drawn: where a run bends little by
    *  little, the consensus lets single steps give way. */
-  bool isHeld(const ScanBreak& found, const std::vector<LocalScan>& scans) const {
+  bool isHeld(const ScanBreak& found, const std::vector<LocalScan>& scans,
+              const std::vector<Transform2D>& drawn) const {
     const std::size_t k = found.behind;
-    return k == found.before + 1 && isRefuted(scans, drawnPoses(site_.runs[run_]->scans), k,
-                                              poseOf(k - 1).inverse() * poseOf(k));
+    return k == found.before + 1 && isRefuted(scans, drawn, k, poseOf(k - 1).inverse() * poseOf(k));
   }
 
   /** Where a scan lies in the consensus. */

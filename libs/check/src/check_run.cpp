@@ -43,13 +43,13 @@ Transform2D stepTo(std::size_t k, const std::vector<Transform2D>& poses) {
 }
 
 /** By how much the step to a scan was drawn otherwise than is agreed. */
-MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& agreed) {
-  const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
-  const Transform2D right = stepTo(k, agreed);
+MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& drawn,
+                 const std::vector<Transform2D>& agreed) {
+  const Transform2D step = stepTo(k, drawn), right = stepTo(k, agreed);
   MapBreak tear = lostAt(k, run);
   tear.rotation = wrappedAngle(step.phi - right.phi);
   tear.shift = distance(step.shift(), right.shift());
-  tear.torn = TornPose{run.scans[k].pose, run.scans[k - 1].pose * right};
+  tear.torn = TornPose{drawn[k], drawn[k - 1] * right};
   return tear;
 }
 
@@ -61,7 +61,7 @@ void addFaults(const Run& run, const std::vector<LocalScan>& scans, const Mended
   const std::vector<Transform2D> drawn = drawnPoses(run.scans);
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
-    const MapBreak step = breakAt(k, run, agreed.poses);
+    const MapBreak step = breakAt(k, run, drawn, agreed.poses);
     if (std::abs(step.rotation) < kClearRotation && step.shift < kBreakShift) continue;
     broken.push_back(k);
     if (mended.evidence[k] != StepEvidence::agrees ||
