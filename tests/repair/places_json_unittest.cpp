@@ -59,6 +59,17 @@ TEST(PlacesGeojson, featuresAndGeometriesMayBeBare) {
   EXPECT_TRUE(read(R"({"type":"FeatureCollection","features":[]})").things.empty());
 }
 
+TEST(PlacesGeojson, roomsAndPassagesWithoutAnIdHaveTheirNumbers) {
+  const MarkedFile file =
+      read(collection({feature(R"({"room":3})", "Point", "[0,0]"),
+                       feature(R"({"passage":0})", "MultiPoint", "[[4,0],[5,0]]"),
+                       feature(R"({"room":3,"name":"Kitchen"})", "Point", "[0,0]")}));
+  ASSERT_EQ(file.things.size(), 3u);
+  EXPECT_EQ(file.things[0].name, "room 3");
+  EXPECT_EQ(file.things[1].name, "passage 0");
+  EXPECT_EQ(file.things[2].name, "Kitchen");
+}
+
 TEST(PlacesGeojson, edgesOfARouteFollowTheirNodes) {
   const MarkedFile file = read(collection(
       {feature(R"({"id":0})", "Point", "[0,0]"), feature(R"({"id":5})", "Point", "[4,0]"),
