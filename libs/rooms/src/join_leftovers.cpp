@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "roomgraph/rooms/Regions.h"
-
 namespace roomgraph {
 namespace {
 
@@ -111,6 +109,17 @@ void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options) {
     while (joinAll(regions, isSmall)) {
     }
   while (joinAll(regions, isBayOf));
+}
+
+void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                    std::vector<RegionKind>& kinds) {
+  const auto isRoom = [&](const auto& way) { return kinds[way.first] == RegionKind::room; };
+  for (const auto& [region, around] : regions.neighbours()) {
+    if (around.size() != 2 || !std::all_of(around.begin(), around.end(), isRoom)) continue;
+    if (!isLeftover(regions, options, region)) continue;
+    kinds[region] = RegionKind::room;
+    regions.join(region, around.front().first);
+  }
 }
 
 }  // namespace roomgraph

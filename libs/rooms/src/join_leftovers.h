@@ -1,5 +1,8 @@
 #pragma once
+#include <vector>
+
 #include "RegionGroups.h"
+#include "region_kinds.h"
 #include "roomgraph/rooms/SplitAtDoorsOptions.h"
 
 namespace roomgraph {
@@ -9,5 +12,10 @@ constexpr double kDeepestAlcove = 2.5;
 
 /** Joins what is too small for an area of its own with a neighbour each. Needs areas. */
 void joinLeftovers(RegionGroups& regions, const SplitAtDoorsOptions& options);
+
+/** What is left over between two equal rooms is the frame of a door, and no area of its own. It
+ *  joins one of them; the map's pose decides which. */
+void joinDoorFrames(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                    std::vector<RegionKind>& kinds);
 
 }  // namespace roomgraph

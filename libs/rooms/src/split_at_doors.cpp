@@ -162,7 +162,8 @@ Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
   joinLeftovers(regions, options);
   std::vector<RegionKind> kinds = regionKinds(regions, options, ownWidths(regions, isWall));
   followCorridors(regions, options, kinds);
-  // A joined region goes by the smallest of its parts, all of which are corridors.
+  joinDoorFrames(regions, options, kinds);
+  // A joined region goes by the smallest of its parts, all of which are alike.
   const auto kindOf = [&](std::uint32_t v) { return kinds[v]; };
   const auto areaOf = [&](std::uint32_t v) { return regions.area(v); };
   const auto numbered = [&] { return numberRegions(regions.groups(), isClear, kindOf, areaOf, 0); };
