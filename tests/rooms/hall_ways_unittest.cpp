@@ -114,7 +114,36 @@ TEST(HallWays, allOfTheOpenFloorIsNearAWay) {
     for (double y = 1.5; y <= 12.5; y += 0.5) worst = std::max(worst, farthest(ways, {x, y}));
   EXPECT_GT(farthest(before, {1.5, 1.5}), 9);
   EXPECT_LT(worst, 4) << "squares of 1.5 m at most 3 m from a way, and half a square";
-  EXPECT_LT(ways.edges().size(), 20u);
+  EXPECT_LT(ways.edges().size(), 40u);
+}
+
+TEST(HallWays, leadFromPlaceToPlaceWithoutGoingFarRound) {
+  const Room room = hall(24, 18);
+  const ObstacleCells walls = wallsOf(room);
+  const TopologyGraph ways =
+      hallWays(star({12, 9}, {{4, 17.6}}), room, ObstacleRows(walls), kClear);
+  std::vector<double> detours;
+  for (std::size_t a = 0; a < ways.vertices().size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) {
+      const double far = distance(ways.vertices()[a].place, ways.vertices()[b].place);
+      const double length = lengthBetween(ways, VertexId(a), VertexId(b));
+      if (far > 3 && length > 0) detours.push_back(length / far);
+    }
+  ASSERT_GT(detours.size(), 100u);
+  std::sort(detours.begin(), detours.end());
+  EXPECT_LT(detours[detours.size() / 2], 1.3);
+  EXPECT_LT(detours[detours.size() * 95 / 100], 1.7);
+}
+
+TEST(HallWays, endsThatWaysMeetAreJunctions) {
+  const Room room = hall(24, 18);
+  const ObstacleCells walls = wallsOf(room);
+  const TopologyGraph ways =
+      hallWays(star({12, 9}, {{4, 17.6}}), room, ObstacleRows(walls), kClear);
+  for (std::size_t v = 0; v < ways.vertices().size(); ++v)
+    EXPECT_EQ(ways.vertices()[v].kind == VertexKind::deadEnd,
+              ways.degree(VertexId(v)) == 1 && ways.vertices()[v].kind != VertexKind::border)
+        << v;
 }
 
 TEST(HallWays, noneLeadsThroughAnObstacle) {

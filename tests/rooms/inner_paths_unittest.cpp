@@ -64,7 +64,7 @@ TEST(InnerPaths, startWhereThereIsRoomIfThereIsAny) {
   };
   EXPECT_EQ(start(0.1), (Point{3, 0}));
   EXPECT_EQ(start(1), (Point{0, 0}));
-  EXPECT_EQ(start(50), (Point{3, 0})) << "nowhere: so the nearest";
+  EXPECT_EQ(start(50), (Point{0, 0})) << "nowhere: so half of the 2 m that there are";
 }
 
 }  // namespace

@@ -35,22 +35,23 @@ class Hall {
         edges_(std::move(ways).takeEdges()) {}
 
   TopologyGraph build() && {
-    joinBorders();
+    closeLoops();
     reachPlaces();
+    closeLoops();
     return {std::move(vertices_), std::move(edges_)};
   }
 
  private:
-  // Between border vertices
+  // Between vertices
 
-  /** A way from one border vertex to another: along the ways out of both, and straight between. */
+  /** A way between two: along the ways out of both, if border vertices, and straight between. */
   struct Link {
     double length;
     VertexId a, b;
     Point turnA, turnB;  // where it leaves these ways
   };
 
-  void joinBorders() {
+  void closeLoops() {
     std::vector<Link> links = missingLinks();
     std::sort(links.begin(), links.end(), [](const Link& l, const Link& r) {
       return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
@@ -66,35 +67,48 @@ class Hall {
   }
 
   std::vector<Link> missingLinks() const {
-    std::vector<VertexId> borders;
-    for (std::size_t v = 0; v < vertices_.size(); ++v)
-      if (vertices_[v].kind == VertexKind::border) borders.push_back(VertexId(v));
     std::vector<Link> links;
-    for (std::size_t i = 0; i < borders.size(); ++i) {
-      const std::vector<double> lengths = lengthsFrom(borders[i]);
-      for (std::size_t j = i + 1; j < borders.size(); ++j)
-        addLink(links, borders[i], borders[j], lengths[borders[j].index()]);
+    for (std::size_t a = 0; a < vertices_.size(); ++a) {
+      const std::vector<double> lengths = lengthsFrom(VertexId(a));
+      for (std::size_t b = a + 1; b < vertices_.size(); ++b)
+        if (areNeighbours(VertexId(a), VertexId(b)))
+          addLink(links, VertexId(a), VertexId(b), lengths[b]);
     }
     return links;
   }
 
-  /** The shortest that is clear, if any is that much shorter than the ways there are. */
+  /** Doors all with all; of others those with none nearly between them, where one way leads to
+   *  both. */
+  bool areNeighbours(VertexId a, VertexId b) const {
+    if (isBorder(a) && isBorder(b)) return true;
+    const Point from = placeOf(a), to = placeOf(b);
+    const double between = std::sqrt(kDetour) * distance(from, to);
+    return std::none_of(vertices_.begin(), vertices_.end(), [&](const Vertex& v) {
+      return v.place != from && v.place != to &&
+             distance(from, v.place) + distance(v.place, to) < between;
+    });
+  }
+
+  /** The shortest that is clear, if any is that much shorter than the ways there are. A door may
+   *  lie too far aside of the open floor for a straight way. */
   void addLink(std::vector<Link>& links, VertexId a, VertexId b, double length) const {
-    for (double along = 0;; along += kFarFloor / 8) {
+    const int borderCount = isBorder(a) + isBorder(b);
+    for (double along = 0; along == 0 || borderCount > 0; along += kFarFloor / 8) {
       const Point turnA = onTheWayFrom(a, along), turnB = onTheWayFrom(b, along);
-      const double shortest = 2 * along + distance(turnA, turnB);
+      const double shortest = borderCount * along + distance(turnA, turnB);
       if (!isMissing(shortest, length)) return;
       if (isClear(turnA, turnB)) return links.push_back({shortest, a, b, turnA, turnB});
     }
   }
 
-  Point onTheWayFrom(VertexId border, double along) const {
+  Point onTheWayFrom(VertexId v, double along) const {
+    if (!isBorder(v)) return placeOf(v);
     for (const Edge& edge : edges_) {
       const double there = std::min(along, edge.path.length);
-      if (edge.source == border) return placeOn(edge.path, there);
-      if (edge.target == border) return placeOn(edge.path, edge.path.length - there);
+      if (edge.source == v) return placeOn(edge.path, there);
+      if (edge.target == v) return placeOn(edge.path, edge.path.length - there);
     }
-    return placeOf(border);
+    return placeOf(v);
   }
 
   /** Along the ways, by vertex; infinite where none leads. By Dijkstra's algorithm. */
@@ -178,9 +192,10 @@ class Hall {
     const VertexId tip(vertices_.size());
     vertices_.push_back({place.floor,
                          obstacles_.clearance(place.floor, place.floor, room_.inscribedRadius),
-                         VertexKind::deadEnd,
+                         VertexKind::junction,
                          {}});
     addStraight(base, tip);
+    kindOf(tip) = VertexKind::deadEnd;
     return straightPath(obstacles_, place.way, place.floor, 0);
   }
 
@@ -203,9 +218,9 @@ class Hall {
     return split(best);
   }
 
-  // Both
-
   Point placeOf(VertexId v) const { return vertices_[v.index()].place; }
+  VertexKind& kindOf(VertexId v) { return vertices_[v.index()].kind; }
+  bool isBorder(VertexId v) const { return vertices_[v.index()].kind == VertexKind::border; }
 
   VertexId split(PlaceOnPath place) {
     const std::size_t count = vertices_.size();
@@ -238,6 +253,8 @@ class Hall {
     for (auto it = crossings.rbegin(); it != crossings.rend(); ++it)  // the first part keeps its id
       stops.push_back({it->first, split(it->second)});
     std::sort(stops.begin(), stops.end());
+    for (const auto& [at, v] : stops)
+      if (kindOf(v) == VertexKind::deadEnd) kindOf(v) = VertexKind::junction;
     for (std::size_t i = 1; i < stops.size(); ++i) {
       const VertexId a = stops[i - 1].second, b = stops[i].second;
       if (a == b) continue;

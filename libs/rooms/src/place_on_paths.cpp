@@ -33,6 +33,16 @@ PlaceOnPath nearestPlace(const TopologyGraph& graph, const std::vector<EdgeId>& 
   return best;
 }
 
+double widestOf(const TopologyGraph& graph, const std::vector<EdgeId>& edges) {
+  double widest = 0;
+  for (const EdgeId e : edges) {
+    const Path& path = graph.edge(e).path;
+    for (std::size_t i = 0; i < path.obstacles.size(); ++i)
+      widest = std::max(widest, distance(path.points[i + 1], path.obstacles[i]));
+  }
+  return widest;
+}
+
 PlaceOnPath middleOfLongest(const TopologyGraph& graph, const std::vector<EdgeId>& edges) {
   const auto lengthOf = [&](EdgeId e) { return graph.edge(e).path.length; };
   const EdgeId longest = *std::max_element(
@@ -60,8 +70,8 @@ VertexId splitAt(std::vector<Vertex>& vertices, std::vector<Edge>& edges, PlaceO
 
 PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges, Point p,
                          double minClearance) {
-  PlaceOnPath place = nearestPlace(graph, edges, p, minClearance);
-  if (!place.edge) place = nearestPlace(graph, edges, p, 0);
+  const PlaceOnPath place =
+      nearestPlace(graph, edges, p, std::min(minClearance, widestOf(graph, edges) / 2));
   return place.edge ? place : middleOfLongest(graph, edges);
 }
 

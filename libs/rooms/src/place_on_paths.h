@@ -8,9 +8,10 @@ namespace roomgraph {
 /** Far from the origin, points of a path that follow each other may differ by rounding only [m]. */
 constexpr double kSamePlace = 1e-6;
 
-/** The point of the paths that is nearest to `p`, of those with at least `minClearance`, or of any
- *  where there is none. It is no border vertex: the room's own vertex is not one of those. Where
- *  there is no other, halfway on the longest path. There must be an edge. O(path points). */
+/** The point of the paths that is nearest to `p`, of those with at least `minClearance`, or half of
+ *  the widest clearance where that is less. It is no border vertex: the room's own vertex is not
+ *  one of those. Where there is no other, halfway on the longest path. There must be an edge.
+ *  O(path points). */
 [[nodiscard]] PlaceOnPath placeOnPaths(const TopologyGraph& graph, const std::vector<EdgeId>& edges,
                                        Point p, double minClearance);
 

@@ -11,13 +11,14 @@ namespace roomgraph {
 // Next: roomGraph, which puts them in
 
 /** More ways across a hall, a room in which a disc of more than 6 m fits: straight ones between two
- *  of its border vertices, or between the ways out of them, the shortest first, while the way along
- *  the others is more than 1.3 times as long and 3 m longer; then to what is farther than 3 m from
- *  all of them, the farthest first, each from the nearest place of a way and ending in a dead end.
- *  Each keeps inside of the room, but where it ends, and at least `minClearance` from all obstacles
- *  [m], and has a junction wherever it crosses another way. What no such way leads to stays as it
- *  is, and so do other rooms. Vertices keep their numbers. O(k² m + n m) with k border vertices, m
- *  ways and n squares of 1.5 m. */
+ *  of its vertices, or between the ways out of its border vertices, the shortest first, while the
+ *  way along the others is more than 1.3 times as long and 3 m longer; then to what is farther than
+ *  3 m from all of them, the farthest first, each from the nearest place of a way and ending in a
+ *  dead end; then between these as before. Two border vertices always count, other vertices only
+ *  where none lies between them. Each way keeps inside of the room, but where it ends, and at least
+ *  `minClearance` from all obstacles [m], and has a junction wherever it crosses another one. What
+ *  no such way leads to stays as it is, and so do other rooms. Vertices keep their numbers.
+ *  O(v³ + n m) with v vertices, m ways and n squares of 1.5 m. */
 [[nodiscard]] TopologyGraph hallWays(TopologyGraph ways, const Room& room,
                                      const ObstacleRows& obstacles, double minClearance);
 
