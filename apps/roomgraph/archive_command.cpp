@@ -100,6 +100,8 @@ std::vector<WatchedSite> sitesToTell(const ArchiveArguments& arguments) {
     one.watch = watchSite(one.history, arguments.watch);
     told.push_back(std::move(one));
   }
+  if (told.empty() && !arguments.running.isQuiet)
+    printError(arguments.archive + ": note: has no runs yet: add some");
   return told;
 }
 

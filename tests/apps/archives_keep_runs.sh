@@ -97,6 +97,10 @@ one_line err "is still to come"
 whole site.db
 
 # Lists, reports and exports.
+printf 'site,file\nlab,none.pgm\n' > none.csv
+expect 1 "$roomgraph" plan none.csv --archive empty.db -o plan
+expect 0 "$roomgraph" archive empty.db report
+one_line err "empty.db: note: has no runs yet"
 expect 0 "$roomgraph" archive site.db list
 [ "$(wc -l < out)" = 7 ] || fail "not a line per run"
 expect 0 "$roomgraph" archive site.db rooms
