@@ -38,6 +38,11 @@ expect 1 "$night" bad.csv a.db bad --resolution 0.05
 grep -q "bad.csv: line 2: 'tonight' is not a time" err || { cat err; fail "the bad line is not told"; }
 [ "$(grep -c "not a time" err)" = 1 ] || { cat err; fail "the bad line is told twice"; }
 [ "$(sqlite3 a.db 'SELECT count(*) FROM run')" = 1 ] || fail "the good line is not done"
+# So is a map that is damaged.
+head -c 300 "$source_dir/share/roomgraph/maps/office.gridmap.gz" | gunzip 2> /dev/null > maps/cut.gridmap || true
+printf 'site,file\noffice,maps/a.pgm\noffice,maps/cut.gridmap\n' > cut.csv
+expect 1 "$night" cut.csv a.db cut --resolution 0.05
+[ "$(grep -c cut.gridmap err)" = 1 ] || { cat err; fail "the damaged map is not told once"; }
 echo site,file > empty.csv
 expect 1 "$night" empty.csv a.db empty
 grep -q 'empty.csv: lists no run' err || { cat err; fail "an empty list is not told"; }
