@@ -51,7 +51,7 @@ CarryArguments withFiles(CarryArguments arguments) {
 std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
   SiteArguments site = arguments.site;
   site.takesCopies = true;  // a map may be carried to itself
-  site.files = {arguments.from, arguments.to};
+  site.files = site.needed = {arguments.from, arguments.to};
   if (!arguments.via.empty()) {
     site.files.insert(site.files.end(), arguments.via.begin(), arguments.via.end());
     auto runs = solveRuns(site);

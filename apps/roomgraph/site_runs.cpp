@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "UnusedOptions.h"
+#include "roomgraph/base/Error.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/check_run.h"
 #include "roomgraph/repair/solve_runs.h"
@@ -53,7 +54,11 @@ CompareMapsOptions siteOptions(const SiteArguments& arguments) {
   CompareMapsOptions options = toCompareOptions(arguments.options);
   options.reference = arguments.reference;
   options.compare.forEach = onThreads(arguments.running.threads, !arguments.running.isQuiet);
-  options.onUnread = [](const LeftOutRun& run) { printError(run.file + ": " + run.reason); };
+  options.onUnread = [needed = arguments.needed](const LeftOutRun& run) {
+    const std::string line = run.file + ": " + run.reason;
+    if (std::count(needed.begin(), needed.end(), run.file)) throw DataError(line);
+    printError(line);
+  };
   return options;
 }
 

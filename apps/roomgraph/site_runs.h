@@ -13,6 +13,7 @@ namespace roomgraph {
 /** What `compare`, `repair`, `merge` and `carry` are told of the runs that they work with. */
 struct SiteArguments {
   std::vector<std::string> files;
+  std::vector<std::string> needed;  ///< those of them without which there is nothing to do
   std::string reference, folder;
   std::string cache;         ///< folder that keeps pairs from call to call; empty for none
   bool areOneSite = false;   ///< they are said to show one
@@ -21,7 +22,8 @@ struct SiteArguments {
   RunningArguments running;
 };
 
-/** How the runs are read and compared; a file that cannot be used is a line on stderr. */
+/** How the runs are read and compared; a file that cannot be used is a line on stderr, a
+ *  needed one a DataError. */
 CompareMapsOptions siteOptions(const SiteArguments& arguments);
 
 /** Declares --output, --reference, --cache and how maps are read; not the files themselves. */

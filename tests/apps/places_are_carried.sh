@@ -81,6 +81,10 @@ expect 1 carry far.csv -o far
 grep -q '^roomgraph: far/far.csv: place far3: unseen: ' err || fail "it does not say what and why"
 grep -q 'far.csv: and 2 more$' err || fail "it does not say how many more"
 
+# A map that cannot be read is named once.
+expect 1 "$roomgraph" carry marked/goals.csv --from "$old" --to nowhere.simplemap -o none
+one_line err "nowhere.simplemap: there is no such file: check the name"
+
 # Nothing that is read is replaced, and what cannot be read is one line.
 cp marked/goals.csv before.csv
 expect 2 carry marked/goals.csv -o marked
