@@ -42,8 +42,8 @@ bool hasExtensionOf(const std::string& name, bool ofPicture) {
 FolderWatch::FolderWatch(const std::string& folder) : folder_(folder) {
   inotify_ = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
   if (inotify_ < 0 || inotify_add_watch(inotify_, folder.c_str(),
-                                        kWhole | kAway | IN_MODIFY | IN_DELETE_SELF | IN_MOVE_SELF |
-                                            IN_ONLYDIR) < 0) {
+                                        kWhole | kAway | IN_CREATE | IN_MODIFY | IN_DELETE_SELF |
+                                            IN_MOVE_SELF | IN_ONLYDIR) < 0) {
     const std::string problem = std::strerror(errno);
     if (inotify_ >= 0) close(inotify_);
     throw DataError(folder + ": cannot be watched (" + problem + "): name a folder that is there");
@@ -91,7 +91,9 @@ void FolderWatch::handle(unsigned what, const std::string& name) {
   if (map.empty()) return;
   listed_.erase(map);
   changed_.erase(map);
-  if (what & kWhole) changed_[map] = Clock::now() + kSettle;
+  std::error_code ignored;
+  const bool isLink = (what & IN_CREATE) && fs::is_symlink(path(name), ignored);  // never closed
+  if (isLink || (what & kWhole)) changed_[map] = Clock::now() + kSettle;
 }
 
 void FolderWatch::readEvents() {

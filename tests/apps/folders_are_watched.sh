@@ -49,10 +49,15 @@ has_lines 4
 head -c 500 "$maps/office.gridmap.gz" > in/bad.gridmap.gz
 has_lines 5
 field error | grep -q bad.gridmap.gz || fail "no error for a damaged map"
+# A link is a map, too.
+cp "$maps/office_run3.simplemap.gz" linked
+ln -s ../linked in/link.simplemap.gz
+has_lines 6
+[ "$(field file)" = in/link.simplemap.gz ] && [ "$(field error)" = None ] || fail "a link is not added"
 # The command has had each line, and its output is no line.
 for i in $(seq 50); do cmp -s told lines && break; sleep 0.1; done
 cmp -s told lines || fail "the command has had other lines"
-[ "$(grep -c called errors)" = 5 ] || fail "the command's output is lost"
+[ "$(grep -c called errors)" = 6 ] || fail "the command's output is lost"
 
 # A kill loses nothing: what the archive knows is not told again, what came meanwhile is.
 kill -KILL $watcher
@@ -65,7 +70,7 @@ start
 has_lines 1
 [ "$(field file)" = in/four.gridmap.gz ] || fail "not only what is new"
 expect 0 "$roomgraph" archive site.db list
-[ "$(grep -c anna out)" = 5 ] || { cat out >&2; fail "not five runs in the archive"; }
+[ "$(grep -c anna out)" = 6 ] || { cat out >&2; fail "not six runs in the archive"; }
 
 # It ends by the signal that it gets, and with its folder.
 kill -TERM $watcher
