@@ -55,8 +55,16 @@ TEST(PlacesGeojson, featuresAndGeometriesMayBeBare) {
                 .things[0]
                 .places.size(),
             1u);
-  EXPECT_TRUE(read(R"({"type":"Feature","geometry":null})").things[0].places.empty());
   EXPECT_TRUE(read(R"({"type":"FeatureCollection","features":[]})").things.empty());
+}
+
+TEST(PlacesGeojson, aFeatureThatLiesNowhereStaysAsItIs) {
+  const std::string nowhere = R"({"type":"Feature","geometry":null,"properties":{"id":3}})";
+  EXPECT_TRUE(read(nowhere).things.empty());
+  const MarkedFile file = read(collection({nowhere, feature("{}", "Point", "[1,2]")}));
+  ASSERT_EQ(file.things.size(), 1u);
+  EXPECT_NE(test::textBy(kMotion, file).find(R"("geometry":null,"properties":{"id":3}})"),
+            std::string::npos);
 }
 
 TEST(PlacesGeojson, roomsAndPassagesWithoutAnIdHaveTheirNumbers) {

@@ -167,16 +167,22 @@ bool isGeometry(const Json& json) {
   return json.is_object() && (json.contains("coordinates") || json.contains("geometries"));
 }
 
+/** Those that lie somewhere. */
 std::vector<Json*> featuresIn(Json& document) {
-  if (isOfType(document, "Feature") || isGeometry(document)) return {&document};
+  std::vector<Json*> features;
+  const auto add = [&](Json& feature) {
+    if (!feature.contains("geometry") || !feature["geometry"].is_null())
+      features.push_back(&feature);
+  };
+  if (isOfType(document, "Feature") || isGeometry(document)) return add(document), features;
   if (!isOfType(document, "FeatureCollection") || !document.contains("features") ||
       !document["features"].is_array())
     throw Broken{"", "is no GeoJSON: it has neither features nor coordinates"};
-  std::vector<Json*> features;
-  for (Json& feature : document["features"]) {
+  Json& all = document["features"];
+  for (Json& feature : all) {
     if (!isOfType(feature, "Feature"))
-      throw Broken{"features[" + std::to_string(features.size()) + "]", "is no feature"};
-    features.push_back(&feature);
+      throw Broken{"features[" + std::to_string(&feature - &all[0]) + "]", "is no feature"};
+    add(feature);
   }
   return features;
 }
@@ -202,7 +208,6 @@ std::string nameOfFeature(const Json& feature) {
 }
 
 void visitGeometry(Json& geometry, const VisitPlace& visit) {
-  if (geometry.is_null()) return;  // a feature that lies nowhere
   if (!isGeometry(geometry)) throw Broken{"", "has a geometry without coordinates"};
   const bool isArea = isOfType(geometry, "Polygon") || isOfType(geometry, "MultiPolygon");
   if (geometry.contains("coordinates"))
