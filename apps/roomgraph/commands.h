@@ -25,8 +25,15 @@ template <class Value>
 CLI::Option* addOption(CLI::App& app, const std::string& names, Value& value,
                        const std::string& sentence) {
   const std::size_t end = names.find(' ');
-  return app.add_option(names.substr(0, end), value, sentence)
-      ->type_name(end == std::string::npos ? "" : names.substr(end + 1));
+  CLI::Option* option = app.add_option(names.substr(0, end), value, sentence)
+                            ->type_name(end == std::string::npos ? "" : names.substr(end + 1));
+  if (names.rfind("-o,", 0) == 0)
+    option->check(CLI::Validator(
+        [](const std::string& name) {
+          return name.empty() ? "is empty: name one, or leave the option out" : "";
+        },
+        ""));
+  return option;
 }
 
 /** Declares an argument that must be there. */

@@ -93,6 +93,11 @@ opened_by kept.db "is an archive" "roomgraph archive"
 printf 'Scene of a play\n' > text.txt
 opened_by text.txt "is not a map of a known kind"
 
+for command in extract check convert "archive kept.db report"; do
+  expect 2 "$roomgraph" $command a.pgm -o ''
+  one_line err "--output: is empty"
+done
+
 touch file
 expect 1 "$roomgraph" extract a.pgm -o file/below
 one_line err file/below
