@@ -83,9 +83,13 @@ TEST(PageSummary, roomsThatAreGoneAreNamedWithTheRunsThatLooked) {
 
 TEST(PageSummary, aGateIsToldWithWhatWasAsked) {
   Comparison comparison = sample().comparison;
+  const std::string verdict = comparison.verdict;
+  EXPECT_EQ(pageVerdict(comparison), verdict);
   comparison.gate = GateVerdict{{}, {"west"}, {"a score of 50 at least"}};
+  EXPECT_EQ(pageVerdict(comparison), verdict);
   EXPECT_TRUE(isSaid(comparison, "The gate of west passes (a score of 50 at least)."));
   comparison.gate->complaints = {"west: breaks", "west: has too little"};
+  EXPECT_EQ(pageVerdict(comparison), "The gate fails. " + verdict);
   EXPECT_TRUE(isSaid(comparison,
                      "The gate of west fails (a score of 50 at least): west: breaks and west: "
                      "has too little."));

@@ -97,7 +97,7 @@ std::string toDrive(const Comparison& comparison) {
 std::string bareReport(const Comparison& comparison) {
   SimplePage page;
   page.title = "Comparison of maps", page.subject = "comparison of maps";
-  page.heading = xmlText(comparison.verdict), page.counts = xmlText(pageCounts(comparison));
+  page.heading = xmlText(pageVerdict(comparison)), page.counts = xmlText(pageCounts(comparison));
   page.body = "<section>\n<ul>\n";
   for (const std::string& sentence : pageSummary(comparison))
     page.body += "<li>" + xmlText(sentence) + "</li>\n";
@@ -124,6 +124,11 @@ std::string commandLine(const Comparison& comparison) {
     if (usual == defaults.end() || usual->second != option.value) text += argumentOf(option);
   }
   return text;
+}
+
+std::string pageVerdict(const Comparison& comparison) {
+  const bool isRefused = comparison.gate && !comparison.gate->isPassed();
+  return (isRefused ? "The gate fails. " : "") + comparison.verdict;
 }
 
 std::string pageCounts(const Comparison& comparison) {

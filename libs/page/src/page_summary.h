@@ -10,6 +10,9 @@ namespace roomgraph {
  *  corridors". */
 std::string pageCounts(const Comparison& comparison);
 
+/** What a page begins with: the verdict, behind a gate that fails. */
+std::string pageVerdict(const Comparison& comparison);
+
 /** What stands out, a plain sentence each: why the best run is best, which runs are torn, which
  *  rooms are missing where a run has looked, which pairs are doubtful, what was left out. Empty for
  *  a site without anything. */

@@ -197,7 +197,7 @@ Json heatRows() {
 Json pageTables(const Comparison& comparison) {
   const Tables tables(comparison);
   // The first sentence is the headline, what qualifies it stands below.
-  const std::string& verdict = comparison.verdict;
+  const std::string verdict = pageVerdict(comparison);
   const std::size_t end = std::min(verdict.find(". "), verdict.size() - 1);
   return {{"version", version()},
           {"verdict", verdict.substr(0, end + 1)},
