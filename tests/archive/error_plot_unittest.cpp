@@ -63,6 +63,14 @@ TEST(ErrorSparkline, isALineThroughAllRuns) {
   const WatchedSite site = siteOf({0.1, 0.2, 0.3});
   const std::string line = errorSparkline(site, site.watch.robots.front(), {});
   EXPECT_EQ(count(line, ","), 3U) << line;
+  EXPECT_EQ(count(line, "<circle"), 0U);
+}
+
+TEST(ErrorSparkline, isADotOfASingleRun) {
+  const WatchedSite site = siteOf({0.1});
+  const std::string dot = errorSparkline(site, site.watch.robots.front(), {});
+  EXPECT_EQ(count(dot, "<circle"), 1U) << dot;
+  EXPECT_EQ(dot.find("nan"), std::string::npos) << dot;
 }
 
 }  // namespace

@@ -175,7 +175,11 @@ std::string errorSparkline(const WatchedSite& site, const RobotWatch& robot,
   svg += "<polyline style=\"fill:none;stroke:var(--accent);stroke-width:1.5\" points=\"";
   for (const Dot& dot : dots)
     svg += formatted("%.1f,%.1f ", wide * (scales.x(dot.time) - kLeft), y(dot.error));
-  return svg + "\"/></svg>";
+  svg += "\"/>";
+  if (dots.size() == 1)  // no line
+    svg += formatted("<circle cx=\"%g\" cy=\"%.1f\" r=\"2.5\" style=\"fill:var(--accent)\"/>",
+                     kSparkWidth / 2, y(dots[0].error));
+  return svg + "</svg>";
 }
 
 }  // namespace roomgraph

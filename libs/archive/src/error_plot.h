@@ -17,7 +17,7 @@ namespace roomgraph {
 std::string errorPlot(const WatchedSite& site, const RobotWatch& robot,
                       const WatchOptions& options);
 
-/** The same in the size of a word, without axes. */
+/** The same in the size of a word, without axes; a dot where there is one run. */
 std::string errorSparkline(const WatchedSite& site, const RobotWatch& robot,
                            const WatchOptions& options);
 
