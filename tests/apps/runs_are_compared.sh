@@ -68,6 +68,7 @@ expect 3 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o other --fai
 expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 90 \
   --fail-on coverage,not-same-site
 expect 1 "$roomgraph" compare a.gridmap.gz other.pgm -o gate --fail-below 90
+expect 3 "$roomgraph" compare a.gridmap.gz other.pgm -o gate --fail-on not-same-site
 # Below 0 is no score, but a run may have none.
 expect 0 "$roomgraph" compare a.gridmap.gz b.gridmap.gz -o gate --fail-below 0
 expect 3 "$roomgraph" compare a.gridmap.gz other.pgm b.gridmap.gz -o gate --fail-below 0
