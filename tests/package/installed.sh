@@ -7,6 +7,14 @@ cmake --install "$build" --prefix "$work/prefix" > /dev/null
 test -x "$work/prefix/bin/roomgraph"
 test -f "$work/prefix/share/roomgraph/config_files/default.ini"
 
+# Each link of the pages leads to what is installed with them.
+(cd "$work/prefix/share/doc/roomgraph" && find . -name '*.md' | while read -r page; do
+  { grep -oP '\]\(\K[^):#\s]+(?=[)#])' "$page" || true; } | while read -r link; do
+    [ -e "$(dirname "$page")/$link" ] || echo "$page: $link leads nowhere"
+  done
+done) > "$work/lost"
+[ ! -s "$work/lost" ] || { cat "$work/lost"; exit 1; }
+
 cmake -S "$stranger" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix" > "$work/configured" 2>&1 ||
   { cat "$work/configured"; exit 1; }
 # No type of build is set, of which CGAL would say a dozen lines.
