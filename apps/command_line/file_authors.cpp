@@ -24,11 +24,7 @@ namespace fs = std::filesystem;
 
 /** The first lines of a file; none where it cannot be read, which its reader will say. */
 std::string firstLines(const std::string& file) {
-  try {
-    return CheckedFile(file).head().text();
-  } catch (const DataError&) {
-    return {};
-  }
+  return orNothing([&] { return CheckedFile(file).head().text(); });
 }
 
 /** The first bytes of a file as they lie on the disk; none where it is no file. */
@@ -55,11 +51,7 @@ bool holds(const std::string& text, const std::string& part) {
 bool isOurSimplemap(const std::string& file) {
   if (holds(storedHead(file), kGzipMark)) return true;
   const std::string path = (fs::path(file).parent_path() / (mapStem(file) + ".tum")).string();
-  try {
-    return hasAuthorLine(path) && holds(storedHead(path), mapSha256(file));
-  } catch (const DataError&) {
-    return false;
-  }
+  return orNothing([&] { return hasAuthorLine(path) && holds(storedHead(path), mapSha256(file)); });
 }
 
 bool isOurPgm(const std::string& file) {
@@ -83,11 +75,7 @@ bool isOurTable(const std::string& file) {
 }
 
 bool isCarriedFile(const std::string& file) {
-  try {
-    return isCarried(readFile(file));
-  } catch (const DataError&) {
-    return false;
-  }
+  return orNothing([&] { return isCarried(readFile(file)); });
 }
 
 }  // namespace
@@ -118,14 +106,12 @@ std::string foreignMapOf(const std::string& file) {
 
 bool isMapOrArchive(const std::string& file) {
   if (storedHead(file).rfind("SQLite format 3", 0) == 0) return true;
-  try {
+  return orNothing([&] {
     CheckedFile opened(file);
     const std::vector<MapFormat>& formats = mapFormats();
     return std::any_of(formats.begin(), formats.end(),
                        [&](const MapFormat& format) { return format.looksLike(opened); });
-  } catch (const DataError&) {
-    return false;
-  }
+  });
 }
 
 bool isOurs(const std::string& file) {

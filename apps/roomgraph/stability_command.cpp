@@ -70,20 +70,13 @@ void declareRunning(StabilityTask& task, CLI::App& app) {
   declareQuiet(task.isQuiet, app);
 }
 
-std::string textOf(const std::string& file) {
-  try {
-    return readFile(file);
-  } catch (const DataError&) {
-    return {};  // the runs are done anew
-  }
-}
-
 /** The runs that are done, in memory and on the disk. Used by all threads. */
 class Progress {
  public:
   Progress(std::string file, std::string key, std::vector<StabilityRun> runs)
       : file_(std::move(file)), key_(std::move(key)), runs_(std::move(runs)) {
-    done_ = readProgress(textOf(file_), key_, runs_);
+    const std::string kept = orNothing([&] { return readFile(file_); });  // else all is done anew
+    done_ = readProgress(kept, key_, runs_);
   }
 
   /** Places in the list of runs. */

@@ -23,5 +23,11 @@ TEST(Refuse, isOneLineWhateverTheFileIsCalled) {
   EXPECT_EQ(refusal("a\nb\x1b[2J.png", "x"), "a?b?[2J.png: x: choose another");
 }
 
+TEST(OrNothing, isEmptyOrFalseWhereDataCannotBeUsed) {
+  EXPECT_TRUE(orNothing([] { return true; }));
+  EXPECT_FALSE(orNothing([]() -> bool { refuse("a.png", "x", "y"); }));
+  EXPECT_THROW((void)orNothing([]() -> bool { throw UsageError("x"); }), UsageError);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -23,11 +23,7 @@ void copy(const std::string& from, const fs::path& to) {
 
 /** Whether the file is there and holds what it should. */
 bool holds(const std::string& file, const std::string& sha256) {
-  try {
-    return mapSha256(file) == sha256;
-  } catch (const DataError&) {
-    return false;
-  }
+  return orNothing([&] { return mapSha256(file) == sha256; });
 }
 
 // Rooms change over years, so the best of all times is no judge; nor are the files of years asked

@@ -16,11 +16,8 @@ PairFolder::PairFolder(std::string folder) : folder_(std::move(folder)) {
 KeptPairs PairFolder::kept() {
   if (folder_.empty()) return {};
   return {[this](const std::string& name) -> std::optional<std::string> {
-            try {
-              return readFile(fileOf(name));
-            } catch (const DataError&) {
-              return {};  // not there yet, or no file of ours
-            }
+            // It may not be there yet, or be no file of ours.
+            return orNothing([&] { return std::optional(readFile(fileOf(name))); });
           },
           [this](const std::string& name, const std::string& bytes) { write(name, bytes); }};
 }

@@ -17,6 +17,16 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/** What `get` returns; empty, or false, where it throws a DataError. */
+template <class Get>
+[[nodiscard]] auto orNothing(const Get& get) -> decltype(get()) {
+  try {
+    return get();
+  } catch (const DataError&) {
+    return {};
+  }
+}
+
 /** Throws the DataError "file: problem: remedy" as one printable line. */
 [[noreturn]] void refuse(const std::string& file, const std::string& problem,
                          const std::string& remedy);
