@@ -192,6 +192,12 @@ TEST(SiteBreaks, ofTwoMapsTheOneThatIsTrustedLessIsBroken) {
   EXPECT_EQ(breaks[1].size(), 1u);
 }
 
+TEST(SiteBreaks, worseMapsDoNotLayTheirBreaksOnABetterOne) {
+  const Grid sound = test::drawnBuilding(1, {}), broken = test::bent(sound, 0.08);
+  EXPECT_TRUE(breaksOf({sound, broken, broken}, {1, 0.01, 0.01})[0].empty());
+  EXPECT_EQ(breaksOf({sound, broken, broken}, {1, 0.9, 0.9})[0].size(), 1u) << "who errs, then";
+}
+
 TEST(SiteBreaks, aRunAloneHasNone) {
   const Way way = roundTheBlock();
   for (const auto& breaks : DrivenSite({test::torn(way, 30, 1, {3, 4})}, {way}).breaks())

@@ -24,6 +24,7 @@ class BreakSearch {
     witnesses_ = witnesses(trust);
     // Trust is steep: its root lets two good maps outvote a better one.
     for (const std::size_t j : witnesses_) votes_.push_back(std::sqrt(trust[j]));
+    ownVote_ = std::sqrt(trust[run]);
   }
 
   std::vector<MapBreak> breaks() const {
@@ -39,8 +40,6 @@ class BreakSearch {
     std::stable_sort(others.begin(), others.end(),
                      [&](std::size_t l, std::size_t r) { return trust[l] > trust[r]; });
     if (others.size() > kWitnesses) others.resize(kWitnesses);
-    // One map alone cannot tell its own breaks from those of a better one.
-    if (others.size() == 1 && trust[others[0]] < trust[run_]) return {};
     return others;
   }
 
@@ -123,9 +122,10 @@ class BreakSearch {
     return sum;
   }
 
-  /** The votes of all but those that know only one of the pieces. */
+  /** The votes of all but those that know only one of the pieces; its own is that it has none, so
+   *  that worse maps do not lay their breaks on a better one. */
   double votesOn(const PieceBreak& one, const std::vector<std::optional<PieceBreak>>& found) const {
-    double sum = 0;
+    double sum = ownVote_;
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k] || knows(witnesses_[k], one)) sum += votes_[k];
     return sum;
@@ -155,6 +155,7 @@ class BreakSearch {
   std::size_t run_;
   std::vector<std::size_t> witnesses_;
   std::vector<double> votes_;  // of each witness
+  double ownVote_ = 0;
 };
 
 }  // namespace
