@@ -56,8 +56,8 @@ std::optional<double> directionAt(const std::vector<WallPoint>& walls, const Nea
   return directionOf(near);
 }
 
-/** Steps along rows and columns to the nearest free cell, at most `most`. */
-std::vector<std::uint8_t> stepsToFree(const Grid& grid, std::uint8_t most) {
+/** Steps along rows and columns to the nearest cell of that state, at most `most`. */
+std::vector<std::uint8_t> stepsTo(State state, const Grid& grid, std::uint8_t most) {
   const int w = grid.frame.width, h = grid.frame.height;
   std::vector<std::uint8_t> steps(grid.frame.cellCount());
   const auto relax = [&](int x, int y, int fromX, int fromY) {
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> stepsToFree(const Grid& grid, std::uint8_t most) {
   };
   for (int y = 0; y < h; ++y)
     for (int x = 0; x < w; ++x) {
-      steps[grid.frame.index({x, y})] = grid.at({x, y}) == State::free ? 0 : most;
+      steps[grid.frame.index({x, y})] = grid.at({x, y}) == state ? 0 : most;
       relax(x, y, x - 1, y), relax(x, y, x, y - 1);
     }
   for (int y = h; y-- > 0;)
@@ -121,12 +121,15 @@ std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
 std::optional<double> wallSharpness(const Grid& grid) {
   // What lies behind the face of a wall like ends of beams on one wall is wall as well.
   const int reach = std::clamp(int(std::lround(kSameSurface / grid.frame.resolution)), 1, 200);
-  const std::vector<std::uint8_t> steps = stepsToFree(grid, std::uint8_t(reach + 1));
+  // Far from all walls the edge is where nobody looked on, and says nothing of them.
+  const auto toFree = stepsTo(State::free, grid, std::uint8_t(reach + 1));
+  const auto toWall = stepsTo(State::occupied, grid, std::uint8_t(reach + 1));
   double edge = 0, walls = 0;
   for (int y = 0; y < grid.frame.height; ++y)
     for (int x = 0; x < grid.frame.width; ++x) {
-      edge += isEdge(grid, {x, y});
-      walls += grid.at({x, y}) == State::occupied && steps[grid.frame.index({x, y})] <= reach;
+      const std::size_t i = grid.frame.index({x, y});
+      edge += toWall[i] <= reach && isEdge(grid, {x, y});
+      walls += grid.at({x, y}) == State::occupied && toFree[i] <= reach;
     }
   if (edge == 0 || walls == 0) return std::nullopt;
   return walls / edge;
