@@ -117,8 +117,14 @@ TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
   EXPECT_EQ(adviceWith("confirmed", 0.75), "yes, the map of 1970-01-12 may be rolled out");
   EXPECT_EQ(adviceWith("walls_missing", 0.2),
             no + "lacks 20 % of the walls that others have" + stays);
-  EXPECT_EQ(adviceWith("walls_added", 0.33),
-            no + "has, in one place, 33 % of its walls where others have seen free space" + stays);
+  EXPECT_EQ(adviceWith("walls_added", 0.63),
+            no + "has, in one place, 63 % of its walls where others have seen free space" + stays);
+  EXPECT_EQ(
+      adviceWith("straight_walls_added", 0.04),
+      no +
+          "has, in one place, 4.0 % of its walls as straight ones where others have seen free "
+          "space" +
+          stays);
   EXPECT_EQ(adviceWith("coverage", 0.71), "yes, the map of 1970-01-12 may be rolled out");
 }
 

@@ -109,13 +109,16 @@ TEST(Comparison, whatNobodyBearsOutCountsTwiceWhereAsMuchIsLacking) {
 
 TEST(Comparison, aMapWithAPlaceThatNoOtherShowsIsNotBorneOut) {
   ComparedRun run = runOf("a", 0.1);
-  run.measures = {{"walls_added", 0.3, "1", 5000, {}, {}, true, Point{1, 2}}};
+  run.measures = {{"walls_added", 0.6, "1", 5000, {}, {}, true, Point{1, 2}}};
   ASSERT_EQ(run.addedWalls(), &run.measures[0]);
   EXPECT_FALSE(run.isBorneOut());
+  EXPECT_EQ(Comparison{}.certaintyOf(run), Certainty::doubtful);
   run.measures[0].isMeaningful = false;
   EXPECT_TRUE(run.isBorneOut()) << "nobody can tell";
   run.measures[0].isMeaningful = true, run.measures[0].value = kMostAdded;
   EXPECT_TRUE(run.isBorneOut()) << "as moved furniture is";
+  run.measures[0].name = "straight_walls_added";
+  EXPECT_FALSE(run.isBorneOut()) << "as it is not";
 }
 
 TEST(Comparison, copiesAndEditsAreSetsOfRuns) {

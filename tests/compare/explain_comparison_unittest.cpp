@@ -193,21 +193,21 @@ TEST(VerdictOf, aMapOfAPartIsNotCalledTheBest) {
 
 TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotCalledTheBest) {
   Comparison wrong = ofRuns({scored("a", 0.1), scored("b", 0.4), scored("c", 0.5)});
-  wrong.runs[0].measures = {{"walls_added", 0.42, "1", 5000, {}, {}, true, Point{1, 2}}};
+  wrong.runs[0].measures = {{"walls_added", 0.62, "1", 5000, {}, {}, true, Point{1, 2}}};
   EXPECT_NE(verdictOf(wrong).find("But a has a place where others show no such walls, round "
                                   "(1.0, 2.0)."),
             std::string::npos)
       << verdictOf(wrong);
   EXPECT_EQ(verdictOf(wrong).find("best map"), std::string::npos);
   EXPECT_NE(reasonOf(wrong.runs[0], wrong)
-                .find("of its walls round (1.0, 2.0) 42 % stand where the others have seen free"),
+                .find("of its walls round (1.0, 2.0) 62 % stand where the others have seen free"),
             std::string::npos);
 }
 
 TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotAsGood) {
   Comparison close = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.5)});
   EXPECT_NE(verdictOf(close).find("b may be as good"), std::string::npos) << verdictOf(close);
-  close.runs[1].measures = {{"walls_added", 0.42, "1", 5000, {}, {}, true, Point{1, 2}}};
+  close.runs[1].measures = {{"walls_added", 0.62, "1", 5000, {}, {}, true, Point{1, 2}}};
   EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos);
 }
 

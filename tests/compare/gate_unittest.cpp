@@ -232,11 +232,11 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
   GateOptions options;
   options.failsOnWalls = true;
   EXPECT_FALSE(options.asksNothing());
-  EXPECT_TRUE(gateVerdict(withWalls(0.14, 0.24, 0.5), options).isPassed());
-  EXPECT_EQ(gateVerdict(withWalls(0.3, 0.4, 0.2), options).complaints,
+  EXPECT_TRUE(gateVerdict(withWalls(0.14, 0.49, 0.5), options).isPassed());
+  EXPECT_EQ(gateVerdict(withWalls(0.3, 0.6, 0.2), options).complaints,
             (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
-                   "a: has 40 % of its walls round (1.0, -2.0) where others have seen free space, "
-                   "more than 25 %",
+                   "a: has 60 % of its walls round (1.0, -2.0) where others have seen free space, "
+                   "more than 50 %",
                    "a: its walls are too thin: wall_sharpness is 0.20, that of the others 0.80"}));
   EXPECT_EQ(gateVerdict(withWalls(0, 0, 3), options).complaints,
             Lines{"a: its walls are too thick: wall_sharpness is 3.00, that of the others 0.80"});

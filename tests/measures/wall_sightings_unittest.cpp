@@ -58,6 +58,7 @@ TEST(WallSightings, aSoundMapLacksNoWallsAndABentOneDoesNotEither) {
   for (const std::size_t run : {0u, 1u, 2u}) {
     EXPECT_LT(*sound().measured(wallsMissingOf, run).value, 0.02) << run;
     EXPECT_LT(*sound().measured(wallsAddedOf, run).value, 0.02) << run;
+    EXPECT_LT(*sound().measured(straightWallsAddedOf, run).value, 0.01) << run;
   }
   EXPECT_TRUE(sound().measured(wallsMissingOf).hasEnoughOthers);
   EXPECT_GT(sound().measured(wallsAddedOf).support, kFewestWalls);
@@ -89,6 +90,7 @@ TEST(WallSightings, specksAreAdded) {
     return isSpeck ? State::occupied : grid.at(c);
   }));
   EXPECT_GT(*four.measured(wallsAddedOf).value, 0.3);
+  EXPECT_LT(*four.measured(straightWallsAddedOf).value, 0.02);
   EXPECT_LT(*four.measured(wallsMissingOf, 2).value, 0.02) << "no third one has them";
 }
 
@@ -101,6 +103,7 @@ TEST(WallSightings, aRoomThatIsDrawnMirroredIsWrongThere) {
   }));
   const MeasuredValue added = four.measured(wallsAddedOf);
   EXPECT_GT(*added.value, 0.3);
+  EXPECT_GT(*four.measured(straightWallsAddedOf).value, 0.1);
   ASSERT_TRUE(added.place);
   const GridFrame& frame = four.runs[0].map.frame;
   EXPECT_LT(distance(*added.place, frame.center({frame.width / 2, frame.height / 2})), 6);

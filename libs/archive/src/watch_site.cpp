@@ -66,6 +66,11 @@ std::string mapFault(const HistoryRun& run, std::optional<double> usual,
   if (figure("walls_added") > kMostAdded)
     return formatted("has, in one place, %.0f %% of its walls where others have seen free space",
                      100 * figure("walls_added"));
+  if (figure("straight_walls_added") > kMostStraightAdded)
+    return formatted(
+        "has, in one place, %.1f %% of its walls as straight ones where others have "
+        "seen free space",
+        100 * figure("straight_walls_added"));
   const auto sharpness = trustedValueOf(run.figures, "wall_sharpness");
   const std::string fault = sharpness && usual ? sharpnessFault(*sharpness, *usual) : "";
   return fault.empty() ? "" : "has walls that " + fault;

@@ -49,9 +49,12 @@ std::string ComparedRun::unconfirmedFault() const {
 }
 
 const Measure* ComparedRun::addedWalls() const {
-  const Measure* added = find(measures, "walls_added");
-  return added && added->isMeaningful && added->place && *added->value > kMostAdded ? added
-                                                                                    : nullptr;
+  for (const auto& [measure, most] : {std::pair("straight_walls_added", kMostStraightAdded),
+                                      std::pair("walls_added", kMostAdded)}) {
+    const Measure* added = find(measures, measure);
+    if (added && added->isMeaningful && added->place && *added->value > most) return added;
+  }
+  return nullptr;
 }
 
 bool Comparison::isScaleUsual() const {
@@ -106,7 +109,7 @@ std::vector<std::vector<std::string>> Comparison::edits() const {
 
 Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (!run.score || !run.score->isMeaningful) return Certainty::cannotTell;
-  if (isPlaceDoubtful(run.name)) return Certainty::doubtful;
+  if (isPlaceDoubtful(run.name) || run.addedWalls()) return Certainty::doubtful;
   const RunScore& score = *run.score;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
   const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut();

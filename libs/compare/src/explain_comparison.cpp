@@ -38,9 +38,9 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
                       100 * (1 - score.confirmed));
   if (const Measure* added = run.addedWalls())
     text += formatted(
-        "; of its walls round (%.1f, %.1f) %.0f %% stand where the others have seen "
-        "free space",
-        added->place->x, added->place->y, 100 * *added->value);
+        "; of its walls round (%.1f, %.1f) %.0f %% %s where the others have seen free space",
+        added->place->x, added->place->y, 100 * *added->value,
+        added->name == "walls_added" ? "stand" : "are straight and stand");
   if (const std::string fault = comparison.faultOfReference(run); !fault.empty())
     text += "; " + fault;
   else if (!score.isMeaningful)

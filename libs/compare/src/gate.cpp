@@ -148,6 +148,9 @@ class Judge {
           "lacks %.0f %% of the walls that two others have%s, %s than %.0f %%");
     judge("walls_added", kMostAdded,
           "has %.0f %% of its walls%s where others have seen free space, %s than %.0f %%");
+    judge("straight_walls_added", kMostStraightAdded,
+          "has %.1f %% of its walls%s as straight ones where others have seen free space, %s than "
+          "%.0f %%");
     judgeSharpness(run);
   }
 

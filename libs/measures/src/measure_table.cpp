@@ -78,7 +78,10 @@ std::vector<MeasureRow> wallPlaceRows() {
                       wallsMissingOf),
           ofSightings({"walls_added", "Walls that no other has", "1", kFewestWalls,
                        "Where most are, the share of its walls where the others show free space."},
-                      wallsAddedOf)};
+                      wallsAddedOf),
+          ofSightings({"straight_walls_added", "Straight walls that no other has", "1",
+                       kFewestWalls, "The same of walls that go on straight for 2 m."},
+                      straightWallsAddedOf)};
 }
 
 std::vector<MeasureRow> roomRows() {

@@ -70,15 +70,18 @@ Count missingOf(const SightingTable& sightings, const std::vector<std::size_t>& 
   return count;
 }
 
+enum class Walls { all, straight };
+
 /** Of the walls of one patch of `run` whose place enough of `others` know, those that none of them
  *  has. */
-Count addedIn(const WallPatch& patch, const SightingTable& sightings,
+Count addedIn(const WallPatch& patch, Walls walls, const SightingTable& sightings,
               const std::vector<std::size_t>& others, std::size_t run) {
   Count count;
   for (const std::uint32_t i : patch.own) {
     const Seen seen = seenBy(others, sightings, run, i);
     if (seen.found + seen.free < kFewestOthers) continue;
-    ++count.all, count.some += seen.found == 0 ? 1 : 0;
+    const bool isOne = walls == Walls::all || sightings.isStraight[run][i];
+    ++count.all, count.some += isOne && seen.found == 0 ? 1 : 0;
   }
   return count;
 }
@@ -103,6 +106,28 @@ Share shareRound(std::size_t patch, const WallPatches& patches, const std::vecto
     places = places + count.some * patches[it->second].middle;
   }
   return {sum.some / sum.all, 1 / sum.some * places};
+}
+
+MeasuredValue addedOf(Walls walls, const SightingTable& sightings, const DistinctMaps& maps,
+                      const Trust& trust, std::size_t run) {
+  auto others = othersOf(sightings, maps, trust, run);
+  const auto isDistrusted = [&](std::size_t other) { return trust[other] <= 0; };
+  others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
+  MeasuredValue added;
+  added.hasEnoughOthers = others.size() >= kFewestOthers;
+  const WallPatches& patches = *sightings.patches[run];
+  std::vector<Count> counts;
+  for (const WallPatch& patch : patches) {
+    counts.push_back(addedIn(patch, walls, sightings, others, run));
+    added.support += counts.back().all;
+  }
+  if (added.support > 0) added.value = 0;
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    if (counts[p].some <= 0) continue;
+    const Share share = shareRound(p, patches, counts);
+    if (share.value > *added.value) added.value = share.value, added.place = share.place;
+  }
+  return added;
 }
 
 }  // namespace
@@ -136,24 +161,12 @@ MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps&
 
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
                            const Trust& trust, std::size_t run) {
-  auto others = othersOf(sightings, maps, trust, run);
-  const auto isDistrusted = [&](std::size_t other) { return trust[other] <= 0; };
-  others.erase(std::remove_if(others.begin(), others.end(), isDistrusted), others.end());
-  MeasuredValue added;
-  added.hasEnoughOthers = others.size() >= kFewestOthers;
-  const WallPatches& patches = *sightings.patches[run];
-  std::vector<Count> counts;
-  for (const WallPatch& patch : patches) {
-    counts.push_back(addedIn(patch, sightings, others, run));
-    added.support += counts.back().all;
-  }
-  if (added.support > 0) added.value = 0;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    if (counts[p].some <= 0) continue;
-    const Share share = shareRound(p, patches, counts);
-    if (share.value > *added.value) added.value = share.value, added.place = share.place;
-  }
-  return added;
+  return addedOf(Walls::all, sightings, maps, trust, run);
+}
+
+MeasuredValue straightWallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
+                                   const Trust& trust, std::size_t run) {
+  return addedOf(Walls::straight, sightings, maps, trust, run);
 }
 
 }  // namespace roomgraph

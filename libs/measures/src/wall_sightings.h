@@ -43,4 +43,8 @@ MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps&
 MeasuredValue wallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
                            const Trust& trust, std::size_t run);
 
+/** The same of those that are straight: `straight_walls_added`. */
+MeasuredValue straightWallsAddedOf(const SightingTable& sightings, const DistinctMaps& maps,
+                                   const Trust& trust, std::size_t run);
+
 }  // namespace roomgraph

@@ -381,8 +381,7 @@
   /** A ring where a run has too many walls that no other one has; null where it has not. */
   const rings = data.runs.map((run) => run.added && L.circleMarker(latLng(shownFromSite(run.added)),
     {pane: "poses", radius: 26, color: run.colour, weight: 3, dashArray: "7,5", fillOpacity: 0})
-    .bindTooltip(element("span", {}, fixed(100 * run.measures.walls_added.value, 0) +
-      " % of the walls of " + run.name + " here are in no other run")));
+    .bindTooltip(element("span", {}, "Walls of " + run.name + " that no other run has")));
   layers.breaks = L.layerGroup();
   layers.paths = L.layerGroup();
 

@@ -14,9 +14,9 @@
 
 namespace roomgraph {
 
-/** Of the walls in one place, the share that a run may have and no other, see `walls_added`: moved
- *  furniture adds less. */
-constexpr double kMostAdded = 0.25;
+/** Of the walls in one place, the share that a run may have and no other: moved furniture adds
+ *  less, and hardly any straight ones, see `straight_walls_added`. */
+constexpr double kMostAdded = 0.5, kMostStraightAdded = 0.03;
 
 /** How sure what is told of a run is; see Comparison::certaintyOf. */
 enum class Certainty { sure, likely, doubtful, cannotTell };
@@ -51,7 +51,8 @@ struct ComparedRun {
 
   /** The measure `coverage`, where it is meaningful, and is less than kNearlyAll. */
   [[nodiscard]] std::optional<double> partialCoverage() const;
-  /** The measure `walls_added`, where it is meaningful, and is more than kMostAdded; else null. */
+  /** That of the measures `straight_walls_added` and `walls_added` which is meaningful and above
+   *  its limit; null where neither is. */
   [[nodiscard]] const Measure* addedWalls() const;
   /** See unconfirmedFault; empty without a score. */
   [[nodiscard]] std::string unconfirmedFault() const;
