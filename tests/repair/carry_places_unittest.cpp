@@ -93,6 +93,20 @@ TEST(CarryPlaces, ofTwoMapsThatAreOnlySaidToBeOfOneSiteNothingIsSure) {
   EXPECT_TRUE(carried.pose);
 }
 
+TEST(CarryPlaces, whereNearlyAllPlacesAreAmbiguousNoneIsCarried) {
+  test::SolvedDrives site({test::drive(1), test::drive(2)});
+  Alignment& alignment = site.solved.pairs(0, 1).alignment;
+  alignment.confidence = 0.5, alignment.poses = {{100, 0, 0}}, alignment.runnerUp.reset();
+  std::vector<Place> places{{"goal", site.runs[0].scans[10].pose}};
+  EXPECT_EQ(carryPlaces(places, site.solved, site.real, 0, 1)[0].state, CarryState::carried);
+  for (const Transform2D& unknown : unknownPlaces(site.runs[0]))
+    if (places.size() < 8) places.push_back({"corner", unknown, true});
+  const std::vector<CarriedPlace> carried = carryPlaces(places, site.solved, site.real, 0, 1);
+  EXPECT_EQ(carried[0].state, CarryState::unsure);
+  EXPECT_EQ(carried[0].reason, carried.back().reason);
+  EXPECT_TRUE(carried[0].pose);
+}
+
 TEST(CarryPlaces, aPlaceInANewWallIsGone) {
   test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
   const Place place{"goal", site.runs[0].scans[10].pose};

@@ -9,10 +9,15 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/compare/RunScore.h"
 #include "roomgraph/repair/BendField.h"
 
 namespace roomgraph {
 namespace {
+
+/** Why places are unsure in a building that repeats itself. */
+constexpr const char* kTwice = "one of the maps has the place twice";
+constexpr const char* kAmbiguous = "the maps also fit each other in another pose";
 
 State stateAt(const WallMap& map, Point place) {
   const std::size_t cell = cellIndexAt(map.frame, place);
@@ -117,8 +122,7 @@ class Carrier {
   /** What speaks against it, in words; empty for nothing. Where what lies around it is found
    *  beside it, the error grows by that. */
   std::string doubtOf(const Place& place, const Route& route, CarriedPlace& carried) const {
-    if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy)
-      return "one of the maps has the place twice";
+    if (std::max(route.there.rival, route.onward.rival) > BendField::kSameCopy) return kTwice;
     if (carried.error > fitted::kLargeError) return "the maps bend here";
     if (isOnlySaid_) return "the maps hardly show that they are of one site";
     if (!place.isCorner && !isFreeNear(old_, place.pose.shift(), fitted::kOwnPlace))
@@ -136,9 +140,7 @@ class Carrier {
       if (other.score * kRivalScore > here.score)
         return formatted("its surroundings fit better %.2f m away",
                          distance(other.pose.shift(), pose.shift()));
-    return isPlaceSure_ || !looksAlikeElsewhere(place, view, here)
-               ? ""
-               : "the maps may lie in each other otherwise";
+    return isPlaceSure_ || !looksAlikeElsewhere(place, view, here) ? "" : kAmbiguous;
   }
 
   /** Whether what lies around a place fits about as well where the maps may lie in each other
@@ -155,7 +157,7 @@ class Carrier {
   /** The same of a place of which the old map shows too little to know it by. */
   std::string doubtUnseen(const Place& place, const Route& route,
                           const CarriedPlace& carried) const {
-    if (!isPlaceSure_) return "the maps may lie in each other otherwise";
+    if (!isPlaceSure_) return kAmbiguous;
     if (!route.there.isKnown || !route.onward.isKnown) return "one map alone has been here";
     const bool isNew =
         !route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown;
@@ -183,6 +185,19 @@ bool isInSight(const WallMap& map, Point from, Point wall) {
   return true;
 }
 
+/** Where nearly all places are ambiguous, the others only happen to look otherwise, as by furniture. */
+void doubtAllIfNearlyAllAre(std::vector<CarriedPlace>& places) {
+  const auto isCarried = [](const CarriedPlace& p) { return p.state == CarryState::carried; };
+  const auto isAmbiguous = [](const CarriedPlace& p) {
+    return p.reason == kTwice || p.reason == kAmbiguous;
+  };
+  const auto ambiguous = double(std::count_if(places.begin(), places.end(), isAmbiguous));
+  const auto carried = double(std::count_if(places.begin(), places.end(), isCarried));
+  if (ambiguous < kNearlyAll * (ambiguous + carried)) return;
+  for (CarriedPlace& place : places)
+    if (isCarried(place)) place.state = CarryState::unsure, place.reason = kAmbiguous;
+}
+
 }  // namespace
 
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
@@ -191,6 +206,7 @@ std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const So
   const Carrier carrier(solved, real, from, to);
   std::vector<CarriedPlace> carried(places.size());
   forEach(places.size(), [&](std::size_t i) { carried[i] = carrier.carry(places[i]); });
+  doubtAllIfNearlyAllAre(carried);
   return carried;
 }
 

@@ -18,7 +18,8 @@ namespace roomgraph {
 /** Carries places from run `from` of the site to run `to`: by the key frames of the one that have
  *  seen them from nearest by to where they really lie, and from there by those of the other, so
  *  each place moves as the maps bend around it. Then each is looked up on the map of `to`. Without
- *  scans, the walls that were followed carry them. O(places * key frames). */
+ *  scans, the walls that were followed carry them. None is carried where nearly all of them are
+ *  ambiguous, as in a building that repeats itself. O(places * key frames). */
 std::vector<CarriedPlace> carryPlaces(const std::vector<Place>& places, const SolvedSite& solved,
                                       const RealPoses& real, std::size_t from, std::size_t to,
                                       const ForEach& forEach = oneByOne);
