@@ -141,8 +141,8 @@ int run(CheckArguments arguments) {
 std::function<int()> checkCommand(CLI::App& app) {
   const auto arguments = std::make_shared<CheckArguments>();
   addArgument(app, "RUN", arguments->files,
-              "Runs to check, each by itself: simplemaps with 2D scans or point clouds. Of other "
-              "maps only what their walls show is told, and no error.");
+              "Runs to check, each by itself: simplemaps with 2D scans or point clouds. For "
+              "other maps, only what their walls show is reported, without an error.");
   declareOutput(arguments->folder, "X.check.json and X.check.html", app);
   app.add_flag("--break-files", arguments->writesBreaks,
                "Also write the scans of each break N, and of each place N that is drawn twice, for "

@@ -111,8 +111,8 @@ void declareFormats(std::string& formats, CLI::App& app) {
   addOption(
       app, "--format LIST", formats,
       "What to write, as a comma-separated list: " + listedFormats(allFormats(), {kTrajectories}) +
-          ". Only where it is named, 'evo' writes of each run with scans its path in "
-          "the frame of the site (comparison.RUN.tum), and the error along it for "
+          ". 'evo', which 'all' does not include, writes for each run with scans its path in "
+          "the frame of the site (comparison.RUN.tum) and the error along it for "
           "evo_res (comparison.RUN.evo.zip).")
       ->capture_default_str();
 }
@@ -134,11 +134,11 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
                 "less than " +
                     nearlyAll +
                     " % of what at least two runs have seen), 'broken' (a run has a break that is "
-                    "not slight), 'unconfirmed' (other runs confirm less than " +
+                    "not slight, or is smeared), 'unconfirmed' (other runs confirm less than " +
                     nearlyAll +
                     " % of what a run has drawn, or contradict some of it), 'not-same-site' (a "
-                    "run is of another site, or mirrored), 'walls' (walls that others have are "
-                    "gone from a run, it has some that no other has, or thicker ones).",
+                    "run is of another site, or mirrored), 'walls' (a run lacks walls that others "
+                    "have, has walls that they do not have, or draws all thinner or thicker).",
                 app);
   addOption(app, "--junit FILE", arguments.junit,
             "Also write the verdict of the gate as JUnit XML, for CI systems.");

@@ -179,9 +179,8 @@ std::function<int()> repairCommand(CLI::App& app) {
               "others.");
   declareSite(
       arguments->site,
-      "repair.html, X.repaired.simplemap as X was compressed, X.repaired.tum, of mended runs "
-      "X.repaired.gridmap.gz and X.repaired.yaml with .pgm, and of several runs "
-      "site.g2o",
+      "repair.html, X.repaired.simplemap (compressed like X) and X.repaired.tum; for mended runs "
+      "also X.repaired.gridmap.gz and X.repaired.yaml with .pgm; for several runs also site.g2o",
       app);
   addOption(app, "--format NAME", arguments->format,
             "Also write X.loop_constraints.yaml (format 'mola'), for the pipeline of MOLA's "

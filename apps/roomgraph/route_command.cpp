@@ -216,9 +216,8 @@ std::function<int()> routeCommand(CLI::App& app) {
     app.add_option(name, words, sentence)->type_name("PLACE")->required()->expected(1, 2);
   };
   add("--from", arguments->from,
-      "Where to start: a room or corridor by its name, or as R3 or C7 where none were given, or x "
-      "and y. (m)");
-  add("--to", arguments->to, "Where to go, in the same words.");
+      "Where to start: a room or corridor by name (R3 or C7 if it has none), or x and y. (m)");
+  add("--to", arguments->to, "Where to go: given as for --from.");
   declareOptions(arguments->options, app);
   declareRooms(arguments->options, app);
   return [arguments] { return run(*arguments); };

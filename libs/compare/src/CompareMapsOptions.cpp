@@ -10,11 +10,13 @@ FieldTable describe(CompareMapsOptions& options) {
   table.flag("compare", "estimate_scale", options.estimatesScale,
              "Bare pictures are read at the scale at which they fit the other maps.");
   table.count("compare", "core", options.compare.core, 3, 10000,
-              "Up to so many runs are compared each with each; of more, so many are.");
+              "With more runs than this, only a core of this many is compared pair by pair, and "
+              "the others with parts of it.");
   table.number("run_score", "scale", options.compare.scoreScale, "m", 0.001, 1000,
                "The map error at which the score is 37, which is 100 / e.");
   table.number("run_score", "min_share", options.compare.leastShare, "", 0, 1,
-               "Share of its walls that another map must have, too, for a score that counts.");
+               "A score is meaningful only if other maps also have at least this share of the "
+               "run's walls.");
   table.number("site_breaks", "min_shift", options.compare.breakShift, "m", 0.05, 100,
                "A run whose map jumps by this or more breaks there.");
   table.number("site_breaks", "min_rotation", options.compare.breakRotation, "rad", 0.005, 4,

@@ -278,9 +278,9 @@ class ClutterFinder {
 void describe(ClearClutterOptions& options, FieldTable& table) {
   table.number(
       "clear_clutter", "max_size", options.maxSize, "m", 0, 10,
-      "Free-standing obstacles up to this size do not split rooms, nor do compact ones up to "
-      "twice that with a room round them, as tables; what is in line with walls on two sides, as "
-      "the pier between two doors, is wall; 0 for none.");
+      "Free-standing obstacles up to this size do not split rooms; nor do compact ones up to twice "
+      "this size with walls near on most sides, such as tables. An obstacle in line with walls on "
+      "two sides, such as the pier between two doors, counts as wall. 0 keeps all obstacles.");
 }
 
 ClearedMap clearClutter(const Grid& grid, const ObstacleCells& obstacles,

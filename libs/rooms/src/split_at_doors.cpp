@@ -117,7 +117,8 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
       "A passage is a door where it is narrower than this share of the narrower of its two "
       "sides.");
   table.number(section, "max_width", options.maxWidth, "m", 0, 100,
-               "A wider passage is no door, and a wider region no short stretch of a corridor.");
+               "A passage wider than this is not a door; a region wider than this is not a short "
+               "stretch of corridor.");
   table.number(
       section, "narrow_ratio", options.narrowRatio, "", 0, 1,
       "Two regions are kept apart where the passage between them is narrower than this share of "
@@ -129,17 +130,16 @@ void describe(SplitAtDoorsOptions& options, FieldTable& table) {
                "leftover.");
   table.number(section, "min_room_width", options.minRoomWidth, "m", 0, 100,
                "A region in which no disc of this diameter fits is no room.");
-  table.number(
-      section, "min_room_ratio", options.minRoomRatio, "", 0, 1,
-      "Nor is a region narrower than this share of the median width of the map's space, up "
-      "to open_room_width.");
+  table.number(section, "min_room_ratio", options.minRoomRatio, "", 0, 1,
+               "A region narrower than this share of the map's median width is not a room; this "
+               "limit is at most open_room_width.");
   table.number(section, "open_room_width", options.openRoomWidth, "m", 0, 100,
                "A narrower region is a room only if all ways out of it are doors.");
   table.number(section, "min_wall_share", options.minWallShare, "", 0, 1,
                "A region with less wall round it than this share of what the map's areas have is "
                "half seen: no room and no corridor.");
   table.number(section, "min_closed_share", options.minClosedShare, "", 0, 1,
-               "The same of a room that is narrower than open_room_width.");
+               "The same as min_wall_share, for a room narrower than open_room_width.");
   table.number(section, "max_elongation", options.maxElongation, "", 1, 1e6,
                "A region whose area is more than this many squares round its largest disc is a "
                "corridor.");

@@ -36,8 +36,8 @@ bool isWithin(double clearance, double farthest, const DeadEndsOptions& options)
 void describe(DeadEndsOptions& options, FieldTable& table) {
   const char* section = "dead_ends";
   table.number(section, "min_reach_ratio", options.minReachRatio, "", 0, 10,
-               "A dead end stays where it reaches this share of its junction's clearance beyond "
-               "the disc of that clearance.");
+               "A dead end is kept if it reaches beyond the free disc around its junction by at "
+               "least this share of the disc's radius.");
   table.number(section, "min_reach", options.minReach, "m", 0, 100,
                "The least reach of a dead end beyond that disc.");
   table.flag(section, "all_once", options.allOnce,
