@@ -13,7 +13,8 @@ std::vector<std::string> recordFiles(const Archive& archive, const std::string& 
                                      std::size_t most) {
   std::vector<std::string> files;
   const auto onMissing = [](const HistoryRun& run) {
-    printError(run.file + ": note: is gone or another file now: left out");
+    printError(run.file +
+               ": note: is missing or has changed: left out ('archive add --keep' keeps copies)");
   };
   for (const HistoryRun& run : recordRuns(archive.runs(site), most, onMissing))
     if (run.isPlaced) files.push_back(run.file);

@@ -44,7 +44,7 @@ std::string missingText(const std::set<std::string>& files) {
   const std::string more =
       files.size() == 1 ? "" : " (and " + std::to_string(files.size() - 1) + " more)";
   return *files.begin() + more +
-         ": note: is gone or another file now: not compared with; --keep keeps copies";
+         ": note: is missing or has changed: not compared with (--keep keeps copies)";
 }
 
 std::string writeRepaired(const Run& run, const RepairedRun& repaired) {

@@ -66,8 +66,8 @@ std::unique_ptr<SolvedRuns> solveBoth(const CarryArguments& arguments) {
 std::size_t placeIn(const Site& site, const std::string& file) {
   if (const auto place = site.placeOf(file)) return *place;
   throw DataError(file +
-                  ": does not lie in the other map: nothing can be carried; give runs that " +
-                  "lie in both with --via");
+                  ": does not fit the other map, so nothing can be carried: name runs that " +
+                  "overlap both with --via");
 }
 
 std::string lineOf(const std::string& file, const char* kind,

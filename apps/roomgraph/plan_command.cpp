@@ -38,7 +38,7 @@ int run(const PlanArguments& arguments) {
     unread.push_back(line);
   };
   options.onMissing = [](const HistoryRun& run) {
-    printError(run.file + ": note: is gone or another file now: not compared with");
+    printError(run.file + ": note: is missing or has changed: not compared with");
   };
   const std::string folder = std::filesystem::path(arguments.list).parent_path().string();
   const RunList listed =

@@ -44,7 +44,8 @@ void printFaultOf(const Run& reference) {
   if (!check.breaks.empty() && check.breaks.front().torn)
     printError(
         reference.file +
-        formatted(": breaks at key frame %zu, and the others follow it: see 'roomgraph check'",
+        formatted(": the reference breaks at key frame %zu, so the others are bent to follow "
+                  "it: see 'roomgraph check'",
                   check.breaks.front().keyFrame.value_or(0)));
 }
 

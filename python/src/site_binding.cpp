@@ -96,7 +96,7 @@ py::dict dictOf(const MendedRun& run) {
 std::size_t placeIn(const Site& site, const PythonMap& map) {
   if (const auto place = site.placeOf(fileOf(map))) return *place;
   throw DataError(fileOf(map) +
-                  ": does not lie in the other map: nothing can be carried; give runs that lie in "
+                  ": does not fit the other map, so nothing can be carried: name runs that overlap "
                   "both as 'via'");
 }
 

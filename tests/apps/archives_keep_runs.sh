@@ -64,7 +64,7 @@ one_line err lab
 mv night1.pgm gone.pgm
 cp night9.pgm night2.pgm
 expect 0 add site.db add night5.pgm
-one_line err night1.pgm "(and 1 more): note: is gone or another file now"
+one_line err night1.pgm "(and 1 more): note: is missing or has changed"
 [ "$(sqlite3 site.db 'SELECT count(*) FROM compared WHERE comparison = (SELECT max(id) FROM comparison)')" = 3 ] ||
   fail "compared with others than those that are there"
 mv gone.pgm night1.pgm

@@ -77,7 +77,7 @@ TEST(HistoryPage, manySitesAreAllInTheTableAndTwentyHavePlots) {
   EXPECT_TRUE(has(page, "<th scope=\"row\">site 24</th>"));
   EXPECT_TRUE(has(page, "id=\"site19\""));
   EXPECT_FALSE(has(page, "id=\"site20\""));
-  EXPECT_TRUE(has(page, "Of 5 more sites"));
+  EXPECT_TRUE(has(page, "5 more sites are only in the table"));
 }
 
 TEST(HistoryPage, anEmptyArchiveHasAPageToo) {

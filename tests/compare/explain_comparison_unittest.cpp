@@ -57,12 +57,11 @@ TEST(ReasonOf, saysWhatNobodyBearsOut) {
             std::string::npos);
   score.contradicted = 0.2;
   EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; 20 % of what it has drawn is not what others have seen there, and was "
-                      "found nowhere else"),
+                .find("; others contradict 20 % of what it has drawn, and show it nowhere else"),
             std::string::npos);
   score.jitter = 0.14;
   EXPECT_NE(reasonOf(comparison.runs[0], comparison)
-                .find("; its key frames lie 0.14 m off each on its own"),
+                .find("; its key frames are off by 0.14 m, independently of each other"),
             std::string::npos);
 }
 
@@ -78,9 +77,10 @@ TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
   EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);
   disputed.runs[0].score->isScaleDisputed = true;
   EXPECT_EQ(verdictOf(disputed).find("a has the smallest error"), 0u);
-  EXPECT_EQ(scalesNote({"a", "b"}, {"c"}, 1.02),
-            " a and b are 2.0 % larger than c: which is right does not show, a plan as --reference "
-            "would.");
+  EXPECT_EQ(
+      scalesNote({"a", "b"}, {"c"}, 1.02),
+      " a and b are 2.0 % larger than c; the runs cannot show which scale is right, but a floor "
+      "plan as --reference can.");
 }
 
 TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
@@ -264,9 +264,9 @@ TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
             " There are 2 sites, of which only the first is compared (--each-site compares each): "
             "{a and b}, {c and d}.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 3),
-            " 2 runs are of one drive (a and b): what they get wrong together does not show.");
+            " 2 runs are of one drive (a and b); errors that they share cannot be detected.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 2),
-            " Both runs are of one drive: what they get wrong together does not show.");
+            " Both runs are of one drive; errors that they share cannot be detected.");
 }
 
 }  // namespace

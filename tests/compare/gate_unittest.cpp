@@ -101,8 +101,9 @@ TEST(Gate, aSmearedMapBreaksAtEachKeyFrame) {
   comparison.runs[0].score->jitter = 0.09;
   EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
   comparison.runs[0].score->jitter = 0.14;
-  EXPECT_EQ(gateVerdict(comparison, options).complaints,
-            Lines{"good: breaks at each key frame: these lie 0.14 m off, each on its own"});
+  EXPECT_EQ(
+      gateVerdict(comparison, options).complaints,
+      Lines{"good: is smeared: its key frames are off by 0.14 m, independently of each other"});
 }
 
 TEST(Gate, coverageIsRoundedToItsSideOfTheLimit) {

@@ -158,9 +158,10 @@ std::string sitesHtml(const std::vector<Row>& rows, const WatchOptions& options)
   for (std::size_t i = 0; i < std::min(kMostSites, sites.size()); ++i)
     html += siteHtml(*sites[i], i, options);
   if (sites.size() > kMostSites)
-    html += "<p class=\"none\">Of " + std::to_string(sites.size() - kMostSites) +
-            " more sites the table says all; 'roomgraph archive ARCHIVE report --site NAME' makes "
-            "their pages.</p>\n";
+    html += "<p class=\"none\">" +
+            counted(sites.size() - kMostSites, "more site is", "more sites are") +
+            " only in the table; 'roomgraph archive ARCHIVE report --site NAME' makes the page of "
+            "a site.</p>\n";
   return html;
 }
 

@@ -99,11 +99,12 @@ std::string sentenceOf(const RunCheck& check, bool isRefuted) {
   const double percent = 100 * check.seenTwice;
   if (!check.selfError && !check.welded.empty())
     return formatted(
-        "cannot tell: key frames %zu and %zu lie in one place, and see through each other's walls",
+        "cannot tell: key frames %zu and %zu are drawn at one place, but see through each other's "
+        "walls, so they are probably in two places",
         check.welded.front().one.keyFrame, check.welded.front().other.keyFrame);
   if (!check.selfError && isRefuted)
-    return "cannot tell: where it would agree with itself, it would see through more of its own "
-           "walls";
+    return "cannot tell: if it agreed with itself, its beams would pass through more of its own "
+           "walls than they do now";
   if (!check.selfError && !check.breaks.empty())
     return formatted(
         "cannot tell: the run breaks before key frame %zu, and too little was seen from both sides "
@@ -129,9 +130,9 @@ std::string sentenceOf(const WallMap& map) {
   std::string text = "cannot tell: it has no scans";
   if (map.wallDoubling && map.axisDeviation)
     text += formatted(
-        ", and its map alone says little: %.0f %% of its walls stand before another one that faces "
-        "alike, and half of them are off right angles by %.1f degrees or more, as furniture and "
-        "slanted walls may be",
+        ", and its map alone says little: %.0f %% of its walls stand in front of another that "
+        "faces the same way, and half of them are off right angles by %.1f degrees or more; "
+        "furniture and slanted walls do the same",
         100 * *map.wallDoubling, *map.axisDeviation * 180 / M_PI);
   return text;
 }

@@ -37,7 +37,7 @@ Evidence revisitsApart(const Run& run, const SelfConsensus& consensus) {
   std::copy_if(consensus.revisits.begin(), consensus.revisits.end(), std::back_inserter(fit),
                [&](const PoseEdge& edge) { return isBorneOut(edge, consensus.poses); });
   return {"revisits_apart",
-          "Revisits off where they were drawn, 9 of 10 below",
+          "90th percentile of how far revisits are from where they were drawn",
           "m",
           revisitsApart(fit, drawnPoses(run.scans)),
           revisitsApart(fit, consensus.poses),
@@ -46,7 +46,7 @@ Evidence revisitsApart(const Run& run, const SelfConsensus& consensus) {
 
 Evidence beamsThrough(const BeamsThroughWalls& drawn, const BeamsThroughWalls& agreed) {
   return {"beams_through_walls",
-          "Walls that beams of another time go through",
+          "Walls that beams of another pass go through",
           "1",
           drawn.share(),
           agreed.share(),

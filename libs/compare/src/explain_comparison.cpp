@@ -23,16 +23,15 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (const std::size_t count = comparison.countBreaks(run.name))
     text += formatted("; it breaks in %zu place%s", count, count == 1 ? "" : "s");
   if (score.jitter > 0)
-    text += formatted("; its key frames lie %.2f m off each on its own", score.jitter);
+    text +=
+        formatted("; its key frames are off by %.2f m, independently of each other", score.jitter);
   if (comparison.isPlaceDoubtful(run.name))
     text += "; doubtful, as no reliable alignment links it to most of the others";
   if (score.share < kNearlyAll)
     text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
   if (score.contradicted > 0)
-    text += formatted(
-        "; %.0f %% of what it has drawn is not what others have seen there, and was "
-        "found nowhere else",
-        std::max(1.0, 100 * score.contradicted));
+    text += formatted("; others contradict %.0f %% of what it has drawn, and show it nowhere else",
+                      std::max(1.0, 100 * score.contradicted));
   if (score.confirmed < 1 - score.contradicted - kWorthAWord)
     text += formatted("; %.0f %% of what it has drawn no other run confirms",
                       100 * (1 - score.confirmed));
@@ -154,7 +153,7 @@ std::string scalesNote(const std::vector<std::string>& larger,
                        const std::vector<std::string>& smaller, double ratio) {
   return " " + listed(larger) + (larger.size() == 1 ? " is" : " are") +
          formatted(" %.1f %% larger than ", 100 * (ratio - 1)) + listed(smaller) +
-         ": which is right does not show, a plan as --reference would.";
+         "; the runs cannot show which scale is right, but a floor plan as --reference can.";
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
@@ -172,13 +171,13 @@ std::string sharedDriveNote(const std::vector<std::string>& names, std::size_t r
               ? " Both runs"
               : formatted(" %s%zu runs", areAll ? "All " : "", names.size())) +
          " are of one drive" + (areAll ? "" : " (" + listed(names) + ")") +
-         ": what they get wrong together does not show.";
+         "; errors that they share cannot be detected.";
 }
 
 std::string unknownDrivesNote(std::size_t runsWithoutScans, std::size_t runsOfSite) {
   return formatted(
-      " %s without scans, so whether they are of one drive is unknown: what such runs "
-      "get wrong together does not show.",
+      " %s without scans, so whether they are of one drive is unknown; errors that runs of one "
+      "drive share cannot be detected.",
       runsWithoutScans == runsOfSite ? "All maps are"
                                      : formatted("%zu maps are", runsWithoutScans).c_str());
 }

@@ -127,9 +127,10 @@ class Judge {
   /** A run that is smeared breaks at each of its key frames. */
   void judgeJitter(const ComparedRun& run) {
     if (options_.failsOnBreaks && run.score && run.score->jitter >= kSmeared)
-      complain(run.name,
-               formatted("breaks at each key frame: these lie %.2f m off, each on its own",
-                         run.score->jitter));
+      complain(
+          run.name,
+          formatted("is smeared: its key frames are off by %.2f m, independently of each other",
+                    run.score->jitter));
   }
 
   void judgeWalls(const ComparedRun& run) {

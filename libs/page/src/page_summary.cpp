@@ -189,7 +189,8 @@ std::string navigationWord(const Comparison& comparison) {
            toDrive(comparison);
   if (best.score->jitter >= kSmeared)
     return start +
-           "not good enough. Its key frames lie off each on its own, which smears its walls.";
+           "not good enough. Its key frames are off independently of each other, which smears its "
+           "walls.";
   if (!best.isBorneOut())
     return start + "cannot be told, not all of it is confirmed by other runs.";
   return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";

@@ -17,7 +17,7 @@ namespace {
 
 /** Why places are unsure in a building that repeats itself. */
 constexpr const char* kTwice = "one of the maps has the place twice";
-constexpr const char* kAmbiguous = "the maps also fit each other in another pose";
+constexpr const char* kAmbiguous = "the maps may also fit each other in another pose";
 
 State stateAt(const WallMap& map, Point place) {
   const std::size_t cell = cellIndexAt(map.frame, place);
@@ -158,7 +158,7 @@ class Carrier {
   std::string doubtUnseen(const Place& place, const Route& route,
                           const CarriedPlace& carried) const {
     if (!isPlaceSure_) return kAmbiguous;
-    if (!route.there.isKnown || !route.onward.isKnown) return "one map alone has been here";
+    if (!route.there.isKnown || !route.onward.isKnown) return "only one of the maps has been here";
     const bool isNew =
         !route.onward.isSeen || stateAt(new_, carried.pose->shift()) == State::unknown;
     const bool wasSeen = stateAt(old_, place.pose.shift()) != State::unknown;
@@ -185,7 +185,7 @@ bool isInSight(const WallMap& map, Point from, Point wall) {
   return true;
 }
 
-/** Where nearly all places are ambiguous, the others only happen to look otherwise, as by furniture. */
+/** Where nearly all places are ambiguous, the rest only happens to look otherwise. */
 void doubtAllIfNearlyAllAre(std::vector<CarriedPlace>& places) {
   const auto isCarried = [](const CarriedPlace& p) { return p.state == CarryState::carried; };
   const auto isAmbiguous = [](const CarriedPlace& p) {

@@ -62,7 +62,7 @@ void judge(const RunCheck& check, RepairedRun& repaired) {
         formatted("left as it was: its self error of %.3f m may be zero", *check.selfError);
   } else {
     repaired.state = RepairState::mended;
-    repaired.reason = formatted("mended: it was %.3f m from agreeing with itself (%.3f to %.3f)",
+    repaired.reason = formatted("mended: its self error was %.3f m (%.3f to %.3f)",
                                 *check.selfError, check.low, check.high);
   }
 }
@@ -152,7 +152,8 @@ RepairedRun repairedRun(const SolvedSite& solved, const std::vector<Transform2D>
   repaired.left = leftOf(solved, real, i, repaired.frame.inverse());
   if (!repaired.left) {
     repaired.state = RepairState::kept;
-    repaired.reason = "left as it was: moved, it would fit what the others have seen no better";
+    repaired.reason =
+        "left as it was: moving it would not improve its fit to what the others have seen";
     return repaired;
   }
   repaired.reason += formatted(", now %.3f m from where its scans fit", *repaired.left);
