@@ -92,7 +92,7 @@ TEST(CheckRun, ofAGridOnlyWhatItsWallsShowIsTold) {
   const RunCheck check = checkRun(grid);
   EXPECT_FALSE(check.selfError);
   EXPECT_EQ(check.sentence.rfind("cannot tell", 0), 0u);
-  EXPECT_NE(check.sentence.find("12 % of its walls stand before another"), std::string::npos);
+  EXPECT_NE(check.sentence.find("12 % of its walls stand in front of another"), std::string::npos);
   EXPECT_NE(check.sentence.find("by 2.0 degrees or more"), std::string::npos);
   EXPECT_EQ(check.evidence.size(), 3u);
   EXPECT_TRUE(check.breaks.empty() && check.doubled.empty());

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace roomgraph {
 namespace {
 
@@ -209,6 +211,18 @@ TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotAsGood) {
   EXPECT_NE(verdictOf(close).find("b may be as good"), std::string::npos) << verdictOf(close);
   close.runs[1].measures = {{"walls_added", 0.62, "1", 5000, {}, {}, true, Point{1, 2}}};
   EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos);
+}
+
+TEST(VerdictOf, aMapThatMayLieInTheWrongPlaceIsNotAsGood) {
+  Comparison close = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.5)});
+  for (const auto& [one, other, confidence] :
+       {std::tuple("a", "c", 1.0), std::tuple("a", "b", 0.5), std::tuple("b", "c", 0.5)}) {
+    ComparedPair pair;
+    pair.a = one, pair.b = other, pair.isSameSite = true, pair.confidence = confidence;
+    close.pairs.push_back(pair);
+  }
+  ASSERT_EQ(close.certaintyOf(close.runs[1]), Certainty::doubtful);
+  EXPECT_EQ(verdictOf(close).find("may be as good"), std::string::npos) << verdictOf(close);
 }
 
 TEST(VerdictOf, copiesOfOneFileSayNothing) {

@@ -62,13 +62,14 @@ std::optional<std::string> originalOf(const std::string& run, const Comparison& 
   return {};
 }
 
-/** The others whose intervals reach up to that of the run with the smallest error, and of which
- *  nothing speaks against the whole. */
+/** The others whose intervals reach up to that of the run with the smallest error, which are
+ *  no more doubtful, and of which nothing speaks against the whole. */
 std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> rivals;
+  const Certainty least = std::max(Certainty::likely, comparison.certaintyOf(best));
   for (const ComparedRun& run : comparison.runs)
     if (run.name != best.name && run.isBorneOut() && run.score->isMeaningful &&
-        run.score->high >= best.score->low)
+        comparison.certaintyOf(run) <= least && run.score->high >= best.score->low)
       rivals.push_back(run.name);
   return rivals;
 }
@@ -125,7 +126,7 @@ std::string verdictOf(const Comparison& result) {
       // Of the figures as comparison.json holds them, from which others are made.
       formatted(", with score %.1f (%.1f to %.1f) and a map error ", rounded(best.score->score),
                 rounded(best.score->low), rounded(best.score->high)) +
-      (best.score->mapError < 0.005 ? "below 0.01 m"
+      (best.score->mapError < 0.005 ? "below 0.05 m"
                                     : formatted("of about %.2f m", rounded(best.score->mapError)));
   const std::vector<std::string> rivals = rivalsOf(best, result);
   if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
