@@ -29,7 +29,12 @@ TEST(ExtractionNotes, tellThatNothingStandsInTheWay) {
 }
 
 TEST(ExtractionNotes, tellThatNoPathIsWideEnough) {
-  EXPECT_EQ(notesOf({"###", "#.#", "###"}), "no_path ");
+  const GreyMap walls = greyMap(drawn({"###", "#.#", "###"}, 0.1));
+  const GreyMap unknown = greyMap(drawn({"???", "?.?", "???"}, 0.1));
+  EXPECT_EQ(notesOf(walls), "no_path ");
+  EXPECT_EQ(notesOf(unknown), "no_path ");
+  EXPECT_NE(extract(walls, {}).notes[0].text.find("exchanged"), std::string::npos);
+  EXPECT_EQ(extract(unknown, {}).notes[0].text.find("exchanged"), std::string::npos);
 }
 
 TEST(ExtractionNotes, tellThatFreeFloorRunsOutOfTheMap) {

@@ -72,6 +72,12 @@ bool runsOut(const Grid& grid) {
   return isFree && !grid.has(State::unknown);
 }
 
+/** Whether there is more wall than floor, as where free and occupied are exchanged. */
+bool isMostlyWall(const Grid& grid) {
+  const auto count = [&](State s) { return std::count(grid.cells.begin(), grid.cells.end(), s); };
+  return count(State::occupied) > count(State::free);
+}
+
 }  // namespace
 
 Notes extractionNotes(const Stages& s) {
@@ -93,7 +99,10 @@ Notes extractionNotes(const Stages& s) {
          "free floor reaches the edge of the map and counts as outside: a margin of "
          "unknown cells closes it");
   else if (isEmpty)
-    note("no_path", "no place of the map is wide enough for a path");
+    note("no_path", isMostlyWall(s.grid)
+                        ? "no place of the map is wide enough for a path, and there is more wall "
+                          "than floor: are free and occupied exchanged (negate in its yaml)?"
+                        : "no place of the map is wide enough for a path");
   else if (s.result.rooms.empty())
     note("no_room", "the map has no room, only corridors");
   return notes;
