@@ -31,6 +31,7 @@ TEST(ObstacleRows, findTheNearestCellAsBruteForceDoes) {
     for (const Cell cell : obstacles.cells)
       nearest = std::min(nearest, distanceToSegment(obstacles.frame.center(cell), a, b));
     EXPECT_DOUBLE_EQ(rows.clearance(a, b, limit), nearest) << i;
+    EXPECT_EQ(rows.isClear(a, b, limit), nearest == limit) << i;
   }
 }
 

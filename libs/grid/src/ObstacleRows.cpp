@@ -37,7 +37,7 @@ ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
   }
 }
 
-double ObstacleRows::clearance(Point a, Point b, double limit) const {
+double ObstacleRows::nearest(Point a, Point b, double limit, double enough) const {
   const GridFrame& frame = obstacles_.frame;
   const Point reach{limit, limit};
   const Cell low = frame.cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);
@@ -45,7 +45,8 @@ double ObstacleRows::clearance(Point a, Point b, double limit) const {
   const std::pair<int, int> all{low.x, high.x};
   const bool isLong = std::abs(b.x - a.x) > 2 * limit;  // then most of the box is far from it
   double nearest = limit;
-  for (std::ptrdiff_t y = std::max(low.y, -1); y <= std::min(high.y, frame.height); ++y) {
+  const std::ptrdiff_t end = std::min(high.y, frame.height) + 1;
+  for (std::ptrdiff_t y = std::max(low.y, -1); y < end && nearest >= enough; ++y) {
     const auto rowEnd = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 2)]);
     auto it = obstacles_.cells.begin() + std::ptrdiff_t(firstInRow_[std::size_t(y + 1)]);
     const auto [first, last] = isLong ? columnsNear(frame, int(y), a, b, nearest) : all;

@@ -167,7 +167,7 @@ class Hall {
     std::vector<Place> places;
     for (const Cell cell : cellsIn(room_.polygon, frame)) {
       const Point point = middle + side * Point{cell.x - left, cell.y - below};
-      if (obstacles_.clearance(point, point, side) >= side / 2) places.push_back({point, {}});
+      if (obstacles_.isClear(point, point, side / 2)) places.push_back({point, {}});
     }
     return places;
   }
@@ -240,7 +240,7 @@ class Hall {
 
   bool isClear(Point a, Point b) const {
     const Point middle = midpoint(a, b);
-    return obstacles_.clearance(a, b, minClearance_) >= minClearance_ &&
+    return obstacles_.isClear(a, b, minClearance_) &&
            sideOf(room_.polygon, middle) == Side::inside &&
            !leavesPolygon(room_.polygon, middle, a, 2 * minClearance_) &&
            !leavesPolygon(room_.polygon, middle, b, 2 * minClearance_);
