@@ -40,10 +40,9 @@ std::vector<std::size_t> straightPieces(const Path& path, const ObstacleRows& ob
     const auto [from, to] = open.back();
     open.pop_back();
     const auto [bend, deviation] = farthest(line, from, to);
-    const auto isClear = [&, from = from, to = to] {
-      return obstacles.clearance(line[from], line[to], clearance) >= clearance;
-    };
-    if (bend == from || (deviation <= tolerance && isClear())) continue;
+    if (bend == from ||
+        (deviation <= tolerance && obstacles.isClear(line[from], line[to], clearance)))
+      continue;
     isKept[bend] = true;
     open.push_back({from, bend});
     open.push_back({bend, to});

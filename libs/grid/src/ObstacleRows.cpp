@@ -37,7 +37,7 @@ ObstacleRows::ObstacleRows(const ObstacleCells& obstacles)
   }
 }
 
-double ObstacleRows::nearest(Point a, Point b, double limit, double enough) const {
+double ObstacleRows::clearance(Point a, Point b, double limit, double enough) const {
   const GridFrame& frame = obstacles_.frame;
   const Point reach{limit, limit};
   const Cell low = frame.cellAt(Point{std::min(a.x, b.x), std::min(a.y, b.y)} - reach);

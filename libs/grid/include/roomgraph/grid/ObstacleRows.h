@@ -13,22 +13,18 @@ class ObstacleRows {
   explicit ObstacleRows(const ObstacleCells& obstacles);
 
   /** Distance from the segment a–b to the nearest centre of an obstacle cell [m], or `limit` where
-   *  that is farther. O(cells within `limit` of the segment). */
-  [[nodiscard]] double clearance(Point a, Point b, double limit) const {
-    return nearest(a, b, limit, 0);
-  }
+   *  that is farther; where it is less than `enough`, any distance that is. O(cells within `limit`
+   *  of the segment). */
+  [[nodiscard]] double clearance(Point a, Point b, double limit, double enough = 0) const;
 
   /** Whether that is at least `least` [m]: sooner known where it is not. */
   [[nodiscard]] bool isClear(Point a, Point b, double least) const {
-    return nearest(a, b, least, least) >= least;
+    return clearance(a, b, least, least) >= least;
   }
 
   [[nodiscard]] double cellSide() const { return obstacles_.frame.resolution; }  ///< [m]
 
  private:
-  /** Stops at the first row with less than `enough`. */
-  [[nodiscard]] double nearest(Point a, Point b, double limit, double enough) const;
-
   const ObstacleCells& obstacles_;
   std::vector<std::size_t> firstInRow_;  // from row -1 to one past row `height`
 };
