@@ -190,7 +190,7 @@ TEST(Extract, keepsTheStagesInTheOrderOfThePaper) {
   for (const StageTiming& timing : stages.timings) names.push_back(timing.stage);
   const std::vector<std::string> expected{
       "binarize",        "obstacle_cells", "voronoi_graph",   "keep_inside",    "clear_clutter",
-      "region_outlines", "drop_half_seen", "keep_clear",      "topology_graph", "dead_ends",
+      "region_outlines", "keep_clear",     "drop_half_seen",  "topology_graph", "dead_ends",
       "pass_clutter",    "join_vertices",  "keep_largest",    "trace_rooms",    "border_vertices",
       "cut_paths",       "room_ids",       "short_dead_ends", "join_doors",     "room_graph",
       "area_graph"};

@@ -132,9 +132,9 @@ Stages extractGrid(Stages s, const std::function<Grid()>& cells, Diagram diagram
   // Ours: regions without clutter, and what no beam has seen whole
   step("clear_clutter").cleared = clearClutter(s.grid, s.obstacles, options.clearClutter);
   step("region_outlines").outlines = outlineRegions(s);
-  step("drop_half_seen").isInside = dropHalfSeen(s.voronoi, std::move(s.isInside), s.outlines);
   // III-A: the topology graph
   step("keep_clear").clearEdges = keepClear(s.voronoi, s.isInside, s.clearance);
+  step("drop_half_seen").clearEdges = dropHalfSeen(s.voronoi, std::move(s.clearEdges), s.outlines);
   step("topology_graph").topology = topologyGraph(s.voronoi, s.clearEdges);
   if (diagram == Diagram::isDropped) s.voronoi = {}, s.isInside = {}, s.clearEdges = {};
   step("dead_ends").pruned = removeDeadEnds(s.topology, options.deadEnds, resolution);

@@ -1,10 +1,10 @@
 #include "roomgraph/rooms/hall_ways.h"
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +29,7 @@ class Hall {
  public:
   Hall(TopologyGraph ways, const Room& room, const ObstacleRows& obstacles, double minClearance)
       : room_(room),
+        index_({room}, minClearance),
         obstacles_(obstacles),
         minClearance_(minClearance),
         vertices_(ways.vertices()),
@@ -51,14 +52,22 @@ class Hall {
     Point turnA, turnB;  // where it leaves these ways
   };
 
+  /** The ways, as Boost's search wants them. */
+  using Lengths =
+      boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                            boost::property<boost::edge_weight_t, double>>;
+
   void closeLoops() {
-    std::vector<Link> links = missingLinks();
+    Lengths lengths = lengthsOfAll();
+    std::vector<Link> links = missingLinks(lengths);
     std::sort(links.begin(), links.end(), [](const Link& l, const Link& r) {
       return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
     });
-    for (const Link& link : links)
-      if (isMissing(link.length, lengthsFrom(link.a)[link.b.index()]))
-        addStraight(vertexAt(link.turnA), vertexAt(link.turnB));
+    for (const Link& link : links) {
+      if (!isMissing(link.length, lengthsFrom(link.a, lengths)[link.b.index()])) continue;
+      addStraight(vertexAt(link.turnA), vertexAt(link.turnB));
+      lengths = lengthsOfAll();
+    }
   }
 
   /** Where the ways there are lead much farther round: by more than what is far, too. */
@@ -66,13 +75,12 @@ class Hall {
     return length > std::max(kDetour * shortest, shortest + kFarFloor);
   }
 
-  std::vector<Link> missingLinks() const {
+  std::vector<Link> missingLinks(const Lengths& lengths) const {
     std::vector<Link> links;
     for (std::size_t a = 0; a < vertices_.size(); ++a) {
-      const std::vector<double> lengths = lengthsFrom(VertexId(a));
+      const std::vector<double> lengthsTo = lengthsFrom(VertexId(a), lengths);
       for (std::size_t b = a + 1; b < vertices_.size(); ++b)
-        if (areNeighbours(VertexId(a), VertexId(b)))
-          addLink(links, VertexId(a), VertexId(b), lengths[b]);
+        addLink(links, VertexId(a), VertexId(b), lengthsTo[b]);
     }
     return links;
   }
@@ -89,14 +97,14 @@ class Hall {
     });
   }
 
-  /** The shortest that is clear, if any is that much shorter than the ways there are. A door may
-   *  lie too far aside of the open floor for a straight way. */
+  /** The shortest that is clear, if any between neighbours is that much shorter than the ways there
+   *  are. A door may lie too far aside of the open floor for a straight way. */
   void addLink(std::vector<Link>& links, VertexId a, VertexId b, double length) const {
     const int borderCount = isBorder(a) + isBorder(b);
     for (double along = 0; along == 0 || borderCount > 0; along += kFarFloor / 8) {
       const Point turnA = onTheWayFrom(a, along), turnB = onTheWayFrom(b, along);
       const double shortest = borderCount * along + distance(turnA, turnB);
-      if (!isMissing(shortest, length)) return;
+      if (!isMissing(shortest, length) || (along == 0 && !areNeighbours(a, b))) return;
       if (isClear(turnA, turnB)) return links.push_back({shortest, a, b, turnA, turnB});
     }
   }
@@ -111,25 +119,18 @@ class Hall {
     return placeOf(v);
   }
 
-  /** Along the ways, by vertex; infinite where none leads. By Dijkstra's algorithm. */
-  std::vector<double> lengthsFrom(VertexId start) const {
-    std::vector<std::vector<std::pair<std::size_t, double>>> ways(vertices_.size());
-    for (const Edge& edge : edges_) {
-      ways[edge.source.index()].push_back({edge.target.index(), edge.path.length});
-      ways[edge.target.index()].push_back({edge.source.index(), edge.path.length});
-    }
-    std::vector<double> lengths(vertices_.size(), std::numeric_limits<double>::infinity());
-    using Entry = std::pair<double, std::size_t>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-    open.push({lengths[start.index()] = 0, start.index()});
-    while (!open.empty()) {
-      const auto [length, at] = open.top();
-      open.pop();
-      if (length > lengths[at]) continue;
-      for (const auto& [next, more] : ways[at])
-        if (length + more < lengths[next]) open.push({lengths[next] = length + more, next});
-    }
+  Lengths lengthsOfAll() const {
+    Lengths lengths(vertices_.size());
+    for (const Edge& edge : edges_)
+      add_edge(edge.source.index(), edge.target.index(), edge.path.length, lengths);
     return lengths;
+  }
+
+  /** Along the ways, by vertex; as long as can be where none leads. */
+  static std::vector<double> lengthsFrom(VertexId start, const Lengths& lengths) {
+    std::vector<double> lengthsTo(num_vertices(lengths));
+    dijkstra_shortest_paths(lengths, start.index(), boost::distance_map(lengthsTo.data()));
+    return lengthsTo;
   }
 
   // To places
@@ -240,10 +241,9 @@ class Hall {
 
   bool isClear(Point a, Point b) const {
     const Point middle = midpoint(a, b);
-    return obstacles_.isClear(a, b, minClearance_) &&
-           sideOf(room_.polygon, middle) == Side::inside &&
-           !leavesPolygon(room_.polygon, middle, a, 2 * minClearance_) &&
-           !leavesPolygon(room_.polygon, middle, b, 2 * minClearance_);
+    return obstacles_.isClear(a, b, minClearance_) && index_.roomAt(middle) &&
+           !leavesRoom(index_, middle, a, 2 * minClearance_) &&
+           !leavesRoom(index_, middle, b, 2 * minClearance_);
   }
 
   /** In pieces between the ways that it crosses. */
@@ -282,6 +282,7 @@ class Hall {
   }
 
   const Room& room_;
+  const RoomIndex index_;
   const ObstacleRows& obstacles_;
   double minClearance_;
   std::vector<Vertex> vertices_;

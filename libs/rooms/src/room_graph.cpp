@@ -127,7 +127,8 @@ class RoomBuilder {
     // A border vertex in the middle of a door lies a little outside of the polygon.
     const double tolerance = 2 * clearance_;
     return path.minClearance >= clearance_ &&
-           !leavesPolygon(room.polygon, path.points.front(), path.points.back(), tolerance);
+           !leavesRoom(RoomIndex({room}, clearance_), path.points.front(), path.points.back(),
+                       tolerance);
   }
 
   /** Leads the paths that are not clear along the graph's instead, and those that would cross

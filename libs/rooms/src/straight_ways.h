@@ -1,6 +1,6 @@
 #pragma once
-#include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/grid/ObstacleRows.h"
+#include "roomgraph/rooms/RoomIndex.h"
 #include "roomgraph/topology/Path.h"
 
 namespace roomgraph {
@@ -8,8 +8,8 @@ namespace roomgraph {
 /** `clearance` is that of one of its ends, or more; the path has no more. */
 Path straightPath(const ObstacleRows& obstacles, Point source, Point target, double clearance);
 
-/** Whether a straight way from inside the polygon leaves it, other than within `tolerance` of where
- *  it ends. */
-bool leavesPolygon(const Polygon& polygon, Point from, Point to, double tolerance);
+/** Whether a straight way from inside the room leaves it through one of its openings, other than
+ *  within `tolerance` of where it ends. The way keeps the clearance that the index is made with. */
+bool leavesRoom(const RoomIndex& index, Point from, Point to, double tolerance);
 
 }  // namespace roomgraph

@@ -1,17 +1,17 @@
 #pragma once
 #include "roomgraph/rooms/region_outlines.h"
-#include "roomgraph/topology/keep_inside.h"
+#include "roomgraph/topology/keep_clear.h"
 
 namespace roomgraph {
 
 // Ours
-// In:   VoronoiGraph of the whole map, what of it lies inside, and the RegionOutlines
-// Out:  the flags without half-seen space
-// Next: keepClear
+// In:   VoronoiGraph of the whole map, its clear edges, and the RegionOutlines
+// Out:  the edges without those of half-seen space
+// Next: topologyGraph
 
-/** Clears the flags of all vertices in half-seen regions, so that no path leads into a fan of
- *  beams. O(n). */
-[[nodiscard]] InsideFlags dropHalfSeen(const VoronoiGraph& voronoi, InsideFlags isInside,
+/** Drops all edges that touch half-seen regions, so that no path leads into a fan of beams.
+ *  O(edges). */
+[[nodiscard]] EdgeIndices dropHalfSeen(const VoronoiGraph& voronoi, EdgeIndices edges,
                                        const RegionOutlines& outlines);
 
 }  // namespace roomgraph

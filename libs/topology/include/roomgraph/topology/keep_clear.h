@@ -11,7 +11,7 @@ namespace roomgraph {
 // Paper III-A: "filtering out edges too close to an obstacle cell"
 // In:   VoronoiGraph and what of it lies inside
 // Out:  the indices of the edges that are kept, ascending
-// Next: topologyGraph
+// Next: dropHalfSeen
 
 using EdgeIndices = std::vector<std::uint32_t>;  ///< places in VoronoiGraph::edges, ascending
 
