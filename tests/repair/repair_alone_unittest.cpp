@@ -33,6 +33,14 @@ TEST(RepairAlone, aTornRunIsPutTogetherAndItsLargerPartStays) {
   }
 }
 
+TEST(RepairAlone, aShortEndThatBreaksIsMendedThoughItsErrorMayBeZero) {
+  const std::vector<Keyframe> sound = test::driveForthAndBack();
+  const auto torn = test::broken(sound, sound.size() - 3, 0.3, {0.4, 0.3});
+  const RepairedRun run = repaired(torn);
+  EXPECT_EQ(run.state, RepairState::mended) << run.reason;
+  EXPECT_LT(test::stepsApart(run.poses, test::posesOf(sound)), 0.2);
+}
+
 TEST(RepairAlone, whatAgreesWithItselfStaysAsItWas) {
   const RepairedRun run = repaired(test::driveForthAndBack());
   EXPECT_EQ(run.state, RepairState::kept);

@@ -36,6 +36,19 @@ TEST(RepairRuns, aTornRunIsPutTogetherWhereItsLargerPartWas) {
   EXPECT_TRUE(repaired[1].unseen.empty());
 }
 
+TEST(RepairRuns, aShortEndThatIsTornFarIsMended) {
+  const std::vector<Keyframe> whole = test::drive(2);
+  for (const double turn : {0.7, 1.6}) {
+    const test::SolvedDrives torn({test::drifting(test::drive(1), 0.0003),
+                                   test::broken(whole, whole.size() - 4, turn, {0.4, 0.2}),
+                                   test::drifting(test::drive(3), -0.0003),
+                                   test::drifting(test::drive(4), 0.0002)});
+    const RepairedRun repaired = repairRuns(torn.solved, torn.real)[1];
+    EXPECT_EQ(repaired.state, RepairState::mended) << repaired.reason;
+    EXPECT_LT(misplaced(repaired.poses), 0.15) << turn;
+  }
+}
+
 TEST(RepairRuns, mendedPosesAreSureAndOthersStayAsTheyAre) {
   const test::SolvedDrives& torn = test::tornAmongSound();
   const std::vector<RepairedRun> repaired = repairRuns(torn.solved, torn.real);

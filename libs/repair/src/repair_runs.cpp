@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 #include "OtherWalls.h"
 #include "fitted_repair.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/breaks/MapBreak.h"
@@ -57,7 +60,7 @@ PlanarCovariance turned(const PlanarCovariance& covariance, double angle) {
 void judge(const RunCheck& check, RepairedRun& repaired) {
   if (!check.selfError) {
     repaired.reason = "left as it was: " + check.sentence;
-  } else if (check.low <= 0) {
+  } else if (check.low <= 0 && check.breaks.empty()) {
     repaired.reason =
         formatted("left as it was: its self error of %.3f m may be zero", *check.selfError);
   } else {
@@ -114,18 +117,33 @@ bool isBetter(const RunFit& after, const RunFit& before) {
   return areMore || after.apart() <= kRivalScore * before.apart();
 }
 
+/** Which scans lie elsewhere than they were drawn, by more than the same wall in two maps: of a torn
+ *  end but a few. All, where none do. */
+std::vector<std::size_t> movedScans(const std::vector<Transform2D>& drawn,
+                                    const std::vector<Transform2D>& real) {
+  std::vector<std::size_t> all(drawn.size()), moved;
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::copy_if(all.begin(), all.end(), std::back_inserter(moved),
+               [&](std::size_t k) { return poseDistance(drawn[k], real[k]) > kSameWall; });
+  return moved.empty() ? all : moved;
+}
+
 /** How far scans of a run lie from where they fit on what others have seen, once they are where
  *  they really lie [m]; nothing if they fit there no better than as the run has them, laid over
  *  that. */
 std::optional<double> leftOf(const SolvedSite& solved, const std::vector<Transform2D>& real,
                              std::size_t i, const Transform2D& siteOfRun) {
   const std::vector<ScanWalls>& all = solved.site.runs[i]->scans;
+  std::vector<Transform2D> laid;
+  for (const ScanWalls& scan : all) laid.push_back(siteOfRun * scan.pose);
+  const std::vector<std::size_t> elsewhere = movedScans(laid, real);
   std::vector<ScanWalls> probes;
   std::vector<Transform2D> drawn, moved;
   std::vector<Point> places;
-  for (std::size_t k = 0; k < all.size(); k += all.size() / fitted::kProbes + 1) {
+  for (std::size_t n = 0; n < elsewhere.size(); n += elsewhere.size() / fitted::kProbes + 1) {
+    const std::size_t k = elsewhere[n];
     probes.push_back(all[k]);
-    drawn.push_back(siteOfRun * all[k].pose), moved.push_back(real[k]);
+    drawn.push_back(laid[k]), moved.push_back(real[k]);
     places.push_back(drawn.back().shift()), places.push_back(moved.back().shift());
   }
   const std::vector<LocalScan> scans = localScans(probes);
