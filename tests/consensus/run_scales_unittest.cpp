@@ -58,6 +58,25 @@ TEST(RunScales, aRunThatIsBentOrBrokenHasNoSay) {
   EXPECT_EQ(setsOf(consensusOf({1.01, 1.01, 0.99}, 3)), Sets(3, kOne));
 }
 
+TEST(RunScales, aRunThatIsTornFarIsNoLargerOne) {
+  for (const double turn : {1.2, 2.2, 3.1}) {
+    Consensus consensus = consensusOf({1, 1, 1});
+    const IdRange<NodeId>& nodes = consensus.graph.runs[RunId(2)].nodes;
+    const NodeId half = nodes[nodes.size() / 2];
+    const Transform2D at = consensus.poses[half];
+    for (const NodeId node : nodes)
+      if (!(node < half)) {
+        Transform2D& pose = consensus.graph.nodes[node].pose;
+        pose = at * Transform2D{0, 0, turn} * at.inverse() * pose;
+      }
+    MapError& error = consensus.errors[RunId(2)];
+    error = mapErrors(consensus.graph, consensus.poses)[RunId(2)];
+    error.seen = error.confirmed = 1;
+    tellScales(consensus);
+    EXPECT_EQ(setsOf(consensus), Sets(3, kOne)) << turn;
+  }
+}
+
 TEST(RunScales, oneRunOfManyIsOutvoted) {
   const Consensus consensus = consensusOf({1, 1.0005, 0.9995, 1.02});
   EXPECT_EQ(setsOf(consensus), Sets(4, kOne));

@@ -19,10 +19,11 @@ constexpr double kLeastApart = 0.005;  // of two sets of scales; bends make less
 constexpr double kOfTheGap = 1.0 / 3;  // that the scales of a set may differ by
 constexpr double kMostBent = 0.01;     // of the reach of a run, by more than its scale
 
-/** How a run has drawn what lies at its nodes: the scale, and how far it reaches [m]. */
+/** How a run has drawn what lies at its nodes: the scale, how far it reaches, and what no scale
+ *  explains of how far off they lie (RMS) [m]. */
 struct DrawnScale {
   RunId run;
-  double scale = 1, reach = 0;
+  double scale = 1, reach = 0, bent = 0;
 };
 
 /** What of a map error the scale of its run does not add. */
@@ -54,7 +55,8 @@ std::optional<DrawnScale> scaleOf(const Consensus& consensus, RunId run) {
   });
   const double along = std::hypot(cosine, sine);
   if (along <= 0 || there <= 0) return std::nullopt;
-  return DrawnScale{run, drawn / along, std::sqrt(drawn / weight)};
+  const double bent = std::max(0.0, there - along * along / drawn);
+  return DrawnScale{run, drawn / along, std::sqrt(drawn / weight), std::sqrt(bent / weight)};
 }
 
 /** Where the scales, ascending, fall into two sets: the place of the first of the larger ones. */
@@ -176,7 +178,8 @@ void tellScales(Consensus& consensus) {
     const auto found = scaleOf(consensus, run);
     if (!found) continue;
     error.scale = found->scale;
-    if (restOf(error, *found) <= kMostBent * found->reach) scales.push_back(*found);
+    if (std::max(restOf(error, *found), found->bent) <= kMostBent * found->reach)
+      scales.push_back(*found);
   }
   std::stable_sort(scales.begin(), scales.end(),
                    [](const DrawnScale& l, const DrawnScale& r) { return l.scale < r.scale; });
