@@ -71,7 +71,7 @@ TEST(MendSteps, twoTearsAreMendedEachByItself) {
 }
 
 TEST(MendSteps, aScanThatLiesWrongOnItsOwnIsMendedByItself) {
-  for (const double turn : {0.2, -0.25}) {
+  for (const double turn : {0.2, -0.25, 0.1, -0.12}) {
     std::vector<Keyframe> frames = test::driveOnce();
     frames[18].pose.phi += turn;
     const MendedSteps steps = mended(frames);
@@ -79,6 +79,15 @@ TEST(MendSteps, aScanThatLiesWrongOnItsOwnIsMendedByItself) {
     EXPECT_EQ(steps.evidence[18], StepEvidence::contradicts) << turn;
     EXPECT_EQ(steps.evidence[19], StepEvidence::contradicts) << turn;
     EXPECT_EQ(contradictions(steps), 2) << turn;
+  }
+}
+
+TEST(MendSteps, aTurnThatScansOnBothSidesTellAlikeIsMended) {
+  for (const double turn : {0.2, 0.12, -0.12, -0.2}) {
+    const MendedSteps steps = mended(test::broken(test::driveOnce(), 24, turn, {0.05, 0.05}));
+    EXPECT_LT(test::stepsApart(steps.poses, test::posesOf(test::driveOnce())), 0.05) << turn;
+    EXPECT_EQ(steps.evidence[24], StepEvidence::contradicts) << turn;
+    EXPECT_EQ(contradictions(steps), 1) << turn;
   }
 }
 

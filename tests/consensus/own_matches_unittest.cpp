@@ -4,6 +4,7 @@
 
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/PoseGraph.h"
+#include "roomgraph/consensus/belief.h"
 #include "sample_drives.h"
 
 namespace roomgraph {
@@ -13,7 +14,7 @@ std::vector<FoundGroup> matchesOf(const std::vector<Keyframe>& frames) {
   const Run run = test::runOf(frames);
   PoseGraph graph;
   const RunId id = addRunNodes(run, graph);
-  return ownMatches(graph, id, run);
+  return ownMatches(graph, id, run, barelyHeldSteps(run));
 }
 
 TEST(OwnMatches, aSoundRunHasNone) {
@@ -55,6 +56,29 @@ TEST(OwnMatches, aScannerThatIsCoveredTearsNothing) {
   for (std::size_t k = 4; k < 13; ++k)
     for (Point& end : frames[k].ends) end = (0.4 / norm(end)) * end;
   EXPECT_TRUE(matchesOf(frames).empty());
+}
+
+TEST(StepsToUnconfirmed, areThoseAtTheEdgesOfWhatOthersFound) {
+  const std::vector<Keyframe>& once = test::driveOnce();
+  const roomgraph::Run run = test::runOf(once);
+  Consensus consensus;
+  const RunId a = addRunNodes(run, consensus.graph), b = addRunNodes(run, consensus.graph);
+  consensus.poses = consensus.graph.ownPoses();
+  const auto asked = [&] {
+    std::vector<std::size_t> steps;
+    const std::vector<bool> isAsked = stepsToUnconfirmed(consensus, a);
+    for (std::size_t k = 0; k < isAsked.size(); ++k)
+      if (isAsked[k]) steps.push_back(k);
+    return steps;
+  };
+  EXPECT_TRUE(asked().empty());
+  std::vector<PoseEdge> matches;
+  for (std::size_t k = 0; k < 10; ++k)
+    matches.push_back(
+        matchEdge(consensus.graph.runs[a].nodes[k], consensus.graph.runs[b].nodes[k], {}, 1));
+  consensus.graph.addGroup({a, b, {}}, matches);
+  consensus.trust.belief = ById<MatchGroupId, double>(1, beliefOf(1));
+  EXPECT_EQ(asked(), (std::vector<std::size_t>{9, 10, 11}));
 }
 
 constexpr std::size_t kStep = 18;

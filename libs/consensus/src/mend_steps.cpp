@@ -1,20 +1,17 @@
 #include "roomgraph/consensus/mend_steps.h"
 
 #include <algorithm>
-#include <numeric>
+#include <limits>
 #include <utility>
 
 #include "fitted_consensus.h"
 #include "gait.h"
 #include "roomgraph/base/majority.h"
+#include "scans_of_step.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr std::size_t kScansAhead = 8;    // that draw the map in which the next is looked for
-constexpr std::size_t kScansAround = 24;  // the same, where it was not found so
-constexpr std::size_t kScansBehind = 6;   // that draw the map in which those ahead are looked for
-constexpr std::size_t kTogether = 3;      // scans that are looked for as one, or in one map
 constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
@@ -38,7 +35,11 @@ class Mender {
  public:
   Mender(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
          const std::vector<bool>& asked)
-      : scans_(scans), drawn_(drawn), asked_(asked), gait_(drawn, timesOf(scans)) {}
+      : scans_(scans),
+        drawn_(drawn),
+        asked_(asked),
+        gait_(drawn, timesOf(scans)),
+        sides_(scans, drawn, 10 + 2 * gait_.longest.place) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
@@ -62,22 +63,15 @@ class Mender {
   }
 
  private:
-  Transform2D step(std::size_t from, std::size_t to) const {
-    return drawn_[from].inverse() * drawn_[to];
-  }
-
   bool isAsked(std::size_t k) const { return asked_.empty() || asked_[k]; }
 
-  /** Of the walls that count [m]. */
-  double range() const { return 10 + 2 * gait_.longest.place; }
-
-  bool isPossible(std::size_t k) const { return gait_.isPossible(step(k - 1, k), k); }
+  bool isPossible(std::size_t k) const { return gait_.isPossible(sides_.step(k - 1, k), k); }
 
   void mend(std::size_t k) {
     // As drawn to the last bit, up to the first contradiction.
-    result_.poses[k] = isMended_ ? result_.poses[k - 1] * step(k - 1, k) : drawn_[k];
+    result_.poses[k] = isMended_ ? result_.poses[k - 1] * sides_.step(k - 1, k) : drawn_[k];
     if (!isAsked(k) || !scans_[k].isTelling()) return;
-    if (ahead_.walls.empty() || k >= aheadOf_ + kTogether) drawAhead(k);
+    if (ahead_.walls.empty() || k >= aheadOf_ + ScansOfStep::kTogether) drawAhead(k);
     if (ahead_.walls.empty()) return;
     const ScanFit fit = asDrawn(scans_[k], ahead_, result_.poses[k]);
     if (fit.quality >= fitted::kWell) {
@@ -87,33 +81,13 @@ class Mender {
     if (aheadOf_ != k) drawAhead(k);
     result_.evidence[k] = judge(k);
     if (result_.evidence[k] != StepEvidence::lost) return;
-    drawAround(k);
+    ahead_ = sides_.around(k, result_.poses);
     result_.evidence[k] = judge(k);
     ahead_.walls.clear();  // of the steps behind those before it tell more
   }
 
   void drawAhead(std::size_t k) {
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = k; i-- > 0 && chosen.size() < kScansAhead;)
-      if (scans_[i].isTelling()) chosen.push_back(i);
-    draw(chosen, k);
-  }
-
-  /** What was drawn about the robot at any time before: it may turn to what only that shows. */
-  void drawAround(std::size_t k) {
-    const Point robot = result_.poses[k - 1].shift();
-    std::vector<std::pair<double, std::size_t>> near;
-    for (std::size_t i = 0; i < k; ++i)
-      if (scans_[i].isTelling()) near.emplace_back(distance(result_.poses[i].shift(), robot), i);
-    const std::size_t count = std::min(near.size(), kScansAround);
-    std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
-    std::vector<std::size_t> chosen;
-    for (std::size_t i = 0; i < count; ++i) chosen.push_back(near[i].second);
-    draw(chosen, k);
-  }
-
-  void draw(const std::vector<std::size_t>& chosen, std::size_t k) {
-    ahead_ = scanMap(scans_, result_.poses, chosen, range());
+    ahead_ = sides_.ahead(k, result_.poses);
     aheadOf_ = k;
   }
 
@@ -123,44 +97,12 @@ class Mender {
     return areNear(fit.pose, drawn, {}, kAsDrawn) ? fit : fitAt(scan, in, drawn);
   }
 
-  /** Some scans as one, in the frame of `poses`. */
-  LocalScan together(std::size_t first, std::size_t end,
-                     const std::vector<Transform2D>& poses) const {
-    LocalScan all;
-    for (std::size_t i = first; i < end; ++i) {
-      const Motion2D forth(poses[i]);
-      for (const WallPoint& wall : scans_[i].walls)
-        if (norm(wall.place) < range())
-          all.walls.push_back({forth(wall.place), forth.turned(wall.normal)});
-    }
-    return all;
-  }
-
-  /** Where the scans lie of which that at `k` is the first, seen from it. */
-  std::vector<Transform2D> posesFrom(std::size_t k) const {
-    std::vector<Transform2D> fromHere(scans_.size());
-    for (std::size_t i = k; i < endBehind(k); ++i) fromHere[i] = step(k, i);
-    return fromHere;
-  }
-
-  std::size_t endBehind(std::size_t k) const { return std::min(k + kScansBehind, scans_.size()); }
-
-  /** What the scans behind the step to `k` have drawn, seen from the first of them. */
-  const WallMap& drawnBehind(std::size_t k) {
-    if (behindOf_ == k) return behind_;
-    std::vector<std::size_t> chosen(endBehind(k) - k);
-    std::iota(chosen.begin(), chosen.end(), k);
-    behind_ = scanMap(scans_, posesFrom(k), chosen, range());
-    behindOf_ = k;
-    return behind_;
-  }
-
   /** Holds the one scan before a step against those behind it. A scan that lies wrong on its own
    *  is not seen by judge(), which takes it together with others that lie right. */
   void lookBack(std::size_t k) {
     const LocalScan& scan = scans_[k - 1];
     if (!scan.isTelling()) return;
-    const WallMap& behind = drawnBehind(k);
+    const WallMap& behind = sides_.behind(k);
     if (behind.walls.empty()) return;
     const Transform2D back = result_.poses[k].inverse() * result_.poses[k - 1];
     const ScanFit drawn = asDrawn(scan, behind, back);
@@ -168,12 +110,49 @@ class Mender {
     const std::vector<ScanFit> found = findScan(scan, behind, back, kSlipped, 2);
     const auto best = bestOf(found);
     if (best == found.end() || areNear(best->pose, back, {}, kAsDrawn)) return;
-    const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
     const double gain = best->score - drawn.score;
+    if (mendTurn(k, best->pose, gain)) return;
+    const bool mayBe = areNear(best->pose, back, {}, kSlipped) || drawn.quality < kTear.mostAsDrawn;
     if (!mayBe || best->quality < kMajority || best->quality < drawn.quality + kClearerBehind ||
         gain < kGainBehind || secondOf(found, *best, drawn) - drawn.score > kRivalScore * gain)
       return;
     mendBack(k, behind, best->pose);
+  }
+
+  /** Where scans on either side of a step, each for itself, are turned alike against what was
+   *  drawn. Shifts do not count: scans slide along a corridor on both sides alike. `pose`: of
+   *  scan k - 1 in scan k, which fits by `gain` better so. Returns false where they are not. */
+  bool mendTurn(std::size_t k, const Transform2D& pose, double gain) {
+    const Transform2D slipped = result_.poses[k - 1] * pose.inverse();
+    const Transform2D alone = result_.poses[k] * pose;
+    if (turnedGain(k, slipped) + gain > kSlip.leastGain) {
+      result_.evidence[k] = mendTo(k, slipped);
+    } else if (turnedGain(k - 1, alone) + gain > kSlip.leastGain) {
+      result_.evidence[k - 1] = result_.evidence[k] = mendTo(k - 1, alone);
+      ahead_.walls.clear();  // that scan may be in it
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  /** By how much better a scan fits what those before it have drawn, if it does so best where it
+   *  is turned about as in `pose`; else far less than nothing. */
+  double turnedGain(std::size_t k, const Transform2D& pose) {
+    constexpr double kNone = -std::numeric_limits<double>::infinity();
+    const Transform2D& as = result_.poses[k];
+    const auto isTurned = [&](const Transform2D& other) {
+      return std::abs(wrappedAngle(other.phi - as.phi)) > kAsDrawn.turn;
+    };
+    if (!isTurned(pose) || !scans_[k].isTelling()) return kNone;
+    const WallMap ahead = sides_.ahead(k, result_.poses);
+    if (ahead.walls.empty()) return kNone;
+    const std::vector<ScanFit> found = findScan(scans_[k], ahead, as, kSlipped, 2);
+    const auto best = bestOf(found);
+    if (best == found.end() || !isTurned(best->pose) ||
+        !areNear(best->pose, pose, {}, kSameScanStart))
+      return kNone;
+    return best->score - asDrawn(scans_[k], ahead, as).score;
   }
 
   /** Either the run slips between the two scans or, if the one before fits to those behind as it
@@ -210,13 +189,12 @@ class Mender {
   };
 
   StepView viewOf(std::size_t k) const {
-    return {together(k - std::min(k, kTogether), k, result_.poses),
-            together(k, std::min(k + kTogether, scans_.size()), posesFrom(k))};
+    return {sides_.togetherAhead(k, result_.poses), sides_.togetherBehind(k)};
   }
 
   /** A fit by the walls of both sides. */
   ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) {
-    const ScanFit back = fitAt(view.before, drawnBehind(k), fit.pose.inverse());
+    const ScanFit back = fitAt(view.before, sides_.behind(k), fit.pose.inverse());
     const double known = std::max(1e-9, fit.known + back.known);
     fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
     fit.score += back.score;
@@ -272,12 +250,11 @@ class Mender {
   const std::vector<Transform2D>& drawn_;
   const std::vector<bool>& asked_;
   Gait gait_;
+  ScansOfStep sides_;
   MendedSteps result_;
   bool isMended_ = false;
   WallMap ahead_;
   std::size_t aheadOf_ = 0;  // the first scan that is not in that map
-  WallMap behind_;
-  std::size_t behindOf_ = 0;  // the first scan in that map; 0 before there is one
 };
 
 }  // namespace

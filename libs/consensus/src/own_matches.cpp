@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "confirm_runs.h"
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
@@ -54,9 +55,27 @@ std::vector<PoseEdgeId> heldBy(const Run& run, const GraphRun& nodes, const Cons
 
 }  // namespace
 
-std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run) {
+std::vector<bool> barelyHeldSteps(const Run& run) {
   std::vector<bool> asked(run.scans.size());
   for (std::size_t k = 1; k < asked.size(); ++k) asked[k] = stepHold(run.scans, k) < 1;
+  return asked;
+}
+
+std::vector<bool> stepsToUnconfirmed(const Consensus& consensus, RunId run) {
+  const auto isConfirmed = confirmedNodes(consensus.graph, consensus.poses, consensus.trust.belief);
+  const IdRange<NodeId>& nodes = consensus.graph.runs[run].nodes;
+  std::vector<bool> asked(nodes.size());
+  for (std::size_t k = 1; k < asked.size(); ++k) {
+    if (isConfirmed[nodes[k - 1]] == isConfirmed[nodes[k]]) continue;
+    const std::size_t end = std::min(asked.size(), k + 2);  // a scan beside it may fit by chance
+    std::fill(asked.begin() + std::ptrdiff_t(std::max<std::size_t>(2, k) - 1),
+              asked.begin() + std::ptrdiff_t(end), true);
+  }
+  return asked;
+}
+
+std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
+                                   const std::vector<bool>& asked) {
   if (std::find(asked.begin(), asked.end(), true) == asked.end()) return {};
   const MendedSteps mended = mendSteps(localScans(run.scans), drawnPoses(run.scans), asked);
   std::vector<FoundGroup> groups;

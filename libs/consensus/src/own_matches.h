@@ -13,12 +13,20 @@ namespace roomgraph {
 // Out:  FoundGroup
 // Next: findConsensus
 
-/** What a run tells of its own breaks, whatever others have seen: where a scan has next to nothing
- *  in common with the two before it, though it lies beside them as drawn, its step is asked for by
- *  mendSteps. Where that contradicts the run at one step alone, the scans behind it are found in
- *  the scan before it, as the group of one stretch. O(scans * walls^2), and the cost of mendSteps
+/** Which scans have next to nothing in common with the two before them, though they lie beside them
+ *  as drawn. O(scans * walls^2). */
+std::vector<bool> barelyHeldSteps(const Run& run);
+
+/** The steps to what no other run confirms, and from there on, and those beside them: where a run
+ *  is torn near its end, others only fail to find what lies behind. O(nodes + matches). */
+std::vector<bool> stepsToUnconfirmed(const Consensus& consensus, RunId run);
+
+/** What a run tells of its own breaks, whatever others have seen: the steps `asked` for are held
+ *  against its scans by mendSteps. Where that contradicts the run at one step alone, the scans
+ *  behind it are found in the scan before it, as the group of one stretch. The cost of mendSteps
  *  for those steps. */
-std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run);
+std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& run,
+                                   const std::vector<bool>& asked);
 
 /** The links that give way in the consensus though the scans on both sides of them agree with the
  *  step as it was drawn and refute the one that the consensus has: what was found of the run beyond

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -69,25 +70,59 @@ void addRuns(Consensus& consensus, const Site& site, const std::vector<std::size
   if (site.reference) consensus.graph.reference = consensus.graphRuns[*site.reference];
 }
 
-/** What the runs that count were found of in each other, and each by itself. */
-void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
-                const ForEach& forEach) {
-  PoseGraph& graph = consensus.graph;
+/** What the runs that count have of breaks of their own, where `asked` (run) wants to know. */
+template <class Asked>
+std::vector<FoundGroup> allOwnMatches(const Consensus& consensus, const Site& site,
+                                      const ForEach& forEach, const Asked& asked) {
+  const PoseGraph& graph = consensus.graph;
   ById<RunId, std::vector<FoundGroup>> own(graph.runs.size());
   forEach(own.size(), [&](std::size_t index) {
     const RunId run(index);
     if (graph.runs[run].hasScans && run != graph.reference)
-      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]]);
+      own[run] = ownMatches(graph, run, *site.runs[consensus.siteRuns[run]], asked(run));
   });
-  std::vector<FoundGroup> all = matchRuns(site, pairs, graph, consensus.siteRuns, forEach);
-  for (const RunId run : own.ids())
-    for (const FoundGroup& found : own[run]) {
-      const GraphRun& nodes = graph.runs[run];
-      const std::size_t behind = nodes.nodes.placeOf(found.matches.front().to);
-      graph.edges[nodes.links[behind - 1]].share = beliefOf(0);
-      all.push_back(found);
-    }
-  for (const FoundGroup& found : all) graph.addGroup(found.group, found.matches);
+  std::vector<FoundGroup> all;
+  for (const std::vector<FoundGroup>& found : own)
+    std::copy(found.begin(), found.end(), std::back_inserter(all));
+  return all;
+}
+
+/** They stand for the links that they contradict. */
+void addOwn(PoseGraph& graph, const std::vector<FoundGroup>& own) {
+  for (const FoundGroup& found : own) {
+    const GraphRun& nodes = graph.runs[found.group.from];
+    const std::size_t behind = nodes.nodes.placeOf(found.matches.front().to);
+    graph.edges[nodes.links[behind - 1]].share = beliefOf(0);
+    graph.addGroup(found.group, found.matches);
+  }
+}
+
+/** What the runs that count were found of in each other, and each by itself. */
+void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
+                const ForEach& forEach) {
+  PoseGraph& graph = consensus.graph;
+  const std::vector<FoundGroup> own = allOwnMatches(consensus, site, forEach, [&](RunId run) {
+    return barelyHeldSteps(*site.runs[consensus.siteRuns[run]]);
+  });
+  for (const FoundGroup& found : matchRuns(site, pairs, graph, consensus.siteRuns, forEach))
+    graph.addGroup(found.group, found.matches);
+  addOwn(graph, own);
+}
+
+/** The same of steps to what no other run confirms, that hold in the consensus; whether there is
+ *  any. */
+bool addOwnToUnconfirmed(Consensus& consensus, const Site& site, const ForEach& forEach) {
+  std::vector<FoundGroup> own = allOwnMatches(
+      consensus, site, forEach, [&](RunId run) { return stepsToUnconfirmed(consensus, run); });
+  const auto isKnown = [&](const FoundGroup& found) {
+    const GraphRun& nodes = consensus.graph.runs[found.group.from];
+    const PoseEdge& link =
+        consensus.graph.edges[nodes.links[nodes.nodes.placeOf(found.matches.front().to) - 1]];
+    return link.share < 1 || !isInlier(link, gapOf(link, consensus.poses), kInlier);
+  };
+  own.erase(std::remove_if(own.begin(), own.end(), isKnown), own.end());
+  addOwn(consensus.graph, own);
+  return !own.empty();
 }
 
 /** The first runs of a graph, and what they found of each other. Nodes and links keep their ids. */
@@ -206,6 +241,7 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   addRuns(consensus, site, counted, runs.order);
   addMatches(consensus, site, pairs, forEach);
   agree(consensus, runs.core, forEach);
+  if (addOwnToUnconfirmed(consensus, site, forEach)) agree(consensus, runs.core, forEach);
   for (int round = 0; round < fitted::kHoldRounds && holdSteps(consensus, site, forEach); ++round)
     agree(consensus, runs.core, forEach);
   if (graph.runs.size() == 1 && site.runs.size() > 1)

@@ -29,7 +29,8 @@ struct MendedSteps {
  *  into what all scans before have drawn about that place. A scan that fits about as well
  *  where it was drawn is left there, so a corridor on which it may slide contradicts nothing. Where
  *  that leaves a step as it was, the one scan before it is held against the few behind it, which
- *  tells slips that the next step takes back: the scan between lies wrong, and both steps do.
+ *  tells slips that the next step takes back: the scan between lies wrong, and both steps do. Turns
+ *  that this and the scan behind the step, held against those before it, tell alike count sooner.
  *  Only the steps to the scans that are `asked` for are held against others, where there are such;
  *  of the others there is no evidence.
  *  Deterministic. O(scans + asked * (cells around a few scans)). */

@@ -1,0 +1,54 @@
+#pragma once
+#include <vector>
+
+#include "roomgraph/align/find_scan.h"
+
+namespace roomgraph {
+
+// Ours
+// In:   the scans of a run, and where the run has drawn them
+// Out:  WallMap, LocalScan
+// Next: mendSteps
+
+/** What the scans on either side of a step of a run see, as maps and as one scan. Keeps references
+ *  to the scans and to where they were drawn. */
+class ScansOfStep {
+ public:
+  /** Of the walls those within `range` [m] of their scan count. */
+  ScansOfStep(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+              double range)
+      : scans_(scans), drawn_(drawn), range_(range) {}
+
+  Transform2D step(std::size_t from, std::size_t to) const {
+    return drawn_[from].inverse() * drawn_[to];
+  }
+
+  /** What the few before the step to `k` have drawn, at `poses`; without a wall if nothing. */
+  WallMap ahead(std::size_t k, const std::vector<Transform2D>& poses) const;
+
+  /** What was drawn about the robot at any time before: it may turn to what only that shows. */
+  WallMap around(std::size_t k, const std::vector<Transform2D>& poses) const;
+
+  /** What those behind the step to `k` have drawn, seen from the first of them. */
+  const WallMap& behind(std::size_t k);
+
+  /** The few nearest to the step as one: in the map, and seen from the first. */
+  LocalScan togetherAhead(std::size_t k, const std::vector<Transform2D>& poses) const;
+  LocalScan togetherBehind(std::size_t k) const;
+
+  static constexpr std::size_t kTogether = 3;  ///< scans that are looked for as one, or in one map
+
+ private:
+  LocalScan together(std::size_t first, std::size_t end,
+                     const std::vector<Transform2D>& poses) const;
+  std::vector<Transform2D> posesFrom(std::size_t k) const;
+  std::size_t endBehind(std::size_t k) const;
+
+  const std::vector<LocalScan>& scans_;
+  const std::vector<Transform2D>& drawn_;
+  double range_;
+  WallMap behind_;
+  std::size_t behindOf_ = 0;  // the first scan in that map; 0 before there is one
+};
+
+}  // namespace roomgraph
