@@ -117,8 +117,8 @@ bool isBetter(const RunFit& after, const RunFit& before) {
   return areMore || after.apart() <= kRivalScore * before.apart();
 }
 
-/** Which scans lie elsewhere than they were drawn, by more than the same wall in two maps: of a torn
- *  end but a few. All, where none do. */
+/** Which scans lie elsewhere than they were drawn, by more than one wall in two maps: of a torn end
+ *  only a few. All, where none do. */
 std::vector<std::size_t> movedScans(const std::vector<Transform2D>& drawn,
                                     const std::vector<Transform2D>& real) {
   std::vector<std::size_t> all(drawn.size()), moved;
