@@ -147,6 +147,20 @@ TEST(Gate, mapErrorsMustBeSmallAndTold) {
                    "e: its map error cannot be told: too little to compare"}));
 }
 
+TEST(Gate, ofADoubtfulPlaceTheWholeIntervalCounts) {
+  GateOptions options;
+  options.maxError = 0.4, options.candidates = {"b"};
+  Comparison comparison = fiveRuns();
+  ComparedRun& run = comparison.runs[1];
+  run.score->errorHigh = 0.5;
+  EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
+  ComparedPair& unsure = comparison.pairs.emplace_back();
+  unsure.a = "a", unsure.b = "b", unsure.isSameSite = true, unsure.confidence = 0.5;
+  ASSERT_EQ(comparison.certaintyOf(run), Certainty::doubtful);
+  EXPECT_EQ(gateVerdict(comparison, options).complaints,
+            Lines{"b: its map error is doubtful and may be 0.500 m, 0.100 m above 0.4 m"});
+}
+
 TEST(Gate, metresOfAScaleThatNoMapTellsAreNotJudged) {
   Comparison comparison = sample();
   GateOptions options;

@@ -189,12 +189,7 @@ class Judge {
       return complain(run.name, "its map error cannot be told: " +
                                     (fault.empty() ? "too little to compare" : fault));
     }
-    if (options_.maxError) {
-      const double left = *options_.maxError - *error;
-      hold("error", run.name, left,
-           formatted("its map error of %.3f m is %.3f m %s %.4g m", *error, std::abs(left),
-                     left < 0 ? "above" : "below", *options_.maxError));
-    }
+    if (options_.maxError) judgeMetres(run, *options_.maxError);
     if (!options_.maxWorse) return;
     const auto record = recordError(comparison_, run.name, options_.candidates);
     if (!record) return complain(run.name, "there is no other run to hold it against");
@@ -203,6 +198,17 @@ class Judge {
          formatted("its map error of %.3f m is %.3f m %s than the median of the three best others; "
                    "up to %.4g m more passes",
                    *error, std::abs(more), more < 0 ? "less" : "more", *options_.maxWorse));
+  }
+
+  /** A run that may lie in the wrong place may be as far off as its interval reaches. */
+  void judgeMetres(const ComparedRun& run, double most) {
+    const bool isDoubtful = comparison_.certaintyOf(run) == Certainty::doubtful;
+    const double error = isDoubtful ? run.score->errorHigh : run.score->mapError;
+    const double left = most - error;
+    hold("error", run.name, left,
+         formatted("its map error %s %.3f m%s %.3f m %s %.4g m",
+                   isDoubtful ? "is doubtful and may be" : "of", error, isDoubtful ? "," : " is",
+                   std::abs(left), left < 0 ? "above" : "below", most));
   }
 
   void judgeLeftOut(const LeftOutRun& run) {

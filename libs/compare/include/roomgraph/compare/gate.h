@@ -19,7 +19,8 @@ constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below t
 /** What must not be. */
 struct GateOptions {
   std::optional<double> minScore;  ///< each run must have a score, and this one at least
-  /** Each run must have a map error that can be trusted, and at most this one [m]. */
+  /** Each run must have a map error that can be trusted, and at most this one [m]; of one that is
+   *  Certainty::doubtful the upper end of its interval counts. */
   std::optional<double> maxError;
   /** The same: at most so much more than the best of the other runs, see recordError [m]. */
   std::optional<double> maxWorse;
