@@ -161,5 +161,22 @@ TEST(Polygon, whereARingStartsChangesNothing) {
   }
 }
 
+TEST(Polygon, aConvexHullLeavesOutWhatLiesInsideAndOnItsSides) {
+  EXPECT_EQ(convexHull({{2, 1}, {1, 1}, {0, 0}, {4, 2}, {2, 0}, {4, 0}, {0, 2}, {0, 0}}),
+            (Ring{{0, 0}, {4, 0}, {4, 2}, {0, 2}}));
+  EXPECT_EQ(convexHull({{1, 1}, {0, 0}, {2, 2}}), (Ring{{0, 0}, {2, 2}}));
+  EXPECT_EQ(convexHull({{1, 1}, {1, 1}}), Ring({{1, 1}}));
+  EXPECT_TRUE(convexHull({}).empty());
+}
+
+TEST(Polygon, theLeastWidthOfAHullDoesNotDependOnItsAngle) {
+  for (const double angle : {0.0, 0.3, 1.0, 2.2}) {
+    Ring hull{{0, 0}, {4, 0}, {4, 2}, {2, 3}, {0, 2}};
+    for (Point& p : hull) p = Transform2D{5, 7, angle}(p);
+    EXPECT_NEAR(leastWidth(convexHull(hull)), 3, 1e-9) << angle;
+  }
+  EXPECT_EQ(leastWidth({{0, 0}, {2, 2}}), 0);
+}
+
 }  // namespace
 }  // namespace roomgraph

@@ -100,4 +100,35 @@ Box boundingBox(const std::vector<Point>& points) {
   return box;
 }
 
+Ring convexHull(std::vector<Point> points) {
+  std::sort(points.begin(), points.end());
+  Ring hull;
+  for (int side = 0; side < 2; ++side) {  // below, then above
+    const std::size_t least = std::max<std::size_t>(hull.size(), 1);
+    for (const Point p : points) {
+      while (hull.size() > least && cross(hull.back() - *(hull.end() - 2), p - hull.back()) <= 0)
+        hull.pop_back();
+      if (hull.empty() || !(hull.back() == p)) hull.push_back(p);
+    }
+    std::reverse(points.begin(), points.end());
+  }
+  if (hull.size() > 1) hull.pop_back();  // the first one once more
+  return hull;
+}
+
+double leastWidth(const Ring& hull) {
+  if (hull.size() < 3) return 0;
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Point side = hull[i + 1 < hull.size() ? i + 1 : 0] - hull[i];
+    double low = 0, high = 0;  // rounding may put corners on either side of a short one
+    for (const Point corner : hull) {
+      const double across = cross(side, corner - hull[i]) / norm(side);
+      low = std::min(low, across), high = std::max(high, across);
+    }
+    least = std::min(least, high - low);
+  }
+  return least;
+}
+
 }  // namespace roomgraph

@@ -33,22 +33,6 @@ bool isOnTheWay(Point a, Point p, Point b) {
   return std::abs(cross(p - a, b - p)) <= 1e-6 * distance(a, b) && dot(p - a, b - p) > 0;
 }
 
-/** The convex hull, counter-clockwise, with its first corner at the end, too. */
-Ring closedHull(Ring corners) {
-  std::sort(corners.begin(), corners.end());
-  Ring hull;
-  for (int side = 0; side < 2; ++side) {  // below, then above
-    const std::size_t least = hull.size() + 1;
-    for (const Point p : corners) {
-      while (hull.size() > least && cross(hull.back() - *(hull.end() - 2), p - hull.back()) <= 0)
-        hull.pop_back();
-      if (hull.empty() || !(hull.back() == p)) hull.push_back(p);
-    }
-    std::reverse(corners.begin(), corners.end());
-  }
-  return hull;
-}
-
 class OsmWriter {
  public:
   OsmWriter(const AreaGraph& graph, const OsmXmlOptions& options)
@@ -143,10 +127,11 @@ class OsmWriter {
     Ring corners;
     for (const Area& area : graph_.areas)
       corners.insert(corners.end(), area.polygon.outer.begin(), area.polygon.outer.end());
-    addWay(closedHull(std::move(corners)), tag("height", "0") + tag("indoor", "level") +
-                                               tag("level", "0") + tag("name", "floor_0") +
-                                               tag("osmAG:areaType", "structure") +
-                                               tag("osmAG:type", "area"));
+    Ring hull = convexHull(std::move(corners));
+    hull.push_back(hull.front());
+    addWay(hull, tag("height", "0") + tag("indoor", "level") + tag("level", "0") +
+                     tag("name", "floor_0") + tag("osmAG:areaType", "structure") +
+                     tag("osmAG:type", "area"));
   }
 
   void addArea(std::size_t a) {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "roomgraph/geometry/Transform2D.h"
 #include "roomgraph/rooms/trace_rooms.h"
 
 namespace roomgraph {
@@ -28,19 +26,6 @@ std::vector<const Ring*> islandsOf(const Room& room, const Rooms& all) {
   return islands;
 }
 
-/** How far apart two lines are, in one of some directions, between which a ring just fits [m]. */
-double widthOf(const Ring& ring) {
-  constexpr int kDirections = 16;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < kDirections; ++k) {
-    const Point across = turned({1, 0}, k * M_PI / kDirections);
-    const auto isBefore = [&](Point p, Point q) { return dot(across, p) < dot(across, q); };
-    const auto [low, high] = std::minmax_element(ring.begin(), ring.end(), isBefore);
-    least = std::min(least, dot(across, *high - *low));
-  }
-  return least;
-}
-
 /** Whether a corner of an island is so far from the outer ring [m]. */
 bool areDeep(const std::vector<const Ring*>& islands, const Ring& outer, double far) {
   std::size_t near = 0;  // what is near one corner is near the next one, too
@@ -60,7 +45,7 @@ bool isHall(const Room& room, const Rooms& all, const SplitAtDoorsOptions& optio
   if (islands.size() < kFewestIslands) return false;
   double filled = area(room.polygon);
   for (const Ring* island : islands) {
-    if (widthOf(*island) > 2 * room.inscribedRadius) return false;
+    if (leastWidth(convexHull(*island)) > 2 * room.inscribedRadius) return false;
     filled += std::abs(signedArea(*island));
   }
   return areDeep(islands, room.polygon.outer, std::sqrt(filled / options.maxElongation) / 2);

@@ -84,4 +84,11 @@ struct Box {
 /** The smallest box round the points; empty for none. */
 [[nodiscard]] Box boundingBox(const std::vector<Point>& points);
 
+/** The smallest convex ring round the points, counter-clockwise; empty for none. O(n log n). */
+[[nodiscard]] Ring convexHull(std::vector<Point> points);
+
+/** How far apart two parallel lines are at least with a convex ring between them [m]; 0 for less
+ *  than three corners. O(corners^2). */
+[[nodiscard]] double leastWidth(const Ring& hull);
+
 }  // namespace roomgraph
