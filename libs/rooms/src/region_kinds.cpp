@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "roomgraph/base/statistics.h"
+#include "roomgraph/geometry/Polygon.h"
 
 namespace roomgraph {
 namespace {
@@ -17,6 +18,9 @@ constexpr double kFacing = 0.924;
 
 /** Closer ones lie on one side of it: there is a branch of the diagram into each dent of a wall. */
 constexpr double kOneSide = 0.5;
+
+/** Of a region in its convex hull; corridors with a bend or a branch have less. */
+constexpr double kLeastSolidity = 2.0 / 3;
 
 /** What lies beside a part of a way between two walls that face each other. */
 struct Stretch {
@@ -76,6 +80,41 @@ bool isBehindDoors(const RegionGroups& regions, const SplitAtDoorsOptions& optio
          widest < options.maxRatio * regions.radius(region) * (1 - kSameWidth);
 }
 
+/** Whether doors close it that would part two pieces of corridor, too. */
+bool isBehindNarrowDoors(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+                         std::uint32_t region, const Neighbours& around) {
+  return std::all_of(around.begin(), around.end(), [&](const auto& way) {
+    const double clearance = way.second.clearance;
+    return clearance < options.corridorRatio * regions.radius(region) * (1 - kSameWidth) &&
+           clearance < options.corridorDoor / 2;
+  });
+}
+
+/** Which regions are long by what stands in them, as furniture or the bath of a hotel room: their
+ *  convex hulls are no longer than rooms, and wide enough for two of their ways beside each other.
+ */
+std::vector<std::uint8_t> compactOnes(RegionGroups& regions, const SplitAtDoorsOptions& options,
+                                      const std::vector<double>& widths) {
+  std::vector<std::vector<Point>> corners(widths.size());  // of those that are long
+  regions.eachStretch([&](const VoronoiEdge& edge, std::uint32_t end, double) {
+    const std::uint32_t region = regions.find(end);
+    if (regions.area(region) <= options.maxElongation * widths[region] * widths[region]) return;
+    for (const std::uint32_t obstacle : {edge.left, edge.right})
+      corners[region].push_back(regions.voronoi().obstacles[obstacle]);
+  });
+  std::vector<std::uint8_t> isCompact(widths.size());
+  for (std::uint32_t region = 0; region < widths.size(); ++region) {
+    if (corners[region].empty()) continue;
+    const Ring hull = convexHull(std::move(corners[region]));
+    const double width = leastWidth(hull) - 2 * regions.halfCell();
+    const double solidity = regions.area(region) / signedArea(hull);
+    isCompact[region] = signedArea(hull) <= options.maxElongation * width * width &&
+                        solidity >= kLeastSolidity &&
+                        solidity * width >= 2 * regions.meanWidth(region);
+  }
+  return isCompact;
+}
+
 /** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.
  */
 bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& options,
@@ -89,12 +128,14 @@ bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& option
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around, double own, double leastWidth) {
+                std::uint32_t region, const Neighbours& around, double own, double leastWidth,
+                bool isCompact) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
   const Neighbours exits = seenOnes(regions, options, around);
-  const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
-                        isBehindDoors(regions, options, region, around, exits);
+  const bool isWalled = regions.wallShare(region) >= options.minClosedShare;
+  if (isCompact && isWalled && isBehindNarrowDoors(regions, options, region, around)) return false;
+  const bool isClosed = isWalled && isBehindDoors(regions, options, region, around, exits);
   if (width < options.openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < options.minElongation) return true;
   if (isWayThrough(regions, options, region, exits)) return true;
@@ -119,6 +160,7 @@ class KindFinder {
 
   std::vector<RegionKind> run() {
     leastWidth_ = leastWidth();
+    isCompact_ = compactOnes(regions_, options_, widths_);
     for (std::uint32_t v = 0; v < kinds_.size(); ++v)
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
     keepLinks();
@@ -148,7 +190,8 @@ class KindFinder {
 
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
-    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_)
+    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_,
+                      isCompact_[region])
                ? RegionKind::corridor
                : RegionKind::room;
   }
@@ -191,6 +234,7 @@ class KindFinder {
   const std::vector<double>& widths_;
   const RegionGroups::AllNeighbours around_;
   double leastWidth_ = 0;  // of a room [m]
+  std::vector<std::uint8_t> isCompact_;
   std::vector<RegionKind> kinds_;
 };
 

@@ -31,13 +31,16 @@ namespace roomgraph {
  *  a corridor goes on through it: it leads on two sides to corridor that is about as wide by the
  *  mean over its whole length, or that opens into it, if it is longer than a niche, about as wide
  *  as it is; or where it is one of several such regions in a row, about as wide, without doors
- *  between pieces of a corridor, that are far longer together than a room. Pieces of corridor
- *  without a door between them become one. One that is corridor by its aisles alone is a room: it
- *  goes round several islands in which no other region lies, none wider than its widest aisle, and
- *  would be no longer than a room without them, as a hall with shelves or desks. All widths are
- *  free ones, between the sides of obstacle cells of size `resolution` [m], not between their
- *  centres. `minClearance` keeps passages between neighbouring cells of a wall out [m]. Equal
- *  widths are judged together, so the order of the edges does not matter. O(n log n). */
+ *  between pieces of a corridor, that are far longer together than a room. But it is a room, as one
+ *  with a bath or round a table, if walls close it and doors that would part pieces of a corridor,
+ *  and it is compact: it fills most of its convex hull, which is no longer than a room and wide
+ *  enough for two of its ways side by side. Pieces of corridor without a door between them become
+ *  one. One that is corridor by its aisles alone is a room: it goes round several islands in which
+ *  no other region lies, none wider than its widest aisle, and would be no longer than a room
+ *  without them, as a hall with shelves or desks. All widths are free ones, between the sides of
+ *  obstacle cells of size `resolution` [m], not between their centres. `minClearance` keeps
+ *  passages between neighbouring cells of a wall out [m]. Equal widths are judged together, so the
+ *  order of the edges does not matter. O(n log n). */
 [[nodiscard]] Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                    const std::vector<std::uint8_t>& isWall, double minClearance,
                                    double resolution, const SplitAtDoorsOptions& options);
