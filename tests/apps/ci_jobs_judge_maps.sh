@@ -18,7 +18,7 @@ cmp -s results/summary.md shown.md || fail "another summary"
 [ -n "$(ls pairs)" ] || fail "no pair is kept"
 ROOMGRAPH_CANDIDATE='tonight*' ROOMGRAPH_FAIL_ABOVE=0.2 ROOMGRAPH_FAIL_ON=broken ROOMGRAPH_OUTPUT=other expect 3 "$gate"
 grep -q '^## The gate fails: tonight 4 and tonight 3$' shown.md || fail "two maps are not judged"
-grep -q '^- tonight 4: its map error of ' shown.md || fail "no figure"
+grep -q '^- tonight 4: its map error ' shown.md || fail "no figure"
 [ -s other/junit.xml ] && [ -s other/report.html ] || fail "no results"
 
 # Each of the other limits is asked for.
