@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "confirm_runs.h"
 #include "roomgraph/align/near_poses.h"
 #include "roomgraph/consensus/PoseGraph.h"
 #include "roomgraph/consensus/belief.h"
@@ -66,7 +67,9 @@ TEST(StepsToUnconfirmed, areThoseAtTheEdgesOfWhatOthersFound) {
   consensus.poses = consensus.graph.ownPoses();
   const auto asked = [&] {
     std::vector<std::size_t> steps;
-    const std::vector<bool> isAsked = stepsToUnconfirmed(consensus, a);
+    const std::vector<bool> isAsked = stepsToUnconfirmed(
+        consensus.graph.runs[a].nodes,
+        confirmedNodes(consensus.graph, consensus.poses, consensus.trust.belief));
     for (std::size_t k = 0; k < isAsked.size(); ++k)
       if (isAsked[k]) steps.push_back(k);
     return steps;

@@ -128,8 +128,7 @@ class Mender {
     if (turnedGain(k, slipped) + gain > kSlip.leastGain) {
       result_.evidence[k] = mendTo(k, slipped);
     } else if (turnedGain(k - 1, alone) + gain > kSlip.leastGain) {
-      result_.evidence[k - 1] = result_.evidence[k] = mendTo(k - 1, alone);
-      ahead_.walls.clear();  // that scan may be in it
+      mendAlone(k - 1, alone);
     } else {
       return false;
     }
@@ -138,7 +137,7 @@ class Mender {
 
   /** By how much better a scan fits what those before it have drawn, if it does so best where it
    *  is turned about as in `pose`; else far less than nothing. */
-  double turnedGain(std::size_t k, const Transform2D& pose) {
+  double turnedGain(std::size_t k, const Transform2D& pose) const {
     constexpr double kNone = -std::numeric_limits<double>::infinity();
     const Transform2D& as = result_.poses[k];
     const auto isTurned = [&](const Transform2D& other) {
@@ -165,10 +164,7 @@ class Mender {
       if (drawn.score >= asDrawn(scans_[k - 2], behind, pose * before).score) {
         const Transform2D mended = result_.poses[k] * pose;
         if (!gait_.isLikely(result_.poses[k - 2].inverse() * mended, k - 1)) return;
-        mendTo(k - 1, mended);
-        result_.evidence[k - 1] = result_.evidence[k] = StepEvidence::contradicts;
-        ahead_.walls.clear();  // that scan may be in it
-        return;
+        return mendAlone(k - 1, mended);
       }
     }
     result_.evidence[k] = mendTo(k, result_.poses[k - 1] * pose.inverse());
@@ -244,6 +240,12 @@ class Mender {
     result_.poses[k] = pose;
     isMended_ = true;
     return StepEvidence::contradicts;
+  }
+
+  /** One scan and not those behind it: the steps to it and from it are wrong. */
+  void mendAlone(std::size_t k, const Transform2D& pose) {
+    result_.evidence[k] = result_.evidence[k + 1] = mendTo(k, pose);
+    ahead_.walls.clear();  // that scan may be in it
   }
 
   const std::vector<LocalScan>& scans_;

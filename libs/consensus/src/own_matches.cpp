@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "confirm_runs.h"
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
@@ -61,9 +60,8 @@ std::vector<bool> barelyHeldSteps(const Run& run) {
   return asked;
 }
 
-std::vector<bool> stepsToUnconfirmed(const Consensus& consensus, RunId run) {
-  const auto isConfirmed = confirmedNodes(consensus.graph, consensus.poses, consensus.trust.belief);
-  const IdRange<NodeId>& nodes = consensus.graph.runs[run].nodes;
+std::vector<bool> stepsToUnconfirmed(const IdRange<NodeId>& nodes,
+                                     const ById<NodeId, bool>& isConfirmed) {
   std::vector<bool> asked(nodes.size());
   for (std::size_t k = 1; k < asked.size(); ++k) {
     if (isConfirmed[nodes[k - 1]] == isConfirmed[nodes[k]]) continue;

@@ -17,9 +17,11 @@ namespace roomgraph {
  *  as drawn. O(scans * walls^2). */
 std::vector<bool> barelyHeldSteps(const Run& run);
 
-/** The steps to what no other run confirms, and from there on, and those beside them: where a run
- *  is torn near its end, others only fail to find what lies behind. O(nodes + matches). */
-std::vector<bool> stepsToUnconfirmed(const Consensus& consensus, RunId run);
+/** The steps of a run to what no other run confirms (confirmedNodes), and from there on, and those
+ *  beside them: where a run is torn near its end, others only fail to find what lies behind.
+ *  O(nodes of the run). */
+std::vector<bool> stepsToUnconfirmed(const IdRange<NodeId>& nodes,
+                                     const ById<NodeId, bool>& isConfirmed);
 
 /** What a run tells of its own breaks, whatever others have seen: the steps `asked` for are held
  *  against its scans by mendSteps. Where that contradicts the run at one step alone, the scans

@@ -87,12 +87,16 @@ std::vector<FoundGroup> allOwnMatches(const Consensus& consensus, const Site& si
   return all;
 }
 
+/** The link that what a run has of a break of its own contradicts. */
+PoseEdgeId brokenLink(const PoseGraph& graph, const FoundGroup& own) {
+  const GraphRun& run = graph.runs[own.group.from];
+  return run.links[run.nodes.placeOf(own.matches.front().to) - 1];
+}
+
 /** They stand for the links that they contradict. */
 void addOwn(PoseGraph& graph, const std::vector<FoundGroup>& own) {
   for (const FoundGroup& found : own) {
-    const GraphRun& nodes = graph.runs[found.group.from];
-    const std::size_t behind = nodes.nodes.placeOf(found.matches.front().to);
-    graph.edges[nodes.links[behind - 1]].share = beliefOf(0);
+    graph.edges[brokenLink(graph, found)].share = beliefOf(0);
     graph.addGroup(found.group, found.matches);
   }
 }
@@ -112,16 +116,17 @@ void addMatches(Consensus& consensus, const Site& site, const MapPairs& pairs,
 /** The same of steps to what no other run confirms, that hold in the consensus; whether there is
  *  any. */
 bool addOwnToUnconfirmed(Consensus& consensus, const Site& site, const ForEach& forEach) {
-  std::vector<FoundGroup> own = allOwnMatches(
-      consensus, site, forEach, [&](RunId run) { return stepsToUnconfirmed(consensus, run); });
+  PoseGraph& graph = consensus.graph;
+  const auto isConfirmed = confirmedNodes(graph, consensus.poses, consensus.trust.belief);
+  std::vector<FoundGroup> own = allOwnMatches(consensus, site, forEach, [&](RunId run) {
+    return stepsToUnconfirmed(graph.runs[run].nodes, isConfirmed);
+  });
   const auto isKnown = [&](const FoundGroup& found) {
-    const GraphRun& nodes = consensus.graph.runs[found.group.from];
-    const PoseEdge& link =
-        consensus.graph.edges[nodes.links[nodes.nodes.placeOf(found.matches.front().to) - 1]];
+    const PoseEdge& link = graph.edges[brokenLink(graph, found)];
     return link.share < 1 || !isInlier(link, gapOf(link, consensus.poses), kInlier);
   };
   own.erase(std::remove_if(own.begin(), own.end(), isKnown), own.end());
-  addOwn(consensus.graph, own);
+  addOwn(graph, own);
   return !own.empty();
 }
 

@@ -123,26 +123,26 @@ class RoomBuilder {
     return star;
   }
 
-  bool isClear(const Room& room, const Path& path) const {
+  bool isClear(const RoomIndex& index, const Path& path) const {
     // A border vertex in the middle of a door lies a little outside of the polygon.
     const double tolerance = 2 * clearance_;
     return path.minClearance >= clearance_ &&
-           !leavesRoom(RoomIndex({room}, clearance_), path.points.front(), path.points.back(),
-                       tolerance);
+           !leavesRoom(index, path.points.front(), path.points.back(), tolerance);
   }
 
   /** Leads the paths that are not clear along the graph's instead, and those that would cross
    *  these. Returns false where there is no clear way from the centre to the graph's paths. */
   bool bend(const Room& room, const RoomParts& parts, InnerPaths& star) const {
+    const RoomIndex index({room}, clearance_);
     std::vector<std::size_t> straight, bent;
     for (std::size_t i = 0; i < star.paths.size(); ++i)
-      (isClear(room, star.paths[i]) ? straight : bent).push_back(i);
+      (isClear(index, star.paths[i]) ? straight : bent).push_back(i);
     if (bent.empty()) return true;
     if (parts.innerEdges.empty()) return false;
     const InnerPaths inner =
         innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center, clearance_);
     Path way = straightPath(obstacles_, star.center, inner.center, inner.clearance);
-    if (!isClear(room, way)) return false;
+    if (!isClear(index, way)) return false;
     for (std::size_t done = 0; done < bent.size(); ++done) {
       const Path& path = inner.paths[bent[done]];
       if (crosses(way, path)) return false;
