@@ -99,6 +99,15 @@ TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
       std::string::npos);
 }
 
+TEST(ReasonOf, saysHowFarTheScaleIsOff) {
+  Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.4)});
+  const std::string without = reasonOf(comparison.runs[0], comparison);
+  comparison.runs[0].score->scale = 0.962;
+  EXPECT_EQ(reasonOf(comparison.runs[0], comparison), without + "; it is 3.8 % too small");
+  comparison.runs[0].score->isScaleDisputed = true;
+  EXPECT_EQ(reasonOf(comparison.runs[0], comparison), without) << "either may be right";
+}
+
 TEST(ReasonOf, saysWhyThereIsNoScore) {
   Comparison comparison = ofRuns({scored("a", 0.1), {}, {}});
   comparison.runs[1].name = "plan", comparison.reference = "plan";

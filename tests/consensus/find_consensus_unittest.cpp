@@ -44,6 +44,29 @@ TEST(FindConsensus, theErrorOfEachRunIsThatWhichItHas) {
   }
 }
 
+TEST(FindConsensus, theErrorOfAWrongScaleIsToldInFull) {
+  ThreeMatched three;
+  three.drawn = three.truth;
+  three.drawn[1] = test::scaled(three.truth[1], 1.04);
+  const PoseGraph graph = three.graph();
+  const ConsensusPoses found = findConsensus(graph);
+  EXPECT_NEAR(found.scales[RunId(1)], 1 / 1.04, 0.002);
+  const auto errors = mapErrors(graph, found.best);
+  EXPECT_LT(errors[RunId(0)].error, 0.02);
+  EXPECT_LT(errors[RunId(2)].error, 0.02);
+  const double really = test::displacement(three.drawn[1], three.truth[1]);
+  EXPECT_NEAR(errors[RunId(1)].error, really, 0.05 * really);
+}
+
+TEST(FindConsensus, aRunThatIsTornFarIsNoLargerOne) {
+  for (const double turn : {1.2, 2.2, 3.1}) {
+    ThreeMatched three;
+    three.drawn[1] = three.truth[1];
+    three.drawn[2] = test::torn(three.truth[2], 30, turn, {});
+    for (const double scale : findConsensus(three.graph()).scales) EXPECT_NEAR(scale, 1, 0.002);
+  }
+}
+
 TEST(FindConsensus, aRunMayBeTornByAnyTurn) {
   for (const double turn : {-0.3, 1.0, M_PI}) {
     ThreeMatched three;
@@ -70,6 +93,15 @@ struct ManyRuns {
 TEST(FindConsensus, manyRunsLieWhereTheyReallyAre) {
   const ManyRuns many;
   EXPECT_LT(test::misplaced(findConsensus(many.graph).best, many.truth), 0.01);
+}
+
+TEST(FindConsensus, ofManyRunsEachHasTheScaleOfTheOthers) {
+  ManyRuns many;
+  many.drawn[5] = test::scaled(many.truth[5], 0.97);
+  const PoseGraph graph = test::matchedPoseGraph(many.drawn, many.truth);
+  const ConsensusPoses found = findConsensus(graph);
+  EXPECT_LT(test::misplaced(found.best, many.truth), 0.01);
+  EXPECT_NEAR(found.scales[RunId(5)], 1 / 0.97, 0.003);
 }
 
 /** Whether the second run lies exactly as it was drawn. */

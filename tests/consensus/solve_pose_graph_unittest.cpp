@@ -43,6 +43,36 @@ TEST(SolvePoseGraph, aRoughStartIsMended) {
   EXPECT_LT(test::misplaced(found.poses, truth), 0.02);
 }
 
+TEST(SolvePoseGraph, theLinksOfARunHaveTheScaleOfTheOthers) {
+  const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
+  for (const double scale : {0.9, 1.02, 1.05}) {
+    const PoseGraph graph =
+        test::matchedPoseGraph({truth[0], test::scaled(truth[1], scale), truth[2]}, truth);
+    const auto found = solve(graph, graph.ownPoses());
+    EXPECT_NEAR(found.scales[RunId(0)], 1, 0.002);
+    EXPECT_NEAR(found.scales[RunId(1)], 1 / scale, 0.003);
+    EXPECT_LT(test::misplaced(found.poses, truth), 0.02);
+  }
+}
+
+TEST(SolvePoseGraph, scalesGoOnFromThoseThatTheLinksHave) {
+  const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
+  PoseGraph graph =
+      test::matchedPoseGraph({truth[0], test::scaled(truth[1], 1.05), truth[2]}, truth);
+  const auto first = solve(graph, graph.ownPoses());
+  for (const RunId run : graph.runs.ids()) graph.setScale(run, first.scales[run]);
+  const auto second = solve(graph, first.poses, StartIs::good);
+  for (const RunId run : graph.runs.ids()) EXPECT_NEAR(second.scales[run], first.scales[run], 1e-4);
+}
+
+TEST(SolvePoseGraph, ofTwoRunsNoScaleShowsButAgainstAReference) {
+  const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
+  PoseGraph graph = test::matchedPoseGraph({truth[0], test::scaled(truth[1], 1.05)}, truth);
+  EXPECT_EQ(solve(graph, graph.ownPoses()).scales[RunId(1)], 1);
+  graph.reference = RunId(0);
+  EXPECT_NEAR(solve(graph, graph.ownPoses()).scales[RunId(1)], 1 / 1.05, 0.002);
+}
+
 TEST(SolvePoseGraph, theReferenceDoesNotMove) {
   const Way way = roundTheBlock(), bent = test::drifting(way, 0.01);
   PoseGraph graph = test::matchedPoseGraph({way, bent}, {way, way});

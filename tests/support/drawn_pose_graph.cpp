@@ -45,6 +45,11 @@ Way torn(const Way& way, std::size_t from, double turn, Point shift) {
   return result;
 }
 
+Way scaled(Way way, double scale) {
+  for (Transform2D& pose : way) pose.x *= scale, pose.y *= scale;
+  return way;
+}
+
 Way moved(const Way& way, const Transform2D& motion) {
   Way result;
   for (const Transform2D& pose : way) result.push_back(motion * pose);

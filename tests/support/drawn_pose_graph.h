@@ -17,6 +17,9 @@ Way drifting(const Way& way, double turn);
 /** The same way with everything from pose `from` on turned about the robot and shifted. */
 Way torn(const Way& way, std::size_t from, double turn, Point shift);
 
+/** The same way, so many times as long. */
+Way scaled(Way way, double scale);
+
 /** The same way in another frame. */
 Way moved(const Way& way, const Transform2D& motion);
 

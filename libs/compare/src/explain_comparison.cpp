@@ -22,6 +22,9 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
               : formatted("the consensus of the core of %zu runs", comparison.core.size());
   if (const std::size_t count = comparison.countBreaks(run.name))
     text += formatted("; it breaks in %zu place%s", count, count == 1 ? "" : "s");
+  if (score.scale != 1 && !score.isScaleDisputed)
+    text += formatted("; it is %.1f %% too %s", 100 * std::abs(score.scale - 1),
+                      score.scale > 1 ? "large" : "small");
   if (score.jitter > 0)
     text +=
         formatted("; its key frames are off by %.2f m, independently of each other", score.jitter);

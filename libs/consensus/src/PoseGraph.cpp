@@ -5,6 +5,7 @@
 #include "fitted_consensus.h"
 #include "gait.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
 namespace {
@@ -80,6 +81,7 @@ RunId PoseGraph::addRun(bool hasScans) {
 RunId PoseGraph::addRun(const PoseGraph& other, RunId run) {
   const GraphRun& theirs = other.runs[run];
   const RunId id = addRun(theirs.hasScans);
+  runs[id].scale = theirs.scale;
   const std::size_t firstNode = nodes.size(), firstLink = edges.size();
   const auto ours = [&](NodeId node) { return NodeId(firstNode + theirs.nodes.placeOf(node)); };
   for (const NodeId node : theirs.nodes) {
@@ -117,6 +119,17 @@ void PoseGraph::addGroup(MatchGroup group, const std::vector<PoseEdge>& matches)
     edge.group = id;
     edges.add(edge);
   }
+}
+
+bool PoseGraph::showsScale(RunId run) const {
+  return runs[run].hasScans && run != reference && (reference || runs.size() > kFewestOthers);
+}
+
+void PoseGraph::setScale(RunId run, double scale) {
+  const double by = scale / runs[run].scale;
+  for (const PoseEdgeId link : runs[run].links)
+    edges[link].measured.x *= by, edges[link].measured.y *= by;
+  runs[run].scale = scale;
 }
 
 NodePoses PoseGraph::ownPoses() const {

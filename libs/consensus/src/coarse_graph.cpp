@@ -50,12 +50,13 @@ CoarseGraph coarseGraph(const PoseGraph& graph) {
   const auto coarseOf = [&](NodeId node) { return coarse.coarseOf[node]; };
   const std::vector<bool> isStart = nodeStarts(graph);
   for (const GraphRun& run : graph.runs) {
-    coarse.graph.addRun(run.hasScans);
+    const RunId id = coarse.graph.addRun(run.hasScans);
     addNodes(run, graph, isStart, coarse);
     for (const PoseEdgeId link : run.links) {
       const NodeId from = coarseOf(graph.edges[link].from), to = coarseOf(graph.edges[link].to);
       if (from != to) coarse.graph.addLink(from, to, graph.edges[link].share);
     }
+    coarse.graph.setScale(id, run.scale);
   }
   // coarse node <- node, by the run's own poses
   const auto within = [&](NodeId node) {

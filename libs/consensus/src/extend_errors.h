@@ -36,13 +36,13 @@ ScanJitter scanJitter(const std::vector<ScanWalls>& scans, const std::vector<Tra
  *  each run. */
 void addJitter(Consensus& consensus, const Site& site);
 
-/** Tells of each run how long it has drawn what the consensus has 1 m long: odometry, or a lidar,
- *  that counts too much makes all of a map too large, and is no bend. Where the runs fall into two
- *  sets that differ by half a percent or more, and by three times what either set spans, the larger
- *  set is not right for being larger, as one robot may have driven all of it: unless one set is a
- *  single run of four or more, the interval of each run is extended so that either may be right,
- *  and its `scaleSet` says to which it belongs. Nothing is told of runs of which less than half is
- *  confirmed, nor beside a reference. O(nodes + runs * log runs). */
+/** Tells of each run how long it has drawn what the consensus has 1 m long, by the scale of its
+ *  links: odometry, or a lidar, that counts too much makes all of a map too large. Where the runs
+ *  fall into two sets that differ by half a percent or more, and by three times what either set
+ *  spans, the larger set is not right for being larger, as one robot may have driven all of it:
+ *  unless one set is a single run of four or more, the interval of each run is extended so that
+ *  either may be right, and its `scaleSet` says to which it belongs. Runs of which less than half
+ *  is confirmed are in no set, nor is any run beside a reference. O(nodes + runs * log runs). */
 void tellScales(Consensus& consensus);
 
 }  // namespace roomgraph

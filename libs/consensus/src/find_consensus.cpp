@@ -1,6 +1,7 @@
 #include "roomgraph/consensus/find_consensus.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "edge_cost.h"
 #include "fitted_consensus.h"
 #include "move_stretches.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
 #include "start_poses.h"
@@ -22,18 +24,42 @@ std::optional<CoarseGraph> coarseOfMany(const PoseGraph& graph) {
 }
 
 /** Solves a graph by its coarse form; nodes keep their `shape` within a coarse one. */
-NodePoses solvedCoarsely(const PoseGraph& graph, const CoarseGraph& coarse, const GraphTrust& trust,
-                         const NodePoses& shape, const NodePoses& start, StartIs startIs) {
-  NodePoses poses =
-      finePoses(coarse, shape,
-                solvePoseGraph(coarse.graph, trust, coarsePoses(coarse, start), startIs).poses);
+PoseGraphSolution solvedCoarsely(const PoseGraph& graph, const CoarseGraph& coarse,
+                                 const GraphTrust& trust, const NodePoses& shape,
+                                 const NodePoses& start, StartIs startIs) {
+  PoseGraphSolution found =
+      solvePoseGraph(coarse.graph, trust, coarsePoses(coarse, start), startIs);
+  found.poses = finePoses(coarse, shape, found.poses);
   if (graph.reference)  // to the last bit
-    for (const NodeId node : graph.runs[graph.reference].nodes) poses[node] = start[node];
-  return poses;
+    for (const NodeId node : graph.runs[graph.reference].nodes) found.poses[node] = start[node];
+  return found;
+}
+
+/** The graph with the links of those runs lengthened or shortened whose scale is not that of the
+ *  reference, or of the run in the middle. That of the whole site does not show: noise makes it
+ *  shrink. */
+PoseGraph scaled(PoseGraph graph, const ById<RunId, double>& found) {
+  std::vector<double> shown;
+  for (const RunId run : graph.runs.ids())
+    if (graph.showsScale(run)) shown.push_back(found[run]);
+  const double middle = graph.reference || shown.empty() ? 1 : median(shown);
+  for (const RunId run : graph.runs.ids()) {
+    const double scale = found[run] / middle;
+    const bool isOwn = graph.showsScale(run) && std::abs(scale - 1) >= fitted::kUsualScale;
+    graph.setScale(run, isOwn ? scale : 1);
+  }
+  return graph;
+}
+
+ById<RunId, double> scalesOf(const PoseGraph& graph) {
+  ById<RunId, double> scales;
+  for (const GraphRun& run : graph.runs) scales.add(run.scale);
+  return scales;
 }
 
 struct Solution {
   PoseGraphSolution found;
+  PoseGraph graph;  // with the scales of its runs
   GraphTrust trust;
 };
 
@@ -47,12 +73,14 @@ double costOfLeaps(const PoseGraph& graph, const NodePoses& poses) {
 Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& coarse,
                     const NodePoses& start) {
   GraphTrust trust{ById<RunId, double>(graph.runs.size(), 1), beliefIn(graph, start, kRoughly)};
-  NodePoses poses =
+  PoseGraphSolution rough =
       coarse ? solvedCoarsely(graph, *coarse, trust, graph.ownPoses(), start, StartIs::rough)
-             : solvePoseGraph(graph, trust, start, StartIs::rough).poses;
-  moveStretches(graph, trust.slack, poses);
-  trust.belief = beliefIn(graph, poses, kInlier);
-  Solution solution{solvePoseGraph(graph, trust, poses, StartIs::good), trust};
+             : solvePoseGraph(graph, trust, start, StartIs::rough);
+  PoseGraph even = scaled(graph, rough.scales);
+  moveStretches(even, trust.slack, rough.poses);
+  trust.belief = beliefIn(even, rough.poses, kInlier);
+  Solution solution{solvePoseGraph(even, trust, rough.poses, StartIs::good), std::move(even),
+                    trust};
   solution.found.cost +=
       costOfDisbelief(graph, trust.belief) + costOfLeaps(graph, solution.found.poses);
   return solution;
@@ -84,11 +112,15 @@ ConsensusPoses findConsensus(const PoseGraph& graph, const ForEach& forEach) {
   const auto best = std::min_element(
       solutions.begin(), solutions.end(),
       [](const Solution& l, const Solution& r) { return l.found.cost < r.found.cost; });
-  GraphTrust trust{runSlack(graph, best->found.poses), best->trust.belief};
+  const PoseGraph& even = best->graph;
+  GraphTrust trust{runSlack(even, best->found.poses), best->trust.belief};
   NodePoses start = best->found.poses;
-  if (coarse) start = solvedCoarsely(graph, *coarse, trust, start, start, StartIs::good);
-  ConsensusPoses result{
-      solvePoseGraph(graph, trust, start, StartIs::good).poses, std::move(trust), {}};
+  if (coarse)
+    start = solvedCoarsely(even, coarseGraph(even), trust, start, start, StartIs::good).poses;
+  ConsensusPoses result{solvePoseGraph(even, trust, start, StartIs::good).poses,
+                        scalesOf(even),
+                        std::move(trust),
+                        {}};
   for (auto other = solutions.begin(); other != solutions.end(); ++other)
     if (other != best && other->found.cost <= fitted::kAboutAsGood * best->found.cost)
       result.others.push_back(std::move(other->found.poses));

@@ -147,6 +147,7 @@ PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
 /** What all runs that count agree on, from one or another start. */
 struct Agreement {
   NodePoses poses;
+  ById<RunId, double> scales;
   ById<RunId, double> slack;
   ById<RunId, MapError> errors;
 };
@@ -159,7 +160,7 @@ std::vector<Agreement> agreementsOf(const PoseGraph& core, const ForEach& forEac
   std::vector<Agreement> agreements;
   for (NodePoses& poses : all) {
     ById<RunId, MapError> errors = mapErrors(core, poses);
-    agreements.push_back({std::move(poses), found.trust.slack, std::move(errors)});
+    agreements.push_back({std::move(poses), found.scales, found.trust.slack, std::move(errors)});
   }
   return agreements;
 }
@@ -181,6 +182,7 @@ void addOthers(Agreement& agreement, const PoseGraph& graph, const ForEach& forE
   });
   for (AddedToConsensus& one : added) {
     for (const Transform2D& pose : one.poses) agreement.poses.add(pose);
+    agreement.scales.add(one.scale);
     agreement.slack.add(one.slack);
     agreement.errors.add(std::move(one.error));
   }
@@ -196,12 +198,13 @@ void widen(ById<RunId, MapError>& errors, const ById<RunId, MapError>& others) {
 
 /** What all runs agree on: those of the core first, then the others. */
 void agree(Consensus& consensus, std::size_t core, const ForEach& forEach) {
-  const PoseGraph& graph = consensus.graph;
+  PoseGraph& graph = consensus.graph;
   std::vector<Agreement> agreements = agreementsOf(coreOf(graph, core), forEach);
   for (Agreement& one : agreements) addOthers(one, graph, forEach);
   Agreement& best = agreements.front();
   for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
   consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
+  for (const RunId run : graph.runs.ids()) graph.setScale(run, best.scales[run]);
   consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
 }
 

@@ -1,6 +1,7 @@
 #include "roomgraph/consensus/solve_pose_graph.h"
 
 #include <ceres/ceres.h>
+#include <ceres/normal_prior.h>
 
 #include <array>
 #include <cmath>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr int kStageSteps = 3;  // until the kernels are halved
 
-/** The pose of one node in another is as it was measured. */
-class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
+/** The pose of one node in another is as it was measured, but for the scale of its run. */
+class RelativePose : public ceres::SizedCostFunction<3, 3, 3, 1> {
  public:
   RelativePose(const Transform2D& measured, const PoseNoise& noise)
       : measured_(measured), noise_(noise) {}
@@ -24,8 +25,9 @@ class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
     const double *a = poses[0], *b = poses[1];
     const double c = std::cos(a[2]), s = std::sin(a[2]), x = b[0] - a[0], y = b[1] - a[1];
     const double place = 1 / noise_.place, turn = 1 / noise_.turn;
-    residuals[0] = place * (c * x + s * y - measured_.x);
-    residuals[1] = place * (-s * x + c * y - measured_.y);
+    const double scale = poses[2][0];
+    residuals[0] = place * (c * x + s * y - scale * measured_.x);
+    residuals[1] = place * (-s * x + c * y - scale * measured_.y);
     residuals[2] = turn * wrappedAngle(b[2] - a[2] - measured_.phi);
     if (!jacobians) return true;
     if (double* j = jacobians[0]) {
@@ -38,6 +40,8 @@ class RelativePose : public ceres::SizedCostFunction<3, 3, 3> {
       j[3] = -s * place, j[4] = c * place, j[5] = 0;
       j[6] = 0, j[7] = 0, j[8] = turn;
     }
+    if (double* j = jacobians[2])
+      j[0] = -place * measured_.x, j[1] = -place * measured_.y, j[2] = 0;
     return true;
   }
 
@@ -63,6 +67,12 @@ class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
   double turn_;
 };
 
+/** The scale of a run is about that of other robots. */
+ceres::CostFunction* usualScale() {
+  const ceres::Vector one = ceres::Vector::Ones(1);
+  return new ceres::NormalPrior(one.asDiagonal().toDenseMatrix() / fitted::kUsualScale, one);
+}
+
 /** The direction of each pair of axes [rad]. */
 std::vector<double> directionsOf(const WallAxes& wallAxes, const PoseGraph& graph,
                                  const NodePoses& poses) {
@@ -85,13 +95,11 @@ class Solver {
         trust_(trust),
         wallAxes_(wallAxes(graph, start)),
         axes_(directionsOf(wallAxes_, graph, start)) {
+    for (const GraphRun& run : graph.runs) scales_.add(run.scale);
     for (const Transform2D& pose : start) values_.add({pose.x, pose.y, pose.phi});
-    for (const GraphRun& run : graph.runs) {
-      for (const PoseEdgeId link : run.links) addEdge(graph.edges[link]);
-      for (const NodeId node : run.nodes) addAxes(node);
-    }
+    for (const RunId run : graph.runs.ids()) addRun(run);
     for (const MatchGroup& group : graph.groups)
-      for (const PoseEdgeId match : group.edges) addEdge(graph.edges[match]);
+      for (const PoseEdgeId match : group.edges) addEdge(graph.edges[match], 1, one_);
     hold();
   }
 
@@ -103,12 +111,13 @@ class Solver {
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
     int widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
+    if (startIs == StartIs::good) holdScales();
     for (; widening >= 1; widening /= 2) {
       options.max_num_iterations = (widening > 1 ? 1 : 8) * kStageSteps;
       widenKernels(widening);
       ceres::Solve(options, &problem_, &summary);
     }
-    return {poses(), summary.final_cost};
+    return {poses(), scales_, summary.final_cost};
   }
 
  private:
@@ -130,12 +139,22 @@ class Solver {
                          ceres::TAKE_OWNERSHIP);
   }
 
-  void addEdge(const PoseEdge& edge) {
+  void addRun(RunId id) {
+    const GraphRun& run = graph_.runs[id];
+    const bool isFree = graph_.showsScale(id);
+    for (const PoseEdgeId link : run.links)
+      addEdge(graph_.edges[link], isFree ? run.scale : 1, isFree ? scales_[id] : one_);
+    for (const NodeId node : run.nodes) addAxes(node);
+    if (isFree) problem_.AddResidualBlock(usualScale(), new ceres::CauchyLoss(1), &scales_[id]);
+  }
+
+  /** An edge whose length has a scale already, which may become another one. */
+  void addEdge(const PoseEdge& edge, double before, double& scale) {
     if (!takesPart(edge, trust_)) return;
     const EdgeTerm term = termOf(graph_, edge, trust_);
-    problem_.AddResidualBlock(new RelativePose(edge.measured, term.noise),
-                              kernel(term.width, term.weight), values_[edge.from].data(),
-                              values_[edge.to].data());
+    const Transform2D drawn{edge.measured.x / before, edge.measured.y / before, edge.measured.phi};
+    problem_.AddResidualBlock(new RelativePose(drawn, term.noise), kernel(term.width, term.weight),
+                              values_[edge.from].data(), values_[edge.to].data(), &scale);
   }
 
   void addAxes(NodeId node) {
@@ -150,12 +169,18 @@ class Solver {
 
   /** Keeps in place what nothing else would. */
   void hold() {
+    if (problem_.HasParameterBlock(&one_)) problem_.SetParameterBlockConstant(&one_);
     const RunId fixed = graph_.reference ? graph_.reference : RunId(0);
     for (const NodeId node : graph_.runs[fixed].nodes) {
       const bool isHeld = graph_.reference || node == graph_.runs[fixed].nodes.front();
       if (isHeld && problem_.HasParameterBlock(values_[node].data()))
         problem_.SetParameterBlockConstant(values_[node].data());
     }
+  }
+
+  void holdScales() {
+    for (double& scale : scales_)
+      if (problem_.HasParameterBlock(&scale)) problem_.SetParameterBlockConstant(&scale);
   }
 
   NodePoses poses() const {
@@ -168,7 +193,9 @@ class Solver {
   const GraphTrust& trust_;
   ById<NodeId, std::array<double, 3>> values_;
   WallAxes wallAxes_;
-  std::vector<double> axes_;  // directions of its pairs
+  std::vector<double> axes_;    // directions of its pairs
+  ById<RunId, double> scales_;  // of the links
+  double one_ = 1;              // that of a match
   std::vector<Kernel> kernels_;
   ceres::Problem problem_;
 };
