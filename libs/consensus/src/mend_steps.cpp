@@ -51,7 +51,7 @@ class Mender {
     return std::move(result_);
   }
 
-  bool refutes(std::size_t k, const Transform2D& other) {
+  bool refutes(std::size_t k, const Transform2D& other, RefutedBy by) {
     result_.poses = drawn_;
     drawAhead(k);
     if (ahead_.walls.empty() || !scans_[k].isTelling()) return false;
@@ -59,7 +59,8 @@ class Mender {
     const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
     const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
     return drawn.quality >= kMajority &&
-           (drawn.score - fit.score > kClearSlip.leastGain || !gait_.isLikely(other, k));
+           (drawn.score - fit.score > kClearSlip.leastGain ||
+            (by == RefutedBy::wallsOrGait && !gait_.isLikely(other, k)));
   }
 
  private:
@@ -267,8 +268,8 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
 }
 
 bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-               std::size_t k, const Transform2D& step) {
-  return Mender(scans, drawn, {}).refutes(k, step);
+               std::size_t k, const Transform2D& step, RefutedBy by) {
+  return Mender(scans, drawn, {}).refutes(k, step, by);
 }
 
 }  // namespace roomgraph

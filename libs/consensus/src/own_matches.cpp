@@ -38,19 +38,61 @@ FoundGroup foundBehind(const IdRange<NodeId>& nodes, RunId id, const MendedSteps
   return found;
 }
 
-std::vector<PoseEdgeId> heldBy(const Run& run, const GraphRun& nodes, const Consensus& consensus) {
-  std::vector<PoseEdgeId> held;
-  std::vector<LocalScan> scans;
-  std::vector<Transform2D> drawn;
-  for (const PoseEdgeId id : nodes.links) {
+/** The scans of a run behind links that have given way, and are not held. */
+std::vector<std::size_t> tearsOf(const GraphRun& run, const Consensus& consensus) {
+  std::vector<std::size_t> tears;
+  for (const PoseEdgeId id : run.links) {
     const PoseEdge& link = consensus.graph.edges[id];
-    if (link.share > 1 || isInlier(link, gapOf(link, consensus.poses), kInlier)) continue;
-    if (scans.empty()) scans = localScans(run.scans), drawn = drawnPoses(run.scans);
-    const Transform2D step = consensus.poses[link.from].inverse() * consensus.poses[link.to];
-    if (isRefuted(scans, drawn, nodes.nodes.placeOf(link.to), step)) held.push_back(id);
+    if (link.share <= 1 && !isInlier(link, gapOf(link, consensus.poses), kInlier))
+      tears.push_back(run.nodes.placeOf(link.to));
   }
-  return held;
+  return tears;
 }
+
+/** Looks for the links of a run that have to hold. */
+class HeldLinks {
+ public:
+  HeldLinks(const Run& run, const GraphRun& nodes, const Consensus& consensus)
+      : nodes_(nodes),
+        consensus_(consensus),
+        scans_(localScans(run.scans)),
+        drawn_(drawnPoses(run.scans)) {}
+
+  /** Where one that has given way is refuted, so is the same motion at others, up to the next tears
+   *  of the run: else it is torn there instead. */
+  std::vector<PoseEdgeId> held(const std::vector<std::size_t>& tears) const {
+    std::vector<PoseEdgeId> held;
+    for (std::size_t i = 0; i < tears.size(); ++i) {
+      const Transform2D motion = motionAt(tears[i]);
+      if (!refutes(tears[i], motion, RefutedBy::wallsOrGait)) continue;
+      held.push_back(linkTo(tears[i]));
+      const std::size_t end = i + 1 < tears.size() ? tears[i + 1] : drawn_.size();
+      for (std::size_t k = i > 0 ? tears[i - 1] + 1 : 1; k < end; ++k)
+        if (refutes(k, motion, RefutedBy::walls)) held.push_back(linkTo(k));
+    }
+    return held;
+  }
+
+ private:
+  PoseEdgeId linkTo(std::size_t scan) const { return nodes_.links[scan - 1]; }
+
+  /** By which all from a scan on lies off, in the frame of the run. */
+  Transform2D motionAt(std::size_t k) const {
+    const auto moved = [&](std::size_t scan) {  // site <- run
+      return consensus_.poses[nodes_.nodes[scan]] * drawn_[scan].inverse();
+    };
+    return moved(k - 1).inverse() * moved(k);
+  }
+
+  bool refutes(std::size_t k, const Transform2D& motion, RefutedBy by) const {
+    return isRefuted(scans_, drawn_, k, drawn_[k - 1].inverse() * motion * drawn_[k], by);
+  }
+
+  const GraphRun& nodes_;
+  const Consensus& consensus_;
+  std::vector<LocalScan> scans_;
+  std::vector<Transform2D> drawn_;
+};
 
 }  // namespace
 
@@ -89,8 +131,11 @@ std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
   ById<RunId, std::vector<PoseEdgeId>> found(graph.runs.size());
   forEach(found.size(), [&](std::size_t index) {
     const RunId run(index);
-    if (graph.runs[run].hasScans && run != graph.reference)
-      found[run] = heldBy(*site.runs[consensus.siteRuns[run]], graph.runs[run], consensus);
+    if (!graph.runs[run].hasScans || run == graph.reference) return;
+    const std::vector<std::size_t> tears = tearsOf(graph.runs[run], consensus);
+    if (tears.empty()) return;
+    const Run& scans = *site.runs[consensus.siteRuns[run]];
+    found[run] = HeldLinks(scans, graph.runs[run], consensus).held(tears);
   });
   std::vector<PoseEdgeId> held;
   for (const std::vector<PoseEdgeId>& links : found)

@@ -32,8 +32,9 @@ std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& 
 
 /** The links that give way in the consensus though the scans on both sides of them agree with the
  *  step as it was drawn and refute the one that the consensus has: what was found of the run beyond
- *  them lies in a place that only looks like it. None of the reference, of runs without scans, and
- *  of links that are held already. O(scans + links that give way). */
+ *  them lies in a place that only looks like it. And those where the run may not be torn instead,
+ *  as the walls there refute the same motion, up to the next links that give way. None of the
+ *  reference and of runs without scans. O(scans * links that give way). */
 std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
                                   const ForEach& forEach);
 
