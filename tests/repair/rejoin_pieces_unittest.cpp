@@ -27,6 +27,20 @@ TEST(RejoinPieces, aTearThatNothingBearsOutIsMended) {
     EXPECT_LT(poseDistance(rejoined[k], sound[k]), 0.1) << k;
 }
 
+TEST(RejoinPieces, aTearIsMendedThatTheScansOfTheRunRefute) {
+  // Where the rest of the run lies nobody has been: beside it nothing fits.
+  WronglyTorn site;
+  const auto there = site.solved.posesOf(0);
+  auto torn = there;
+  const Transform2D away{40, 0, 0};
+  for (Transform2D& pose : torn) pose = away * pose;
+  for (std::size_t k = 0; k < 6; ++k) torn[k] = there[k];
+  const auto rejoined = rejoinPieces(site.solved, torn, 0);
+  const Transform2D frame = rejoined[10] * there[10].inverse();
+  for (std::size_t k = 0; k < there.size(); ++k)
+    EXPECT_LT(poseDistance(rejoined[k], frame * there[k]), 0.1) << k;
+}
+
 TEST(RejoinPieces, aRunThatIsReallyTornStaysMended) {
   const test::SolvedDrives& site = test::tornAmongSound();
   for (std::size_t run = 0; run < 3; ++run)

@@ -6,6 +6,7 @@
 #include "fitted_repair.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
+#include "roomgraph/consensus/mend_steps.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
@@ -18,6 +19,7 @@ class Rejoiner {
         run_(run),
         scans_(solved.site.runs[run]->scans),
         poses_(poses),
+        drawn_(drawnPoses(scans_)),
         local_(localScans(scans_)) {}
 
   std::vector<Transform2D> rejoined() {
@@ -48,7 +50,8 @@ class Rejoiner {
     const Transform2D before = poses_[tear - 1] * step(tear);
     const Transform2D motion =
         isLater ? before * poses_[tear].inverse() : poses_[tear] * before.inverse();
-    if (isConfirmed(isLater ? tear : from, isLater ? to : tear, motion)) {
+    if (!isRefuted(local_, drawn_, tear, poses_[tear - 1].inverse() * poses_[tear]) &&
+        isConfirmed(isLater ? tear : from, isLater ? to : tear, motion)) {
       confirmed_.insert(next, tear);
       return;
     }
@@ -78,6 +81,7 @@ class Rejoiner {
   std::size_t run_;
   const std::vector<ScanWalls>& scans_;
   std::vector<Transform2D> poses_;
+  std::vector<Transform2D> drawn_;
   std::vector<std::size_t> confirmed_;  // tears, ascending
   std::vector<LocalScan> local_;
 };
