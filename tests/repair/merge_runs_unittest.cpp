@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "repaired_site.h"
@@ -70,6 +71,39 @@ TEST(MergeRuns, scansInTheWrongPlaceAreLeftOut) {
   EXPECT_TRUE(map.leftOut[1].empty());
   EXPECT_GE(map.leftOut[2].size(), 6u);
   EXPECT_LE(map.leftOut[2].size(), 10u);
+}
+
+TEST(MergeRuns, whatNobodyTellsOfGoesWithTheScansBesideIt) {
+  auto wrong = test::drive(3);
+  for (std::size_t k = 0; k < 10; ++k) {
+    wrong[k].pose = Transform2D{3.1, 1.7, 0.8} * wrong[k].pose;
+    if (k == 4) wrong[k].pose.x += 60;  // where no other run has been
+  }
+  const MergedMap map =
+      merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1), mergedRun(wrong, 2)});
+  EXPECT_TRUE(std::count(map.leftOut[2].begin(), map.leftOut[2].end(), 4));
+  auto alone = test::drive(3);
+  alone[4].pose.x += 60;
+  const MergedMap kept =
+      merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1), mergedRun(alone, 2)});
+  EXPECT_TRUE(kept.leftOut[2].empty()) << "between scans that others bear out";
+}
+
+TEST(MergeRuns, scansOfTheLatestTwoStayThoughTheOlderKnowNothingOfWhatWasMoved) {
+  // So much is new that the older runs contradict most of what the scans beside it show.
+  const auto empty = test::drive(1);
+  const Point eye = empty[15].pose.shift();
+  auto changed = test::drive(2);
+  for (double turn = 0; turn < 6.2; turn += 0.5)
+    changed = withBox(changed, eye + Point{0.9 * std::cos(turn), 0.9 * std::sin(turn)});
+  const auto older = [&](std::size_t day) { return mergedRun(test::drive(1), double(day)); };
+  const auto leftOut = [&](double lastDay) {
+    const MergedMap map =
+        merged({older(0), older(1), older(2), mergedRun(changed, 3), mergedRun(changed, lastDay)});
+    return map.leftOut[3].size() + map.leftOut[4].size();
+  };
+  EXPECT_EQ(leftOut(4), 0u);
+  EXPECT_GT(leftOut(-1), 0u) << "of which one was made before all others";
 }
 
 TEST(MergeRuns, eachCellTellsItsRunsAndItsAge) {

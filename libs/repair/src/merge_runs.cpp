@@ -26,8 +26,10 @@ class Merger {
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) {
       return runs_[l].time.value_or(0) < runs_[r].time.value_or(0);
     });
-    areTimed_ = std::all_of(runs.begin(), runs.end(),
-                            [](const MergedRun& run) { return run.time.has_value(); });
+    const bool areTimed = std::all_of(runs.begin(), runs.end(),
+                                      [](const MergedRun& run) { return run.time.has_value(); });
+    const auto timeOf = [&](std::size_t back) { return runs_[order_[runs.size() - back]].time; };
+    knowsLatest_ = areTimed && (runs.size() < 3 || timeOf(3) < timeOf(2));
     setFrame();
   }
 
@@ -78,9 +80,19 @@ class Merger {
     return votes;
   }
 
+  /** Of the two runs made last the other one, which alone knows what has been moved; of others
+   *  none. */
+  std::optional<std::size_t> mateOf(std::size_t r) const {
+    if (!knowsLatest_ || runs_.size() < 3) return std::nullopt;
+    const std::size_t last = order_.back(), before = order_[order_.size() - 2];
+    if (r != last && r != before) return std::nullopt;
+    return r == last ? before : last;
+  }
+
   /** What the runs that have seen a cell well, but this one, say of a beam that ends there: it is
-   *  contradicted if most look through all around it. */
+   *  contradicted if most look through all around it, and its mate does. */
   Word othersOn(std::size_t r, Cell cell, const std::vector<CellVotes>& votes) const {
+    const auto mate = mateOf(r);
     std::size_t free = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
       if (other == r || votes[other].seen(frame_.index(cell)) < fitted::kSureBeams) continue;
@@ -89,17 +101,22 @@ class Merger {
         for (int y = -2; y <= 2; ++y)
           if (const Cell near{cell.x + x, cell.y + y}; frame_.contains(near))
             most = std::max(most, votes[other].wallShare(frame_.index(near)));
-      ++known, free += most <= fitted::kClearlyFree;
+      const bool isFree = most <= fitted::kClearlyFree;
+      if (other == mate && !isFree) return Word::with;
+      ++known, free += isFree;
     }
     if (known == 0) return Word::none;
     return 2 * free > known ? Word::against : Word::with;
   }
 
-  /** Whether a cell is wall to most runs that have seen it well, but this one. */
+  /** Whether a cell is wall to most runs that have seen it well, but this one, and its mate does
+   *  not look through. */
   bool isWallForOthers(std::size_t r, std::size_t cell, const std::vector<CellVotes>& votes) const {
+    const auto mate = mateOf(r);
     std::size_t walls = 0, known = 0;
     for (std::size_t other = 0; other < votes.size(); ++other) {
       if (other == r || votes[other].seen(cell) < fitted::kSureBeams) continue;
+      if (other == mate && votes[other].wallShare(cell) <= fitted::kClearlyFree) return false;
       ++known, walls += votes[other].wallShare(cell) >= kMajority;
     }
     return 2 * walls > known;
@@ -115,21 +132,36 @@ class Merger {
     return isThrough;
   }
 
-  std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
-    std::vector<std::size_t> scans;
-    for (std::size_t k = 0; k < runs_[r].scans.size(); ++k) {
-      const Keyframe& scan = runs_[r].scans[k];
-      std::size_t with = 0, against = 0;
-      for (const Point inScan : scan.ends) {
-        const Point end = scan.pose(inScan);
-        const Word word = goesThrough(r, scan.pose.shift(), end, votes)
-                              ? Word::against
-                              : othersOn(r, frame_.cellAt(end), votes);
-        with += word == Word::with, against += word == Word::against;
-      }
-      if (against > with && double(against) > fitted::kToldOf * double(scan.ends.size()))
-        scans.push_back(k);
+  /** What the others say of most beams of a scan; none where they tell of few. */
+  Word othersOn(std::size_t r, const Keyframe& scan, const std::vector<CellVotes>& votes) const {
+    std::size_t with = 0, against = 0;
+    for (const Point inScan : scan.ends) {
+      const Point end = scan.pose(inScan);
+      const Word word = goesThrough(r, scan.pose.shift(), end, votes)
+                            ? Word::against
+                            : othersOn(r, frame_.cellAt(end), votes);
+      with += word == Word::with, against += word == Word::against;
     }
+    const double few = fitted::kToldOf * double(scan.ends.size());
+    if (against > with && double(against) > few) return Word::against;
+    return double(with + against) > few ? Word::with : Word::none;
+  }
+
+  /** The scans of a run that others contradict, and those of which they tell nothing between them,
+   *  or between one and an end of the run. */
+  std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
+    const std::size_t count = runs_[r].scans.size();
+    std::vector<Word> before(count + 1, Word::none), behind = before;
+    std::vector<Word> words;
+    for (const Keyframe& scan : runs_[r].scans) words.push_back(othersOn(r, scan, votes));
+    const auto toldOr = [](Word word, Word next) { return word == Word::none ? next : word; };
+    for (std::size_t k = 0; k < count; ++k) before[k + 1] = toldOr(words[k], before[k]);
+    for (std::size_t k = count; k-- > 0;) behind[k] = toldOr(words[k], behind[k + 1]);
+    std::vector<std::size_t> scans;
+    for (std::size_t k = 0; k < count; ++k)
+      if ((before[k + 1] == Word::against || behind[k] == Word::against) &&
+          before[k + 1] != Word::with && behind[k] != Word::with)
+        scans.push_back(k);
     if (2 * scans.size() > runs_[r].scans.size()) {
       scans.resize(runs_[r].scans.size());
       std::iota(scans.begin(), scans.end(), std::size_t(0));
@@ -147,7 +179,7 @@ class Merger {
       const double sure = weight * double(seen) / double(seen + 1);
       wall += sure * votes[r].wallShare(cell), all += sure;
     }
-    for (auto r = order_.rbegin(); areTimed_ && r != order_.rend() && asked < 2; ++r) {
+    for (auto r = order_.rbegin(); knowsLatest_ && r != order_.rend() && asked < 2; ++r) {
       if (votes[*r].seen(cell) < fitted::kSureBeams) continue;
       ++asked, agreeing += votes[*r].wallShare(cell) <= fitted::kClearlyFree
                                ? -1
@@ -185,7 +217,7 @@ class Merger {
   const std::vector<MergedRun>& runs_;
   const MergeOptions& options_;
   std::vector<std::size_t> order_;  // the run made last at its end
-  bool areTimed_ = false;
+  bool knowsLatest_ = false;        // which two were made last
   GridFrame frame_;
 };
 

@@ -42,8 +42,9 @@ struct MergedMap {
  *  wall by the share that ended there. A cell is wall where the votes are, and, where the two runs
  *  made last have the same to say, as they say: so people, moved chairs and doubled walls go. Scans
  *  are left out first of whose beams, as far as others know their ends, most end where others look
- *  through, or go through what is wall to them. The same for any order of the runs of different
- *  times. O(beams * their lengths).
+ *  through, or go through what is wall to them, and those between such of which others tell
+ *  nothing; what the two runs made last agree on contradicts nothing. The same for any order of the
+ *  runs of different times. O(beams * their lengths).
  *  @throws DataError where they reach over more cells than a map may have. */
 [[nodiscard]] MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
                                   const ForEach& forEach);
