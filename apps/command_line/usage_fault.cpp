@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <regex>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 
 namespace roomgraph {
@@ -20,12 +21,6 @@ std::vector<std::string> optionsOf(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-std::vector<std::string> namesOf(const std::vector<const CLI::App*>& commands) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : commands) names.push_back(command->get_name());
   return names;
 }
 
@@ -74,7 +69,8 @@ std::string usageFault(const CLI::App& app, const std::vector<std::string>& argu
     const auto found = std::find_if(commands.begin(), commands.end(), [&](const CLI::App* known) {
       return known->get_name() == argument;
     });
-    if (found == commands.end()) return noSuch("command", argument, namesOf(commands));
+    if (found == commands.end())
+      return noSuch("command", argument, mapped(commands, &CLI::App::get_name));
     command = *found, toSkip = filesOf(*command);
   }
   return plainText(error);

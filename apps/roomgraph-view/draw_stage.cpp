@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/mrpt_plugin/CRoomGraph.h"
 #include "roomgraph/mrpt_plugin/colours.h"
@@ -22,9 +23,7 @@ viz::CSetOfObjects::Ptr setOf(const MrptObject::Ptr& object) {
 }
 
 std::vector<Point> placesOf(const ObstacleCells& obstacles) {
-  std::vector<Point> places;
-  for (const Cell cell : obstacles.cells) places.push_back(obstacles.frame.center(cell));
-  return places;
+  return mapped(obstacles.cells, [&](Cell cell) { return obstacles.frame.center(cell); });
 }
 
 viz::CSetOfLines::Ptr edgesOf(const VoronoiGraph& voronoi, const std::vector<bool>& isShown) {
@@ -47,17 +46,12 @@ viz::CSetOfObjects::Ptr graphOf(const TopologyGraph& graph, const Rooms& rooms) 
   return drawGraph(drawn);
 }
 
-Rooms shapesOf(const AreaGraph& areas) {
-  Rooms shapes;
-  for (const Area& area : areas.areas)
-    shapes.push_back({area.polygon, area.widestPlace, area.inscribedRadius, 0});
-  return shapes;
-}
-
 viz::CSetOfObjects::Ptr areasOf(const AreaGraph& areas) {
-  std::vector<Segment> ends;
-  for (const Passage& passage : areas.passages) ends.emplace_back(passage.from, passage.to);
-  auto all = setOf(graphOf({}, shapesOf(areas)));
+  const Rooms shapes = mapped(areas.areas, [](const Area& area) {
+    return Room{area.polygon, area.widestPlace, area.inscribedRadius, 0};
+  });
+  const auto ends = mapped(areas.passages, [](const Passage& p) { return Segment(p.from, p.to); });
+  auto all = setOf(graphOf({}, shapes));
   all->insert(linesAt(ends, kStageHeight, kPassages, 3));
   return all;
 }

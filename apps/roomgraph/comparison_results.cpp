@@ -10,6 +10,7 @@
 #include "output_formats.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/mrpt_plugin/comparison_scene.h"
@@ -91,9 +92,7 @@ std::vector<std::string> ResultFiles::keepDrawn() {
 }
 
 std::vector<std::string> ResultFiles::names() const {
-  std::vector<std::string> names;
-  for (const ComparisonFile* file : files_) names.push_back(nameOf(*file));
-  return names;
+  return mapped(files_, [this](const ComparisonFile* file) { return nameOf(*file); });
 }
 
 void ResultFiles::add(const Comparison& saved, const std::vector<Run>& runs,
@@ -102,9 +101,7 @@ void ResultFiles::add(const Comparison& saved, const std::vector<Run>& runs,
 }
 
 std::string listedFiles() {
-  std::vector<std::string> names;
-  for (const ComparisonFile& file : kFiles) names.emplace_back(file.name);
-  return listed(names);
+  return listed(mapped(kFiles, [](const ComparisonFile& file) { return std::string(file.name); }));
 }
 
 void declareFormats(std::string& formats, CLI::App& app) {

@@ -9,6 +9,7 @@
 #include "file_authors.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/graph_files/ros_map.h"
 #include "roomgraph/grid/binarize.h"
 #include "roomgraph/map_files/load_grid.h"
@@ -50,9 +51,7 @@ std::vector<std::string> stemsOf(const std::vector<std::string>& runs) {
 }
 
 std::vector<std::string> stemsOf(const Comparison& comparison) {
-  std::vector<std::string> names;
-  for (const ComparedRun& run : comparison.runs) names.push_back(run.name);
-  return stemsOf(names);
+  return stemsOf(mapped(comparison.runs, &ComparedRun::name));
 }
 
 constexpr const char* kTrajectoryKinds[] = {".tum", ".evo.zip"};

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/drawing/draw.h"
 #include "roomgraph/graph_files/area_pictures.h"
@@ -76,9 +77,7 @@ constexpr OutputFormat kFormats[] = {
 };
 
 std::vector<std::string> allFormats() {
-  std::vector<std::string> names;
-  for (const OutputFormat& format : kFormats) names.emplace_back(format.name);
-  return names;
+  return mapped(kFormats, [](const OutputFormat& format) { return std::string(format.name); });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/StagedFiles.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/evaluation/write_stability.h"
@@ -101,9 +102,7 @@ class Progress {
 
   /** Only when nothing is pending. */
   std::vector<RunMeasures> all() const {
-    std::vector<RunMeasures> measures;
-    for (const auto& one : done_) measures.push_back(one.value());
-    return measures;
+    return mapped(done_, [](const auto& one) { return one.value(); });
   }
 
  private:

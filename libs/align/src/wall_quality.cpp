@@ -6,6 +6,7 @@
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/scan_walls.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/NearPlaces.h"
 #include "roomgraph/geometry/principal_axis.h"
@@ -36,12 +37,6 @@ std::optional<double> directionOf(const PointSums& places) {
       axis.across > kMaxRoughness * axis.along)
     return std::nullopt;
   return axis.direction;
-}
-
-std::vector<Point> placesOf(const std::vector<WallPoint>& walls) {
-  std::vector<Point> places;
-  for (const WallPoint& wall : walls) places.push_back(wall.place);
-  return places;
 }
 
 std::optional<double> directionAt(const std::vector<WallPoint>& walls, const NearPlaces& index,
@@ -103,7 +98,7 @@ std::optional<double> wallDoubling(const WallMap& map) {
 }
 
 std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
-  const NearPlaces index(placesOf(walls), kDirectionReach);
+  const NearPlaces index(mapped(walls, &WallPoint::place), kDirectionReach);
   std::vector<double> directions;
   double cosine = 0, sine = 0;
   for (const WallPoint& wall : walls)

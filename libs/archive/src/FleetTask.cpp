@@ -7,6 +7,7 @@
 #include "roomgraph/archive/plan_fleet.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -52,9 +53,7 @@ TaskResult doTask(const FleetTask& task, const CompareMapsOptions& options) {
   compare.onUnread = [&](const LeftOutRun& run) {
     result.failures.push_back(run.file + ": " + run.reason);
   };
-  std::vector<std::string> files;
-  for (const HistoryRun& run : task.runs) files.push_back(run.file);
-  ReadRuns read = readRuns(files, compare);
+  ReadRuns read = readRuns(mapped(task.runs, &HistoryRun::file), compare);
   dropOthers(read, task, result.failures);
   if (read.runs.empty()) throw DataError("task of " + task.site + ": no map could be used");
   result.comparison = compareMaps(read, compare);
@@ -64,10 +63,10 @@ TaskResult doTask(const FleetTask& task, const CompareMapsOptions& options) {
 std::string taskLines(const std::vector<FleetTask>& tasks) {
   std::string text;
   for (const FleetTask& task : tasks) {
-    Json runs = Json::array();
-    for (const HistoryRun& run : task.runs)
-      runs.push_back(
-          {{"sha256", run.sha256}, {"robot", run.robot}, {"file", run.file}, {"time", run.time}});
+    const Json runs = mapped(task.runs, [](const HistoryRun& run) {
+      return Json{
+          {"sha256", run.sha256}, {"robot", run.robot}, {"file", run.file}, {"time", run.time}};
+    });
     const Json line = {
         {"site", task.site}, {"key", task.key}, {"new", task.newRuns}, {"runs", runs}};
     text += lineOf(line) + "\n";

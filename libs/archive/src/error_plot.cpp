@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
@@ -66,9 +67,8 @@ Scales scalesOf(const std::vector<Dot>& dots, const WatchOptions& options) {
   scales.first = dots.front().time, scales.last = dots.back().time;
   if (scales.last - scales.first < kDay)
     scales.first -= kDay / 2, scales.last = scales.first + kDay;
-  std::vector<double> errors;
-  for (const Dot& dot : dots) errors.push_back(dot.error);
-  const double most = std::max(1.3 * options.limit, 1.4 * quantile(errors, 0.9));
+  const double typical = quantile(mapped(dots, &Dot::error), 0.9);
+  const double most = std::max(1.3 * options.limit, 1.4 * typical);
   const double step = niceStep(most / 4);
   scales.most = step * std::ceil(most / step);
   return scales;

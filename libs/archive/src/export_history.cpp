@@ -5,6 +5,7 @@
 
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/csv_text.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
@@ -229,10 +230,10 @@ std::string historyCsv(const std::vector<WatchedSite>& sites) {
 }
 
 std::string historyJson(const std::vector<WatchedSite>& sites) {
-  Json all = Json::array();
-  for (const WatchedSite& site : sites) all.push_back(siteJson(site));
-  const Json json = {
-      {"format", "roomgraph/archive"}, {"version", 1}, {"program", programJson()}, {"sites", all}};
+  const Json json = {{"format", "roomgraph/archive"},
+                     {"version", 1},
+                     {"program", programJson()},
+                     {"sites", mapped(sites, siteJson)}};
   return json.dump(1) + "\n";
 }
 

@@ -8,6 +8,7 @@
 
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/map_files/map_sha256.h"
 #include "roomgraph/map_files/read_recording.h"
@@ -69,9 +70,7 @@ std::vector<HistoryRun> recordRuns(const std::vector<HistoryRun>& runs, std::siz
     if (!isUsed) onMissing(run);
     return isUsed;
   };
-  std::vector<HistoryRun> record;
-  for (const std::size_t i : chooseRecord(runs, most, isUsable)) record.push_back(runs[i]);
-  return record;
+  return mapped(chooseRecord(runs, most, isUsable), [&](std::size_t i) { return runs[i]; });
 }
 
 double runTime(const std::string& file) {

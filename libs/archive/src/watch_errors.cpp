@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -71,11 +72,7 @@ void findChange(ErrorWatch& watch, const Samples& errors, const WatchOptions& op
 
 }  // namespace
 
-double medianOf(const Samples& samples) {
-  std::vector<double> values;
-  for (const Sample& sample : samples) values.push_back(sample.value);
-  return median(std::move(values));
-}
+double medianOf(const Samples& samples) { return median(mapped(samples, &Sample::value)); }
 
 double mannKendall(const Samples& samples) {
   const double variance = varianceOf(samples);
@@ -99,9 +96,7 @@ std::optional<SlopeFit> theilSen(const Samples& samples) {
   if (slopes.empty()) return {};
   SlopeFit fit;
   fit.perDay = median(std::move(slopes));
-  std::vector<double> rest;
-  for (const Sample& sample : samples) rest.push_back(sample.value - fit.perDay * sample.time);
-  fit.at0 = median(std::move(rest));
+  fit.at0 = median(mapped(samples, [&](const Sample& s) { return s.value - fit.perDay * s.time; }));
   return fit;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
@@ -241,9 +242,7 @@ class Judge {
 
   /** Of each figure the run that came closest to its limit. */
   Lines margins() const {
-    Lines lines;
-    for (const auto& [figure, closest] : closest_) lines.push_back(closest.second);
-    return lines;
+    return mapped(closest_, [](const auto& figure) { return figure.second.second; });
   }
 
   const Comparison& comparison_;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "explain_comparison.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/relate/shared_drives.h"
 
@@ -87,8 +88,7 @@ std::vector<SiteRoom> roomsOf(const Findings& found, const std::vector<ComparedR
 
 std::vector<std::string> namesOf(const std::vector<Run>& runs,
                                  const std::vector<std::size_t>& some) {
-  std::vector<std::string> names;
-  for (const std::size_t run : some) names.push_back(runs[run].name);
+  auto names = mapped(some, [&](std::size_t run) { return runs[run].name; });
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -152,8 +152,7 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found) {
     text += otherSitesNote(sites);
   }
   for (const std::vector<std::size_t>& drive : sharedDrives(site.runs)) {
-    std::vector<std::size_t> members;
-    for (const std::size_t run : drive) members.push_back(site.members[run]);
+    const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
   const auto bare = std::size_t(std::count_if(site.runs.begin(), site.runs.end(),

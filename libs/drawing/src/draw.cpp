@@ -5,6 +5,7 @@
 #include "draw_layers.h"
 #include "render.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 
@@ -32,9 +33,8 @@ Scene resultScene(const Stages& stages) {
                    groupedCount(graph.edges().size(), "edge", "edges") + "  ·  " +
                    resolutionText(stages.grid.frame.resolution);
   scene.layers = [&stages](const Pen& pen) {
-    std::vector<const Polygon*> polygons;
-    for (const GraphRoom& room : stages.result.rooms) polygons.push_back(&room.shape.polygon);
-    drawRooms(pen, polygons);
+    drawRooms(pen, mapped(stages.result.rooms,
+                          [](const GraphRoom& room) { return &room.shape.polygon; }));
     drawClutter(pen, stages.cleared.clutter);
     drawPassages(pen, stages.areas.passages);
     drawPaths(pen, stages.result.graph);

@@ -4,6 +4,7 @@
 
 #include "View.h"
 #include "room_colours.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -195,9 +196,7 @@ std::string groupedCount(std::size_t count, const std::string& one, const std::s
 }
 
 void drawAreas(const Pen& pen, const std::vector<Area>& areas) {
-  std::vector<const Polygon*> polygons;
-  for (const Area& area : areas) polygons.push_back(&area.polygon);
-  drawRooms(pen, polygons);
+  drawRooms(pen, mapped(areas, [](const Area& area) { return &area.polygon; }));
 }
 
 void drawPassages(const Pen& pen, const std::vector<Passage>& passages) {

@@ -6,6 +6,7 @@
 #include "render.h"
 #include "roomgraph/base/Json.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/write_file.h"
 #include "roomgraph/drawing/stage_names.h"
 #include "roomgraph/topology/kind_names.h"
@@ -21,9 +22,7 @@ struct Picture {
 };
 
 std::vector<const Polygon*> polygonsOf(const Rooms& rooms) {
-  std::vector<const Polygon*> polygons;
-  for (const Room& room : rooms) polygons.push_back(&room.polygon);
-  return polygons;
+  return mapped(rooms, [](const Room& room) { return &room.polygon; });
 }
 
 Picture gridPicture(const Stages& stages) {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "Pen.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -34,9 +35,7 @@ std::vector<Colour> roomColours(const std::vector<const Polygon*>& rooms) {
     ++used[best];
     choice.push_back(best);
   }
-  std::vector<Colour> colours;
-  for (const std::size_t c : choice) colours.push_back(kColours[c]);
-  return colours;
+  return mapped(choice, [](std::size_t c) { return kColours[c]; });
 }
 
 }  // namespace roomgraph

@@ -1,12 +1,12 @@
 #include "roomgraph/drawing/stage_names.h"
 
+#include "roomgraph/base/mapped.h"
+
 namespace roomgraph {
 namespace {
 
 std::vector<bool> finiteEdges(const Stages& stages) {
-  std::vector<bool> isFinite;
-  for (const VoronoiEdge& edge : stages.voronoi.edges) isFinite.push_back(!edge.isInfinite());
-  return isFinite;
+  return mapped(stages.voronoi.edges, std::not_fn(&VoronoiEdge::isInfinite));
 }
 
 std::vector<bool> insideEdges(const Stages& stages) {

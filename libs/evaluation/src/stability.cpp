@@ -7,6 +7,7 @@
 #include <string>
 
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -207,9 +208,9 @@ Stability stability(const GreyMap& map, const ExtractOptions& extract,
                     const StabilityOptions& options) {
   const std::vector<StabilityRun> runs = stabilityRuns(options);
   const StabilityBase base = stabilityBase(map, extract, options);
-  std::vector<RunMeasures> measures;
-  for (const StabilityRun& run : runs) measures.push_back(measureRun(base, run));
-  return summarizeStability(map, base, options, std::move(measures));
+  return summarizeStability(map, base, options, mapped(runs, [&](const StabilityRun& run) {
+                              return measureRun(base, run);
+                            }));
 }
 
 }  // namespace roomgraph

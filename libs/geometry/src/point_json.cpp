@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "roomgraph/base/mapped.h"
+
 namespace roomgraph {
 
 double readCoordinate(const JsonNode& node) {
@@ -16,11 +18,7 @@ Point readPoint(const JsonNode& node) {
   return {readCoordinate(numbers[0]), readCoordinate(numbers[1])};
 }
 
-std::vector<Point> readPoints(const JsonNode& node) {
-  std::vector<Point> all;
-  for (const JsonNode& pair : node.list()) all.push_back(readPoint(pair));
-  return all;
-}
+std::vector<Point> readPoints(const JsonNode& node) { return mapped(node.list(), readPoint); }
 
 Polygon readPolygon(const JsonNode& node) {
   Polygon polygon{readPoints(node["polygon"]), {}};

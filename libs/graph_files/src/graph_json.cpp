@@ -1,5 +1,6 @@
 #include "roomgraph/graph_files/graph_json.h"
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/rooms/reason_names.h"
 #include "roomgraph/topology/kind_names.h"
@@ -72,28 +73,24 @@ std::string withPolygon(const std::string& object, const Polygon& polygon) {
 
 std::string roomText(std::size_t id, const GraphRoom& room) {
   const Polygon& polygon = room.shape.polygon;
-  Json borders = Json::array();
-  for (const VertexId v : room.borderVertices) borders.push_back(v.index());
   const Json json{{"id", id},
                   {"vertex", idOrNull(room.vertex)},
                   {"center", pointJson(room.center)},
                   {"area", rounded(area(roundedPolygon(polygon)))},
                   {"inscribed_radius", rounded(room.shape.inscribedRadius)},
                   {"widest_place", pointJson(room.shape.widestPlace)},
-                  {"border_vertices", std::move(borders)}};
+                  {"border_vertices", mapped(room.borderVertices, &VertexId::index)}};
   return withPolygon(lineOf(json), polygon);
 }
 
 std::string areaText(const std::vector<std::string>& names, std::size_t id, const Area& area) {
-  Json passages = Json::array();
-  for (const PassageId p : area.passages) passages.push_back(p.index());
   Json json{{"id", id},
             {"kind", area.isRoom() ? "room" : "corridor"},
             {"room", idOrNull(area.room)},
             {"area", rounded(roomgraph::area(roundedPolygon(area.polygon)))},
             {"inscribed_radius", rounded(area.inscribedRadius)},
             {"widest_place", pointJson(area.widestPlace)},
-            {"passages", std::move(passages)}};
+            {"passages", mapped(area.passages, &PassageId::index)}};
   if (!names.empty()) json["name"] = names[id];
   return withPolygon(lineOf(json), area.polygon);
 }

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/images/png_bytes.h"
 #include "text.h"
 
@@ -67,9 +68,7 @@ std::string mapsSession(const std::vector<SessionMap>& maps) {
 }
 
 std::string mapPgm(const Grid& grid) {
-  std::vector<std::uint8_t> greys;
-  greys.reserve(grid.cells.size());
-  for (const State state : grid.cells) greys.push_back(kGreys[std::size_t(state)]);
+  const auto greys = mapped(grid.cells, [](State state) { return kGreys[std::size_t(state)]; });
   return pgmBytes(greys, grid.frame.width, grid.frame.height);
 }
 

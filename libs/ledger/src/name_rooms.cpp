@@ -10,6 +10,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/grid/polygon_cells.h"
 #include "roomgraph/ledger/site_rooms.h"
 
@@ -70,10 +71,7 @@ AreaGraph areasOf(const std::vector<Room>& rooms) {
 
 template <class Room>
 std::vector<const Polygon*> polygonsOf(const std::vector<Room>& rooms) {
-  std::vector<const Polygon*> polygons;
-  polygons.reserve(rooms.size());
-  for (const Room& room : rooms) polygons.push_back(&room.polygon);
-  return polygons;
+  return mapped(rooms, [](const Room& room) { return &room.polygon; });
 }
 
 void drawWall(Point a, Point b, Grid& grid) {
@@ -117,18 +115,14 @@ struct Found {
 };
 
 Found findRooms(const std::vector<SiteRoom>& rooms, const SiteFile& file, const Transform2D& pose) {
-  std::vector<SiteRoom> inFile;
-  inFile.reserve(rooms.size());
-  for (const SiteRoom& room : rooms) inFile.push_back(moved(room, pose));
+  const auto inFile = mapped(rooms, [&](const SiteRoom& room) { return moved(room, pose); });
   std::vector<const Polygon*> polygons = polygonsOf(inFile);
   for (const Polygon* polygon : polygonsOf(file.rooms)) polygons.push_back(polygon);
   const GridFrame frame = frameRound(polygons);
   const RunAreas now = areasIn(areasOf(inFile), frame), known = areasIn(areasOf(file.rooms), frame);
   RoomSet set{now.shapes, {}};
   for (const auto& doors : now.doors) {
-    std::vector<std::size_t> neighbours;
-    neighbours.reserve(doors.size());
-    for (const AreaDoor& door : doors) neighbours.push_back(door.to);
+    std::vector<std::size_t> neighbours = mapped(doors, &AreaDoor::to);
     std::sort(neighbours.begin(), neighbours.end());
     neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     set.neighbours.push_back(std::move(neighbours));

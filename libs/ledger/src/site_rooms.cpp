@@ -11,6 +11,7 @@
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -41,8 +42,8 @@ std::vector<std::vector<std::size_t>> judgesOf(const SiteAreas& site,
 std::vector<RoomsInRun> roomsInRuns(const SiteAreas& site, const ConsensusRooms& consensus,
                                     const std::vector<std::vector<std::size_t>>& judges,
                                     const ForEach& forEach) {
-  std::vector<RoomOutline> outlines;
-  for (const SiteShape& shape : consensus.rooms.shapes) outlines.emplace_back(shape.polygon);
+  const auto outlines = mapped(consensus.rooms.shapes,
+                               [](const SiteShape& shape) { return RoomOutline(shape.polygon); });
   std::vector<RoomsInRun> runs(site.runs.size());
   forEach(runs.size(), [&](std::size_t i) {
     for (std::size_t s = 0; s < outlines.size(); ++s) {
@@ -206,8 +207,7 @@ void number(std::vector<SiteRoom>& rooms) {
 }
 
 std::vector<std::string> namesOf(const Site& site, const std::vector<std::size_t>& runs) {
-  std::vector<std::string> names;
-  for (const std::size_t run : runs) names.push_back(site.runs[run]->name);
+  auto names = mapped(runs, [&](std::size_t run) { return site.runs[run]->name; });
   std::sort(names.begin(), names.end());
   return names;
 }

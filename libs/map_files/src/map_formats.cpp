@@ -2,6 +2,7 @@
 
 #include "readers.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/images/read_image.h"
 #include "roomgraph/scans/read_simplemap.h"
@@ -11,9 +12,7 @@ namespace {
 
 /** "a, b or c". */
 std::string namesOf(std::string (*textOf)(const MapFormat&)) {
-  std::vector<std::string> names;
-  for (const MapFormat& format : mapFormats()) names.push_back(textOf(format));
-  return alternatives(names);
+  return alternatives(mapped(mapFormats(), textOf));
 }
 
 /** A picture without a yaml, at options.resolution. */

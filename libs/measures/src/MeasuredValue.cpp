@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {
@@ -29,8 +30,7 @@ MeasuredValue measureOverOthers(
 }
 
 MeasuredValue shareOverOthers(const std::vector<ShareInOther>& others) {
-  std::vector<double> supports;
-  for (const ShareInOther& other : others) supports.push_back(other.support);
+  const auto supports = mapped(others, &ShareInOther::support);
   return measureOverOthers(supports, [&](std::size_t but) -> std::optional<double> {
     double part = 0, whole = 0;
     for (std::size_t k = 0; k < others.size(); ++k)

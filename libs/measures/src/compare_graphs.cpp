@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fitted_measures.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/measures/match_elements.h"
@@ -24,10 +25,9 @@ struct PlacePair {
 
 std::vector<PlacePair> placesOf(const TopologyGraph& a, const TopologyGraph& b,
                                 const GraphMatch& match) {
-  std::vector<PlacePair> places;
-  for (const VertexMatch& m : match.vertices)
-    places.push_back({a.vertex(m.a).place, b.vertex(m.b).place});
-  return places;
+  return mapped(match.vertices, [&](const VertexMatch& m) {
+    return PlacePair{a.vertex(m.a).place, b.vertex(m.b).place};
+  });
 }
 
 /** Of the distances that the best turn and shift leaves. */

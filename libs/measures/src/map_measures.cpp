@@ -9,6 +9,7 @@
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/breaks/find_pieces.h"
 #include "roomgraph/breaks/site_breaks.h"
@@ -75,9 +76,7 @@ std::vector<std::size_t> othersOf(std::size_t scan, const std::vector<ScanWalls>
   }
   std::sort(others.begin(), others.end());
   if (others.size() > fitted::kMaxVisits) others.resize(fitted::kMaxVisits);
-  std::vector<std::size_t> numbers;
-  for (const auto& [far, j] : others) numbers.push_back(j);
-  return numbers;
+  return mapped(others, [](const auto& other) { return other.second; });
 }
 
 /** Squared distance to the nearest wall of a scan, if that is below `best`. */
@@ -108,8 +107,7 @@ MeasuredValue brokennessOf(const Site& site, const MapPairs& pairs, const Trust&
                            std::size_t run, std::size_t breaks) {
   if (!site.runs[run]->scans.empty()) return countBreaks(site, pairs, trust, run, breaks);
   const std::vector<Witness> witnesses = witnessesOf(site, pairs, trust, run);
-  std::vector<double> supports;
-  for (const Witness& witness : witnesses) supports.push_back(witness.walls);
+  const auto supports = mapped(witnesses, &Witness::walls);
   return measureOverOthers(supports, [&](std::size_t but) {
     auto value = medianPieces(witnesses, but);
     if (value) --*value;

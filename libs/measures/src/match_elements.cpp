@@ -10,6 +10,7 @@
 
 #include "roomgraph/base/OneToOne.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/grid/polygon_cells.h"
 
@@ -68,9 +69,7 @@ std::vector<MatchedVertices> pairsInReach(const TopologyGraph& base, const Topol
 
 std::optional<double> percentile(const std::vector<MatchedVertices>& pairs, double share) {
   if (pairs.empty()) return std::nullopt;
-  std::vector<double> distances;
-  for (const MatchedVertices& pair : pairs) distances.push_back(pair.distance);
-  return quantile(std::move(distances), share);
+  return quantile(mapped(pairs, &MatchedVertices::distance), share);
 }
 
 std::optional<double> unmatched(std::size_t pairs, std::size_t count) {

@@ -6,6 +6,7 @@
 
 #include "page_data.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/compare/compare_maps.h"
@@ -159,8 +160,7 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
   const std::string doubt = doubtSentence(comparison);
   if (!doubt.empty()) sentences.push_back(doubt);
   if (!comparison.leftOut.empty()) {
-    std::vector<std::string> names;
-    for (const LeftOutRun& run : comparison.leftOut) names.push_back(run.name);
+    const auto names = mapped(comparison.leftOut, &LeftOutRun::name);
     sentences.push_back(counted(names.size(), "file is", "files are") +
                         " left out: " + listed(names, kMostNames) + ".");
   }

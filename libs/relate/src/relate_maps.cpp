@@ -10,6 +10,7 @@
 #include "roomgraph/align/shared_edges.h"
 #include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/relate/PairBend.h"
 #include "roomgraph/relate/sight_walls.h"
 
@@ -174,10 +175,8 @@ void follow(MapPair& pair, const WallMap& a, const WallMap& b,
     pair.bInA = carried(b, poses.front()), pair.aInB = carried(a, poses.front().inverse());
     return;
   }
-  std::vector<Transform2D> back;
-  for (const Transform2D& pose : poses) back.push_back(pose.inverse());
   pair.bInA = followWalls(b, a, poses);
-  pair.aInB = followWalls(a, b, back);
+  pair.aInB = followWalls(a, b, mapped(poses, &Transform2D::inverse));
 }
 
 MapPair swapped(MapPair pair) {

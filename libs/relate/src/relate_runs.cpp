@@ -9,6 +9,7 @@
 #include "fitted_relate.h"
 #include "keep_pairs.h"
 #include "roomgraph/align/shared_edges.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 #include "roomgraph/relate/shared_drives.h"
@@ -30,16 +31,12 @@ class RelatedPairs {
 
   /** Completes maps in which others will be looked for again and again. */
   void complete(const std::vector<std::size_t>& runs) {
-    std::vector<const WallMap*> maps;
-    for (const std::size_t run : runs) maps.push_back(&runs_[run].map);
-    full_.complete(maps, forEach_);
+    full_.complete(mapped(runs, [this](std::size_t run) { return &runs_[run].map; }), forEach_);
   }
 
   /** Relates each of `others` to the hub. */
   void search(std::size_t hub, const std::vector<std::size_t>& others) {
-    std::vector<PairOver> pairs;
-    for (const std::size_t other : others) pairs.push_back({hub, hub, other});
-    relate(pairs);
+    relate(mapped(others, [&](std::size_t other) { return PairOver{hub, hub, other}; }));
   }
 
   /** Relates pairs over their hubs, to which both have been related; without one where it is one
@@ -53,8 +50,7 @@ class RelatedPairs {
       return pair.a == pair.b || !found_.try_emplace({pair.a, pair.b}).second;
     };
     pairs.erase(std::remove_if(pairs.begin(), pairs.end(), isKnown), pairs.end());
-    std::vector<PairOfThings> runs;
-    for (const PairOver& pair : pairs) runs.emplace_back(pair.a, pair.b);
+    const auto runs = mapped(pairs, [](const PairOver& p) { return PairOfThings(p.a, p.b); });
     const auto jobs = pairJobs(runs, [&](std::size_t run) { return mapOf(run).isBare(); });
     forEach_(jobs.size(), [&](std::size_t job) {
       FullMaps maps;
@@ -69,9 +65,7 @@ class RelatedPairs {
 
   /** All pairs, which are moved out. */
   MapPairs all() {
-    std::vector<PairOfThings> pairs;
-    for (const auto& [runs, pair] : found_) pairs.push_back(runs);
-    MapPairs all(runs_.size(), pairs);
+    MapPairs all(runs_.size(), mapped(found_, [](const auto& found) { return found.first; }));
     for (auto& [runs, pair] : found_) all(runs.first, runs.second) = std::move(pair);
     return all;
   }
@@ -174,8 +168,7 @@ class SiteBySite {
       seen.push_back(seenPlaces(runs.back()->map, member.pose));
     }
     auto core = chooseCore(runs, seen, options_.core, fixedIn(members));
-    std::vector<std::size_t> chosen;
-    for (const std::size_t place : core) chosen.push_back(members[place].run);
+    const auto chosen = mapped(core, [&](std::size_t place) { return members[place].run; });
     relating_.complete(chosen);
     std::vector<PairOver> pairs;
     for (const auto& [a, b] : pairsOf(core.size())) pairs.push_back({hub, chosen[a], chosen[b]});

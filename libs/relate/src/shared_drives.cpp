@@ -9,6 +9,7 @@
 #include "fitted_relate.h"
 #include "roomgraph/align/FullMaps.h"
 #include "roomgraph/base/UnionFind.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -93,8 +94,7 @@ std::vector<std::vector<std::size_t>> sharedDrives(const std::vector<const Run*>
 }
 
 void joinDrives(MapPairs& related, const std::vector<Run>& runs, const ForEach& forEach) {
-  std::vector<const Run*> pointers;
-  for (const Run& run : runs) pointers.push_back(&run);
+  const auto pointers = mapped(runs, [](const Run& run) { return &run; });
   std::vector<std::size_t> drive(runs.size());  // 0 for a run that shares none
   const auto drives = sharedDrives(pointers);
   for (std::size_t k = 0; k < drives.size(); ++k)

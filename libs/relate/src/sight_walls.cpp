@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "roomgraph/align/wall_map.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 namespace {
@@ -66,9 +67,7 @@ std::vector<WallSighting> sightWalls(const WallMap& map, const WallMap& other,
 }
 
 std::vector<bool> straightWalls(const WallMap& map) {
-  std::vector<bool> straight;
-  for (const WallPoint& wall : map.walls) straight.push_back(isStraight(map, wall));
-  return straight;
+  return mapped(map.walls, [&](const WallPoint& wall) { return isStraight(map, wall); });
 }
 
 }  // namespace roomgraph

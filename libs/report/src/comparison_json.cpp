@@ -6,6 +6,7 @@
 #include "as_written.h"
 #include "json_places.h"
 #include "roomgraph/base/file_name.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/utf8_text.h"
@@ -28,16 +29,10 @@ Json measuresJson(const std::vector<Measure>& measures) {
   return json;
 }
 
-Json pathJson(const std::vector<PathPose>& path) {
-  Json json = Json::array();
-  for (const PathPose& at : path)
-    json.push_back({{"key_frame", at.keyFrame},
-                    {"time", orNull(at.time)},
-                    {"x", rounded(at.pose.x)},
-                    {"y", rounded(at.pose.y)},
-                    {"phi", rounded(at.pose.phi)},
-                    {"error_m", numberOrNull(at.error)}});
-  return json;
+Json pathPoseJson(const PathPose& at) {
+  return {{"key_frame", at.keyFrame},    {"time", orNull(at.time)},
+          {"x", rounded(at.pose.x)},     {"y", rounded(at.pose.y)},
+          {"phi", rounded(at.pose.phi)}, {"error_m", numberOrNull(at.error)}};
 }
 
 Json runJson(const ComparedRun& run, const Comparison& comparison) {
@@ -70,7 +65,7 @@ Json runJson(const ComparedRun& run, const Comparison& comparison) {
                {"resolution", std::round(run.resolution * 1e6) / 1e6},
                {"scale_estimated", run.isScaleEstimated},
                {"measures", measuresJson(run.measures)},
-               {"path", pathJson(run.path)}};
+               {"path", mapped(run.path, pathPoseJson)}};
   if (!run.relativePath.empty()) json["relative_path"] = utf8Text(run.relativePath);
   return json;
 }
@@ -126,11 +121,8 @@ Json doorWithRunsJson(const SiteDoor& door) {
 }
 
 Json roomJson(const SiteRoom& room) {
-  Json runs = Json::array(), doors = Json::array();
-  for (const SiteDoor& door : room.doors) doors.push_back(doorWithRunsJson(door));
-  for (const RoomInRun& in : room.runs) runs.push_back(roomInRunJson(in));
-  Json json = placedRoomJson(room, doors);
-  json["runs"] = runs;
+  Json json = placedRoomJson(room, mapped(room.doors, doorWithRunsJson));
+  json["runs"] = mapped(room.runs, roomInRunJson);
   return json;
 }
 

@@ -2,23 +2,14 @@
 #include <string>
 #include <vector>
 
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/ledger/SiteRoom.h"
 
 namespace roomgraph {
 
 /** [[x, y], ...] */
-inline Json ringJson(const Ring& ring) {
-  Json json = Json::array();
-  for (const Point p : ring) json.push_back(pointJson(p));
-  return json;
-}
-
-inline Json ringsJson(const std::vector<Ring>& rings) {
-  Json json = Json::array();
-  for (const Ring& ring : rings) json.push_back(ringJson(ring));
-  return json;
-}
+inline Json ringJson(const Ring& ring) { return mapped(ring, pointJson); }
 
 /** The members "x" and "y". */
 inline Point readPlace(const JsonNode& node) {
@@ -42,7 +33,7 @@ Json placedRoomJson(const Room& room, const Json& doors) {
           {"y", rounded(room.center.y)},
           {"area_m2", rounded(room.area)},
           {"polygon", ringJson(room.polygon.outer)},
-          {"holes", ringsJson(room.polygon.holes)},
+          {"holes", mapped(room.polygon.holes, ringJson)},
           {"doors", doors}};
 }
 

@@ -2,6 +2,7 @@
 
 #include "json_places.h"
 #include "roomgraph/base/InputFile.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/compare/compare_maps.h"
 #include "roomgraph/report/comparison_json.h"
@@ -25,9 +26,7 @@ std::optional<double> numberIfAny(const JsonNode& node) {
 }
 
 std::vector<std::string> texts(const JsonNode& node) {
-  std::vector<std::string> all;
-  for (const JsonNode& one : node.list()) all.push_back(one.text());
-  return all;
+  return mapped(node.list(), &JsonNode::text);
 }
 
 /** Files of an earlier version have none. */
@@ -102,7 +101,7 @@ ComparedRun run(const JsonNode& node) {
   run.reason = node["reason"].text();
   run.resolution = node["resolution"].number();
   run.isScaleEstimated = isTrue(node["scale_estimated"]);
-  for (const JsonNode& at : node["path"].list()) run.path.push_back(pathPose(at));
+  run.path = mapped(node["path"].list(), pathPose);
   return run;
 }
 
@@ -166,7 +165,7 @@ SiteRoom room(const JsonNode& node) {
     room.doors.push_back({readPlace(door), door["width"].number(),
                           door["to"].json.is_null() ? "" : door["to"].text(),
                           textsIfAny(door, "seen_in"), textsIfAny(door, "lost_in")});
-  for (const JsonNode& in : node["runs"].list()) room.runs.push_back(roomInRun(in));
+  room.runs = mapped(node["runs"].list(), roomInRun);
   return room;
 }
 
@@ -196,13 +195,13 @@ Comparison comparison(const JsonNode& top) {
   Comparison result;
   result.reference = ifAny(top["reference"], [](const JsonNode& name) { return name.text(); });
   result.core = textsIfAny(top, "core");
-  for (const JsonNode& node : top["runs"].list()) result.runs.push_back(run(node));
-  for (const JsonNode& node : top["pairs"].list()) result.pairs.push_back(pair(node));
+  result.runs = mapped(top["runs"].list(), run);
+  result.pairs = mapped(top["pairs"].list(), pair);
   for (const JsonNode& node : top["left_out"].list())
     result.leftOut.push_back({node["name"].text(), node["file"].text(), node["reason"].text(),
                               isTrue(node["other_site"])});
-  for (const JsonNode& node : top["rooms"].list()) result.rooms.push_back(room(node));
-  for (const JsonNode& node : top["breaks"].list()) result.breaks.push_back(mapBreak(node));
+  result.rooms = mapped(top["rooms"].list(), room);
+  result.breaks = mapped(top["breaks"].list(), mapBreak);
   for (const auto& [section, keys] : members(top["options"]))
     for (const auto& [name, node] : members(keys))
       result.options.push_back(option(section, name, node));

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "json_places.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/geometry/point_json.h"
 
@@ -132,9 +133,7 @@ std::string siteJson(const SiteFile& file) {
   document.add("program", programJson());
   document.add("next", {{"room", file.nextRoom}, {"corridor", file.nextCorridor}});
   document.addList("rooms", file.rooms, [](const KnownRoom& room) {
-    Json doors = Json::array();
-    for (const SiteDoor& door : room.doors) doors.push_back(doorJson(door));
-    return placedRoomJson(room, doors);
+    return placedRoomJson(room, mapped(room.doors, doorJson));
   });
   return std::move(document).text();
 }

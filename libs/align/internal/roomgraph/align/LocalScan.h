@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "roomgraph/align/scan_walls.h"
+#include "roomgraph/base/mapped.h"
 
 namespace roomgraph {
 
@@ -22,9 +23,7 @@ struct LocalScan {
 
 /** Of each scan: where its run has drawn it (run <- robot). */
 inline std::vector<Transform2D> drawnPoses(const std::vector<ScanWalls>& scans) {
-  std::vector<Transform2D> poses;
-  for (const ScanWalls& scan : scans) poses.push_back(scan.pose);
-  return poses;
+  return mapped(scans, &ScanWalls::pose);
 }
 
 /** Of each scan. O(walls). */
