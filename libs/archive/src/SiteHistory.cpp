@@ -14,10 +14,7 @@ bool isMeant(const std::string& name, const HistoryRun& run) {
 }
 
 Measure figure(const char* name, double value, const char* unit, const RunScore& score) {
-  Measure measure;
-  measure.name = name, measure.value = value, measure.unit = unit;
-  measure.support = score.support, measure.isMeaningful = score.isMeaningful;
-  return measure;
+  return {name, value, unit, score.support, std::nullopt, std::nullopt, score.isMeaningful};
 }
 
 void addScore(std::vector<Measure>& figures, const RunScore& score) {
@@ -25,12 +22,10 @@ void addScore(std::vector<Measure>& figures, const RunScore& score) {
   error.low = score.errorLow, error.high = score.errorHigh;
   Measure points = figure(kScore, score.score, "1", score);
   points.low = score.low, points.high = score.high;
-  figures.push_back(error);
-  figures.push_back(points);
-  figures.push_back(figure("confirmed", score.confirmed, "1", score));
-  figures.push_back(figure("contradicted", score.contradicted, "1", score));
-  figures.push_back(figure("shared_walls", score.share, "1", score));
-  figures.push_back(figure("trust", score.trust, "1", score));
+  figures.insert(figures.end(), {error, points, figure("confirmed", score.confirmed, "1", score),
+                                 figure("contradicted", score.contradicted, "1", score),
+                                 figure("shared_walls", score.share, "1", score),
+                                 figure("trust", score.trust, "1", score)});
 }
 
 }  // namespace

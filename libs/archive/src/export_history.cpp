@@ -47,9 +47,8 @@ Json roomJson(const RoomSeen& room) {
 }
 
 Json runJson(const HistoryRun& run) {
-  Json figures = Json::object(), rooms = Json::array();
+  Json figures = Json::object();
   for (const Measure& figure : run.figures) figures[figure.name] = measureJson(figure);
-  for (const RoomSeen& room : run.rooms) rooms.push_back(roomJson(room));
   return {{"robot", utf8Text(run.robot)},
           {"time", timeText(run.time)},
           {"file", utf8Text(run.file)},
@@ -58,7 +57,7 @@ Json runJson(const HistoryRun& run) {
           {"reason", utf8Text(run.reason)},
           {"version", run.version},
           {"figures", figures},
-          {"rooms", rooms}};
+          {"rooms", mapped(run.rooms, roomJson)}};
 }
 
 Json runOrNull(const SiteHistory& history, std::optional<std::size_t> run) {
@@ -99,26 +98,25 @@ Json robotJson(const RobotWatch& robot, const SiteHistory& history) {
           {"sentence", utf8Text(robot.sentence)}};
 }
 
+Json knownRoomJson(const KnownRoom& room) {
+  return {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", numberOrNull(room.area)}};
+}
+
 Json siteJson(const WatchedSite& site) {
   const SiteHistory& history = site.history;
-  Json robots = Json::array(), changes = Json::array(), runs = Json::array();
-  Json rooms = Json::array();
-  for (const RobotWatch& robot : site.watch.robots) robots.push_back(robotJson(robot, history));
-  for (const RoomChange& change : site.watch.changes)
-    changes.push_back({{"room", change.room},
-                       {"what", change.what},
-                       {"since", timeText(history.runs[change.run].time)},
-                       {"before", numberOrNull(change.before)},
-                       {"after", numberOrNull(change.after)}});
-  for (const KnownRoom& room : history.ledger.rooms)
-    rooms.push_back(
-        {{"id", room.id}, {"name", utf8Text(room.name)}, {"area_m2", numberOrNull(room.area)}});
-  for (const HistoryRun& run : history.runs) runs.push_back(runJson(run));
+  const auto robot = [&](const RobotWatch& of) { return robotJson(of, history); };
+  const auto change = [&](const RoomChange& of) {
+    return Json{{"room", of.room},
+                {"what", of.what},
+                {"since", timeText(history.runs[of.run].time)},
+                {"before", numberOrNull(of.before)},
+                {"after", numberOrNull(of.after)}};
+  };
   return {{"site", utf8Text(history.site)},
-          {"robots", robots},
-          {"changes", changes},
-          {"rooms", rooms},
-          {"runs", runs}};
+          {"robots", mapped(site.watch.robots, robot)},
+          {"changes", mapped(site.watch.changes, change)},
+          {"rooms", mapped(history.ledger.rooms, knownRoomJson)},
+          {"runs", mapped(history.runs, runJson)}};
 }
 
 /** As a label's value in Prometheus' text format. */

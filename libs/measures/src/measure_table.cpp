@@ -8,62 +8,53 @@
 namespace roomgraph {
 namespace {
 
+using Evidence = const SiteEvidence&;
+using Index = std::size_t;  // of a run
+
 /** A quantile of the distances between the walls of a run and those of the others. */
 MeasureRow wallDistance(const MeasureKind& kind, double share) {
   return {kind,
-          [share](const SiteEvidence& all, std::size_t run) {
+          [share](Evidence all, Index run) {
             return wallDistanceOf(all.distances, all.trust, run, share);
           },
-          [share](const SiteEvidence& all, std::size_t a, std::size_t b) {
+          [share](Evidence all, Index a, Index b) {
             return wallDistanceOfPair(all.distances, a, b, share);
           }};
 }
 
 MeasureRow ofSightings(const MeasureKind& kind,
                        MeasuredValue (*figure)(const SightingTable&, const DistinctMaps&,
-                                               const Trust&, std::size_t)) {
-  return {kind,
-          [figure](const SiteEvidence& all, std::size_t run) {
-            return figure(all.sightings, all.maps, all.trust, run);
-          },
-          {}};
+                                               const Trust&, Index)) {
+  return {
+      kind,
+      [figure](Evidence all, Index run) { return figure(all.sightings, all.maps, all.trust, run); },
+      {}};
 }
 
 MeasureRow ofMap(const MeasureKind& kind, MeasuredValue (*figure)(const Run&)) {
-  return {
-      kind,
-      [figure](const SiteEvidence& all, std::size_t run) { return figure(*all.site.runs[run]); },
-      {}};
+  return {kind, [figure](Evidence all, Index run) { return figure(*all.site.runs[run]); }, {}};
 }
 
 std::vector<MeasureRow> wallRows() {
   return {
       {{"coverage", "Coverage", "1", kFewestThings,
         "Of what two runs have seen free, the share it has seen."},
-       [](const SiteEvidence& all, std::size_t run) { return all.coverage[run]; },
+       [](Evidence all, Index run) { return all.coverage[run]; },
        {}},
       {{"bend", "Bend away from the others", "m", kFewestWalls,
         "Mean bend against the others, by trust."},
-       [](const SiteEvidence& all, std::size_t run) {
-         return bendOf(all.bends, all.maps, all.trust, run);
-       },
-       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
-         return bendOfPair(all.bends(a, b));
-       }},
+       [](Evidence all, Index run) { return bendOf(all.bends, all.maps, all.trust, run); },
+       [](Evidence all, Index a, Index b) { return bendOfPair(all.bends(a, b)); }},
       {{"followed", "Walls found again", "1", kFewestWalls, "Share of the walls that both have."},
        {},
-       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
-         return followedOfPair(all.bends(a, b));
-       }},
+       [](Evidence all, Index a, Index b) { return followedOfPair(all.bends(a, b)); }},
       ofMap({"axis_deviation", "Walls off right angles, median", "deg", 0,
              "Median angle between its walls and the nearer of its two main directions."},
             axisDeviationOf),
       {{"wall_distance_mean", "Wall distance, mean", "m", kFewestWalls,
         "Mean distance of the walls of both."},
        {},
-       [](const SiteEvidence& all, std::size_t a, std::size_t b) {
-         return meanWallDistanceOfPair(all.distances, a, b);
-       }}};
+       [](Evidence all, Index a, Index b) { return meanWallDistanceOfPair(all.distances, a, b); }}};
 }
 
 std::vector<MeasureRow> wallPlaceRows() {
@@ -87,24 +78,20 @@ std::vector<MeasureRow> wallPlaceRows() {
 std::vector<MeasureRow> roomRows() {
   return {{{"rooms_matched", "Rooms found again", "1", 3,
             "Of the rooms of the others that it has seen, the share it has, too."},
-           [](const SiteEvidence& all, std::size_t run) {
-             return roomsMatchedOf(all.rooms, all.trust, run);
-           },
+           [](Evidence all, Index run) { return roomsMatchedOf(all.rooms, all.trust, run); },
            {}},
           {{"room_coverage", "Room area of the others that it has", "1", kFewestThings,
             "Of the area of all rooms of the others, the share in rooms that it has, too."},
-           [](const SiteEvidence& all, std::size_t run) {
-             return roomCoverageOf(all.rooms, all.trust, run);
-           },
+           [](Evidence all, Index run) { return roomCoverageOf(all.rooms, all.trust, run); },
            {}}};
 }
 
 MeasureRow ofGraphs(const MeasureKind& kind, const GraphFigure& figure) {
   return {kind,
-          [figure](const SiteEvidence& all, std::size_t run) {
+          [figure](Evidence all, Index run) {
             return graphMeasureOf(figure, all.graphs, all.trust, run);
           },
-          [figure](const SiteEvidence& all, std::size_t a, std::size_t b) {
+          [figure](Evidence all, Index a, Index b) {
             return graphMeasureOfPair(figure, all.graphs(a, b));
           }};
 }
@@ -161,7 +148,7 @@ std::vector<MeasureRow> graphRows() {
 std::vector<MeasureRow> mapRows() {
   return {
       {{"brokenness", "Extra pieces", "pieces", kFewestWalls, "Rigid pieces of the map, less one."},
-       [](const SiteEvidence& all, std::size_t run) {
+       [](Evidence all, Index run) {
          return brokennessOf(all.site, all.pairs, all.trust, run, all.breaks[run].size());
        },
        {}},
