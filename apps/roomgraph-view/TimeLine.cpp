@@ -13,6 +13,14 @@ constexpr float kFoot = 4, kLeast = 3;  // below the bars, and of the lowest one
 const NVGcolor kPaper = nvgRGB(250, 250, 252), kInk = nvgRGB(20, 20, 20),
                kBreak = nvgRGB(150, 20, 80);
 
+void fillRect(NVGcontext* context, float x, float y, float width, float height,
+              const NVGcolor& colour) {
+  nvgBeginPath(context);
+  nvgRect(context, x, y, width, height);
+  nvgFillColor(context, colour);
+  nvgFill(context);
+}
+
 }  // namespace
 
 float TimeLine::xOf(std::size_t frame) const {
@@ -39,10 +47,8 @@ void TimeLine::drawBars(NVGcontext* context) const {
     const double share = path[k].error.value_or(0) / worst;
     const float bar = std::max(kLeast, high * float(share));
     const auto colour = colourOfError(path[k].error);
-    nvgBeginPath(context);
-    nvgRect(context, xOf(k) - width / 2, foot - bar, width, bar);
-    nvgFillColor(context, nvgRGB(colour.R, colour.G, colour.B));
-    nvgFill(context);
+    fillRect(context, xOf(k) - width / 2, foot - bar, width, bar,
+             nvgRGB(colour.R, colour.G, colour.B));
   }
 }
 
@@ -52,10 +58,7 @@ void TimeLine::drawBreaks(NVGcontext* context) const {
   for (const MapBreak& tear : view_.comparison.breaks) {
     if (tear.run != view_.comparison.runs[state_.run].name || !tear.keyFrame) continue;
     const float x = xOf(placeInPath(view_, state_.run, *tear.keyFrame));
-    nvgBeginPath(context);  // light round it, to be seen on red bars
-    nvgRect(context, x - 3, top, 6, foot - top);
-    nvgFillColor(context, kPaper);
-    nvgFill(context);
+    fillRect(context, x - 3, top, 6, foot - top, kPaper);  // to be seen on red bars
     nvgBeginPath(context);
     nvgRect(context, x - 1, top, 2, foot - top);
     nvgMoveTo(context, x, top);
@@ -67,17 +70,12 @@ void TimeLine::drawBreaks(NVGcontext* context) const {
 }
 
 void TimeLine::draw(NVGcontext* context) {
-  nvgBeginPath(context);
-  nvgRect(context, float(mPos.x()), float(mPos.y()), float(mSize.x()), float(mSize.y()));
-  nvgFillColor(context, kPaper);
-  nvgFill(context);
+  const auto top = float(mPos.y()), high = float(mSize.y());
+  fillRect(context, float(mPos.x()), top, float(mSize.x()), high, kPaper);
   drawBars(context);
   drawBreaks(context);
   if (view_.path(state_.run).empty()) return;
-  nvgBeginPath(context);
-  nvgRect(context, xOf(state_.frame) - 1.5F, float(mPos.y()), 3, float(mSize.y()));
-  nvgFillColor(context, kInk);
-  nvgFill(context);
+  fillRect(context, xOf(state_.frame) - 1.5F, top, 3, high, kInk);
 }
 
 bool TimeLine::mouseButtonEvent(const nanogui::Vector2i& at, int button, bool isDown, int) {

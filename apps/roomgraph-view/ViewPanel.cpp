@@ -3,6 +3,7 @@
 #include <nanogui/opengl.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "roomgraph/base/printable.h"
@@ -22,24 +23,14 @@ constexpr double kLayersShare = 0.55;        // of what both lists have, where t
 constexpr std::size_t kLongest = 30;         // caption [bytes]
 constexpr double kQuick = 0.3;  // an extraction that is done while a slider moves takes less [s]
 
-/** Whether what a toggle stands for is on. */
-bool isOn(Wish wish, const ViewState& state) {
-  switch (wish) {
-    case Wish::play:
-      return state.isPlaying;
-    case Wish::grow:
-      return state.growsMap;
-    case Wish::flicker:
-      return state.isFlickering;
-    case Wish::swipe:
-      return state.mode == Mode::swipe;
-    case Wish::nudge:
-      return state.mode == Mode::nudge;
-    case Wish::measure:
-      return state.mode == Mode::measure;
-    default:
-      return false;
-  }
+/** Whether what each toggle stands for is on. */
+std::map<Wish, bool> toggles(const ViewState& state) {
+  return {{Wish::play, state.isPlaying},
+          {Wish::grow, state.growsMap},
+          {Wish::flicker, state.isFlickering},
+          {Wish::swipe, state.mode == Mode::swipe},
+          {Wish::nudge, state.mode == Mode::nudge},
+          {Wish::measure, state.mode == Mode::measure}};
 }
 
 /** A name as a caption, that makes the panel no wider than it need be. */
@@ -197,7 +188,8 @@ void ViewPanel::addOptions(nanogui::Widget& panel) {
 }
 
 void ViewPanel::follow() {
-  for (const auto& [wish, button] : buttons_) button->setPushed(isOn(wish, state_));
+  const auto isOn = toggles(state_);
+  for (const auto& [wish, button] : buttons_) button->setPushed(isOn.at(wish));
   for (const auto& [layer, box] : boxes_) box->setChecked(state_.hidden.count(layer) == 0);
 }
 

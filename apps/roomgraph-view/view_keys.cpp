@@ -66,23 +66,14 @@ std::optional<Wish> wishOf(int key, bool isShifted) {
 }
 
 std::optional<NudgeStep> nudgeStepOf(int key, bool isShifted) {
+  static const std::map<int, NudgeStep> steps = {
+      {GLFW_KEY_RIGHT, {{kShift, 0}, 0}}, {GLFW_KEY_LEFT, {{-kShift, 0}, 0}},
+      {GLFW_KEY_UP, {{0, kShift}, 0}},    {GLFW_KEY_DOWN, {{0, -kShift}, 0}},
+      {GLFW_KEY_Q, {{}, kTurn}},          {GLFW_KEY_E, {{}, -kTurn}}};
+  const auto found = steps.find(key);
+  if (found == steps.end()) return std::nullopt;
   const double scale = isShifted ? kFine : 1;
-  switch (key) {
-    case GLFW_KEY_RIGHT:
-      return NudgeStep{{scale * kShift, 0}, 0};
-    case GLFW_KEY_LEFT:
-      return NudgeStep{{-scale * kShift, 0}, 0};
-    case GLFW_KEY_UP:
-      return NudgeStep{{0, scale * kShift}, 0};
-    case GLFW_KEY_DOWN:
-      return NudgeStep{{0, -scale * kShift}, 0};
-    case GLFW_KEY_Q:
-      return NudgeStep{{}, scale * kTurn};
-    case GLFW_KEY_E:
-      return NudgeStep{{}, -scale * kTurn};
-    default:
-      return std::nullopt;
-  }
+  return NudgeStep{scale * found->second.shift, scale * found->second.turn};
 }
 
 std::vector<std::string> helpLines(const View& view, const ViewState& state) {

@@ -116,13 +116,13 @@ void declareFormats(std::string& formats, CLI::App& app) {
 
 void declareGate(GateArguments& arguments, CLI::App& app) {
   const std::string nearlyAll = std::to_string(std::lround(100 * kNearlyAll));
-  addOption(app, "--fail-below SCORE", arguments.failBelow,
+  addOption(app, "--fail-below SCORE", arguments.limits.minScore,
             "Exit with 3 if a run has a score below this (0 to 100), or no score.")
       ->check(isWithin(0, 100));
-  addOption(app, "--fail-above M", arguments.failAbove,
+  addOption(app, "--fail-above M", arguments.limits.maxError,
             "Exit with 3 if a run has a map error above this [m], or none that can be trusted.")
       ->check(isWithin(0, 1e6));
-  addOption(app, "--fail-worse-by M", arguments.failWorseBy,
+  addOption(app, "--fail-worse-by M", arguments.limits.maxWorse,
             "Exit with 3 if the map error of a run exceeds the median of the three best other "
             "runs by more than this [m], or cannot be trusted.")
       ->check(isWithin(0, 1e6));
@@ -145,9 +145,7 @@ void declareGate(GateArguments& arguments, CLI::App& app) {
 
 GateOptions gateOf(const GateArguments& arguments) {
   const auto isAsked = [&](const char* what) { return isListed(arguments.failOn, what); };
-  GateOptions gate;
-  gate.minScore = arguments.failBelow, gate.maxError = arguments.failAbove;
-  gate.maxWorse = arguments.failWorseBy;
+  GateOptions gate = arguments.limits;
   gate.failsOnCoverage = isAsked("coverage"), gate.failsOnBreaks = isAsked("broken");
   gate.failsOnUnconfirmed = isAsked("unconfirmed");
   gate.failsOnOtherSites = isAsked("not-same-site"), gate.failsOnWalls = isAsked("walls");

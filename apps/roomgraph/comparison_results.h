@@ -45,7 +45,7 @@ void declareFormats(std::string& formats, CLI::App& app);
 
 /** --fail-below, --fail-above, --fail-worse-by, --fail-on, --junit and --summary. */
 struct GateArguments {
-  std::optional<double> failBelow, failAbove, failWorseBy;
+  GateOptions limits;  ///< only the numbers
   std::vector<std::string> failOn;
   std::string junit, summary;  ///< files; empty for none
 };

@@ -102,15 +102,8 @@ std::string gzipped(const std::string& bytes, const std::string& comment) {
 }
 
 std::string compressed(const std::string& bytes, Compression how) {
-  switch (how) {
-    case Compression::gzip:
-      return gzipped(bytes, {});
-    case Compression::zstd:
-      return asZstd(bytes);
-    case Compression::none:
-      break;
-  }
-  return bytes;
+  if (how == Compression::none) return bytes;
+  return how == Compression::gzip ? gzipped(bytes, {}) : asZstd(bytes);
 }
 
 bool isZstd(ByteView head) {

@@ -19,15 +19,8 @@ constexpr int kSmallPx = 640;
 }  // namespace
 
 Colour stateColour(State state) {
-  switch (state) {
-    case State::unknown:
-      return {198, 203, 211};
-    case State::free:
-      return {255, 255, 255};
-    case State::occupied:
-      return {58, 62, 68};
-  }
-  return {};
+  constexpr Colour colours[] = {{198, 203, 211}, {255, 255, 255}, {58, 62, 68}};
+  return colours[kIndex[std::size_t(state)]];
 }
 
 PaletteImage backdrop(const Grid& grid, const View& view) {

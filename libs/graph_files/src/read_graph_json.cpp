@@ -4,6 +4,7 @@
 
 #include "roomgraph/base/InputFile.h"
 #include "roomgraph/base/Json.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/read_document.h"
 #include "roomgraph/geometry/point_json.h"
 #include "roomgraph/rooms/reason_names.h"
@@ -11,6 +12,21 @@
 
 namespace roomgraph {
 namespace {
+
+/** Things that each carry their place in the list as their id. */
+template <class Read>
+auto readNumbered(const std::vector<JsonNode>& nodes, const Read& read) {
+  std::size_t place = 0;
+  return mapped(nodes, [&](const JsonNode& node) {
+    node.checkId(place++);
+    return read(node);
+  });
+}
+
+template <class ThingId>
+std::vector<ThingId> readIds(const JsonNode& node, std::size_t size) {
+  return mapped(node.list(), [&](const JsonNode& one) { return readId<ThingId>(one, size); });
+}
 
 GraphFile::Input readInput(const JsonNode& node) {
   GraphFile::Input input;
@@ -82,29 +98,21 @@ GraphRoom readRoom(const JsonNode& node, std::size_t vertexCount) {
   room.shape.inscribedRadius = node["inscribed_radius"].number();
   room.center = readPoint(node["center"]);
   room.vertex = readIdOrNone<VertexId>(node["vertex"], vertexCount);
-  for (const JsonNode& border : node["border_vertices"].list())
-    room.borderVertices.push_back(readId<VertexId>(border, vertexCount));
+  room.borderVertices = readIds<VertexId>(node["border_vertices"], vertexCount);
   return room;
 }
 
 RoomGraph readGraph(const JsonNode& top) {
   const auto vertexNodes = top["vertices"].list(), edgeNodes = top["edges"].list(),
              roomNodes = top["rooms"].list();
-  std::vector<Vertex> vertices;
-  for (const JsonNode& node : vertexNodes) {
-    node.checkId(vertices.size());
-    vertices.push_back(readVertex(node, roomNodes.size()));
-  }
-  std::vector<Edge> edges;
-  for (const JsonNode& node : edgeNodes) {
-    node.checkId(edges.size());
-    edges.push_back(readEdge(node, vertices.size(), roomNodes.size()));
-  }
+  const std::size_t vertexCount = vertexNodes.size(), roomCount = roomNodes.size();
+  auto vertices =
+      readNumbered(vertexNodes, [&](const JsonNode& node) { return readVertex(node, roomCount); });
+  auto edges = readNumbered(
+      edgeNodes, [&](const JsonNode& node) { return readEdge(node, vertexCount, roomCount); });
   RoomGraph result;
-  for (const JsonNode& node : roomNodes) {
-    node.checkId(result.rooms.size());
-    result.rooms.push_back(readRoom(node, vertices.size()));
-  }
+  result.rooms =
+      readNumbered(roomNodes, [&](const JsonNode& node) { return readRoom(node, vertexCount); });
   result.graph = TopologyGraph(std::move(vertices), std::move(edges));
   return result;
 }
@@ -117,8 +125,7 @@ Area readArea(const JsonNode& node, std::size_t roomCount, std::size_t passageCo
   area.polygon = readPolygon(node);
   area.widestPlace = readPoint(node["widest_place"]);
   area.inscribedRadius = node["inscribed_radius"].number();
-  for (const JsonNode& passage : node["passages"].list())
-    area.passages.push_back(readId<PassageId>(passage, passageCount));
+  area.passages = readIds<PassageId>(node["passages"], passageCount);
   return area;
 }
 
@@ -151,14 +158,11 @@ AreaGraph readAreas(const JsonNode& top, std::size_t roomCount) {
   AreaGraph graph;
   if (!top.contains("areas") && !top.contains("passages")) return graph;
   const auto areaNodes = top["areas"].list(), passageNodes = top["passages"].list();
-  for (const JsonNode& node : areaNodes) {
-    node.checkId(graph.areas.size());
-    graph.areas.push_back(readArea(node, roomCount, passageNodes.size()));
-  }
-  for (const JsonNode& node : passageNodes) {
-    node.checkId(graph.passages.size());
-    graph.passages.push_back(readPassage(node, areaNodes.size()));
-  }
+  graph.areas = readNumbered(areaNodes, [&](const JsonNode& node) {
+    return readArea(node, roomCount, passageNodes.size());
+  });
+  graph.passages = readNumbered(
+      passageNodes, [&](const JsonNode& node) { return readPassage(node, areaNodes.size()); });
   return graph;
 }
 
@@ -184,7 +188,7 @@ GraphFile readTop(const JsonNode& top) {
       if (node.contains("name")) file.areaNames.push_back(node["name"].text());
   if (!file.areaNames.empty() && file.areaNames.size() != file.areas.areas.size())
     throw Broken{"areas", "have names, but not all of them"};
-  for (const JsonNode& node : top["notes"].list()) file.notes.push_back(readNote(node));
+  file.notes = mapped(top["notes"].list(), readNote);
   return file;
 }
 

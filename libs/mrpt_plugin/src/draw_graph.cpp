@@ -189,15 +189,8 @@ Sheet makeSheet(const MappedGraph& graph) {
 }
 
 std::uint8_t greyOf(State state) {
-  switch (state) {
-    case State::free:
-      return kFreeGrey;
-    case State::occupied:
-      return kOccupiedGrey;
-    case State::unknown:
-      break;
-  }
-  return kUnknownGrey;
+  if (state == State::unknown) return kUnknownGrey;
+  return state == State::free ? kFreeGrey : kOccupiedGrey;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "roomgraph/drawing/ink.h"
 #include "roomgraph/topology/TopologyGraph.h"
@@ -21,26 +22,16 @@ constexpr std::uint8_t kFreeGrey = 255, kUnknownGrey = 205, kOccupiedGrey = 45;
 
 /** A vertex by its kind. */
 constexpr Colour vertexColour(VertexKind kind) {
-  switch (kind) {
-    case VertexKind::junction:
-      return ink::blue;
-    case VertexKind::deadEnd:
-      return ink::orange;
-    case VertexKind::border:
-      return ink::vermilion;
-    case VertexKind::room:
-      return {0, 110, 82};
-    case VertexKind::ring:
-      return {160, 80, 150};
-  }
-  return {};
+  constexpr Colour kinds[] = {ink::blue, ink::orange, ink::vermilion, {0, 110, 82}, {160, 80, 150}};
+  static_assert(std::size(kinds) == std::size_t(VertexKind::ring) + 1);
+  return kinds[std::size_t(kind)];
 }
 
 /** The floor of a room by its id; neighbouring ids differ. */
 constexpr Colour roomColour(std::size_t room) {
   constexpr Colour floors[] = {{190, 224, 205}, {250, 222, 178}, {196, 214, 240}, {244, 205, 212},
                                {222, 232, 176}, {221, 206, 236}, {184, 226, 228}, {240, 218, 200}};
-  return floors[room % (sizeof floors / sizeof floors[0])];
+  return floors[room % std::size(floors)];
 }
 
 }  // namespace roomgraph
