@@ -9,6 +9,7 @@
 #include "file_authors.h"
 #include "output_names.h"
 #include "roomgraph/base/Error.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/printable.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/check/check_run.h"
@@ -71,9 +72,8 @@ void check(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   if (!arguments.format.empty() && arguments.format != "mola")
     throw UsageError("repair: there is no format '" + arguments.format + "': --format takes mola");
-  std::vector<std::string> extensions;
-  for (const char* kind : {"tum", "gridmap.gz", "yaml", "pgm"})
-    extensions.push_back(std::string("repaired.") + kind);
+  std::vector<std::string> extensions{"repaired.tum", "repaired.gridmap.gz", "repaired.yaml",
+                                      "repaired.pgm"};
   if (!arguments.format.empty()) extensions.emplace_back("loop_constraints.yaml");
   CallFiles files = filesReadBy(site.files, site.options);
   files.reads(site.reference);
@@ -94,8 +94,7 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
   if (repaired.state == RepairState::mended)
     line += formatted(", moved by up to %.2f m at key frame %zu", repaired.movedMost,
                       repaired.movedMostAt);
-  std::vector<std::string> stretches;
-  for (const KeyFrames& stretch : repaired.unseen) stretches.push_back(stretch.text());
+  const std::vector<std::string> stretches = mapped(repaired.unseen, &KeyFrames::text);
   if (!stretches.empty())
     line += "; key frames " + listed(stretches, 3) + " were " + unseen +
             " and keep their pose relative to their neighbours";

@@ -79,8 +79,7 @@ std::string Comparison::faultOfReference(const ComparedRun& run) const {
   if (!run.score || run.score->fitsReference()) return "";
   return formatted(
       "%.0f %% of what it and the reference found of each other contradicts the rest: the "
-      "reference "
-      "may be broken itself",
+      "reference may be broken itself",
       100 * run.score->givenUp);
 }
 

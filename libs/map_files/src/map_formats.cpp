@@ -27,8 +27,7 @@ GreyMap readBareImage(CheckedFile& file, const LoadGridOptions& options) {
     map.notes.push_back({"assumed_resolution",
                          formatted("a picture does not say how large it is: read at %g m per cell, "
                                    "the default of --resolution",
-                                   options.resolution),
-                         std::nullopt});
+                                   options.resolution)});
   return map;
 }
 

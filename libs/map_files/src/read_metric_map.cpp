@@ -258,8 +258,7 @@ GreyMap slicedLayer(ByteReader& reader, const Layer& layer, const LoadGridOption
            "give it a layer with a grid");
   refuseEmptySlice(slice, reader.file());
   GreyMap map = gridOfPoints(points, slice, options.resolution, reader.file());
-  map.notes.push_back(
-      {"slice", "its points are cut: " + sliceText(slice) + " (see --slice)", std::nullopt});
+  map.notes.push_back({"slice", "its points are cut: " + sliceText(slice) + " (see --slice)"});
   return map;
 }
 
@@ -281,10 +280,8 @@ GreyMap readMetricMap(CheckedFile& file, const LoadGridOptions& options) {
   object.skip(layer.at);
   GreyMap map = isGrid(layer) ? readGridmapObject(object) : slicedLayer(object, layer, options);
   if (layers.size() > 1)
-    map.notes.push_back(
-        {"layer",
-         "its layer '" + layer.name + "' is read, of " + namesOf(layers) + " (see --layer)",
-         std::nullopt});
+    map.notes.push_back({"layer", "its layer '" + layer.name + "' is read, of " + namesOf(layers) +
+                                      " (see --layer)"});
   return map;
 }
 

@@ -127,14 +127,12 @@ void applyMode(const RosMapYaml& ros, GreyMap& map) {
     map.notes.push_back({"default_thresholds",
                          formatted("it does not name both occupied_thresh and free_thresh: read "
                                    "with %g and %g",
-                                   ros.occupiedAbove, ros.freeBelow),
-                         std::nullopt});
+                                   ros.occupiedAbove, ros.freeBelow)});
   if (isSavedByHumble(ros, map.grey)) {
     map.freeBelow = RosMapYaml().freeBelow;
     map.notes.push_back({"humble_thresholds",
                          "its free_thresh 0.25 would make its grey of unknown cells, 205, free, as "
-                         "the map_saver of ROS 2 Humble writes it: read with free_thresh 0.196",
-                         std::nullopt});
+                         "the map_saver of ROS 2 Humble writes it: read with free_thresh 0.196"});
   }
   if (ros.mode == "raw")
     applyRaw(map);
@@ -156,8 +154,7 @@ GreyMap inMapFrame(const RosMapYaml& ros, GreyMap map, const std::string& file) 
   map.notes.push_back(
       {"turned",
        formatted("its origin has a yaw of %.6g degrees: the cells are turned into the map frame",
-                 ros.yaw * 180 / M_PI),
-       std::nullopt});
+                 ros.yaw * 180 / M_PI)});
   return map;
 }
 

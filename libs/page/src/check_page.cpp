@@ -154,8 +154,7 @@ std::string doubledHtml(const RunCheck& check, const Run& run) {
   if (check.doubled.empty())
     return html +
            "<p class=\"none\">Of what was seen twice nothing that no break explains is drawn in "
-           "two "
-           "places.</p>\n</section>\n";
+           "two places.</p>\n</section>\n";
   html += kColoursHint;
   for (std::size_t i = 0; i < check.doubled.size(); ++i) {
     const DoubledPlace& place = check.doubled[i];
@@ -199,10 +198,8 @@ std::string evidenceHtml(const RunCheck& check) {
 std::string mapHtml(const RunCheck& check, const Run& run) {
   const char* path =
       "Its path: grey where it was driven once; else green where it agrees with itself within 0.1 "
-      "m, "
-      "then yellow to 0.3 m, orange to 1 m, red beyond. A red ring is a break, a line joins the "
-      "two "
-      "places of what is drawn twice. ";
+      "m, then yellow to 0.3 m, orange to 1 m, red beyond. A red ring is a break, a line joins the "
+      "two places of what is drawn twice. ";
   return std::string("<section id=\"site\"><h2>Map</h2>\n<p class=\"hint\">") +
          (run.scans.empty() ? "" : path) +
          "Walls in orange stand before others that face alike.</p>\n" + mapPicture(check, run) +

@@ -142,8 +142,10 @@ std::string pageCounts(const Comparison& comparison) {
 
 std::vector<std::string> pageSummary(const Comparison& comparison) {
   std::vector<std::string> sentences;
-  const std::string navigation = navigationWord(comparison);
-  if (!navigation.empty()) sentences.push_back(navigation);
+  const auto add = [&](const std::string& sentence) {
+    if (!sentence.empty()) sentences.push_back(sentence);
+  };
+  add(navigationWord(comparison));
   if (comparison.gate) sentences.push_back(gateSentence(*comparison.gate));
   if (!comparison.runs.empty() && comparison.runs[0].score && comparison.runs.size() > 2)
     sentences.push_back("Why " + comparison.runs[0].name + ": " + comparison.runs[0].reason + ".");
@@ -153,12 +155,9 @@ std::vector<std::string> pageSummary(const Comparison& comparison) {
     sentences.push_back("The consensus is that of " +
                         counted(comparison.core.size(), "run", "runs") +
                         ", the core; each other run is held against it.");
-  const std::string breaks = breaksSentence(comparison);
-  if (!breaks.empty()) sentences.push_back(breaks);
-  const std::string gone = goneSentence(comparison);
-  if (!gone.empty()) sentences.push_back(gone);
-  const std::string doubt = doubtSentence(comparison);
-  if (!doubt.empty()) sentences.push_back(doubt);
+  add(breaksSentence(comparison));
+  add(goneSentence(comparison));
+  add(doubtSentence(comparison));
   if (!comparison.leftOut.empty()) {
     const auto names = mapped(comparison.leftOut, &LeftOutRun::name);
     sentences.push_back(counted(names.size(), "file is", "files are") +

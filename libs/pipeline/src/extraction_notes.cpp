@@ -38,8 +38,7 @@ void noteNarrowRegions(const Stages& s, Notes& notes) {
       {"narrow_regions",
        formatted("%td regions narrower than %.2f m are not closed by doors and count as corridor: "
                  "--set split_at_doors.open_room_width=%.2g makes rooms of them",
-                 count, options.openRoomWidth, options.minRoomWidth),
-       std::nullopt});
+                 count, options.openRoomWidth, options.minRoomWidth)});
 }
 
 /** Slivers between single beams, hundreds on some maps, are not worth a word. */
@@ -87,9 +86,7 @@ Notes extractionNotes(const Stages& s) {
   const bool isOpen = s.result.rooms.empty() && runsOut(s.grid);
   if (!isEmpty) noteHalfSeen(s, notes);
   if (!isEmpty && !isOpen) noteNarrowRegions(s, notes);
-  const auto note = [&](const char* code, const char* text) {
-    notes.push_back({code, text, std::nullopt});
-  };
+  const auto note = [&](const char* code, const char* text) { notes.push_back({code, text}); };
   if (!s.grid.has(State::free))
     note("no_free_cell", "the map has no free cell, so its graph is empty");
   else if (s.obstacles.cells.empty())

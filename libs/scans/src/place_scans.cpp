@@ -147,7 +147,7 @@ Slice wholePlane() {
 }
 
 void addNote(PlacedScans& placed, const char* code, const std::string& text) {
-  placed.notes.push_back({code, text, std::nullopt});
+  placed.notes.push_back({code, text});
 }
 
 PlacedScan& addPlaced(PlacedScans& placed, const Recording& recording, std::size_t keyFrame,
