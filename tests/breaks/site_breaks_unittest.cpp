@@ -115,6 +115,17 @@ TEST(SiteBreaks, aStepThatTheScansHoldAsItWasDrawnIsNone) {
   EXPECT_TRUE(site.breaks()[1].empty());
 }
 
+TEST(SiteBreaks, aSlightOneIsBorneOutByTheScansOnBothSides) {
+  const std::vector<Keyframe> frames = test::driveForthAndBack();
+  const Way truth = test::posesOf(frames), torn = test::torn(truth, 18, 0.06, {});
+  for (const bool isTorn : {true, false}) {
+    DrivenSite site({truth, isTorn ? torn : truth, truth}, {truth, isTorn ? truth : torn, truth});
+    EXPECT_TRUE(site.breaks()[1].empty()) << "of scans that show nothing";
+    site.runs[1].scans = test::runOf(test::broken(frames, 18, isTorn ? 0.06 : 0, {})).scans;
+    EXPECT_EQ(site.breaks()[1].size(), isTorn ? 1u : 0u);
+  }
+}
+
 TEST(SiteBreaks, soundAndSlowlyDriftingRunsHaveNone) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3), roundTheBlock(0.6)};
   const DrivenSite site({truth[0], test::drifting(truth[1], 0.003), truth[2]}, truth);

@@ -55,17 +55,23 @@ class BreakSearch {
     const std::vector<LocalScan> scans = localScans(run.scans);
     const std::vector<Transform2D> drawn = drawnPoses(run.scans);
     std::vector<MapBreak> breaks;
-    for (const ScanBreak& one : found)
-      if (!isHeld(one, scans, drawn)) breaks.push_back(breakOf(one));
+    for (const ScanBreak& one : found) {
+      MapBreak tear = breakOf(one);
+      if (isLikely(one, tear.kind(), scans, drawn)) breaks.push_back(std::move(tear));
+    }
     return breaks;
   }
 
-  /** Whether the scans on both sides of a step hold it as it was drawn: where a run bends little by
-   *  little, the consensus lets single steps give way. */
-  bool isHeld(const ScanBreak& found, const std::vector<LocalScan>& scans,
-              const std::vector<Transform2D>& drawn) const {
+  /** Not where the scans on both sides of a step hold it as it was drawn: where a run bends little
+   *  by little, the consensus lets single steps give way. There slight breaks come and go, so those
+   *  count that these scans bear out. */
+  bool isLikely(const ScanBreak& found, BreakClass kind, const std::vector<LocalScan>& scans,
+                const std::vector<Transform2D>& drawn) const {
     const std::size_t k = found.behind;
-    return k == found.before + 1 && isRefuted(scans, drawn, k, poseOf(k - 1).inverse() * poseOf(k));
+    if (k != found.before + 1) return true;
+    const Transform2D step = poseOf(k - 1).inverse() * poseOf(k);
+    return kind == BreakClass::slight ? isBorneOut(scans, drawn, k, step)
+                                      : !isRefuted(scans, drawn, k, step);
   }
 
   /** Where a scan lies in the consensus. */

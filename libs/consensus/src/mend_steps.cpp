@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "fitted_consensus.h"
@@ -51,16 +52,32 @@ class Mender {
     return std::move(result_);
   }
 
-  bool refutes(std::size_t k, const Transform2D& other, RefutedBy by) {
+  /** How the scans on both sides of a step fit, as it was drawn and with another one. */
+  struct StepFits {
+    ScanFit drawn, other;
+  };
+
+  std::optional<StepFits> fitsOf(std::size_t k, const Transform2D& other) {
     result_.poses = drawn_;
     drawAhead(k);
-    if (ahead_.walls.empty() || !scans_[k].isTelling()) return false;
+    if (ahead_.walls.empty() || !scans_[k].isTelling()) return std::nullopt;
     const StepView view = viewOf(k);
-    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k]));
-    const ScanFit fit = weighed(k, view, asDrawn(view.after, ahead_, drawn_[k - 1] * other));
-    return drawn.quality >= kMajority &&
-           (drawn.score - fit.score > kClearSlip.leastGain ||
+    const auto fitAs = [&](const Transform2D& pose) {
+      return weighed(k, view, asDrawn(view.after, ahead_, pose));
+    };
+    return StepFits{fitAs(drawn_[k]), fitAs(drawn_[k - 1] * other)};
+  }
+
+  bool refutes(std::size_t k, const Transform2D& other, RefutedBy by) {
+    const auto fits = fitsOf(k, other);
+    return fits && fits->drawn.quality >= kMajority &&
+           (fits->drawn.score - fits->other.score > kClearSlip.leastGain ||
             (by == RefutedBy::wallsOrGait && !gait_.isLikely(other, k)));
+  }
+
+  bool bearsOut(std::size_t k, const Transform2D& other) {
+    const auto fits = fitsOf(k, other);
+    return fits && fits->other.score - fits->drawn.score > kSlip.leastGain;
   }
 
  private:
@@ -270,6 +287,11 @@ MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Tra
 bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                std::size_t k, const Transform2D& step, RefutedBy by) {
   return Mender(scans, drawn, {}).refutes(k, step, by);
+}
+
+bool isBorneOut(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+                std::size_t k, const Transform2D& step) {
+  return Mender(scans, drawn, {}).bearsOut(k, step);
 }
 
 }  // namespace roomgraph

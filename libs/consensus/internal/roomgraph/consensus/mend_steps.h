@@ -48,4 +48,9 @@ enum class RefutedBy { walls, wallsOrGait };
 bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                std::size_t k, const Transform2D& step, RefutedBy by = RefutedBy::wallsOrGait);
 
+/** Whether the scans on both sides of the step to scan `k`, of at least 1, fit clearly better with
+ *  `step` (scan k - 1 <- scan k) than as it was drawn. O(scans + cells around a few scans). */
+bool isBorneOut(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+                std::size_t k, const Transform2D& step);
+
 }  // namespace roomgraph
