@@ -39,8 +39,8 @@ TEST(ConsensusDocument, saysWhatThePosesCost) {
              kMatchNoise.turn, kMatchWidth, kMatchWeight);
   expectSaid("| same scan in two runs | %g m | %g rad | Cauchy, %g | %g |", kMatchNoise.place / 2,
              kMatchNoise.turn / 2, kMatchWidth, 2 * kMatchWeight);
-  expectSaid("| scale of the links of a run | %g %% | | Cauchy, 1 | 1 |", 100 * kUsualScale);
-  expectSaid("differs from it by %g %% or more", 100 * kUsualScale);
+  expectSaid("| stretch of the links of a run | %g %% | | Cauchy, 1 | 1 |", 100 * kUsualStretch);
+  expectSaid("differs from it by %g %% or more", 100 * kUsualStretch);
   expectSaid("| | %g rad | Tukey, %g | up to 1 |", kAxesTurn, kAxesWidth);
   expectSaid("of %zu scans and of the %zu that follow after a gap of %zu differ", kBesideTurn,
              kBesideTurn, 2 * kAcrossTurn);

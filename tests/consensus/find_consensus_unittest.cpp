@@ -50,7 +50,7 @@ TEST(FindConsensus, theErrorOfAWrongScaleIsToldInFull) {
   three.drawn[1] = test::scaled(three.truth[1], 1.04);
   const PoseGraph graph = three.graph();
   const ConsensusPoses found = findConsensus(graph);
-  EXPECT_NEAR(found.scales[RunId(1)], 1 / 1.04, 0.002);
+  EXPECT_NEAR(found.stretches[RunId(1)], 1 / 1.04, 0.002);
   const auto errors = mapErrors(graph, found.best);
   EXPECT_LT(errors[RunId(0)].error, 0.02);
   EXPECT_LT(errors[RunId(2)].error, 0.02);
@@ -58,12 +58,23 @@ TEST(FindConsensus, theErrorOfAWrongScaleIsToldInFull) {
   EXPECT_NEAR(errors[RunId(1)].error, really, 0.05 * really);
 }
 
+TEST(FindConsensus, aThirdRunThatNothingWasFoundOfShowsNoScale) {
+  ThreeMatched three;
+  three.drawn = three.truth;
+  three.drawn[1] = test::scaled(three.truth[1], 1.04);
+  const PoseGraph graph =
+      test::withMatches(three.graph(), [](const MatchGroup& group, const PoseEdge&, std::size_t) {
+        return group.from != RunId(2) && group.to != RunId(2);
+      });
+  for (const double stretch : findConsensus(graph).stretches) EXPECT_EQ(stretch, 1);
+}
+
 TEST(FindConsensus, aRunThatIsTornFarIsNoLargerOne) {
   for (const double turn : {1.2, 2.2, 3.1}) {
     ThreeMatched three;
     three.drawn[1] = three.truth[1];
     three.drawn[2] = test::torn(three.truth[2], 30, turn, {});
-    for (const double scale : findConsensus(three.graph()).scales) EXPECT_NEAR(scale, 1, 0.002);
+    for (const double scale : findConsensus(three.graph()).stretches) EXPECT_NEAR(scale, 1, 0.002);
   }
 }
 
@@ -101,7 +112,7 @@ TEST(FindConsensus, ofManyRunsEachHasTheScaleOfTheOthers) {
   const PoseGraph graph = test::matchedPoseGraph(many.drawn, many.truth);
   const ConsensusPoses found = findConsensus(graph);
   EXPECT_LT(test::misplaced(found.best, many.truth), 0.01);
-  EXPECT_NEAR(found.scales[RunId(5)], 1 / 0.97, 0.003);
+  EXPECT_NEAR(found.stretches[RunId(5)], 1 / 0.97, 0.003);
 }
 
 /** Whether the second run lies exactly as it was drawn. */

@@ -18,7 +18,7 @@ Consensus consensusOf(const std::vector<double>& scales) {
   Consensus consensus;
   consensus.graph = test::drawnPoseGraph(drawn);
   for (const RunId run : consensus.graph.runs.ids())
-    consensus.graph.setScale(run, 1 / scales[run.index()]);
+    consensus.graph.setStretch(run, 1 / scales[run.index()]);
   consensus.poses = test::posesOf(truth);
   consensus.errors = mapErrors(consensus.graph, consensus.poses);
   for (MapError& one : consensus.errors) one.seen = 1, one.low = 0, one.high = 0.02;
@@ -50,6 +50,15 @@ TEST(RunScales, aMajorityOfAnotherScaleIsNotRightForBeingOne) {
 
 TEST(RunScales, ofThreeRunsEitherSideMayBeRight) {
   EXPECT_EQ(setsOf(consensusOf({1.01, 1.01, 0.99})), (Sets{kLarge, kLarge, kSmall}));
+}
+
+TEST(RunScales, ofTwoThatAreConfirmedNothingIsTold) {
+  Consensus consensus = consensusOf({1, 1, 1});
+  consensus.graph.setStretch(RunId(1), 1 / 1.04);
+  consensus.errors[RunId(2)].confirmed = 0.2;
+  tellScales(consensus);
+  EXPECT_EQ(setsOf(consensus), Sets(3, kOne));
+  EXPECT_EQ(consensus.errors[RunId(1)].scale, 1);
 }
 
 TEST(RunScales, oneRunOfManyIsOutvoted) {

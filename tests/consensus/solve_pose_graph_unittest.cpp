@@ -49,8 +49,8 @@ TEST(SolvePoseGraph, theLinksOfARunHaveTheScaleOfTheOthers) {
     const PoseGraph graph =
         test::matchedPoseGraph({truth[0], test::scaled(truth[1], scale), truth[2]}, truth);
     const auto found = solve(graph, graph.ownPoses());
-    EXPECT_NEAR(found.scales[RunId(0)], 1, 0.002);
-    EXPECT_NEAR(found.scales[RunId(1)], 1 / scale, 0.003);
+    EXPECT_NEAR(found.stretches[RunId(0)], 1, 0.002);
+    EXPECT_NEAR(found.stretches[RunId(1)], 1 / scale, 0.003);
     EXPECT_LT(test::misplaced(found.poses, truth), 0.02);
   }
 }
@@ -60,17 +60,18 @@ TEST(SolvePoseGraph, scalesGoOnFromThoseThatTheLinksHave) {
   PoseGraph graph =
       test::matchedPoseGraph({truth[0], test::scaled(truth[1], 1.05), truth[2]}, truth);
   const auto first = solve(graph, graph.ownPoses());
-  for (const RunId run : graph.runs.ids()) graph.setScale(run, first.scales[run]);
+  for (const RunId run : graph.runs.ids()) graph.setStretch(run, first.stretches[run]);
   const auto second = solve(graph, first.poses, StartIs::good);
-  for (const RunId run : graph.runs.ids()) EXPECT_NEAR(second.scales[run], first.scales[run], 1e-4);
+  for (const RunId run : graph.runs.ids())
+    EXPECT_NEAR(second.stretches[run], first.stretches[run], 1e-4);
 }
 
 TEST(SolvePoseGraph, ofTwoRunsNoScaleShowsButAgainstAReference) {
   const std::vector<Way> truth{roundTheBlock(), roundTheBlock(0.3)};
   PoseGraph graph = test::matchedPoseGraph({truth[0], test::scaled(truth[1], 1.05)}, truth);
-  EXPECT_EQ(solve(graph, graph.ownPoses()).scales[RunId(1)], 1);
+  EXPECT_EQ(solve(graph, graph.ownPoses()).stretches[RunId(1)], 1);
   graph.reference = RunId(0);
-  EXPECT_NEAR(solve(graph, graph.ownPoses()).scales[RunId(1)], 1 / 1.05, 0.002);
+  EXPECT_NEAR(solve(graph, graph.ownPoses()).stretches[RunId(1)], 1 / 1.05, 0.002);
 }
 
 TEST(SolvePoseGraph, theReferenceDoesNotMove) {

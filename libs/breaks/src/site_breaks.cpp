@@ -62,15 +62,15 @@ class BreakSearch {
     return breaks;
   }
 
-  /** Not where the scans on both sides of a step hold it as it was drawn: where a run bends little
-   *  by little, the consensus lets single steps give way. There slight breaks come and go, so those
-   *  count that these scans bear out. */
+  /** False where the scans on both sides of a step hold it as it was drawn: where a run bends
+   *  little by little, the consensus lets single steps give way. Slight breaks come and go there:
+   *  true of those only with which these scans fit better. */
   bool isLikely(const ScanBreak& found, BreakClass kind, const std::vector<LocalScan>& scans,
                 const std::vector<Transform2D>& drawn) const {
     const std::size_t k = found.behind;
     if (k != found.before + 1) return true;
     const Transform2D step = poseOf(k - 1).inverse() * poseOf(k);
-    return kind == BreakClass::slight ? isBorneOut(scans, drawn, k, step)
+    return kind == BreakClass::slight ? fitsBetter(scans, drawn, k, step)
                                       : !isRefuted(scans, drawn, k, step);
   }
 

@@ -81,7 +81,7 @@ RunId PoseGraph::addRun(bool hasScans) {
 RunId PoseGraph::addRun(const PoseGraph& other, RunId run) {
   const GraphRun& theirs = other.runs[run];
   const RunId id = addRun(theirs.hasScans);
-  runs[id].scale = theirs.scale;
+  runs[id].stretch = theirs.stretch;
   const std::size_t firstNode = nodes.size(), firstLink = edges.size();
   const auto ours = [&](NodeId node) { return NodeId(firstNode + theirs.nodes.placeOf(node)); };
   for (const NodeId node : theirs.nodes) {
@@ -121,15 +121,15 @@ void PoseGraph::addGroup(MatchGroup group, const std::vector<PoseEdge>& matches)
   }
 }
 
-bool PoseGraph::showsScale(RunId run) const {
+bool PoseGraph::showsStretch(RunId run) const {
   return runs[run].hasScans && run != reference && (reference || runs.size() > kFewestOthers);
 }
 
-void PoseGraph::setScale(RunId run, double scale) {
-  const double by = scale / runs[run].scale;
+void PoseGraph::setStretch(RunId run, double stretch) {
+  const double by = stretch / runs[run].stretch;
   for (const PoseEdgeId link : runs[run].links)
     edges[link].measured.x *= by, edges[link].measured.y *= by;
-  runs[run].scale = scale;
+  runs[run].stretch = stretch;
 }
 
 NodePoses PoseGraph::ownPoses() const {

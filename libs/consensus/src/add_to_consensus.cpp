@@ -46,7 +46,7 @@ AddedToConsensus addToConsensus(const PoseGraph& graph, RunId added,
   AddedToConsensus result;
   const RunId own(1);
   for (const NodeId node : beside.runs[own].nodes) result.poses.push_back(found.best[node]);
-  result.scale = found.scales[own];
+  result.stretch = found.stretches[own];
   result.slack = found.trust.slack[own];
   result.error = mapError(beside, own, found.best, others.size());
   return result;

@@ -56,7 +56,7 @@ CoarseGraph coarseGraph(const PoseGraph& graph) {
       const NodeId from = coarseOf(graph.edges[link].from), to = coarseOf(graph.edges[link].to);
       if (from != to) coarse.graph.addLink(from, to, graph.edges[link].share);
     }
-    coarse.graph.setScale(id, run.scale);
+    coarse.graph.setStretch(id, run.stretch);
   }
   // coarse node <- node, by the run's own poses
   const auto within = [&](NodeId node) {

@@ -36,9 +36,9 @@ double reachOf(const PoseGraph& graph, RunId run) {
   return std::sqrt(std::max(0.0, squares / count - squaredNorm((1 / count) * sum)));
 }
 
-/** Where the scales, ascending, fall into two sets: the place of the first of the larger ones. */
+/** Where three scales or more, ascending, fall into two sets: the place of the first of the larger
+ *  ones. */
 std::optional<std::size_t> splitOf(const std::vector<DrawnScale>& scales) {
-  if (scales.size() <= kFewestOthers) return std::nullopt;
   const auto gapBefore = [&](std::size_t i) { return scales[i].scale - scales[i - 1].scale; };
   std::size_t split = 1;
   for (std::size_t i = 2; i < scales.size(); ++i)
@@ -47,7 +47,7 @@ std::optional<std::size_t> splitOf(const std::vector<DrawnScale>& scales) {
   const double within = std::max(scales[split - 1].scale - scales.front().scale,
                                  scales.back().scale - scales[split].scale);
   const std::size_t smaller = std::min(split, scales.size() - split);
-  if (gap < fitted::kUsualScale || within > kOfTheGap * gap) return std::nullopt;
+  if (gap < fitted::kUsualStretch || within > kOfTheGap * gap) return std::nullopt;
   if (smaller == 1 && scales.size() > kFewestOthers + 1) return std::nullopt;
   return split;
 }
@@ -149,15 +149,18 @@ double squaredAlone(const Walls& walls, const Transform2D& to, const Transform2D
 void tellScales(Consensus& consensus) {
   std::vector<DrawnScale> scales;
   for (const RunId run : consensus.graph.runs.ids()) {
-    MapError& error = consensus.errors[run];
-    error.scale = 1 / consensus.graph.runs[run].scale;
-    if (consensus.graph.showsScale(run) && error.seen > 0 && error.confirmed >= kMajority)
-      scales.push_back({run, error.scale, reachOf(consensus.graph, run)});
+    const MapError& error = consensus.errors[run];
+    const double scale = 1 / consensus.graph.runs[run].stretch;
+    if (consensus.graph.showsStretch(run) && error.seen > 0 && error.confirmed >= kMajority)
+      scales.push_back({run, scale, reachOf(consensus.graph, run)});
   }
+  if (!consensus.graph.reference && scales.size() <= kFewestOthers) return;
+  for (const DrawnScale& one : scales) consensus.errors[one.run].scale = one.scale;
   std::stable_sort(scales.begin(), scales.end(),
                    [](const DrawnScale& l, const DrawnScale& r) { return l.scale < r.scale; });
+  if (consensus.graph.reference) return;
   const auto split = splitOf(scales);
-  if (consensus.graph.reference || !split) return;
+  if (!split) return;
   const double small = meanOf(scales, 0, *split), large = meanOf(scales, *split, scales.size());
   for (std::size_t i = 0; i < scales.size(); ++i) {
     MapError& error = consensus.errors[scales[i].run];

@@ -12,6 +12,7 @@
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/solve_pose_graph.h"
+#include "roomgraph/relate/PairBend.h"
 #include "start_poses.h"
 
 namespace roomgraph {
@@ -35,31 +36,39 @@ PoseGraphSolution solvedCoarsely(const PoseGraph& graph, const CoarseGraph& coar
   return found;
 }
 
-/** The graph with the links of those runs lengthened or shortened whose scale is not that of the
- *  reference, or of the run in the middle. That of the whole site does not show: noise makes it
- *  shrink. */
-PoseGraph scaled(PoseGraph graph, const ById<RunId, double>& found) {
-  std::vector<double> shown;
+/** Which runs others show the place of. */
+ById<RunId, bool> joinedRuns(const PoseGraph& graph, const ById<MatchGroupId, double>& belief) {
+  ById<RunId, bool> isJoined(graph.runs.size());
+  for (const MatchGroupId id : graph.groups.ids()) {
+    const MatchGroup& group = graph.groups[id];
+    if (group.from != group.to && belief[id] > kGivenUp)
+      isJoined[group.from] = isJoined[group.to] = true;
+  }
+  return isJoined;
+}
+
+/** The graph with the links of those runs longer or shorter that need it to lie as the reference
+ *  does, or the run in the middle of at least three. How large the whole site is does not show:
+ *  noise makes it shrink. */
+PoseGraph stretched(PoseGraph graph, const ById<MatchGroupId, double>& belief,
+                    const ById<RunId, double>& found) {
+  const ById<RunId, bool> isJoined = joinedRuns(graph, belief);
+  const auto isTold = [&](RunId run) { return isJoined[run] && graph.showsStretch(run); };
+  std::vector<double> told;
   for (const RunId run : graph.runs.ids())
-    if (graph.showsScale(run)) shown.push_back(found[run]);
-  const double middle = graph.reference || shown.empty() ? 1 : median(shown);
+    if (isTold(run)) told.push_back(found[run]);
+  const bool areEnough = graph.reference || told.size() > kFewestOthers;
+  const double middle = graph.reference || !areEnough ? 1 : median(told);
   for (const RunId run : graph.runs.ids()) {
-    const double scale = found[run] / middle;
-    const bool isOwn = graph.showsScale(run) && std::abs(scale - 1) >= fitted::kUsualScale;
-    graph.setScale(run, isOwn ? scale : 1);
+    const double stretch = found[run] / middle;
+    const bool isOwn = areEnough && isTold(run) && std::abs(stretch - 1) >= fitted::kUsualStretch;
+    graph.setStretch(run, isOwn ? stretch : 1);
   }
   return graph;
 }
 
-ById<RunId, double> scalesOf(const PoseGraph& graph) {
-  ById<RunId, double> scales;
-  for (const GraphRun& run : graph.runs) scales.add(run.scale);
-  return scales;
-}
-
 struct Solution {
   PoseGraphSolution found;
-  PoseGraph graph;  // with the scales of its runs
   GraphTrust trust;
 };
 
@@ -76,11 +85,10 @@ Solution solvedFrom(const PoseGraph& graph, const std::optional<CoarseGraph>& co
   PoseGraphSolution rough =
       coarse ? solvedCoarsely(graph, *coarse, trust, graph.ownPoses(), start, StartIs::rough)
              : solvePoseGraph(graph, trust, start, StartIs::rough);
-  PoseGraph even = scaled(graph, rough.scales);
+  const PoseGraph even = stretched(graph, trust.belief, rough.stretches);
   moveStretches(even, trust.slack, rough.poses);
   trust.belief = beliefIn(even, rough.poses, kInlier);
-  Solution solution{solvePoseGraph(even, trust, rough.poses, StartIs::good), std::move(even),
-                    trust};
+  Solution solution{solvePoseGraph(even, trust, rough.poses, StartIs::good), trust};
   solution.found.cost +=
       costOfDisbelief(graph, trust.belief) + costOfLeaps(graph, solution.found.poses);
   return solution;
@@ -112,15 +120,15 @@ ConsensusPoses findConsensus(const PoseGraph& graph, const ForEach& forEach) {
   const auto best = std::min_element(
       solutions.begin(), solutions.end(),
       [](const Solution& l, const Solution& r) { return l.found.cost < r.found.cost; });
-  const PoseGraph& even = best->graph;
+  PoseGraph even = graph;
+  for (const RunId run : graph.runs.ids()) even.setStretch(run, best->found.stretches[run]);
   GraphTrust trust{runSlack(even, best->found.poses), best->trust.belief};
   NodePoses start = best->found.poses;
   if (coarse)
     start = solvedCoarsely(even, coarseGraph(even), trust, start, start, StartIs::good).poses;
-  ConsensusPoses result{solvePoseGraph(even, trust, start, StartIs::good).poses,
-                        scalesOf(even),
-                        std::move(trust),
-                        {}};
+  PoseGraphSolution refined = solvePoseGraph(even, trust, start, StartIs::good);
+  ConsensusPoses result{
+      std::move(refined.poses), std::move(refined.stretches), std::move(trust), {}};
   for (auto other = solutions.begin(); other != solutions.end(); ++other)
     if (other != best && other->found.cost <= fitted::kAboutAsGood * best->found.cost)
       result.others.push_back(std::move(other->found.poses));

@@ -30,8 +30,8 @@ constexpr double kMatchWeight = 0.25;
 // how many nodes on either side, and how many in the turn itself.
 constexpr double kAxesTurn = 0.03, kAxesJump = 0.044;
 constexpr std::size_t kBesideTurn = 5, kAcrossTurn = 2;
-// Scales of robots usually differ by less.
-constexpr double kUsualScale = 0.005;
+// The scales of robots usually differ by less.
+constexpr double kUsualStretch = 0.005;
 // Of the kernels, in standard deviations.
 constexpr double kLinkWidth = 3, kMatchWidth = 2, kAxesWidth = 6;
 constexpr int kFirstWidening = 8;  // times as wide are those of links and matches at first

@@ -289,7 +289,7 @@ bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2
   return Mender(scans, drawn, {}).refutes(k, step, by);
 }
 
-bool isBorneOut(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+bool fitsBetter(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                 std::size_t k, const Transform2D& step) {
   return Mender(scans, drawn, {}).bearsOut(k, step);
 }

@@ -58,8 +58,8 @@ class HeldLinks {
         scans_(localScans(run.scans)),
         drawn_(drawnPoses(run.scans)) {}
 
-  /** Where one that has given way is refuted, so is the same motion at others, up to the next tears
-   *  of the run: else it is torn there instead. */
+  /** Those that have given way and are refuted, and others, up to the next tears of the run, at
+   *  which walls refute the same motion: else it is torn there instead. */
   std::vector<PoseEdgeId> held(const std::vector<std::size_t>& tears) const {
     std::vector<PoseEdgeId> held;
     for (std::size_t i = 0; i < tears.size(); ++i) {
@@ -70,6 +70,8 @@ class HeldLinks {
       for (std::size_t k = i > 0 ? tears[i - 1] + 1 : 1; k < end; ++k)
         if (refutes(k, motion, RefutedBy::walls)) held.push_back(linkTo(k));
     }
+    std::sort(held.begin(), held.end());
+    held.erase(std::unique(held.begin(), held.end()), held.end());
     return held;
   }
 

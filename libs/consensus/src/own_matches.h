@@ -34,7 +34,7 @@ std::vector<FoundGroup> ownMatches(const PoseGraph& graph, RunId id, const Run& 
  *  step as it was drawn and refute the one that the consensus has: what was found of the run beyond
  *  them lies in a place that only looks like it. And those where the run may not be torn instead,
  *  as the walls there refute the same motion, up to the next links that give way. None of the
- *  reference and of runs without scans. O(scans * links that give way). */
+ *  reference and of runs without scans. O(scans^2) for each link that gives way. */
 std::vector<PoseEdgeId> heldSteps(const Site& site, const Consensus& consensus,
                                   const ForEach& forEach);
 

@@ -147,7 +147,7 @@ PoseGraph coreOf(const PoseGraph& graph, std::size_t runs) {
 /** What all runs that count agree on, from one or another start. */
 struct Agreement {
   NodePoses poses;
-  ById<RunId, double> scales;
+  ById<RunId, double> stretches;
   ById<RunId, double> slack;
   ById<RunId, MapError> errors;
 };
@@ -160,7 +160,7 @@ std::vector<Agreement> agreementsOf(const PoseGraph& core, const ForEach& forEac
   std::vector<Agreement> agreements;
   for (NodePoses& poses : all) {
     ById<RunId, MapError> errors = mapErrors(core, poses);
-    agreements.push_back({std::move(poses), found.scales, found.trust.slack, std::move(errors)});
+    agreements.push_back({std::move(poses), found.stretches, found.trust.slack, std::move(errors)});
   }
   return agreements;
 }
@@ -182,7 +182,7 @@ void addOthers(Agreement& agreement, const PoseGraph& graph, const ForEach& forE
   });
   for (AddedToConsensus& one : added) {
     for (const Transform2D& pose : one.poses) agreement.poses.add(pose);
-    agreement.scales.add(one.scale);
+    agreement.stretches.add(one.stretch);
     agreement.slack.add(one.slack);
     agreement.errors.add(std::move(one.error));
   }
@@ -204,7 +204,7 @@ void agree(Consensus& consensus, std::size_t core, const ForEach& forEach) {
   Agreement& best = agreements.front();
   for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
   consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
-  for (const RunId run : graph.runs.ids()) graph.setScale(run, best.scales[run]);
+  for (const RunId run : graph.runs.ids()) graph.setStretch(run, best.stretches[run]);
   consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
 }
 

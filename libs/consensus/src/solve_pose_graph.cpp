@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kStageSteps = 3;  // until the kernels are halved
 
-/** The pose of one node in another is as it was measured, but for the scale of its run. */
+/** The pose of one node in another is as it was measured, but for the stretch of its run. */
 class RelativePose : public ceres::SizedCostFunction<3, 3, 3, 1> {
  public:
   RelativePose(const Transform2D& measured, const PoseNoise& noise)
@@ -25,9 +25,9 @@ class RelativePose : public ceres::SizedCostFunction<3, 3, 3, 1> {
     const double *a = poses[0], *b = poses[1];
     const double c = std::cos(a[2]), s = std::sin(a[2]), x = b[0] - a[0], y = b[1] - a[1];
     const double place = 1 / noise_.place, turn = 1 / noise_.turn;
-    const double scale = poses[2][0];
-    residuals[0] = place * (c * x + s * y - scale * measured_.x);
-    residuals[1] = place * (-s * x + c * y - scale * measured_.y);
+    const double stretch = poses[2][0];
+    residuals[0] = place * (c * x + s * y - stretch * measured_.x);
+    residuals[1] = place * (-s * x + c * y - stretch * measured_.y);
     residuals[2] = turn * wrappedAngle(b[2] - a[2] - measured_.phi);
     if (!jacobians) return true;
     if (double* j = jacobians[0]) {
@@ -67,10 +67,10 @@ class AlongAxes : public ceres::SizedCostFunction<1, 3, 1> {
   double turn_;
 };
 
-/** The scale of a run is about that of other robots. */
-ceres::CostFunction* usualScale() {
-  const ceres::Vector one = ceres::Vector::Ones(1);
-  return new ceres::NormalPrior(one.asDiagonal().toDenseMatrix() / fitted::kUsualScale, one);
+/** The links of a run are about as long as drawn. */
+ceres::CostFunction* usualStretch() {
+  return new ceres::NormalPrior(ceres::Matrix::Constant(1, 1, 1 / fitted::kUsualStretch),
+                                ceres::Vector::Ones(1));
 }
 
 /** The direction of each pair of axes [rad]. */
@@ -95,11 +95,11 @@ class Solver {
         trust_(trust),
         wallAxes_(wallAxes(graph, start)),
         axes_(directionsOf(wallAxes_, graph, start)) {
-    for (const GraphRun& run : graph.runs) scales_.add(run.scale);
+    for (const GraphRun& run : graph.runs) stretches_.add(run.stretch);
     for (const Transform2D& pose : start) values_.add({pose.x, pose.y, pose.phi});
     for (const RunId run : graph.runs.ids()) addRun(run);
     for (const MatchGroup& group : graph.groups)
-      for (const PoseEdgeId match : group.edges) addEdge(graph.edges[match], 1, one_);
+      for (const PoseEdgeId match : group.edges) addEdge(graph.edges[match], one_);
     hold();
   }
 
@@ -111,13 +111,13 @@ class Solver {
     options.function_tolerance = 1e-4;
     ceres::Solver::Summary summary;
     int widening = startIs == StartIs::good ? 1 : fitted::kFirstWidening;
-    if (startIs == StartIs::good) holdScales();
+    if (startIs == StartIs::good) holdStretches();
     for (; widening >= 1; widening /= 2) {
       options.max_num_iterations = (widening > 1 ? 1 : 8) * kStageSteps;
       widenKernels(widening);
       ceres::Solve(options, &problem_, &summary);
     }
-    return {poses(), scales_, summary.final_cost};
+    return {poses(), stretches_, summary.final_cost};
   }
 
  private:
@@ -141,20 +141,21 @@ class Solver {
 
   void addRun(RunId id) {
     const GraphRun& run = graph_.runs[id];
-    const bool isFree = graph_.showsScale(id);
-    for (const PoseEdgeId link : run.links)
-      addEdge(graph_.edges[link], isFree ? run.scale : 1, isFree ? scales_[id] : one_);
+    const bool isFree = graph_.showsStretch(id);
+    double& stretch = isFree ? stretches_[id] : one_;
+    for (const PoseEdgeId link : run.links) addEdge(graph_.edges[link], stretch);
     for (const NodeId node : run.nodes) addAxes(node);
-    if (isFree) problem_.AddResidualBlock(usualScale(), new ceres::CauchyLoss(1), &scales_[id]);
+    if (isFree) problem_.AddResidualBlock(usualStretch(), new ceres::CauchyLoss(1), &stretch);
   }
 
-  /** An edge whose length has a scale already, which may become another one. */
-  void addEdge(const PoseEdge& edge, double before, double& scale) {
+  /** An edge that is stretched so far already, which may become another one. */
+  void addEdge(const PoseEdge& edge, double& stretch) {
     if (!takesPart(edge, trust_)) return;
     const EdgeTerm term = termOf(graph_, edge, trust_);
-    const Transform2D drawn{edge.measured.x / before, edge.measured.y / before, edge.measured.phi};
+    const Transform2D drawn{edge.measured.x / stretch, edge.measured.y / stretch,
+                            edge.measured.phi};
     problem_.AddResidualBlock(new RelativePose(drawn, term.noise), kernel(term.width, term.weight),
-                              values_[edge.from].data(), values_[edge.to].data(), &scale);
+                              values_[edge.from].data(), values_[edge.to].data(), &stretch);
   }
 
   void addAxes(NodeId node) {
@@ -178,9 +179,9 @@ class Solver {
     }
   }
 
-  void holdScales() {
-    for (double& scale : scales_)
-      if (problem_.HasParameterBlock(&scale)) problem_.SetParameterBlockConstant(&scale);
+  void holdStretches() {
+    for (double& stretch : stretches_)
+      if (problem_.HasParameterBlock(&stretch)) problem_.SetParameterBlockConstant(&stretch);
   }
 
   NodePoses poses() const {
@@ -193,9 +194,9 @@ class Solver {
   const GraphTrust& trust_;
   ById<NodeId, std::array<double, 3>> values_;
   WallAxes wallAxes_;
-  std::vector<double> axes_;    // directions of its pairs
-  ById<RunId, double> scales_;  // of the links
-  double one_ = 1;              // that of a match
+  std::vector<double> axes_;       // directions of its pairs
+  ById<RunId, double> stretches_;  // of the links
+  double one_ = 1;                 // that of a match
   std::vector<Kernel> kernels_;
   ceres::Problem problem_;
 };

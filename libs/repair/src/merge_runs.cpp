@@ -8,6 +8,7 @@
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
+#include "roomgraph/base/mapped.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/CellVotes.h"
@@ -90,7 +91,7 @@ class Merger {
   }
 
   /** What the runs that have seen a cell well, but this one, say of a beam that ends there: it is
-   *  contradicted if most look through all around it, and its mate does. */
+   *  contradicted if most look through all around it, and its mate, if it has seen it well, too. */
   Word othersOn(std::size_t r, Cell cell, const std::vector<CellVotes>& votes) const {
     const auto mate = mateOf(r);
     std::size_t free = 0, known = 0;
@@ -109,8 +110,8 @@ class Merger {
     return 2 * free > known ? Word::against : Word::with;
   }
 
-  /** Whether a cell is wall to most runs that have seen it well, but this one, and its mate does
-   *  not look through. */
+  /** Whether a cell is wall to most runs that have seen it well, but this one, and its mate, if
+   *  it has, does not look through. */
   bool isWallForOthers(std::size_t r, std::size_t cell, const std::vector<CellVotes>& votes) const {
     const auto mate = mateOf(r);
     std::size_t walls = 0, known = 0;
@@ -143,7 +144,7 @@ class Merger {
       with += word == Word::with, against += word == Word::against;
     }
     const double few = fitted::kToldOf * double(scan.ends.size());
-    if (against > with && double(against) > few) return Word::against;
+    if (against > with) return double(against) > few ? Word::against : Word::none;
     return double(with + against) > few ? Word::with : Word::none;
   }
 
@@ -152,8 +153,8 @@ class Merger {
   std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
     const std::size_t count = runs_[r].scans.size();
     std::vector<Word> before(count + 1, Word::none), behind = before;
-    std::vector<Word> words;
-    for (const Keyframe& scan : runs_[r].scans) words.push_back(othersOn(r, scan, votes));
+    const auto words =
+        mapped(runs_[r].scans, [&](const Keyframe& scan) { return othersOn(r, scan, votes); });
     const auto toldOr = [](Word word, Word next) { return word == Word::none ? next : word; };
     for (std::size_t k = 0; k < count; ++k) before[k + 1] = toldOr(words[k], before[k]);
     for (std::size_t k = count; k-- > 0;) behind[k] = toldOr(words[k], behind[k + 1]);
@@ -162,8 +163,8 @@ class Merger {
       if ((before[k + 1] == Word::against || behind[k] == Word::against) &&
           before[k + 1] != Word::with && behind[k] != Word::with)
         scans.push_back(k);
-    if (2 * scans.size() > runs_[r].scans.size()) {
-      scans.resize(runs_[r].scans.size());
+    if (2 * scans.size() > count) {
+      scans.resize(count);
       std::iota(scans.begin(), scans.end(), std::size_t(0));
     }
     return scans;

@@ -28,7 +28,9 @@ struct RunScore {
   double confirmed = 1, contradicted = 0;
   double givenUp = 0;  ///< share of the matches with the reference that contradict the rest
   double jitter = 0;   ///< RMS by which its key frames lie off each on its own, in mapError [m]
-  double scale = 1;    ///< how long it has drawn what the consensus has 1 m long
+  /** How long it has drawn what the consensus has 1 m long; 1 where that is less than 0.5 % off, or
+   *  does not show. */
+  double scale = 1;
   /** The runs fall into two sets of other scales, and which is right does not show. */
   bool isScaleDisputed = false;
   bool isMeaningful = false;  ///< see scoreRuns

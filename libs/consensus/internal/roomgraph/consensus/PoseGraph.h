@@ -71,7 +71,7 @@ struct GraphRun {
   IdRange<NodeId> nodes;  ///< key frames in the order of the run, or patches
   IdRange<PoseEdgeId> links;
   bool hasScans = false;
-  double scale = 1;  ///< how long its links are for 1 m as drawn: the run may be too large
+  double stretch = 1;  ///< how long its links are for 1 m as drawn, as it may be too large
 };
 
 /** A pose for each node of a graph, site <- node. */
@@ -100,10 +100,10 @@ struct PoseGraph {
   /** The edges need no `group`; once this was called, no run may be added. */
   void addGroup(MatchGroup group, const std::vector<PoseEdge>& matches);
 
-  /** Whether the scale of a run shows: against a reference, or two other runs. */
-  bool showsScale(RunId run) const;
+  /** Whether it shows how large a run is: against a reference, or two other runs. */
+  bool showsStretch(RunId run) const;
   /** Gives the links of a run their length as drawn, times this. O(links of the run). */
-  void setScale(RunId run, double scale);
+  void setStretch(RunId run, double stretch);
 
   /** The nodes where their runs have them. */
   NodePoses ownPoses() const;

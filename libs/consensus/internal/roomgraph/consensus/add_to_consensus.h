@@ -13,7 +13,7 @@ namespace roomgraph {
 /** A run beside a consensus. */
 struct AddedToConsensus {
   std::vector<Transform2D> poses;  ///< of its nodes, site <- node
-  double scale = 1, slack = 1;     ///< of its links; with which they were solved
+  double stretch = 1, slack = 1;   ///< of its links; with which they were solved
   MapError error;
 };
 

@@ -18,7 +18,7 @@ constexpr std::size_t kFewRuns = 5;
 /** What the nodes' poses may be. */
 struct ConsensusPoses {
   NodePoses best;
-  ById<RunId, double> scales;     ///< of the links of each run, as GraphRun has them
+  ById<RunId, double> stretches;  ///< of the links of each run, as GraphRun has them
   GraphTrust trust;               ///< with which `best` was solved
   std::vector<NodePoses> others;  ///< that explain the site about as well
 };

@@ -37,8 +37,8 @@ struct MendedSteps {
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked = {});
 
-/** What refutes a step: walls that stand where scans see free space, or also that a robot makes no
- *  such steps, which does not tell how long the step is along a corridor. */
+/** What refutes a step: walls that stand where scans see free space, or also that the robot makes
+ *  no such steps, which says nothing of where along a corridor a scan lies. */
 enum class RefutedBy { walls, wallsOrGait };
 
 /** Whether the scans on both sides of the step to scan `k`, of at least 1, agree with it as it was
@@ -50,7 +50,7 @@ bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2
 
 /** Whether the scans on both sides of the step to scan `k`, of at least 1, fit clearly better with
  *  `step` (scan k - 1 <- scan k) than as it was drawn. O(scans + cells around a few scans). */
-bool isBorneOut(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
+bool fitsBetter(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                 std::size_t k, const Transform2D& step);
 
 }  // namespace roomgraph
