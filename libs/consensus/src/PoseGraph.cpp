@@ -132,6 +132,10 @@ void PoseGraph::setStretch(RunId run, double stretch) {
   runs[run].stretch = stretch;
 }
 
+void PoseGraph::setStretches(const ById<RunId, double>& stretches) {
+  for (const RunId run : runs.ids()) setStretch(run, stretches[run]);
+}
+
 NodePoses PoseGraph::ownPoses() const {
   NodePoses poses;
   for (const PoseNode& node : nodes) poses.add(node.pose);

@@ -113,7 +113,7 @@ std::vector<NodePoses> startsOf(const PoseGraph& graph) {
 ConsensusPoses findConsensus(const PoseGraph& graph, const ForEach& forEach) {
   if (graph.runs.size() == 0) return {};
   const std::vector<NodePoses> starts = startsOf(graph);
-  const std::optional<CoarseGraph> coarse = coarseOfMany(graph);
+  std::optional<CoarseGraph> coarse = coarseOfMany(graph);
   std::vector<Solution> solutions(starts.size());
   forEach(starts.size(),
           [&](std::size_t i) { solutions[i] = solvedFrom(graph, coarse, starts[i]); });
@@ -121,11 +121,13 @@ ConsensusPoses findConsensus(const PoseGraph& graph, const ForEach& forEach) {
       solutions.begin(), solutions.end(),
       [](const Solution& l, const Solution& r) { return l.found.cost < r.found.cost; });
   PoseGraph even = graph;
-  for (const RunId run : graph.runs.ids()) even.setStretch(run, best->found.stretches[run]);
+  even.setStretches(best->found.stretches);
   GraphTrust trust{runSlack(even, best->found.poses), best->trust.belief};
   NodePoses start = best->found.poses;
-  if (coarse)
-    start = solvedCoarsely(even, coarseGraph(even), trust, start, start, StartIs::good).poses;
+  if (coarse) {
+    coarse->graph.setStretches(best->found.stretches);
+    start = solvedCoarsely(even, *coarse, trust, start, start, StartIs::good).poses;
+  }
   PoseGraphSolution refined = solvePoseGraph(even, trust, start, StartIs::good);
   ConsensusPoses result{
       std::move(refined.poses), std::move(refined.stretches), std::move(trust), {}};

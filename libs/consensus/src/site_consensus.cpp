@@ -204,7 +204,7 @@ void agree(Consensus& consensus, std::size_t core, const ForEach& forEach) {
   Agreement& best = agreements.front();
   for (std::size_t k = 1; k < agreements.size(); ++k) widen(best.errors, agreements[k].errors);
   consensus.poses = std::move(best.poses), consensus.errors = std::move(best.errors);
-  for (const RunId run : graph.runs.ids()) graph.setStretch(run, best.stretches[run]);
+  graph.setStretches(best.stretches);
   consensus.trust = {std::move(best.slack), beliefIn(graph, consensus.poses, kInlier)};
 }
 

@@ -104,6 +104,8 @@ struct PoseGraph {
   bool showsStretch(RunId run) const;
   /** Gives the links of a run their length as drawn, times this. O(links of the run). */
   void setStretch(RunId run, double stretch);
+  /** The same of each run. */
+  void setStretches(const ById<RunId, double>& stretches);
 
   /** The nodes where their runs have them. */
   NodePoses ownPoses() const;
