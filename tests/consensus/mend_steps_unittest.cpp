@@ -35,24 +35,6 @@ TEST(MendSteps, aTearIsMendedFromTheScansOnBothSidesOfIt) {
   }
 }
 
-TEST(MendSteps, aStepThatItsScansAgreeWithRefutesOthers) {
-  const roomgraph::Run run = test::runOf(test::driveOnce());
-  const std::vector<LocalScan> scans = localScans(run.scans);
-  const std::vector<Transform2D> drawn = drawnPoses(run.scans);
-  const Transform2D step = drawn[17].inverse() * drawn[18];
-  EXPECT_FALSE(isRefuted(scans, drawn, 18, step));
-  EXPECT_FALSE(isRefuted(scans, drawn, 18, step * Transform2D{0.05, 0, 0.01}));
-  EXPECT_TRUE(isRefuted(scans, drawn, 18, step * Transform2D{3, -2, 0}));
-  EXPECT_TRUE(isRefuted(scans, drawn, 18, step * Transform2D{0, 0, 0.8}));
-}
-
-TEST(MendSteps, aTearRefutesNothing) {
-  const roomgraph::Run run = test::runOf(test::broken(test::driveOnce(), 18, 0.8, {2, -1}));
-  const std::vector<Transform2D> right = test::posesOf(test::driveOnce());
-  EXPECT_FALSE(
-      isRefuted(localScans(run.scans), drawnPoses(run.scans), 18, right[17].inverse() * right[18]));
-}
-
 TEST(MendSteps, aRobotThatNeverDrivesBackIsNotLaidBehindItself) {
   // Behind the tear it sees what it saw three steps before, as where a building repeats itself.
   const std::vector<Keyframe>& once = test::driveOnce();

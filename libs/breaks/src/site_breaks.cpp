@@ -8,7 +8,7 @@
 #include "roomgraph/base/majority.h"
 #include "roomgraph/breaks/find_breaks.h"
 #include "roomgraph/breaks/find_pieces.h"
-#include "roomgraph/consensus/mend_steps.h"
+#include "roomgraph/consensus/StepWitness.h"
 
 namespace roomgraph {
 namespace {
@@ -54,10 +54,11 @@ class BreakSearch {
     if (found.empty()) return {};
     const std::vector<LocalScan> scans = localScans(run.scans);
     const std::vector<Transform2D> drawn = drawnPoses(run.scans);
+    StepWitness witness(scans, drawn);
     std::vector<MapBreak> breaks;
     for (const ScanBreak& one : found) {
       MapBreak tear = breakOf(one);
-      if (isLikely(one, tear.kind(), scans, drawn)) breaks.push_back(std::move(tear));
+      if (isLikely(one, tear.kind(), witness)) breaks.push_back(std::move(tear));
     }
     return breaks;
   }
@@ -65,13 +66,11 @@ class BreakSearch {
   /** False where the scans on both sides of a step hold it as it was drawn: where a run bends
    *  little by little, the consensus lets single steps give way. Slight breaks come and go there:
    *  true of those only with which these scans fit better. */
-  bool isLikely(const ScanBreak& found, BreakClass kind, const std::vector<LocalScan>& scans,
-                const std::vector<Transform2D>& drawn) const {
+  bool isLikely(const ScanBreak& found, BreakClass kind, StepWitness& witness) const {
     const std::size_t k = found.behind;
     if (k != found.before + 1) return true;
     const Transform2D step = poseOf(k - 1).inverse() * poseOf(k);
-    return kind == BreakClass::slight ? fitsBetter(scans, drawn, k, step)
-                                      : !isRefuted(scans, drawn, k, step);
+    return kind == BreakClass::slight ? witness.prefers(k, step) : !witness.refutes(k, step);
   }
 
   /** Where a scan lies in the consensus. */

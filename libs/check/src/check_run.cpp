@@ -6,6 +6,7 @@
 #include "beams_through_walls.h"
 #include "find_doubled.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/mend_steps.h"
 #include "self_consensus.h"
 #include "self_evidence.h"
@@ -59,13 +60,13 @@ MapBreak breakAt(std::size_t k, const Run& run, const std::vector<Transform2D>& 
 void addFaults(const Run& run, const std::vector<LocalScan>& scans, const MendedSteps& mended,
                const SelfConsensus& agreed, RunCheck& check) {
   const std::vector<Transform2D> drawn = drawnPoses(run.scans);
+  StepWitness witness(scans, drawn);
   std::vector<std::size_t> broken;
   for (std::size_t k = 1; k < run.scans.size(); ++k) {
     const MapBreak step = breakAt(k, run, drawn, agreed.poses);
     if (std::abs(step.rotation) < kClearRotation && step.shift < kBreakShift) continue;
     broken.push_back(k);
-    if (mended.evidence[k] != StepEvidence::agrees ||
-        !isRefuted(scans, drawn, k, stepTo(k, agreed.poses)))
+    if (mended.evidence[k] != StepEvidence::agrees || !witness.refutes(k, stepTo(k, agreed.poses)))
       check.breaks.push_back(step);
   }
   std::stable_sort(check.breaks.begin(), check.breaks.end(),

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "fitted_consensus.h"
-#include "gait.h"
 #include "roomgraph/align/LocalScan.h"
+#include "roomgraph/consensus/gait.h"
 #include "roomgraph/relate/PairBend.h"
 
 namespace roomgraph {

@@ -20,6 +20,9 @@ constexpr double kScanStride = 2.5;     // longest way from scan to scan [m]
 constexpr std::size_t kMemory = 8;      // scans that may be lost between two that are found
 constexpr std::size_t kCandidates = 4;  // poses of a scan, or of a stretch looked for again
 
+// By how many walls more scans on both sides of a step fit otherwise, where it is wrong as drawn.
+constexpr double kSlipGain = 15, kClearSlipGain = 35;
+
 // Links: some for each key frame, and more for the root of a metre, and of a radian [rad].
 constexpr PoseNoise kLinkNoise{0.003, 0.02}, kLinkNoisePerRootMetre{0.004, 0.03};
 constexpr double kLinkTurnPerRootRadian = 0.01;

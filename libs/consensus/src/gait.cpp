@@ -1,4 +1,4 @@
-#include "gait.h"
+#include "roomgraph/consensus/gait.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,14 +6,12 @@
 #include <utility>
 
 #include "fitted_consensus.h"
-#include "gait.h"
 #include "roomgraph/base/majority.h"
-#include "scans_of_step.h"
+#include "roomgraph/consensus/scans_of_step.h"
 
 namespace roomgraph {
 namespace {
 
-constexpr PoseTolerance kAsDrawn{0.05, 0.2};
 constexpr PoseTolerance kSlipped{0.35, 0.9};  // what ICP is wrong by where it slips
 
 /** Whether a step by which the scans fit so much better is wrong as it was drawn. */
@@ -25,8 +23,8 @@ struct Contradiction {
            found.score - drawn.score > leastGain;
   }
 };
-constexpr Contradiction kSlip{fitted::kLeastQuality, 0.52, 15}, kClearSlip{0.35, 0.42, 35},
-    kTear{0.15, 0.4, 40};
+constexpr Contradiction kSlip{fitted::kLeastQuality, 0.52, fitted::kSlipGain},
+    kClearSlip{0.35, 0.42, fitted::kClearSlipGain}, kTear{0.15, 0.4, 40};
 constexpr double kMaySpeak = 0.05;  // share of the walls of a scan that can speak against a step
 // Of one scan in what those behind it have drawn, where that shows a slip: how much better it fits
 // there than as it was drawn.
@@ -40,7 +38,7 @@ class Mender {
         drawn_(drawn),
         asked_(asked),
         gait_(drawn, timesOf(scans)),
-        sides_(scans, drawn, 10 + 2 * gait_.longest.place) {}
+        sides_(scans, drawn, gait_) {}
 
   MendedSteps mended() {
     result_.poses = drawn_;
@@ -50,34 +48,6 @@ class Mender {
       if (isAsked(k) && result_.evidence[k] != StepEvidence::contradicts) lookBack(k);
     }
     return std::move(result_);
-  }
-
-  /** How the scans on both sides of a step fit, as it was drawn and with another one. */
-  struct StepFits {
-    ScanFit drawn, other;
-  };
-
-  std::optional<StepFits> fitsOf(std::size_t k, const Transform2D& other) {
-    result_.poses = drawn_;
-    drawAhead(k);
-    if (ahead_.walls.empty() || !scans_[k].isTelling()) return std::nullopt;
-    const StepView view = viewOf(k);
-    const auto fitAs = [&](const Transform2D& pose) {
-      return weighed(k, view, asDrawn(view.after, ahead_, pose));
-    };
-    return StepFits{fitAs(drawn_[k]), fitAs(drawn_[k - 1] * other)};
-  }
-
-  bool refutes(std::size_t k, const Transform2D& other, RefutedBy by) {
-    const auto fits = fitsOf(k, other);
-    return fits && fits->drawn.quality >= kMajority &&
-           (fits->drawn.score - fits->other.score > kClearSlip.leastGain ||
-            (by == RefutedBy::wallsOrGait && !gait_.isLikely(other, k)));
-  }
-
-  bool bearsOut(std::size_t k, const Transform2D& other) {
-    const auto fits = fitsOf(k, other);
-    return fits && fits->other.score - fits->drawn.score > kSlip.leastGain;
   }
 
  private:
@@ -107,12 +77,6 @@ class Mender {
   void drawAhead(std::size_t k) {
     ahead_ = sides_.ahead(k, result_.poses);
     aheadOf_ = k;
-  }
-
-  /** Where it was drawn, up to what scans are off by; as it is where the fit leads elsewhere. */
-  static ScanFit asDrawn(const LocalScan& scan, const WallMap& in, const Transform2D& drawn) {
-    const ScanFit fit = fitNear(scan, in, drawn);
-    return areNear(fit.pose, drawn, {}, kAsDrawn) ? fit : fitAt(scan, in, drawn);
   }
 
   /** Holds the one scan before a step against those behind it. A scan that lies wrong on its own
@@ -197,34 +161,15 @@ class Mender {
     return second;
   }
 
-  /** The scans on both sides of a step. */
-  struct StepView {
-    LocalScan before, after;
-  };
-
-  StepView viewOf(std::size_t k) const {
-    return {sides_.togetherAhead(k, result_.poses), sides_.togetherBehind(k)};
-  }
-
-  /** A fit by the walls of both sides. */
-  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit) {
-    const ScanFit back = fitAt(view.before, sides_.behind(k), fit.pose.inverse());
-    const double known = std::max(1e-9, fit.known + back.known);
-    fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
-    fit.score += back.score;
-    fit.known = known / 2;
-    return fit;
-  }
-
   StepEvidence judge(std::size_t k) {
-    const StepView view = viewOf(k);
-    const ScanFit drawn = weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
+    const StepView view = sides_.view(k, result_.poses);
+    const ScanFit drawn = sides_.weighed(k, view, asDrawn(view.after, ahead_, result_.poses[k]));
     if (isPossible(k) && drawn.quality >= kSlip.mostAsDrawn)
       return drawn.quality >= kMajority ? StepEvidence::agrees : StepEvidence::none;
     const bool mayBeTorn = !isPossible(k) || drawn.quality < kTear.mostAsDrawn;
     std::vector<ScanFit> found;
     for (const ScanFit& fit : candidates(k, view.after, mayBeTorn))
-      found.push_back(weighed(k, view, fit));
+      found.push_back(sides_.weighed(k, view, fit));
     return decide(k, drawn, found);
   }
 
@@ -282,16 +227,6 @@ class Mender {
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked) {
   return Mender(scans, drawn, asked).mended();
-}
-
-bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-               std::size_t k, const Transform2D& step, RefutedBy by) {
-  return Mender(scans, drawn, {}).refutes(k, step, by);
-}
-
-bool fitsBetter(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-                std::size_t k, const Transform2D& step) {
-  return Mender(scans, drawn, {}).bearsOut(k, step);
 }
 
 }  // namespace roomgraph

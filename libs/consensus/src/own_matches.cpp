@@ -5,6 +5,7 @@
 #include "fitted_consensus.h"
 #include "roomgraph/align/LocalScan.h"
 #include "roomgraph/align/step_hold.h"
+#include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/consensus/belief.h"
 #include "roomgraph/consensus/mend_steps.h"
 
@@ -60,7 +61,7 @@ class HeldLinks {
 
   /** Those that have given way and are refuted, and others, up to the next tears of the run, at
    *  which walls refute the same motion: else it is torn there instead. */
-  std::vector<PoseEdgeId> held(const std::vector<std::size_t>& tears) const {
+  std::vector<PoseEdgeId> held(const std::vector<std::size_t>& tears) {
     std::vector<PoseEdgeId> held;
     for (std::size_t i = 0; i < tears.size(); ++i) {
       const Transform2D motion = motionAt(tears[i]);
@@ -86,14 +87,15 @@ class HeldLinks {
     return moved(k - 1).inverse() * moved(k);
   }
 
-  bool refutes(std::size_t k, const Transform2D& motion, RefutedBy by) const {
-    return isRefuted(scans_, drawn_, k, drawn_[k - 1].inverse() * motion * drawn_[k], by);
+  bool refutes(std::size_t k, const Transform2D& motion, RefutedBy by) {
+    return witness_.refutes(k, drawn_[k - 1].inverse() * motion * drawn_[k], by);
   }
 
   const GraphRun& nodes_;
   const Consensus& consensus_;
   std::vector<LocalScan> scans_;
   std::vector<Transform2D> drawn_;
+  StepWitness witness_{scans_, drawn_};
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "scans_of_step.h"
+#include "roomgraph/consensus/scans_of_step.h"
 
 #include <algorithm>
 #include <numeric>
@@ -12,6 +12,11 @@ constexpr std::size_t kScansAround = 24;  // the same, where it was not found so
 constexpr std::size_t kScansBehind = 6;   // that draw the map in which those ahead are looked for
 
 }  // namespace
+
+ScanFit asDrawn(const LocalScan& scan, const WallMap& in, const Transform2D& drawn) {
+  const ScanFit fit = fitNear(scan, in, drawn);
+  return areNear(fit.pose, drawn, {}, kAsDrawn) ? fit : fitAt(scan, in, drawn);
+}
 
 WallMap ScansOfStep::ahead(std::size_t k, const std::vector<Transform2D>& poses) const {
   std::vector<std::size_t> chosen;
@@ -41,12 +46,18 @@ const WallMap& ScansOfStep::behind(std::size_t k) {
   return behind_;
 }
 
-LocalScan ScansOfStep::togetherAhead(std::size_t k, const std::vector<Transform2D>& poses) const {
-  return together(k - std::min(k, kTogether), k, poses);
+StepView ScansOfStep::view(std::size_t k, const std::vector<Transform2D>& poses) const {
+  return {together(k - std::min(k, kTogether), k, poses),
+          together(k, std::min(k + kTogether, scans_.size()), posesFrom(k))};
 }
 
-LocalScan ScansOfStep::togetherBehind(std::size_t k) const {
-  return together(k, std::min(k + kTogether, scans_.size()), posesFrom(k));
+ScanFit ScansOfStep::weighed(std::size_t k, const StepView& view, ScanFit fit) {
+  const ScanFit back = fitAt(view.before, behind(k), fit.pose.inverse());
+  const double known = std::max(1e-9, fit.known + back.known);
+  fit.quality = (fit.quality * fit.known + back.quality * back.known) / known;
+  fit.score += back.score;
+  fit.known = known / 2;
+  return fit;
 }
 
 LocalScan ScansOfStep::together(std::size_t first, std::size_t end,

@@ -6,7 +6,7 @@
 #include "fitted_repair.h"
 #include "roomgraph/align/find_scan.h"
 #include "roomgraph/align/near_poses.h"
-#include "roomgraph/consensus/mend_steps.h"
+#include "roomgraph/consensus/StepWitness.h"
 #include "roomgraph/repair/sound_frame.h"
 
 namespace roomgraph {
@@ -19,8 +19,8 @@ class Rejoiner {
         run_(run),
         scans_(solved.site.runs[run]->scans),
         poses_(poses),
-        drawn_(drawnPoses(scans_)),
-        local_(localScans(scans_)) {}
+        local_(localScans(scans_)),
+        drawn_(drawnPoses(scans_)) {}
 
   std::vector<Transform2D> rejoined() {
     std::vector<std::pair<double, std::size_t>> tears;  // the largest first
@@ -50,7 +50,7 @@ class Rejoiner {
     const Transform2D before = poses_[tear - 1] * step(tear);
     const Transform2D motion =
         isLater ? before * poses_[tear].inverse() : poses_[tear] * before.inverse();
-    if (!isRefuted(local_, drawn_, tear, poses_[tear - 1].inverse() * poses_[tear]) &&
+    if (!witness_.refutes(tear, poses_[tear - 1].inverse() * poses_[tear]) &&
         isConfirmed(isLater ? tear : from, isLater ? to : tear, motion)) {
       confirmed_.insert(next, tear);
       return;
@@ -81,9 +81,10 @@ class Rejoiner {
   std::size_t run_;
   const std::vector<ScanWalls>& scans_;
   std::vector<Transform2D> poses_;
-  std::vector<Transform2D> drawn_;
   std::vector<std::size_t> confirmed_;  // tears, ascending
   std::vector<LocalScan> local_;
+  std::vector<Transform2D> drawn_;
+  StepWitness witness_{local_, drawn_};
 };
 
 }  // namespace

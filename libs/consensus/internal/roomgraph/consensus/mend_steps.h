@@ -37,20 +37,4 @@ struct MendedSteps {
 MendedSteps mendSteps(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
                       const std::vector<bool>& asked = {});
 
-/** What refutes a step: walls that stand where scans see free space, or also that the robot makes
- *  no such steps, which says nothing of where along a corridor a scan lies. */
-enum class RefutedBy { walls, wallsOrGait };
-
-/** Whether the scans on both sides of the step to scan `k`, of at least 1, agree with it as it was
- *  drawn, and either clearly less with `step` (scan k - 1 <- scan k), where walls stand in a place
- *  that they see as free, or the robot makes no such steps. False where either is a guess.
- *  O(scans + cells around a few scans). */
-bool isRefuted(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-               std::size_t k, const Transform2D& step, RefutedBy by = RefutedBy::wallsOrGait);
-
-/** Whether the scans on both sides of the step to scan `k`, of at least 1, fit clearly better with
- *  `step` (scan k - 1 <- scan k) than as it was drawn. O(scans + cells around a few scans). */
-bool fitsBetter(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-                std::size_t k, const Transform2D& step);
-
 }  // namespace roomgraph

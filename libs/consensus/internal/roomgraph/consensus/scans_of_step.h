@@ -2,22 +2,33 @@
 #include <vector>
 
 #include "roomgraph/align/find_scan.h"
+#include "roomgraph/consensus/gait.h"
 
 namespace roomgraph {
 
 // Ours
 // In:   the scans of a run, and where the run has drawn them
 // Out:  WallMap, LocalScan
-// Next: mendSteps
+// Next: mendSteps, StepWitness
+
+/** Where a scan was drawn, up to what scans are off by; as it is where the fit leads elsewhere. */
+constexpr PoseTolerance kAsDrawn{0.05, 0.2};
+ScanFit asDrawn(const LocalScan& scan, const WallMap& in, const Transform2D& drawn);
+
+/** The few scans nearest to a step as one: those before it in the map, those behind it seen from
+ *  the first of them. */
+struct StepView {
+  LocalScan before, after;
+};
 
 /** What the scans on either side of a step of a run see, as maps and as one scan. Keeps references
  *  to the scans and to where they were drawn. */
 class ScansOfStep {
  public:
-  /** Of the walls those within `range` [m] of their scan count. */
+  /** Of the walls those count that are not far from their scan, by its `gait`. */
   ScansOfStep(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn,
-              double range)
-      : scans_(scans), drawn_(drawn), range_(range) {}
+              const Gait& gait)
+      : scans_(scans), drawn_(drawn), range_(10 + 2 * gait.longest.place) {}
 
   Transform2D step(std::size_t from, std::size_t to) const {
     return drawn_[from].inverse() * drawn_[to];
@@ -32,9 +43,10 @@ class ScansOfStep {
   /** What those behind the step to `k` have drawn, seen from the first of them. */
   const WallMap& behind(std::size_t k);
 
-  /** The few nearest to the step as one: in the map, and seen from the first. */
-  LocalScan togetherAhead(std::size_t k, const std::vector<Transform2D>& poses) const;
-  LocalScan togetherBehind(std::size_t k) const;
+  StepView view(std::size_t k, const std::vector<Transform2D>& poses) const;
+
+  /** A fit of those behind the step in what those before it have drawn, by the walls of both. */
+  ScanFit weighed(std::size_t k, const StepView& view, ScanFit fit);
 
   static constexpr std::size_t kTogether = 3;  ///< scans that are looked for as one, or in one map
 
