@@ -73,6 +73,23 @@ TEST(MergeRuns, scansInTheWrongPlaceAreLeftOut) {
   EXPECT_LE(map.leftOut[2].size(), 10u);
 }
 
+TEST(MergeRuns, aScanThatHasSlidAlongACorridorIsLeftOutThoughMostOfItsWallsAgree) {
+  auto slid = test::drive(3);
+  slid[15].pose.x += 1;
+  const MergedMap map =
+      merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1), mergedRun(slid, 2)});
+  EXPECT_EQ(map.leftOut[2], std::vector<std::size_t>{15});
+}
+
+TEST(MergeRuns, aRunInWhichMuchWasMovedKeepsItsScans) {
+  auto changed = test::drive(3);
+  for (std::size_t k = 0; k < changed.size(); k += 2)
+    changed = withBox(changed, test::drive(0)[k].pose({0, 0.7}));
+  const MergedMap map =
+      merged({mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 0), mergedRun(changed, 0)});
+  EXPECT_LT(map.leftOut[2].size(), 3u);
+}
+
 TEST(MergeRuns, whatNobodyTellsOfGoesWithTheScansBesideIt) {
   auto wrong = test::drive(3);
   for (std::size_t k = 0; k < 10; ++k) {

@@ -19,6 +19,7 @@ constexpr double kTwoWays = 10;
 // One map of several runs.
 constexpr double kWallShare = 0.4;       // of the votes, from which on a cell is wall
 constexpr double kToldOf = 0.1;          // share of the beams of a scan that tells of all of it
+constexpr double kMostAgainst = 0.25;    // share of those told that may contradict the others
 constexpr double kBehindWall = 0.5;      // so far behind a wall nothing is seen that grazes it [m]
 constexpr double kClearlyFree = 0.1;     // wall share up to which a cell is looked through
 constexpr std::uint32_t kSureBeams = 3;  // from so many on a run has seen a cell well

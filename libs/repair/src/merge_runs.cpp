@@ -9,6 +9,7 @@
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
+#include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/CellVotes.h"
@@ -133,19 +134,44 @@ class Merger {
     return isThrough;
   }
 
-  /** What the others say of most beams of a scan; none where they tell of few. */
-  Word othersOn(std::size_t r, const Keyframe& scan, const std::vector<CellVotes>& votes) const {
-    std::size_t with = 0, against = 0;
+  /** How many beams of a scan others bear out, and contradict. */
+  struct Told {
+    std::size_t with = 0, against = 0, beams = 0;
+
+    std::size_t all() const { return with + against; }
+    bool isMuch(std::size_t told) const { return double(told) > fitted::kToldOf * double(beams); }
+    double shareAgainst() const {
+      return double(against) / double(std::max<std::size_t>(1, all()));
+    }
+  };
+
+  Told toldOf(std::size_t r, const Keyframe& scan, const std::vector<CellVotes>& votes) const {
+    Told told{0, 0, scan.ends.size()};
     for (const Point inScan : scan.ends) {
       const Point end = scan.pose(inScan);
       const Word word = goesThrough(r, scan.pose.shift(), end, votes)
                             ? Word::against
                             : othersOn(r, frame_.cellAt(end), votes);
-      with += word == Word::with, against += word == Word::against;
+      told.with += word == Word::with, told.against += word == Word::against;
     }
-    const double few = fitted::kToldOf * double(scan.ends.size());
-    if (against > with) return double(against) > few ? Word::against : Word::none;
-    return double(with + against) > few ? Word::with : Word::none;
+    return told;
+  }
+
+  /** The share of its beams that others may contradict of a scan in its right place: twice as much
+   *  as usual in its run, where things were moved. Most walls agree even with one that slides
+   *  along a corridor, so half of them is too much for any. */
+  static double mostAgainst(const std::vector<Told>& run) {
+    std::vector<double> shares;
+    for (const Told& told : run)
+      if (told.isMuch(told.all())) shares.push_back(told.shareAgainst());
+    if (shares.empty()) return fitted::kMostAgainst;
+    return std::clamp(2 * median(shares), fitted::kMostAgainst, kMajority);
+  }
+
+  /** What the others say of a scan; none where they tell of few beams. */
+  static Word wordOn(const Told& told, double most) {
+    if (told.shareAgainst() > most) return told.isMuch(told.against) ? Word::against : Word::none;
+    return told.isMuch(told.all()) ? Word::with : Word::none;
   }
 
   /** The scans of a run that others contradict, and those of which they tell nothing between them,
@@ -153,8 +179,10 @@ class Merger {
   std::vector<std::size_t> contradicted(std::size_t r, const std::vector<CellVotes>& votes) const {
     const std::size_t count = runs_[r].scans.size();
     std::vector<Word> before(count + 1, Word::none), behind = before;
+    const auto told =
+        mapped(runs_[r].scans, [&](const Keyframe& scan) { return toldOf(r, scan, votes); });
     const auto words =
-        mapped(runs_[r].scans, [&](const Keyframe& scan) { return othersOn(r, scan, votes); });
+        mapped(told, [most = mostAgainst(told)](const Told& one) { return wordOn(one, most); });
     const auto toldOr = [](Word word, Word next) { return word == Word::none ? next : word; };
     for (std::size_t k = 0; k < count; ++k) before[k + 1] = toldOr(words[k], before[k]);
     for (std::size_t k = count; k-- > 0;) behind[k] = toldOr(words[k], behind[k + 1]);
