@@ -97,16 +97,20 @@ std::optional<double> wallDoubling(const WallMap& map) {
   return doubled / double(map.walls.size());
 }
 
-std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
+std::vector<double> wallDirections(const std::vector<WallPoint>& walls) {
   const NearPlaces index(mapped(walls, &WallPoint::place), kDirectionReach);
   std::vector<double> directions;
-  double cosine = 0, sine = 0;
   for (const WallPoint& wall : walls)
-    if (const auto direction = directionAt(walls, index, wall)) {
-      directions.push_back(*direction);
-      cosine += std::cos(4 * *direction), sine += std::sin(4 * *direction);  // all axes as one
-    }
+    if (const auto direction = directionAt(walls, index, wall)) directions.push_back(*direction);
+  return directions;
+}
+
+std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
+  std::vector<double> directions = wallDirections(walls);
   if (directions.size() < kMinDirections) return std::nullopt;
+  double cosine = 0, sine = 0;
+  for (const double direction : directions)
+    cosine += std::cos(4 * direction), sine += std::sin(4 * direction);  // all axes as one
   const double axis = std::atan2(sine, cosine) / 4;
   for (double& direction : directions)
     direction = std::abs(std::remainder(direction - axis, M_PI / 2));

@@ -23,11 +23,15 @@ std::optional<double> wallDoubling(const WallMap& map);
 /** Whether a wall of the map is one of those. The map must not be bare. O(1). */
 bool hasCopy(const WallMap& map, const WallPoint& wall);
 
+/** Which way the walls of a map go where they are straight, a direction for each such wall point, in
+ *  (-pi/2, pi/2] [rad]: that of the points within 1.5 m that face the same way.
+ *  O(walls * walls within 1.5 m). */
+std::vector<double> wallDirections(const std::vector<WallPoint>& walls);
+
 /** The median angle between the walls of a map and the nearer of its two main directions, which are
  *  at right angles [rad]. Every pose error turns some walls, so of several maps of one building the
- *  most rectangular one bends least; of different buildings it says nothing. Each wall point takes
- *  its direction from those within 1.5 m that face the same way; places that are not straight do
- *  not count. None where fewer than 100 points do. O(walls * walls within 1.5 m). */
+ *  most rectangular one bends least; of different buildings it says nothing. None where
+ *  fewer than 100 wall points have a direction. O(walls * walls within 1.5 m). */
 std::optional<double> axisDeviation(const std::vector<WallPoint>& walls);
 
 /** Cells that are drawn as wall, for each cell at the edge of free space. The first are occupied
