@@ -79,6 +79,12 @@ TEST(VerdictOf, aMapThatNobodyBearsOutIsNotTheBest) {
   EXPECT_EQ(verdictOf(smeared).find("a has the smallest error"), 0u);
   disputed.runs[0].score->isScaleDisputed = true;
   EXPECT_EQ(verdictOf(disputed).find("a has the smallest error"), 0u);
+  Comparison oneDrive = comparison, outdone = comparison;
+  oneDrive.isOneDrive = true;
+  EXPECT_EQ(verdictOf(oneDrive).find("a has the smallest error, with"), 0u);
+  outdone.runs[0].score->jitter = 0.12;
+  outdone.runs[2].score->isMeaningful = false, outdone.runs[2].score->mapError = 0.001;
+  EXPECT_EQ(verdictOf(outdone).find("a has the smallest error of those that can be judged"), 0u);
   EXPECT_EQ(
       scalesNote({"a", "b"}, {"c"}, 1.02),
       " a and b are 2.0 % larger than c; the runs cannot show which scale is right, but a floor "

@@ -139,7 +139,7 @@ Comparison bestWith(double error, double high) {
   comparison.runs.resize(2);
   comparison.runs[0].name = "best", comparison.runs[0].rank = 1;
   RunScore score;
-  score.mapError = error, score.errorHigh = high, score.isMeaningful = true;
+  score.mapError = error, score.errorHigh = high, score.isMeaningful = true, score.share = 1;
   comparison.runs[0].score = score;
   return comparison;
 }
@@ -152,6 +152,11 @@ TEST(NavigationWord, goesByTheErrorAndItsInterval) {
       "Navigation with best: good enough, also for docking, and for goals and zones that robots "
       "share. It has no break, and its map error is about 0.02 m, and most likely no more than "
       "0.08 m.");
+  Comparison oneDrive = bestWith(0.02, 0.08);
+  oneDrive.isOneDrive = true;
+  EXPECT_TRUE(starts(navigationWord(oneDrive),
+                     "Navigation with best: good enough with a localisation that corrects itself; "
+                     "probably also for docking"));
   EXPECT_TRUE(starts(navigationWord(bestWith(0.08, 0.15)),
                      "Navigation with best: good enough with a localisation that corrects itself; "
                      "probably also for docking"));

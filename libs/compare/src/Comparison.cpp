@@ -111,7 +111,8 @@ Certainty Comparison::certaintyOf(const ComparedRun& run) const {
   if (isPlaceDoubtful(run.name) || run.addedWalls()) return Certainty::doubtful;
   const RunScore& score = *run.score;
   const bool isWide = score.errorHigh > 2 * score.mapError + 0.1;
-  const bool isOdd = score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut();
+  const bool isOdd =
+      score.jitter >= kSmeared || score.isScaleDisputed || !run.isBorneOut() || isOneDrive;
   return run.partialCoverage() || isWide || isOdd || score.share < kNearlyAll ? Certainty::likely
                                                                               : Certainty::sure;
 }

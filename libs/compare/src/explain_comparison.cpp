@@ -77,6 +77,13 @@ std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& com
   return rivals;
 }
 
+/** Whether another run, of which nothing can be told, seems to be better. */
+bool isOutdone(const ComparedRun& best, const Comparison& comparison) {
+  return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
+    return run.score && !run.score->isMeaningful && run.score->mapError < best.score->mapError;
+  });
+}
+
 /** What the run with the smallest error "has" or "is" that speaks against it. */
 std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> doubts;
@@ -125,7 +132,10 @@ std::string verdictOf(const Comparison& result) {
                      valueOf(best.measures, "bend").value_or(0));
   const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
   std::string text =
-      best.name + (isBest ? " is the best map" : " has the smallest error") +
+      best.name +
+      (isBest                    ? " is the best map"
+       : isOutdone(best, result) ? " has the smallest error of those that can be judged"
+                                 : " has the smallest error") +
       // Of the figures as comparison.json holds them, from which others are made.
       formatted(", with score %.1f (%.1f to %.1f) and a map error ", rounded(best.score->score),
                 rounded(best.score->low), rounded(best.score->high)) +

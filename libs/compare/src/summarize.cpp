@@ -174,6 +174,8 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
                    [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
+  for (const auto& drive : sharedDrives(found.site.runs))
+    result.isOneDrive = drive.size() == found.site.runs.size();
   result.runs = runsOf(found);
   rank(result.runs);
   result.pairs = pairsOf(runs, related, found);

@@ -70,8 +70,8 @@ std::string errorText(const RunScore& score) {
 }
 
 /** For a map without a break. */
-std::string wordFor(const RunScore& score) {
-  if (score.errorHigh <= kForSharedPlaces)
+std::string wordFor(const RunScore& score, Certainty certainty) {
+  if (certainty == Certainty::sure && score.errorHigh <= kForSharedPlaces)
     return "good enough, also for docking, and for goals and zones that robots share";
   if (score.mapError <= kForSharedPlaces)
     return "good enough with a localisation that corrects itself; probably also for docking, and "
@@ -192,7 +192,8 @@ std::string navigationWord(const Comparison& comparison) {
            "walls.";
   if (!best.isBorneOut())
     return start + "cannot be told, not all of it is confirmed by other runs.";
-  return start + wordFor(*best.score) + ". It has no break, and " + errorText(*best.score) + ".";
+  return start + wordFor(*best.score, certainty) + ". It has no break, and " +
+         errorText(*best.score) + ".";
 }
 
 }  // namespace roomgraph

@@ -168,6 +168,7 @@ std::string comparisonJson(const Comparison& comparison) {
   document.add("program", programJson());
   document.add("reference", orNull(comparison.reference));
   if (!comparison.core.empty()) document.add("core", comparison.core);
+  if (comparison.isOneDrive) document.add("one_drive", true);
   document.addList("runs", comparison.runs,
                    [&](const ComparedRun& run) { return runJson(run, comparison); });
   document.addList("pairs", comparison.pairs, pairJson);

@@ -195,6 +195,7 @@ Comparison comparison(const JsonNode& top) {
   Comparison result;
   result.reference = ifAny(top["reference"], [](const JsonNode& name) { return name.text(); });
   result.core = textsIfAny(top, "core");
+  result.isOneDrive = top.contains("one_drive") && isTrue(top["one_drive"]);
   result.runs = mapped(top["runs"].list(), run);
   result.pairs = mapped(top["pairs"].list(), pair);
   for (const JsonNode& node : top["left_out"].list())

@@ -23,8 +23,8 @@ std::optional<double> wallDoubling(const WallMap& map);
 /** Whether a wall of the map is one of those. The map must not be bare. O(1). */
 bool hasCopy(const WallMap& map, const WallPoint& wall);
 
-/** Which way the walls of a map go where they are straight, a direction for each such wall point, in
- *  (-pi/2, pi/2] [rad]: that of the points within 1.5 m that face the same way.
+/** Which way the walls of a map go where they are straight, a direction for each such wall point,
+ *  in (-pi/2, pi/2] [rad]: that of the points within 1.5 m that face the same way.
  *  O(walls * walls within 1.5 m). */
 std::vector<double> wallDirections(const std::vector<WallPoint>& walls);
 

@@ -110,6 +110,7 @@ struct Comparison {
   /** Names of the runs among which the consensus was worked out, where these are not all. */
   std::vector<std::string> core;
   std::optional<std::string> reference;  ///< name of the run that the others are measured against
+  bool isOneDrive = false;               ///< all runs share its scans, and perhaps its errors
   std::string verdict;                   ///< one line
   std::vector<UsedOption> options;       ///< all that were used, in the order of the work
   std::optional<GateVerdict> gate;       ///< none where nothing was asked
@@ -134,8 +135,9 @@ struct Comparison {
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
    *  shows less than kNearlyAll of the site, where the others have less than kNearlyAll of
-   *  its walls or do not bear it out, where it is smeared or its scale disputed, or where the
-   *  interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
+   *  its walls or do not bear it out, where it is smeared or its scale disputed, where all runs
+   *  are of one drive, or where the interval ends above twice its error and 0.1 m; else *sure*.
+   *  O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */
