@@ -50,6 +50,7 @@ MergedRun mergedRun(const Run& run, const std::vector<Transform2D>& real,
   if (merged.scans.size() != real.size())
     throw DataError(run.file + ": has changed since it was read: start again");
   for (std::size_t k = 0; k < real.size(); ++k) {
+    merged.drawn.push_back(merged.scans[k].pose);
     merged.scans[k].pose = real[k];
     if (!merged.time) merged.time = merged.scans[k].time;
   }

@@ -90,6 +90,22 @@ TEST(MergeRuns, aRunInWhichMuchWasMovedKeepsItsScans) {
   EXPECT_LT(map.leftOut[2].size(), 3u);
 }
 
+TEST(MergeRuns, aPieceGoesAsAWhole) {
+  MergedRun run = mergedRun(test::drive(3), 2);
+  for (const Keyframe& scan : run.scans) run.drawn.push_back(scan.pose);
+  for (std::size_t k = 0; k < 10; ++k) run.scans[k].pose = Transform2D{1, 0, 0} * run.scans[k].pose;
+  const auto others = {mergedRun(test::drive(1), 0), mergedRun(test::drive(2), 1)};
+  const auto leftOut = [&] {
+    std::vector<MergedRun> runs(others);
+    runs.push_back(run);
+    return merged(runs).leftOut[2].size();
+  };
+  EXPECT_EQ(leftOut(), 10u);
+  run.drawn.clear();
+  EXPECT_LT(leftOut(), 10u)
+      << "where some agree along the corridor, and nothing holds them together";
+}
+
 TEST(MergeRuns, whatNobodyTellsOfGoesWithTheScansBesideIt) {
   auto wrong = test::drive(3);
   for (std::size_t k = 0; k < 10; ++k) {

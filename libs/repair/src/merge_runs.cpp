@@ -5,12 +5,14 @@
 #include <numeric>
 
 #include "fitted_repair.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/base/Error.h"
 #include "roomgraph/base/checked_file.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/statistics.h"
 #include "roomgraph/base/time_text.h"
+#include "roomgraph/breaks/MapBreak.h"
 #include "roomgraph/geometry/Polygon.h"
 #include "roomgraph/repair/CellVotes.h"
 
@@ -186,16 +188,34 @@ class Merger {
     const auto toldOr = [](Word word, Word next) { return word == Word::none ? next : word; };
     for (std::size_t k = 0; k < count; ++k) before[k + 1] = toldOr(words[k], before[k]);
     for (std::size_t k = count; k-- > 0;) behind[k] = toldOr(words[k], behind[k + 1]);
+    std::vector<bool> isOut(count);
+    for (std::size_t k = 0; k < count; ++k)
+      isOut[k] = (before[k + 1] == Word::against || behind[k] == Word::against) &&
+                 before[k + 1] != Word::with && behind[k] != Word::with;
+    leaveOutPieces(runs_[r], isOut);
     std::vector<std::size_t> scans;
     for (std::size_t k = 0; k < count; ++k)
-      if ((before[k + 1] == Word::against || behind[k] == Word::against) &&
-          before[k + 1] != Word::with && behind[k] != Word::with)
-        scans.push_back(k);
-    if (2 * scans.size() > count) {
-      scans.resize(count);
-      std::iota(scans.begin(), scans.end(), std::size_t(0));
-    }
+      if (isOut[k]) scans.push_back(k);
     return scans;
+  }
+
+  /** A piece of a run lies where it does as a whole: if most of its scans are left out, all are. */
+  static void leaveOutPieces(const MergedRun& run, std::vector<bool>& isOut) {
+    for (std::size_t from = 0, k = 1; k <= isOut.size(); ++k) {
+      if (k < isOut.size() && !isTorn(run, k)) continue;
+      const auto first = isOut.begin() + std::ptrdiff_t(from),
+                 end = isOut.begin() + std::ptrdiff_t(k);
+      if (2 * std::count(first, end, true) > end - first) std::fill(first, end, true);
+      from = k;
+    }
+  }
+
+  /** Whether a scan lies clearly off from where the run has it behind the one before. */
+  static bool isTorn(const MergedRun& run, std::size_t k) {
+    if (run.drawn.empty()) return false;
+    const Transform2D step = run.scans[k - 1].pose.inverse() * run.scans[k].pose;
+    return !areNear(step, run.drawn[k - 1].inverse() * run.drawn[k], {},
+                    {kClearRotation, kBreakShift});
   }
 
   /** Share of the votes for wall, in the order of time; none where nobody has seen it. */

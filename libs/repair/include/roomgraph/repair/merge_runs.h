@@ -20,6 +20,9 @@ struct MergedRun {
   std::string name;
   std::vector<Keyframe> scans;  ///< with the poses that they really have: site <- robot
   std::optional<double> time;   ///< when it was made [s since 1970]
+  /** Where it has drawn its scans, run <- robot: what it holds together is left out together. Empty
+   *  where they have not been moved. */
+  std::vector<Transform2D> drawn{};
 };
 
 struct MergeOptions {
@@ -41,9 +44,10 @@ struct MergedMap {
 /** Draws one map of all scans. Each run has a vote on each cell that its beams have met or passed:
  *  wall by the share that ended there. A cell is wall where the votes are, and, where the two runs
  *  made last have the same to say, as they say: so people, moved chairs and doubled walls go. Scans
- *  are left out first of whose beams, as far as others know their ends, most end where others look
- *  through, or go through what is wall to them, and those between such of which others tell
- *  nothing; what the two runs made last agree on contradicts nothing. The same for any order of the
+ *  are left out first of whose beams, as far as others know their ends, a quarter end where others
+ *  look through, or go through what is wall to them (more, where that is usual in their run), those
+ *  between such of which others tell nothing, and all that their run holds together where these are
+ *  most; what the two runs made last agree on contradicts nothing. The same for any order of the
  *  runs of different times. O(beams * their lengths).
  *  @throws DataError where they reach over more cells than a map may have. */
 [[nodiscard]] MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
