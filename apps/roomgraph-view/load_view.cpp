@@ -63,6 +63,9 @@ View viewOfRuns(const std::vector<std::string>& files, const ExtractOptions& opt
   CompareMapsOptions compare;
   compare.extract = options;
   compare.onUnread = [&](const LeftOutRun& run) { say(run.file + ": " + run.reason); };
+  compare.onNote = [&](const std::string& file, const Note& note) {
+    if (note.isWarning) say(file + ": note: " + note.text);
+  };
   ReadRuns read = readRuns(files, compare);
   View view;
   view.comparison = compareMaps(read, compare);

@@ -152,8 +152,10 @@ ReadRuns readMaps(const CompareArguments& arguments) {
   };
   ReadRuns read = readRuns(allFiles(arguments), options);
   unused.tell(allMaps(arguments).size());
-  if (!arguments.running.isQuiet)
-    std::fputs(noteLines(notes, arguments.running.isVerbose).c_str(), stderr);
+  const RunningArguments& running = arguments.running;
+  const std::string lines =
+      running.isQuiet ? warningLines(notes) : noteLines(notes, running.isVerbose);
+  std::fputs(lines.c_str(), stderr);
   return read;
 }
 

@@ -20,14 +20,15 @@
 #include "roomgraph/report/evo_files.h"
 #include "roomgraph/report/site_json.h"
 #include "roomgraph/scans/place_scans.h"
+#include "terminal.h"
 
 namespace roomgraph {
 namespace {
 
-std::vector<PlacedScan> scansOf(const std::string& file, const LoadGridOptions& reading) {
+PlacedScans scansOf(const std::string& file, const LoadGridOptions& reading) {
   auto recording = readRecording(file);
   if (!recording) return {};
-  return placeScans(std::move(*recording), reading).scans;
+  return placeScans(std::move(*recording), reading);
 }
 
 /** The name of a run as part of that of a file, another one than those that are taken: names may be
@@ -77,7 +78,7 @@ void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
     const auto placed = std::find_if(comparison.runs.begin(), comparison.runs.end(), isTorn);
     if (!tear.keyFrame || run == runs.end() || placed == comparison.runs.end()) continue;
     const auto [known, isNew] = read.try_emplace(tear.run);
-    if (isNew) known->second = scansOf(run->file, reading);
+    if (isNew) known->second = scansOf(run->file, reading).scans;
     const std::vector<PlacedScan>& scans = known->second;
     const std::string stem = "comparison.break" + std::to_string(i + 1);
     for (const bool isUntorn : {false, true})
@@ -90,7 +91,7 @@ void addBreakFiles(const Comparison& comparison, const std::vector<Run>& runs,
 void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const std::string& stem,
                   FolderFiles& files) {
   if (check.breaks.empty() && check.doubled.empty()) return;
-  const std::vector<PlacedScan> scans = scansOf(check.file, reading);
+  const std::vector<PlacedScan> scans = scansOf(check.file, reading).scans;
   const auto add = [&](const char* kind, std::size_t number, const auto& scansAt, bool hasFit) {
     const std::string name = stem + "." + kind + std::to_string(number);
     files.add(name + ".rawlog", rawlogBytes(scansAt(false)));
@@ -111,7 +112,9 @@ void addCheckLogs(const RunCheck& check, const LoadGridOptions& reading, const s
 
 std::string scanLog(const std::string& file, const LoadGridOptions& reading,
                     const KeyFrameStretch& stretch) {
-  std::vector<PlacedScan> scans = scansOf(file, reading);
+  PlacedScans placed = scansOf(file, reading);
+  printWarnings(file, placed.notes);
+  std::vector<PlacedScan>& scans = placed.scans;
   if (scans.empty()) throw DataError(file + ": has no key frames: give a simplemap with scans");
   const std::size_t last = scans.back().keyFrame, to = stretch.to.value_or(last);
   if (std::max(stretch.from, to) > last)

@@ -209,6 +209,7 @@ CompareMapsOptions toCompareOptions(const OptionArguments& arguments) {
   CompareMapsOptions options;
   options.extract = preset(arguments.preset);
   apply(arguments, options.extract, describe(options), describe(options));
+  options.onNote = [](const std::string& file, const Note& note) { printWarnings(file, {note}); };
   return options;
 }
 

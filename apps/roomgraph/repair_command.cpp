@@ -128,7 +128,9 @@ int runAlone(const RepairArguments& arguments) {
   const SiteArguments& site = arguments.site;
   CompareMapsOptions options = toCompareOptions(site.options);
   UnusedOptions unused;
-  options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
+  options.onNote = [&](const std::string& file, const Note& note) {
+    if (!unused.take(note)) printWarnings(file, {note});
+  };
   const Run run = readRun(site.files.front(), options);
   unused.tell(1);
   if (run.scans.empty()) throw DataError(run.file + ": has no scans: give a simplemap");

@@ -30,7 +30,9 @@ struct AskedMap {
 /** The graph in an X.json of 'roomgraph extract', or else that of a map, extracted now. */
 AskedMap readAskedMap(const std::string& file, const ExtractOptions& options) {
   if (CheckedFile(file).head().text().rfind('{', 0) == 0) return {file, readGraphJson(file), {}};
-  Stages stages = extractGraph(loadGrid(file, options.loadGrid), options);
+  GreyMap map = loadGrid(file, options.loadGrid);
+  printWarnings(file, map.notes);
+  Stages stages = extractGraph(std::move(map), options);
   return {file, graphFile(stages), std::move(stages.grid)};
 }
 

@@ -78,7 +78,9 @@ void declareSite(SiteArguments& arguments, const std::string& results, CLI::App&
 std::unique_ptr<SolvedRuns> solveRuns(const SiteArguments& arguments) {
   CompareMapsOptions options = siteOptions(arguments);
   UnusedOptions unused;
-  options.onNote = [&](const std::string&, const Note& note) { (void)unused.take(note); };
+  options.onNote = [&](const std::string& file, const Note& note) {
+    if (!unused.take(note)) printWarnings(file, {note});
+  };
   ReadRuns read = readRuns(arguments.files, options);
   unused.tell(arguments.files.size() + (arguments.reference.empty() ? 0 : 1));
   if (!arguments.takesCopies) leaveOutCopies(read);

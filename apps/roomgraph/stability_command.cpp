@@ -143,6 +143,7 @@ int measureMap(const std::string& mapFile, const StabilityTask& task) {
   const std::string csv = outputFile(task.folder, mapFile, "stability.csv");
   const std::string json = outputFile(task.folder, mapFile, "stability.json");
   const GreyMap map = loadGrid(mapFile, task.extract.loadGrid);
+  printWarnings(mapFile, map.notes);
   Progress progress(partial, stabilityKey(map.source, task.extract, task.options),
                     stabilityRuns(task.options));
   const StabilityBase base = stabilityBase(map, task.extract, task.options);

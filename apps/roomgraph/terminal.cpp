@@ -35,15 +35,31 @@ std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose) {
   if (isVerbose) return allLines(notes);
   std::set<std::string> files, codes;  // that were told
   std::vector<std::string> told;
+  std::size_t more = 0;
   for (const MapNote& one : notes) {
-    const bool isNew = codes.insert(one.note.code).second;
-    if (isNew && files.insert(one.file).second) told.push_back(lineOf(one));
+    if (one.note.isWarning) continue;
+    if (codes.insert(one.note.code).second && files.insert(one.file).second)
+      told.push_back(lineOf(one));
+    else
+      ++more;
   }
-  if (const std::size_t more = notes.size() - told.size())
+  if (more > 0)
     told.back() += " (and " + counted(more, "more note", "more notes") + ": see --verbose)";
-  std::string lines;
+  std::string lines = warningLines(notes);
   for (const std::string& text : told) lines += errorLine(text);
   return lines;
+}
+
+std::string warningLines(const std::vector<MapNote>& notes) {
+  std::string lines;
+  for (const MapNote& one : notes)
+    if (one.note.isWarning) lines += errorLine(lineOf(one));
+  return lines;
+}
+
+void printWarnings(const std::string& file, const Notes& notes) {
+  for (const Note& note : notes)
+    if (note.isWarning) printError(lineOf({file, note}));
 }
 
 void print(const std::string& lines) {

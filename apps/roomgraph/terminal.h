@@ -44,8 +44,12 @@ struct MapNote {
   Note note;
 };
 
-/** For stderr: one line per note when verbose, else at most one per map, for the first of its notes
- *  of a kind that was not told yet, and how many more there are. */
+/** For stderr: one line per note when verbose, else the warnings, and at most one line more per
+ *  map, for the first of its notes of a kind that was not told yet, and how many more there are. */
 std::string noteLines(const std::vector<MapNote>& notes, bool isVerbose);
+/** The warnings among them alone: what is told with --quiet, too. */
+std::string warningLines(const std::vector<MapNote>& notes);
+/** For commands that tell no other notes. */
+void printWarnings(const std::string& file, const Notes& notes);
 
 }  // namespace roomgraph

@@ -61,7 +61,7 @@ CompareMapsOptions optionsOf(const PythonCall& call) {
     tell(call, true, run.file + ": " + run.reason);
   };
   options.onNote = [&call](const std::string& file, const Note& note) {
-    tell(call, false, file + ": " + note.text);
+    tell(call, note.isWarning, file + ": " + note.text);
   };
   return options;
 }
@@ -76,7 +76,7 @@ void tell(const PythonCall& call, bool isWarning, const std::string& text) {
 GreyMap readGrid(const PythonMap& map, const PythonCall& call, const LoadGridOptions& options) {
   if (const auto* array = std::get_if<ArrayMap>(&map)) return array->map;
   GreyMap read = loadGrid(fileOf(map), options);
-  for (const Note& note : read.notes) tell(call, false, fileOf(map) + ": " + note.text);
+  for (const Note& note : read.notes) tell(call, note.isWarning, fileOf(map) + ": " + note.text);
   return read;
 }
 

@@ -57,6 +57,7 @@ TEST_F(ExternalFile, aMapThatWasRenamedHasItsCloudsAndSaysSo) {
   const GreyMap map = load(renamed);
   expectRoom(map);
   EXPECT_EQ(map.notes.at(1).code, "other_folder");
+  EXPECT_TRUE(map.notes.at(1).isWarning) << "they may be those of another drive";
   EXPECT_NE(map.notes.at(1).text.find("final_map_Images"), std::string::npos);
   EXPECT_NE(errorOf(outside(1, "lidar_1700000001.5.bin")).find("run_Images"), std::string::npos);
 

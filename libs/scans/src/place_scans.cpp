@@ -196,9 +196,11 @@ void cutClouds(const Recording& recording, Decoded decoded, const Contents& cont
   addNote(placed, "slice", "its point clouds are cut: " + sliceText(slice) + " (see --slice)");
   if (contents.missing > 0) addNote(placed, "missing_clouds", missingText(contents));
   if (!contents.otherFolder.empty())
-    addNote(placed, "other_folder",
-            "its point clouds are taken from " + contents.otherFolder +
-                ", the only folder of clouds without a map beside it");
+    placed.notes.push_back({"other_folder",
+                            "its point clouds are taken from " + contents.otherFolder +
+                                ", the only folder of clouds without a map beside it",
+                            {},
+                            true});
   addSlices(recording, std::move(decoded), slice, placed);
 }
 
