@@ -3,6 +3,8 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
@@ -50,6 +52,32 @@ std::string readOnlyUri(const std::string& path) {
   return uri + (std::filesystem::exists(path + "-wal") ? "?mode=ro" : "?immutable=1");
 }
 
+/** Whether the disk gives all bytes of the file. They are asked for by SQLite's own descriptor: to
+ *  close another one would let go of its locks. */
+bool isReadable(sqlite3* handle) {
+  sqlite3_file* file = nullptr;
+  sqlite3_int64 size = 0;
+  sqlite3_file_control(handle, "main", SQLITE_FCNTL_FILE_POINTER, &file);
+  if (!file || !file->pMethods || file->pMethods->xFileSize(file, &size) != SQLITE_OK) return false;
+  std::array<char, 65536> bytes{};
+  for (sqlite3_int64 at = 0; at < size; at += sqlite3_int64(bytes.size())) {
+    const auto count = std::min(sqlite3_int64(bytes.size()), size - at);
+    if (file->pMethods->xRead(file, bytes.data(), int(count), at) != SQLITE_OK) return false;
+  }
+  return true;
+}
+
+/** Whether SQLite, asked once more, finds nothing wrong in the whole file. */
+bool isSound(sqlite3* handle) {
+  std::string answer;
+  const auto keep = [](void* to, int, char** values, char**) {
+    *static_cast<std::string*>(to) = values[0];
+    return 0;
+  };
+  return sqlite3_exec(handle, "PRAGMA integrity_check(1)", keep, &answer, nullptr) == SQLITE_OK &&
+         answer == "ok";
+}
+
 }  // namespace
 
 Database::Database(const std::string& file, bool mayMake) : file_(file) {
@@ -82,7 +110,12 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
 Database::~Database() { sqlite3_close(handle_); }
 
 void Database::fail() const {
-  refuse(file_, sqlite3_errmsg(handle_), remedyOf(sqlite3_errcode(handle_)));
+  const int code = sqlite3_errcode(handle_) & 0xff;
+  const std::string text = sqlite3_errmsg(handle_);  // before the next question changes it
+  // A disk that failed to read is damage to SQLite.
+  const bool isOfDisk = code == SQLITE_CORRUPT && (!isReadable(handle_) || isSound(handle_));
+  if (isOfDisk) refuse(file_, sqlite3_errstr(SQLITE_IOERR), remedyOf(SQLITE_IOERR));
+  refuse(file_, text, remedyOf(code));
 }
 
 void Database::run(const std::string& sql) {
