@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 
 #include "roomgraph/base/Error.h"
@@ -39,7 +40,7 @@ bool mayBeWritten(const std::string& path) {
 
 /** The name that SQLite opens a file by that may only be read. Where no log lies beside it, nobody
  *  is writing to it, and SQLite need not make one to see that. */
-std::string readOnlyUri(const std::string& path) {
+std::string readOnlyUri(const std::string& path, bool hasLog) {
   std::string uri = "file:";
   for (const char c : path) {
     constexpr char digits[] = "0123456789ABCDEF";
@@ -49,7 +50,13 @@ std::string readOnlyUri(const std::string& path) {
     else
       uri += c;
   }
-  return uri + (std::filesystem::exists(path + "-wal") ? "?mode=ro" : "?immutable=1");
+  return uri + (hasLog ? "?mode=ro" : "?immutable=1");
+}
+
+/** Whether SQLite finds room for what it makes beside a file before the first question. */
+bool hasRoom(sqlite3* handle) {
+  const int code = sqlite3_exec(handle, "PRAGMA user_version", nullptr, nullptr, nullptr) & 0xff;
+  return code != SQLITE_FULL && (code != SQLITE_IOERR || sqlite3_system_errno(handle) != ENOSPC);
 }
 
 /** Whether the disk gives all bytes of the file. They are asked for by SQLite's own descriptor: to
@@ -94,17 +101,31 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
     refuse(file, "is not a regular file", remedyOf(SQLITE_NOTADB));
   if (!mayMake && std::filesystem::file_size(path) == 0)
     refuse(file, "is empty: it may have been lost in a crash or a copy", remedyOf(SQLITE_CORRUPT));
-  isReadOnly_ = exists && !mayBeWritten(path);
-  int flags = SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0);
-  if (isReadOnly_) flags = SQLITE_OPEN_READONLY | SQLITE_OPEN_URI;
-  const std::string name = isReadOnly_ ? readOnlyUri(path) : path;
+  const std::string log = path + "-wal";
+  if (exists && !mayBeWritten(path)) {
+    openToRead(path, std::filesystem::exists(log));
+    return;
+  }
+  open(path, SQLITE_OPEN_READWRITE | (mayMake ? SQLITE_OPEN_CREATE : 0));
+  if (!exists || hasRoom(handle_)) return;
+  sqlite3_close(handle_);
+  isFull_ = true;
+  openToRead(path, std::filesystem::exists(log) && std::filesystem::file_size(log) > 0);
+}
+
+void Database::open(const std::string& name, int flags) {
   if (sqlite3_open_v2(name.c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
     const int code = handle_ ? sqlite3_extended_errcode(handle_) : SQLITE_NOMEM;
     sqlite3_close(handle_);
-    refuse(file, sqlite3_errstr(code), remedyOf(code));
+    refuse(file_, sqlite3_errstr(code), remedyOf(code));
   }
   sqlite3_extended_result_codes(handle_, 1);
   sqlite3_busy_timeout(handle_, 120'000);  // ms, for another program that writes
+}
+
+void Database::openToRead(const std::string& path, bool hasLog) {
+  isReadOnly_ = true;
+  open(readOnlyUri(path, hasLog), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
 Database::~Database() { sqlite3_close(handle_); }
@@ -115,6 +136,8 @@ void Database::fail() const {
   // A disk that failed to read is damage to SQLite.
   const bool isOfDisk = code == SQLITE_CORRUPT && (!isReadable(handle_) || isSound(handle_));
   if (isOfDisk) refuse(file_, sqlite3_errstr(SQLITE_IOERR), remedyOf(SQLITE_IOERR));
+  const bool isFull = isFull_ && (code == SQLITE_READONLY || code == SQLITE_IOERR);
+  if (isFull) refuse(file_, sqlite3_errstr(SQLITE_FULL), remedyOf(SQLITE_FULL));
   refuse(file_, text, remedyOf(code));
 }
 

@@ -11,7 +11,7 @@ namespace roomgraph {
 /** An SQLite file. All that fails is a DataError with one line: file, problem, remedy. */
 class Database {
  public:
-  /** A file that may not be written is opened to be read.
+  /** A file that may not be written, or on a full disk, is opened to be read.
    *  @throws DataError where the file is not there, or empty, unless it may be made. */
   Database(const std::string& file, bool mayMake);
   Database(const Database&) = delete;
@@ -36,9 +36,12 @@ class Database {
   [[noreturn]] void fail() const;
 
  private:
+  void open(const std::string& name, int flags);
+  void openToRead(const std::string& path, bool hasLog);
+
   std::string file_;
   sqlite3* handle_ = nullptr;
-  bool isReadOnly_ = false;
+  bool isReadOnly_ = false, isFull_ = false;
 };
 
 /** One SQL statement with its values. */
