@@ -7,13 +7,15 @@
 namespace roomgraph {
 namespace {
 
-/** A night of three runs, of which the first is torn twice and the second once. */
+/** A night of three runs: the first is torn twice, the second once and once slightly. */
 Comparison tornNight() {
   Comparison comparison = test::night("s", "anna", 1, 0.2, {"2", "3"}).comparison;
   for (const char* run : {"1", "1", "2"}) {
     comparison.breaks.emplace_back();
-    comparison.breaks.back().run = run;
+    comparison.breaks.back().run = run, comparison.breaks.back().shift = 0.5;
   }
+  comparison.breaks.push_back(comparison.breaks.back());
+  comparison.breaks.back().shift = 0.3;
   return comparison;
 }
 
@@ -35,7 +37,7 @@ TEST(FiguresOf, areThoseOfTheScoreThenTheMeasures) {
   EXPECT_EQ(figures.back().name, "coverage");
 }
 
-TEST(FiguresOf, breaksAreCountedRunByRun) {
+TEST(FiguresOf, breaksThatAreNotSlightAreCountedRunByRun) {
   const Comparison comparison = tornNight();
   EXPECT_EQ(find(figuresOf(comparison.runs[0], comparison), kBreaks)->value, 2);
   EXPECT_EQ(find(figuresOf(comparison.runs[1], comparison), kBreaks)->value, 1);

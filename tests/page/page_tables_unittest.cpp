@@ -18,7 +18,13 @@ std::string shown(const Comparison& comparison, const std::string& text) {
 TEST(PageTables, runsStandInTheOrderOfTheirRanks) {
   EXPECT_EQ(shown(sample().comparison, "{{#runs}}{{rank}}:{{error}}[{{errorRange}}] {{/runs}}"),
             "1:0.05[0.03 – 0.13] 2:0.11[0.06 – 0.25] 3:0.70[0.35 – 1.43] 4:1.20[0.60 – 2.43] ");
-  EXPECT_EQ(shown(sample().comparison, "{{#runs}}{{breaks}} {{/runs}}"), "0 0 2 0 ");
+  Comparison comparison = sample().comparison;
+  EXPECT_EQ(shown(comparison, "{{#runs}}{{breaks}} {{/runs}}"), "0 0 1 + 1 slight 0 ");
+  comparison.breaks[1].shift = 0.6;
+  EXPECT_EQ(shown(comparison, "{{#runs}}{{breaks}} {{/runs}}"), "0 0 2 0 ");
+  comparison.breaks[1].shift = 0.3;
+  comparison.breaks[0] = comparison.breaks[1];
+  EXPECT_EQ(shown(comparison, "{{#runs}}{{breaks}} {{/runs}}"), "0 0 2 slight 0 ");
   EXPECT_EQ(shown(sample().comparison, "{{#runs}}{{coverage}} {{/runs}}"), "90 % 80 % 70 % 60 % ");
 }
 

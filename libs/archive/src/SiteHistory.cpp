@@ -49,9 +49,7 @@ std::vector<Measure> figuresOf(const ComparedRun& run, const Comparison& compari
   std::vector<Measure> figures;
   if (run.score) {
     addScore(figures, *run.score);
-    const auto breaks = std::count_if(comparison.breaks.begin(), comparison.breaks.end(),
-                                      [&](const MapBreak& one) { return one.run == run.name; });
-    figures.push_back(figure(kBreaks, double(breaks), "1", *run.score));
+    figures.push_back(figure(kBreaks, double(comparison.countBreaks(run.name)), "1", *run.score));
   }
   figures.insert(figures.end(), run.measures.begin(), run.measures.end());
   return figures;

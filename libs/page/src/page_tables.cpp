@@ -143,7 +143,7 @@ class Tables {
       row["scoreRange"] = rangeText(run.score->low, run.score->high, 1);
       row["errorRange"] = rangeText(run.score->errorLow, run.score->errorHigh, 2);
     }
-    row["breaks"] = std::to_string(breaksOf(run.name));
+    row["breaks"] = breaksText(run.name);
     const Measure* coverage = find(run.measures, "coverage");
     row["coverage"] = coverage ? valueText(coverage->value, coverage->unit) : "–";
     row["measures"] = rowsOf(allMeasures(), [&](const Measure& measure, std::size_t) {
@@ -162,6 +162,13 @@ class Tables {
   std::size_t breaksOf(const std::string& run) const {
     return std::size_t(std::count_if(comparison_.breaks.begin(), comparison_.breaks.end(),
                                      [&](const MapBreak& tear) { return tear.run == run; }));
+  }
+
+  /** The verdict counts no slight ones: "1 + 1 slight". */
+  std::string breaksText(const std::string& run) const {
+    const std::size_t others = comparison_.countBreaks(run), slight = breaksOf(run) - others;
+    if (slight == 0) return std::to_string(others);
+    return (others > 0 ? std::to_string(others) + " + " : "") + std::to_string(slight) + " slight";
   }
 
   /** Those of the first run that has any: all runs have the same. */

@@ -12,7 +12,7 @@ namespace roomgraph {
 /** Names of figures that every scored run has, besides those of runMeasureKinds(). */
 constexpr const char* kMapError = "map_error_m";
 constexpr const char* kScore = "score";
-constexpr const char* kBreaks = "breaks";
+constexpr const char* kBreaks = "breaks";         ///< those that are not slight
 constexpr const char* kSelfError = "self_error";  ///< of a run that others do not judge [m]
 constexpr const char* kSelfBreaks = "self_breaks";
 

@@ -26,9 +26,9 @@ struct RobotWatch {
   std::size_t latest = 0;               ///< into SiteHistory::runs
   /** Latest runs in a row that lie elsewhere, or cannot be judged though the site is known. */
   std::size_t unjudged = 0;
-  /** Of `latest`: yes where it is judged, has no break, is not above the limit, shows nearly all of
-   *  the site, lacks or adds few walls, and draws them about as thick as others; unknown while the
-   *  site has fewer than three runs. */
+  /** Of `latest`: yes where it is judged, has slight breaks at most, is not above the limit, shows
+   *  nearly all of the site, lacks or adds few walls, and draws them about as thick as others;
+   *  unknown while the site has fewer than three runs. */
   Rollout rollout = Rollout::unknown;
   std::string advice;    ///< for people: whether it may, why not, and which map stays
   std::string sentence;  ///< for people, without the name of the robot: what is seen over time
