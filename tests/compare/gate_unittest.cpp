@@ -158,7 +158,8 @@ TEST(Gate, ofADoubtfulPlaceTheWholeIntervalCounts) {
   unsure.a = "a", unsure.b = "b", unsure.isSameSite = true, unsure.confidence = 0.5;
   ASSERT_EQ(comparison.certaintyOf(run), Certainty::doubtful);
   EXPECT_EQ(gateVerdict(comparison, options).complaints,
-            Lines{"b: its map error is doubtful and may be 0.500 m, 0.100 m above 0.4 m"});
+            Lines{"b: its map error is 0.200 m, but doubtful: it may be 0.500 m, 0.100 m above "
+                  "0.4 m"});
 }
 
 TEST(Gate, metresOfAScaleThatNoMapTellsAreNotJudged) {
@@ -192,7 +193,7 @@ TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
   GateOptions options;
   options.candidates = {"d"};
   options.maxWorse = 0.7;  // the median of 0.1, 0.2 and 0.4 is 0.2
-  EXPECT_EQ(recordError(fiveRuns(), "d", {"d"}), 0.2);
+  EXPECT_EQ(recordError(fiveRuns(), "d", {"d"})->error, 0.2);
   EXPECT_EQ(gateVerdict(fiveRuns(), options).margins,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
                   "others; up to 0.7 m more passes"});
@@ -201,6 +202,18 @@ TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
                   "others; up to 0.69 m more passes"});
   EXPECT_EQ(gateVerdict(fiveRuns(), options).candidates, Lines{"d"});
+}
+
+TEST(Gate, aRecordOfFewerThanThreeIsToldAsSuch) {
+  GateOptions options;
+  options.candidates = {"d", "c"}, options.maxWorse = 0.7;
+  const Lines ofTwo = gateVerdict(fiveRuns(), options).complaints;
+  EXPECT_EQ(ofTwo, Lines{"d: its map error of 0.900 m is 0.750 m more than the median of the two "
+                         "best others; up to 0.7 m more passes"});
+  options.candidates.push_back("b");
+  const Lines ofOne = gateVerdict(fiveRuns(), options).complaints;
+  EXPECT_EQ(ofOne, Lines{"d: its map error of 0.900 m is 0.800 m more than that of the best other; "
+                         "up to 0.7 m more passes"});
 }
 
 TEST(Gate, onlyCandidatesAreJudgedAndTheyAreNotTheRecord) {
@@ -212,7 +225,7 @@ TEST(Gate, onlyCandidatesAreJudgedAndTheyAreNotTheRecord) {
   comparison.breaks = {{"d", {1, 2}, 0.1, 0.5, {}, {}}};
   comparison.leftOut = {{"other", "other.gridmap", "is of another site", true}};
   EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
-  EXPECT_EQ(recordError(comparison, "a", {"a", "b", "c"}), 0.9);
+  EXPECT_EQ(recordError(comparison, "a", {"a", "b", "c"})->error, 0.9);
   EXPECT_FALSE(recordError(comparison, "a", {"b", "c", "d"}));
 }
 
@@ -248,13 +261,17 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
   options.failsOnWalls = true;
   EXPECT_FALSE(options.asksNothing());
   EXPECT_TRUE(gateVerdict(withWalls(0.14, 0.49, 0.5), options).isPassed());
-  EXPECT_EQ(gateVerdict(withWalls(0.3, 0.6, 0.2), options).complaints,
-            (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
-                   "a: has 60 % of its walls round (1.0, -2.0) where others have seen free space, "
-                   "more than 50 %",
-                   "a: its walls are too thin: wall_sharpness is 0.20, that of the others 0.80"}));
-  EXPECT_EQ(gateVerdict(withWalls(0, 0, 3), options).complaints,
-            Lines{"a: its walls are too thick: wall_sharpness is 3.00, that of the others 0.80"});
+  EXPECT_EQ(
+      gateVerdict(withWalls(0.3, 0.6, 0.2), options).complaints,
+      (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
+             "a: has 60 % of its walls round (1.0, -2.0) where others have seen free space, "
+             "more than 50 %",
+             "a: its walls are too thin: 0.20 cells of wall for each cell at the edge of free "
+             "space (wall_sharpness), where the others have 0.80"}));
+  EXPECT_EQ(
+      gateVerdict(withWalls(0, 0, 3), options).complaints,
+      Lines{"a: its walls are too thick: 3.00 cells of wall for each cell at the edge of free "
+            "space (wall_sharpness), where the others have 0.80"});
   Comparison little = withWalls(0.3, 0.4, 0.8);
   for (Measure& measure : little.runs[0].measures) measure.isMeaningful = false;
   EXPECT_TRUE(gateVerdict(little, options).isPassed()) << "nobody can tell";

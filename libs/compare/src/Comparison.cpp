@@ -74,7 +74,8 @@ std::string Comparison::faultOfReference(const ComparedRun& run) const {
     const std::string at =
         found.keyFrame ? formatted("at key frame %zu, ", *found.keyFrame) : std::string();
     return "the reference itself breaks " + at +
-           formatted("by %.1f degrees and %.2f m", found.rotation * 180 / M_PI, found.shift);
+           formatted("by %.1f degrees and %.2f m", std::abs(found.rotation) * 180 / M_PI,
+                     found.shift);
   }
   if (!run.score || run.score->fitsReference()) return "";
   return formatted(

@@ -22,7 +22,7 @@ std::string breakText(const MapBreak& found) {
   if (found.keyFrame) text += "at key frame " + std::to_string(*found.keyFrame) + ", ";
   if (found.time) text += timeText(*found.time) + ", ";
   return text + formatted("at (%.1f, %.1f) by %.1f degrees and %.2f m (%s)", found.place.x,
-                          found.place.y, found.rotation * 180 / M_PI, found.shift,
+                          found.place.y, std::abs(found.rotation) * 180 / M_PI, found.shift,
                           nameOf(found.kind()));
 }
 
@@ -194,22 +194,26 @@ class Judge {
     if (!options_.maxWorse) return;
     const auto record = recordError(comparison_, run.name, options_.candidates);
     if (!record) return complain(run.name, "there is no other run to hold it against");
-    const double more = *error - *record, left = *options_.maxWorse - more;
+    const double more = *error - record->error, left = *options_.maxWorse - more;
+    const char* ofWhat = record->runs == 1   ? "that of the best other"
+                         : record->runs == 2 ? "the median of the two best others"
+                                             : "the median of the three best others";
     hold("record", run.name, left,
-         formatted("its map error of %.3f m is %.3f m %s than the median of the three best others; "
-                   "up to %.4g m more passes",
-                   *error, std::abs(more), more < 0 ? "less" : "more", *options_.maxWorse));
+         formatted("its map error of %.3f m is %.3f m %s than %s; up to %.4g m more passes", *error,
+                   std::abs(more), more < 0 ? "less" : "more", ofWhat, *options_.maxWorse));
   }
 
   /** A run that may lie in the wrong place may be as far off as its interval reaches. */
   void judgeMetres(const ComparedRun& run, double most) {
     const bool isDoubtful = comparison_.certaintyOf(run) == Certainty::doubtful;
-    const double error = isDoubtful ? run.score->errorHigh : run.score->mapError;
-    const double left = most - error;
+    const double error = run.score->mapError, high = run.score->errorHigh;
+    const double left = most - (isDoubtful ? high : error);
+    const std::string text =
+        isDoubtful ? formatted("is %.3f m, but doubtful: it may be %.3f m,", error, high)
+                   : formatted("of %.3f m is", error);
     hold("error", run.name, left,
-         formatted("its map error %s %.3f m%s %.3f m %s %.4g m",
-                   isDoubtful ? "is doubtful and may be" : "of", error, isDoubtful ? "," : " is",
-                   std::abs(left), left < 0 ? "above" : "below", most));
+         "its map error " + text +
+             formatted(" %.3f m %s %.4g m", std::abs(left), left < 0 ? "above" : "below", most));
   }
 
   void judgeLeftOut(const LeftOutRun& run) {
@@ -256,8 +260,10 @@ class Judge {
 std::string sharpnessFault(double own, double usual) {
   const bool areThin = own * kMostThinned < usual, areThick = usual * kMostThinned < own;
   if (!areThin && !areThick) return "";
-  return formatted("are too %s: wall_sharpness is %.2f, that of the others %.2f",
-                   areThin ? "thin" : "thick", own, usual);
+  return formatted(
+      "are too %s: %.2f cells of wall for each cell at the edge of free space (wall_sharpness), "
+      "where the others have %.2f",
+      areThin ? "thin" : "thick", own, usual);
 }
 
 GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options) {
@@ -265,8 +271,8 @@ GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options
   return Judge(comparison, options).verdict();
 }
 
-std::optional<double> recordError(const Comparison& comparison, const std::string& run,
-                                  const std::vector<std::string>& candidates) {
+std::optional<RecordError> recordError(const Comparison& comparison, const std::string& run,
+                                       const std::vector<std::string>& candidates) {
   std::vector<double> errors;
   for (const ComparedRun& other : comparison.runs) {
     if (other.name == run || other.name == comparison.reference) continue;
@@ -276,7 +282,7 @@ std::optional<double> recordError(const Comparison& comparison, const std::strin
   if (errors.empty()) return {};
   std::sort(errors.begin(), errors.end());
   errors.resize(std::min(kBest, errors.size()));
-  return median(errors);
+  return RecordError{median(errors), errors.size()};
 }
 
 }  // namespace roomgraph

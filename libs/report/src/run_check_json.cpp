@@ -118,7 +118,8 @@ std::string weldedText(const WeldedPlace& place) {
 std::string selfBreakText(const MapBreak& tear) {
   const std::string place = formatted("before key frame %zu, ", tear.keyFrame.value_or(0));
   if (!tear.torn) return place + "by how much its scans do not tell";
-  return place + formatted("%.1f degrees and %.2f m", tear.rotation * 180 / M_PI, tear.shift);
+  return place +
+         formatted("%.1f degrees and %.2f m", std::abs(tear.rotation) * 180 / M_PI, tear.shift);
 }
 
 }  // namespace roomgraph

@@ -53,11 +53,17 @@ struct GateOptions {
  */
 [[nodiscard]] GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
-/** The median of the three least map errors that can be trusted, of runs that are neither this one
- *  nor among the candidates [m]; nothing where there is none. */
-[[nodiscard]] std::optional<double> recordError(const Comparison& comparison,
-                                                const std::string& run,
-                                                const std::vector<std::string>& candidates);
+/** What a run is held against. */
+struct RecordError {
+  double error = 0;      ///< the median of the least map errors of others [m]
+  std::size_t runs = 0;  ///< that it is the median of, three at most
+};
+
+/** Of the three least map errors that can be trusted, of runs that are neither this one nor among
+ *  the candidates; nothing where there is none. */
+[[nodiscard]] std::optional<RecordError> recordError(const Comparison& comparison,
+                                                     const std::string& run,
+                                                     const std::vector<std::string>& candidates);
 
 /** What is wrong with walls of a `wall_sharpness` beside the median of the others: more than
  *  kMostThinned times thinner or thicker; empty for nothing. */
