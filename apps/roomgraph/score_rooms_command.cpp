@@ -17,21 +17,39 @@ struct ScoreArguments {
   bool isJson = false;
 };
 
-/** A map itself has labels, too, as far as one can see: what is free, and what is unknown. */
-LabelMap readRooms(const std::string& file) {
-  LabelMap map = readLabels(file);
-  const std::set<std::uint32_t> labels(map.label.begin(), map.label.end());
-  constexpr std::uint32_t free = 254, unknown = 205;
-  const auto isOfRooms = [](std::uint32_t l) { return l != 0 && l != free && l != unknown; };
-  if (labels.count(free) > 0 && std::none_of(labels.begin(), labels.end(), isOfRooms))
-    throw DataError(file +
+using Greys = std::set<std::uint32_t>;
+
+constexpr std::uint32_t kFree = 254, kUnknown = 205;  // as ROS saves maps
+
+/** Only what is free, unknown and wall in a map, which nobody takes for labels. */
+bool areOfMap(const Greys& greys) {
+  return greys.count(kFree) > 0 && std::all_of(greys.begin(), greys.end(), [](std::uint32_t grey) {
+           return grey == 0 || grey == kFree || grey == kUnknown;
+         });
+}
+
+/** A plan of other greys has no more of them, and the brightest is what is free. Labels of one or
+ *  two rooms may look the same: what the other picture has tells them apart. */
+bool mayBeOfPlan(const Greys& greys, const Greys& others) {
+  return greys.size() <= 3 && greys.size() < others.size() && *greys.rbegin() > kUnknown &&
+         *greys.rbegin() <= 255;
+}
+
+/** A map itself has labels, too, as far as one can see.
+ *  @throws DataError where `map` is one. */
+void refuseMap(const LabelMap& map, const LabelMap& other) {
+  const Greys greys(map.label.begin(), map.label.end());
+  const Greys others(other.label.begin(), other.label.end());
+  if (areOfMap(greys) || mayBeOfPlan(greys, others))
+    throw DataError(map.source.file +
                     ": is a map, as it has only the greys of what is free, unknown and wall: "
-                    "give a picture with a label of its own for each room");
-  return map;
+                    "give a picture with a label of its own for each room, from 1 on");
 }
 
 int run(const ScoreArguments& arguments) {
-  const LabelMap labels = readRooms(arguments.labels), truth = readRooms(arguments.truth);
+  const LabelMap labels = readLabels(arguments.labels), truth = readLabels(arguments.truth);
+  refuseMap(labels, truth);
+  refuseMap(truth, labels);
   const RoomScore score = scoreRooms(labels, truth);
   print(arguments.isJson ? roomScoreJson(score) : roomScoreText(score));
   return kDone;

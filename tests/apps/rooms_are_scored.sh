@@ -41,6 +41,16 @@ one_line err '40 x 30' '162 x 82'
 { printf 'P2\n40 30\n255\n'; for i in $(seq 600); do echo 254 205; done; } > map.pgm
 expect 1 "$roomgraph" score-rooms truth.pgm map.pgm
 one_line err map.pgm 'is a map'
+# Nor is a plan of other greys, or in black and white; the same greys may be labels of two rooms.
+for greys in '2 127 250' '0 255 255'; do
+  { printf 'P2\n40 30\n255\n'; for i in $(seq 400); do echo "$greys"; done; } > plan.pgm
+  { printf 'P2\n40 30\n255\n'; for i in $(seq 300); do echo 0 1 2 3; done; } > rooms.pgm
+  expect 1 "$roomgraph" score-rooms plan.pgm rooms.pgm
+  one_line err plan.pgm 'is a map'
+  expect 1 "$roomgraph" score-rooms rooms.pgm plan.pgm
+  one_line err plan.pgm 'is a map'
+  expect 0 "$roomgraph" score-rooms plan.pgm plan.pgm
+done
 expect 1 "$roomgraph" score-rooms missing.png truth.pgm
 one_line err missing.png
 echo 'no picture' > junk.png
