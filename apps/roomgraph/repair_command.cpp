@@ -95,7 +95,10 @@ std::string lineOf(const RepairedRun& repaired, const char* unseen) {
     line += formatted(", moved by up to %.2f m at key frame %zu", repaired.movedMost,
                       repaired.movedMostAt);
   const std::vector<std::string> stretches = mapped(repaired.unseen, &KeyFrames::text);
-  if (!stretches.empty())
+  if (repaired.isOneUnseen())
+    line += "; key frame " + stretches[0] + " was " + unseen +
+            " and keeps its pose relative to its neighbours";
+  else if (!stretches.empty())
     line += "; key frames " + listed(stretches, 3) + " were " + unseen +
             " and keep their pose relative to their neighbours";
   return line;

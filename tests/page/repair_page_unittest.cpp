@@ -51,6 +51,9 @@ TEST(RepairPage, tellsWhatMovedAndWhichStepsWereBreaks) {
   EXPECT_TRUE(has(page, "before key frame 12, by 0.0 degrees and 3.00 m"));
   EXPECT_EQ(page.find("before key frame"), page.rfind("before key frame"));  // of no other step
   EXPECT_TRUE(has(page, "key frames 11 to 12<"));
+  RepairedRun one = mended();
+  one.unseen = {{11, 11}};
+  EXPECT_TRUE(has(pageOf(one), ">key frame 11<"));
 }
 
 TEST(RepairPage, aRunThatIsLeftIsShownAsItWas) {

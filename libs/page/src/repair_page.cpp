@@ -101,8 +101,9 @@ std::string figures(const Run& run, const RepairedRun& repaired) {
   for (const MapBreak& tear : mendedBreaks(run, repaired))
     breaks += formatted("before key frame %zu, by %.1f degrees and %.2f m<br>\n", *tear.keyFrame,
                         std::abs(tear.rotation) * 180 / M_PI, tear.shift);
+  const char* keyFrames = repaired.isOneUnseen() ? "key frame " : "key frames ";
   for (const KeyFrames& stretch : repaired.unseen)
-    stretches += (stretches.empty() ? "key frames " : ", ") + stretch.text();
+    stretches += (stretches.empty() ? keyFrames : ", ") + stretch.text();
   const bool isMended = repaired.state == RepairState::mended;
   return "<table><tbody>\n" +
          (isMended

@@ -47,6 +47,11 @@ struct RepairedRun {
    *  unless others have mended it. */
   std::optional<double> left;
   std::vector<KeyFrames> unseen;  ///< what no other run, or pass, has seen: it stays on its links
+
+  /** One key frame alone, of which people speak in the singular. */
+  [[nodiscard]] bool isOneUnseen() const {
+    return unseen.size() == 1 && unseen[0].from == unseen[0].to;
+  }
 };
 
 }  // namespace roomgraph
