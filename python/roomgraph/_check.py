@@ -39,7 +39,7 @@ class RunCheck:
 
     @property
     def sentence(self) -> str:
-        """What can be told, and what cannot, for people."""
+        """What can be told, and what cannot, for people, as the program prints it."""
         return self.data["sentence"]
 
     def __repr__(self) -> str:

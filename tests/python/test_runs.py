@@ -15,8 +15,10 @@ def run_files():
 
 
 def test_check_gives_what_the_program_writes(run_files, program, tmp_path):
-    subprocess.run([program, "check", "-q", "-o", tmp_path, run_files[2]], check=True)
+    call = [program, "check", "-o", tmp_path, run_files[2]]
+    told = subprocess.run(call, check=True, capture_output=True, text=True).stdout
     found = roomgraph.check(run_files[2])
+    assert told.startswith(f"office_run3: {found.sentence}\n")
     assert found.json == (tmp_path / "office_run3.check.json").read_text()
     assert found.sentence == found.data["sentence"] in repr(found)
     assert found.self_error == found.data["self_error_m"]

@@ -48,6 +48,8 @@ TEST(RunCheckJson, holdsWhatWasTold) {
   EXPECT_TRUE(json["evidence"][0]["agreed"].is_null());
   EXPECT_EQ(json["path"][1]["time"], 12.5);
   EXPECT_EQ(json["path"].size(), 2u);
+  const std::string sentence = json["sentence"];
+  EXPECT_EQ("a: " + sentence + "\n", runCheckText(sampleCheck()));
 }
 
 TEST(RunCheckJson, whatCannotBeToldIsNull) {

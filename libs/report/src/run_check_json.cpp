@@ -77,7 +77,7 @@ std::string runCheckJson(const RunCheck& check) {
   document.addList("welded", check.welded, weldedJson);
   document.addList("evidence", check.evidence, evidenceJson);
   document.addList("path", check.path, poseJson);
-  document.add("sentence", check.sentence);
+  document.add("sentence", toldText(check));
   return std::move(document).text();
 }
 
