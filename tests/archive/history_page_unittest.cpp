@@ -34,6 +34,15 @@ TEST(HistoryPage, needsNoOtherFileAndRunsNothing) {
   EXPECT_TRUE(has(page, "<h1>anna: yes, the map of 1970-01-12 may be rolled out</h1>"));
 }
 
+TEST(HistoryPage, whereTheFilesLieIsNobodysBusiness) {
+  WatchedSite site = siteOf("office", 0.1);
+  for (HistoryRun& run : site.history.runs) run.file = "/disk/runs/" + run.file;
+  const std::string page = historyPage({site}, {});
+  EXPECT_FALSE(has(page, "/disk"));
+  EXPECT_TRUE(has(page, "; 11anna.simplemap</title>")) << "of a mark";
+  EXPECT_TRUE(has(page, "<td>11anna.simplemap</td>")) << "in the table";
+}
+
 TEST(HistoryPage, whatMayBeWiderThanTheWindowIsReachedByKeyboard) {
   const std::string page = historyPage({siteOf("office", 0.1)}, {});
   for (const std::string part : {"<div class=\"scroll\"", "<div class=\"plot\""}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
@@ -34,7 +35,7 @@ std::vector<Dot> dotsOf(const WatchedSite& site, const RobotWatch& robot) {
     dot.isTorn = trustedValueOf(run.figures, kBreaks).value_or(0) > 0;
     dot.isLastGood = robot.lastGood == i;
     dot.title = timeText(run.time) + formatted(": %.3f m", dot.error) +
-                (dot.isTorn ? ", with a break" : "") + "; " + run.file;
+                (dot.isTorn ? ", with a break" : "") + "; " + fileName(run.file);
     dots.push_back(dot);
   }
   return dots;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error_plot.h"
+#include "roomgraph/base/file_name.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/time_text.h"
 #include "roomgraph/base/xml_text.h"
@@ -122,7 +123,8 @@ std::string runsHtml(const SiteHistory& history) {
     const HistoryRun& run = history.runs[history.runs.size() - 1 - i];
     html += "<tr><td>" + timeText(run.time) + "</td><td>" + xmlText(run.robot) +
             "</td><td class=\"n\">" + metres(trustedValueOf(run.figures, kMapError)) + "</td><td>" +
-            xmlText(run.file) + "</td><td class=\"why\">" + xmlText(run.reason) + "</td></tr>\n";
+            xmlText(fileName(run.file)) + "</td><td class=\"why\">" + xmlText(run.reason) +
+            "</td></tr>\n";
   }
   return html + "</tbody></table></div></details>\n";
 }
