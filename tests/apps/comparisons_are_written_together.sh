@@ -15,6 +15,11 @@ expect 1 "$roomgraph" compare junk.gridmap missing.gridmap grey.pgm --resolution
 grep -q '^roomgraph: no map could be used' err || fail "nothing said of the results"
 [ ! -s out ] || fail "told of results"
 diff -r o before
+# The others are compared: theirs take the place of earlier results.
+cp -r o rest
+expect 1 "$roomgraph" compare a.gridmap.gz junk.gridmap c.gridmap.gz -o rest
+one_line err junk.gridmap
+grep -q '"name":"c"' rest/comparison.json || fail "the earlier results are still there"
 # One is enough.
 expect 1 "$roomgraph" compare junk.gridmap c.gridmap.gz -o one
 grep -q '"name":"c"' one/comparison.json || fail "no results of one map"
