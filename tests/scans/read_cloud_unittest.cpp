@@ -15,7 +15,9 @@ using test::pointsMapBytes;
 class ReadCloud : public test::Clouds {};
 
 TEST_F(ReadCloud, everyClassOfPointsGivesTheRoom) {
-  for (const mrpt::maps::CPointsMap::Ptr& map : test::pointMaps()) {
+  const std::vector<mrpt::maps::CPointsMap::Ptr> maps = test::pointMaps();
+  ASSERT_GT(maps.size(), 1u);
+  for (const mrpt::maps::CPointsMap::Ptr& map : maps) {
     for (const auto& p : points_) map->insertPoint(p.x, p.y, p.z);
     SCOPED_TRACE(map->GetRuntimeClass()->className);
     expectRoom(load(inside(test::streamed(*map))));

@@ -1,36 +1,24 @@
 #pragma once
-// The classes of points that this MRPT has: from 3 on, CGenericPointsMap stands for those with
-// colours or intensities.
-#include <mrpt/maps/CSimplePointsMap.h>
-#include <mrpt/maps/CWeightedPointsMap.h>
-#if __has_include(<mrpt/maps/CGenericPointsMap.h>)
-#include <mrpt/maps/CGenericPointsMap.h>
-#endif
-#if __has_include(<mrpt/maps/CColouredPointsMap.h>)
-#include <mrpt/maps/CColouredPointsMap.h>
-#endif
-#if __has_include(<mrpt/maps/CPointsMapXYZI.h>)
-#include <mrpt/maps/CPointsMapXYZI.h>
-#endif
+// The classes of points that this MRPT has. They are made by name: MRPT 2.15 warns of those with
+// colours or intensities, for which CGenericPointsMap stands, and MRPT 3 lacks them.
+#include <mrpt/maps/CPointsMap.h>
+#include <mrpt/rtti/CObject.h>
 
+#include <memory>
 #include <vector>
 
 namespace roomgraph::test {
 
 /** An empty one of each class. */
 inline std::vector<mrpt::maps::CPointsMap::Ptr> pointMaps() {
-  return {
-    mrpt::maps::CSimplePointsMap::Create(), mrpt::maps::CWeightedPointsMap::Create(),
-#if __has_include(<mrpt/maps/CGenericPointsMap.h>)
-        mrpt::maps::CGenericPointsMap::Create(),
-#endif
-#if __has_include(<mrpt/maps/CColouredPointsMap.h>)
-        mrpt::maps::CColouredPointsMap::Create(),
-#endif
-#if __has_include(<mrpt/maps/CPointsMapXYZI.h>)
-        mrpt::maps::CPointsMapXYZI::Create(),
-#endif
-  };
+  std::vector<mrpt::maps::CPointsMap::Ptr> maps;
+  for (const char* name : {"mrpt::maps::CSimplePointsMap", "mrpt::maps::CWeightedPointsMap",
+                           "mrpt::maps::CGenericPointsMap", "mrpt::maps::CColouredPointsMap",
+                           "mrpt::maps::CPointsMapXYZI"})
+    if (auto map =
+            std::dynamic_pointer_cast<mrpt::maps::CPointsMap>(mrpt::rtti::classFactory(name)))
+      maps.push_back(map);
+  return maps;
 }
 
 }  // namespace roomgraph::test

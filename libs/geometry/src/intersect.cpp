@@ -27,9 +27,11 @@ double fractionOf(const Exact::Point_2& meeting, Point p, Point q) {
 
 std::vector<double> intersect(Point p, Point q, Point a, Point b) {
   if (!CGAL::do_intersect(segment<Fast>(p, q), segment<Fast>(a, b))) return {};
-  const auto meeting = CGAL::intersection(segment<Exact>(p, q), segment<Exact>(a, b));
-  if (const auto* point = boost::get<Exact::Point_2>(&*meeting)) return {fractionOf(*point, p, q)};
-  const auto& shared = boost::get<Exact::Segment_2>(*meeting);
+  // What CGAL returns is a variant of Boost before CGAL 6, and one of C++ since; both become this.
+  const CGAL::Object meeting = CGAL::intersection(segment<Exact>(p, q), segment<Exact>(a, b));
+  if (const auto* point = CGAL::object_cast<Exact::Point_2>(&meeting))
+    return {fractionOf(*point, p, q)};
+  const auto shared = CGAL::object_cast<Exact::Segment_2>(meeting);
   double first = fractionOf(shared.source(), p, q), last = fractionOf(shared.target(), p, q);
   if (shared.is_degenerate()) return {first};
   if (first > last) std::swap(first, last);

@@ -16,6 +16,9 @@
 #include "roomgraph/base/xml_text.h"
 #include "roomgraph/graph_files/OsmOrigin.h"
 
+// Expat 2.9 has these functions with 64 bits, too, and warns of them; Expat 2.5 has no others.
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
 namespace roomgraph {
 namespace {
 
