@@ -19,6 +19,12 @@ TEST(FinishedSvg, isTheSameWhateverCairoHasCounted) {
   EXPECT_EQ(svg("5", "6"), svg("105", "7"));
 }
 
+TEST(FinishedSvg, isTheSameWhateverCairoHasCountedSinceItsVersion118) {
+  EXPECT_EQ(
+      finishedSvg("<i id=\"source-72\"/><use xlink:href=\"#source-72\"/><use \"#glyph-0-7\"/>"),
+      "<i id=\"source-1\"/><use xlink:href=\"#source-1\"/><use \"#glyph-0-7\"/>");
+}
+
 TEST(FinishedSvg, asksForSquareCells) {
   EXPECT_EQ(finishedSvg("<image width=\"3\"/>"),
             "<image image-rendering=\"optimizeSpeed\" width=\"3\"/>");

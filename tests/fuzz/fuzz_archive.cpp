@@ -7,7 +7,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgraph;
   test::ByteSource bytes(data, size);
-  const std::string& file = test::asFile(bytes.rest());
+  const std::string file = test::asFile(bytes.rest());
   test::orRefused([&] {
     const Archive archive(file, Archive::Access::existing);
     for (const std::string& site : archive.sites()) {

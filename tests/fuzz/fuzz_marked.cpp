@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace roomgraph;
   test::ByteSource bytes(data, size);
-  const std::string& name = test::asFile(bytes.rest());
+  const std::string name = test::asFile(bytes.rest());
   test::orRefused([&] {
     const MarkedFile marked = readMarked(name);
     std::vector<CarriedPlace> carried;

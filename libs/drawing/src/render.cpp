@@ -13,7 +13,9 @@
 namespace roomgraph {
 namespace {
 
-constexpr const char* kMarks[] = {"id=\"image", "\"#image", "id=\"surface", "\"#surface"};
+// An image is a source- since Cairo 1.18.
+constexpr const char* kMarks[] = {"id=\"image", "\"#image",     "id=\"source-",
+                                  "\"#source-", "id=\"surface", "\"#surface"};
 
 /** The next mention of such an id and the place of its digits; npos where there is none. */
 std::size_t findMention(const std::string& svg, std::size_t from, std::size_t& digits) {

@@ -31,7 +31,7 @@ struct Sheet {
 
   mrpt::math::TPoint3Df at(Point p, Layer layer) const {
     const Point q = p - anchor;
-    return {float(q.x), float(q.y), float(layer * layerHeight)};
+    return {float(q.x), float(q.y), float(int(layer) * layerHeight)};
   }
 };
 
