@@ -17,10 +17,12 @@ std::string headerBytes(const std::string& className, int version) {
 
 std::string observationBytes(const mrpt::obs::CObservation& observation, int scanVersion) {
   std::string bytes = streamed(observation);
-  if (scanVersion < 8 || !dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation))
-    return bytes;
-  bytes[1 + (bytes[0] & 0x7f)] = 8;
-  bytes.insert(bytes.size() - 1, raw(0.1f));  // how long the sweep took
+  if (!dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation)) return bytes;
+  // How long the sweep took stands in front of the end from version 8, MRPT 2.15, on.
+  char& version = bytes[1 + std::size_t(bytes[0] & 0x7f)];
+  if (version == 8) bytes.erase(bytes.size() - 5, sizeof(float));
+  version = char(scanVersion);
+  if (scanVersion == 8) bytes.insert(bytes.size() - 1, raw(0.1f));
   return bytes;
 }
 
