@@ -95,6 +95,12 @@ roomgraph (${PROJECT_VERSION}) bookworm; urgency=medium
  -- ${CPACK_PACKAGE_CONTACT}  ${now}
 ")
 execute_process(COMMAND "${ROOMGRAPH_GZIP}" -9 -n -f "${PROJECT_BINARY_DIR}/debian/changelog")
+# A wheel has its licences in a folder of its own.
+if(SKBUILD)
+  install(FILES "${PROJECT_BINARY_DIR}/copyright" COMPONENT python
+    DESTINATION "${SKBUILD_METADATA_DIR}/licenses")
+  return()
+endif()
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} component)
   string(TOLOWER ${component} name)

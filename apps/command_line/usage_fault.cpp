@@ -30,8 +30,8 @@ std::size_t filesOf(const CLI::App& command) {
       .size();
 }
 
-/** CLI11 writes the ends of a range with six decimals, and takes what is no number for one out of
- *  range. */
+/** CLI11 writes the ends of a range with six decimals, and newer versions as [0 - 1]; it takes what is
+ *  no number for one out of range. */
 std::string plainText(const CLI::ParseError& error) {
   std::smatch parts;
   const std::string what = error.what();
@@ -43,7 +43,8 @@ std::string plainText(const CLI::ParseError& error) {
   }
   if (std::regex_match(what, parts, std::regex("Could not convert: (.*) = (.*)")))
     return parts[1].str() + ": '" + parts[2].str() + "' is not a number";
-  const std::string text = std::regex_replace(what, std::regex("([0-9])\\.0+\\b"), "$1");
+  std::string text = std::regex_replace(what, std::regex("\\[(.*) - (.*)\\]"), "$1 to $2");
+  text = std::regex_replace(text, std::regex("([0-9])\\.0+\\b"), "$1");
   return std::regex_replace(text, std::regex("(\\.[0-9]*[1-9])0+\\b"), "$1");
 }
 

@@ -56,5 +56,14 @@ TEST(UsageFault, writesRangesWithoutUselessZeros) {
       << faultOf({"extract", "a", "--width", "3"});
 }
 
+TEST(UsageFault, writesRangesAlikeWithEveryCli11) {
+  const CLI::App app;
+  for (const char* range : {"0.000000 to 2.500000", "[0.000000 - 2.500000]", "[0 - 2.5]"})
+    EXPECT_EQ(
+        usageFault(app, {},
+                   CLI::ValidationError("--width", std::string("Value 3 not in range ") + range)),
+        "--width: Value 3 not in range 0 to 2.5");
+}
+
 }  // namespace
 }  // namespace roomgraph
