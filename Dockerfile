@@ -1,6 +1,6 @@
 # The program and the Python package on Debian 12:
 #   docker build -t roomgraph .
-#   docker run --rm -v "$PWD:/maps" roomgraph compare run1.simplemap run2.simplemap -o results
+#   docker run --rm -u "$(id -u):$(id -g)" -v "$PWD:/maps" roomgraph compare run1.simplemap run2.simplemap -o results
 FROM debian:12 AS build
 WORKDIR /src
 COPY . .

@@ -7,7 +7,7 @@ namespace roomgraph {
 
 /** Help that fits a terminal of 80 columns: sentences are wrapped, and end with the default and the
  *  options that this one excludes. Checks of values are left out: what they ask for stands in the
- *  sentences. It looks the same with any CLI11, whose own layout differs between 2.1, 2.4 and 2.6. */
+ *  sentences. It is the same with any CLI11, whose own layout differs between 2.1, 2.4 and 2.6. */
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();

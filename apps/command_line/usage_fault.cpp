@@ -30,8 +30,8 @@ std::size_t filesOf(const CLI::App& command) {
       .size();
 }
 
-/** CLI11 writes the ends of a range with six decimals, and newer versions as [0 - 1]; it takes what is
- *  no number for one out of range. */
+/** CLI11 writes the ends of a range with six decimals, and newer versions as [0 - 1]; it takes
+ *  what is no number for one out of range. */
 std::string plainText(const CLI::ParseError& error) {
   std::smatch parts;
   const std::string what = error.what();
