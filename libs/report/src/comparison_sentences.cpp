@@ -25,6 +25,20 @@ std::string unsureText(double confidence) {
   return formatted("%.2f", std::min(confidence, kSureConfidence - 0.01));
 }
 
+/** What a gate says, "run: what" in each line, with each run named once. */
+std::string reasonsOf(const GateVerdict& gate) {
+  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
+  std::string text, last;
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostNames); ++i) {
+    const std::size_t colon = lines[i].find(": ");
+    const std::string run = colon == std::string::npos ? "" : lines[i].substr(0, colon + 2);
+    text += (i > 0 ? "; " : "") + lines[i].substr(run == last ? run.size() : 0);
+    last = run;
+  }
+  return text +
+         (lines.size() > kMostNames ? formatted("; and %zu more", lines.size() - kMostNames) : "");
+}
+
 }  // namespace
 
 std::string breaksSentence(const Comparison& comparison) {
@@ -59,14 +73,14 @@ std::string gateSentence(const GateVerdict& gate) {
   const std::string judged =
       gate.candidates.empty() ? "" : " of " + listed(gate.candidates, kMostNames);
   const std::string asked = gate.asked.empty() ? "" : " (" + listed(gate.asked, kMostNames) + ")";
-  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
+  const std::string reasons = reasonsOf(gate);
   return "The gate" + judged + (gate.isPassed() ? " passes" : " fails") + asked +
-         (lines.empty() ? "" : ": " + listed(lines, kMostNames)) + ".";
+         (reasons.empty() ? "" : ": " + reasons) + ".";
 }
 
 std::string gateLine(const GateVerdict& gate) {
-  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
-  const std::string text = listed(lines.empty() ? gate.candidates : lines, kMostNames);
+  const std::string reasons = reasonsOf(gate);
+  const std::string text = reasons.empty() ? listed(gate.candidates, kMostNames) : reasons;
   return std::string(gate.isPassed() ? "PASS" : "FAIL") + (text.empty() ? "" : " " + text);
 }
 
