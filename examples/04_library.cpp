@@ -48,8 +48,10 @@ void mend(const std::vector<Run>& runs) {
     writeFileAtomically("mended" + std::to_string(repaired.run) + ".simplemap.gz",
                         movedRun(run, repaired).simplemap);
     merged.push_back({run.name, loadMap(run.file, {}).keyframes, {}});
-    for (std::size_t k = 0; k < repaired.poses.size(); ++k)
+    for (std::size_t k = 0; k < repaired.poses.size(); ++k) {
+      merged.back().drawn.push_back(merged.back().scans[k].pose);
       merged.back().scans[k].pose = repaired.frame.inverse() * repaired.poses[k];
+    }
   }
   const MergedMap site = mergeRuns(merged, {}, oneByOne);
   std::printf("%d x %d cells\n", site.map.frame.width, site.map.frame.height);

@@ -78,7 +78,7 @@ std::string HelpFormatter::groupsOf(const CLI::App& app) const {
     const std::vector<const CLI::Option*> options = app.get_options([&](const CLI::Option* option) {
       return option->get_group() == group && option->nonpositional();
     });
-    if (options.empty()) continue;
+    if (options.empty() || group.empty()) continue;  // CLI11 hides those of no group
     text += text.empty() ? "" : "\n";
     text += make_group(group, false, options);
   }

@@ -185,7 +185,7 @@ void declareThreads(unsigned& threads, const std::string& what, CLI::App& app) {
 }
 
 void declareQuiet(bool& isQuiet, CLI::App& app) {
-  app.add_flag("-q,--quiet", isQuiet, "Print only errors.");
+  app.add_flag("-q,--quiet", isQuiet, "Print only errors and warnings.");
 }
 
 void declareRunning(RunningArguments& arguments, const std::string& things, const std::string& more,
@@ -194,7 +194,7 @@ void declareRunning(RunningArguments& arguments, const std::string& things, cons
                "Print a table of the steps and their times to stderr.");
   declareThreads(arguments.threads, things, app);
   CLI::Option* quiet = app.add_flag("-q,--quiet", arguments.isQuiet,
-                                    "Print only errors and the table of --timings.");
+                                    "Print only errors, warnings and the table of --timings.");
   app.add_flag("-v,--verbose", arguments.isVerbose, "Also print " + more + ".")->excludes(quiet);
 }
 

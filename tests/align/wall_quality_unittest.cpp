@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "drawn_building.h"
 #include "drawn_hall.h"
 #include "roomgraph/align/wall_map.h"
@@ -30,7 +32,7 @@ TEST(WallDoubling, aWallFartherAwayIsAnotherOne) {
 TEST(WallDoubling, aMapWithoutWallsHasNone) { EXPECT_FALSE(wallDoubling(wallMap(Grid{}))); }
 
 double deviationOf(const Grid& grid) {
-  const auto deviation = axisDeviation(wallMap(grid).walls);
+  const auto deviation = axisDeviation(wallDirections(wallMap(grid).walls));
   EXPECT_TRUE(deviation);
   return deviation.value_or(-1);
 }
@@ -55,14 +57,14 @@ TEST(AxisDeviation, growsAsAMapBends) {
 }
 
 TEST(AxisDeviation, isNotTellableWithoutStraightWalls) {
-  EXPECT_FALSE(axisDeviation({}));
+  EXPECT_FALSE(axisDeviation(wallDirections({})));
   std::vector<WallPoint> circle;  // so narrow that no metre of it is straight
   for (int i = 0; i < 300; ++i) {
     const double angle = 2 * M_PI * i / 300;
     const Point out{std::cos(angle), std::sin(angle)};
     circle.push_back({0.6 * out, out});
   }
-  EXPECT_FALSE(axisDeviation(circle));
+  EXPECT_FALSE(axisDeviation(wallDirections(circle)));
 }
 
 TEST(WallSharpness, isTheThicknessInCellsWhereAllEndsAtWalls) {
@@ -99,6 +101,37 @@ TEST(WallSharpness, aMapWithoutWallsHasNone) {
   free.frame = {2, 2, 0.05, {}};
   free.cells.assign(4, State::free);
   EXPECT_FALSE(wallSharpness(free));
+}
+
+/** Walls of 5 m that face these ways [rad], each far from the others, as cells of 0.05 m have them:
+ *  the normals of slanted ones lie off. */
+std::vector<WallPoint> facing(const std::vector<double>& ways) {
+  std::vector<WallPoint> walls;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const double steps = std::round(ways[i] / (M_PI / 4)) * (M_PI / 4);
+    for (double along = 0; along < 5; along += 0.05)
+      walls.push_back({{20.0 * double(i) - along * std::sin(ways[i]), along * std::cos(ways[i])},
+                       {std::cos((ways[i] + steps) / 2), std::sin((ways[i] + steps) / 2)}});
+  }
+  return walls;
+}
+
+double directionOf(const std::vector<double>& ways) {
+  return mainDirection(wallDirections(facing(ways))).value_or(NAN);
+}
+
+TEST(MainDirection, isThatOfMostWallsUpToQuarterTurns) {
+  EXPECT_NEAR(directionOf({0, M_PI / 2, M_PI, -M_PI / 2}), 0, 1e-9);
+  EXPECT_NEAR(directionOf({0.2, 0.2 + M_PI / 2, 0.2, 0.2, 0.5, 0.7}), 0.2, 1e-3);
+  EXPECT_NEAR(std::abs(directionOf({M_PI / 4, -M_PI / 4, M_PI / 4 - 0.01, -M_PI / 4 + 0.01})),
+              M_PI / 4, 1e-3);
+}
+
+TEST(MainDirection, isNoneWhereFewWallsAreAlike) {
+  std::vector<double> all;
+  for (int i = 0; i < 12; ++i) all.push_back(i * M_PI / 24);
+  EXPECT_TRUE(std::isnan(directionOf(all)));
+  EXPECT_FALSE(mainDirection({}));
 }
 
 }  // namespace

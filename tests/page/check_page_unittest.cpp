@@ -81,6 +81,7 @@ TEST(CheckPage, mapAndScansStandUpright) {
   const Transform2D motion{0, 0, 0.3};
   for (int i = 0; i < 100; ++i)
     askew.map.walls.push_back({motion({0.1 * i, 0}), turned({0, 1}, 0.3)});
+  askew.map.direction = 0.3;
   const std::string page = checkPage(torn(), askew);
   EXPECT_TRUE(has(page, "class=\"map\" aria-label=\"map\" role=\"img\" viewBox=\"-1.00 -1."))
       << "as wide as the wall is long, and not as its shadow";

@@ -91,7 +91,7 @@ TEST(PageSummary, aGateIsToldWithWhatWasAsked) {
   comparison.gate->complaints = {"west: breaks", "west: has too little"};
   EXPECT_EQ(pageVerdict(comparison), "The gate fails. " + verdict);
   EXPECT_TRUE(isSaid(comparison,
-                     "The gate of west fails (a score of 50 at least): west: breaks; "
+                     "The gate of west fails (a score of 50 at least): west: breaks; and "
                      "has too little."));
   comparison.gate = GateVerdict{{}, {}, {}};
   EXPECT_TRUE(isSaid(comparison, "The gate passes."));

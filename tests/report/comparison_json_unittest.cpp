@@ -34,7 +34,7 @@ TEST(ParseComparisonJson, givesBackAllThatWasWritten) {
     EXPECT_EQ(comparisonJson(again), text);
     EXPECT_EQ(again.files, comparison.files);
     EXPECT_EQ(again.core, comparison.core);
-    EXPECT_TRUE(again.isOneDrive);
+    EXPECT_EQ(again.isOneDrive, comparison.isOneDrive);
     ASSERT_EQ(again.rooms.size(), comparison.rooms.size());
     if (!again.rooms.empty()) {
       EXPECT_EQ(again.rooms[0].doors[0].seenIn, comparison.rooms[0].doors[0].seenIn);

@@ -75,9 +75,11 @@ TEST(ComparisonSentences, aGateSaysByHowMuchItPassesOrWhyItFails) {
   EXPECT_EQ(gateLine({{}, {"c"}, {"no break"}, {}}), "PASS c");
   EXPECT_EQ(gateLine({{"c: breaks"}, {"c"}, {"no break"}, {}}), "FAIL c: breaks");
   EXPECT_EQ(gateLine({{"c: breaks, twice", "c: is bad", "d: breaks"}, {}, {}, {}}),
-            "FAIL c: breaks, twice; is bad; d: breaks");
+            "FAIL c: breaks, twice; is bad; and d: breaks");
   EXPECT_EQ(gateLine({{"c: 1", "c: 2", "c: 3", "c: 4", "c: 5", "c: 6", "c: 7"}, {}, {}, {}}),
             "FAIL c: 1; 2; 3; 4; and 3 more");
+  EXPECT_EQ(gateLine({{"c: 1", "c: 2", "c: 3", "c: 4", "c: 5"}, {}, {}, {}}),
+            "FAIL c: 1; 2; 3; 4; and 5");
 }
 
 }  // namespace

@@ -229,7 +229,9 @@ WallMap bareWallMap(const Grid& grid) {
 
 WallMap wallMap(const Grid& grid) {
   WallMap map = bareWallMap(grid);
-  map.axisDeviation = axisDeviation(map.walls);
+  std::vector<double> directions = wallDirections(map.walls);
+  map.direction = mainDirection(directions);
+  map.axisDeviation = axisDeviation(std::move(directions));
   map.wallSharpness = wallSharpness(grid);
   addLookUp(map);
   map.wallDoubling = wallDoubling(map);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 
 #include "roomgraph/align/nearest_wall.h"
 #include "roomgraph/align/scan_walls.h"
@@ -28,6 +29,8 @@ constexpr double kDirectionReach = 1.5;  // of the walls that give a direction [
 constexpr double kThickness = 0.25;      // of a wall, with its roughness [m]
 constexpr double kMaxRoughness = 0.022;  // variance across over variance along
 constexpr std::size_t kMinDirections = 100;
+constexpr double kAlike = M_PI / 60;  // directions that differ by less are those of parallel walls
+constexpr double kLeastShare = 0.15;  // of the walls that have a direction in common
 
 /** The direction in which the places lie [rad]; none where that is no line, or one that is shorter
  *  than their reach: such a line has a twelfth of its square as its variance. */
@@ -105,8 +108,22 @@ std::vector<double> wallDirections(const std::vector<WallPoint>& walls) {
   return directions;
 }
 
-std::optional<double> axisDeviation(const std::vector<WallPoint>& walls) {
-  std::vector<double> directions = wallDirections(walls);
+std::optional<double> mainDirection(std::vector<double> directions) {
+  for (double& direction : directions) direction = std::remainder(direction, M_PI / 2);
+  std::sort(directions.begin(), directions.end());
+  const std::size_t count = directions.size();
+  for (std::size_t i = 0; i < count; ++i) directions.push_back(directions[i] + M_PI / 2);
+  std::size_t most = 0, from = 0, end = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    while (end < i + count && directions[end] <= directions[i] + kAlike) ++end;
+    if (end - i > most) most = end - i, from = i;
+  }
+  if (count == 0 || double(most) < kLeastShare * double(count)) return std::nullopt;
+  const auto first = directions.begin() + std::ptrdiff_t(from);
+  return std::accumulate(first, first + std::ptrdiff_t(most), 0.0) / double(most);
+}
+
+std::optional<double> axisDeviation(std::vector<double> directions) {
   if (directions.size() < kMinDirections) return std::nullopt;
   double cosine = 0, sine = 0;
   for (const double direction : directions)

@@ -53,6 +53,13 @@ std::string readOnlyUri(const std::string& path, bool hasLog) {
   return uri + (hasLog ? "?mode=ro" : "?immutable=1");
 }
 
+/** 0 where there is none. */
+std::uintmax_t sizeOf(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
 /** Whether SQLite finds room for what it makes beside a file before the first question. */
 bool hasRoom(sqlite3* handle) {
   const int code = sqlite3_exec(handle, "PRAGMA user_version", nullptr, nullptr, nullptr) & 0xff;
@@ -110,7 +117,7 @@ Database::Database(const std::string& file, bool mayMake) : file_(file) {
   if (!exists || hasRoom(handle_)) return;
   sqlite3_close(handle_);
   isFull_ = true;
-  openToRead(path, std::filesystem::exists(log) && std::filesystem::file_size(log) > 0);
+  openToRead(path, sizeOf(log) > 0);
 }
 
 void Database::open(const std::string& name, int flags) {
@@ -136,7 +143,9 @@ void Database::fail() const {
   // A disk that failed to read is damage to SQLite.
   const bool isOfDisk = code == SQLITE_CORRUPT && (!isReadable(handle_) || isSound(handle_));
   if (isOfDisk) refuse(file_, sqlite3_errstr(SQLITE_IOERR), remedyOf(SQLITE_IOERR));
-  const bool isFull = isFull_ && (code == SQLITE_READONLY || code == SQLITE_IOERR);
+  const bool isFull =
+      isFull_ && (code == SQLITE_READONLY ||
+                  (code == SQLITE_IOERR && sqlite3_system_errno(handle_) == ENOSPC));
   if (isFull) refuse(file_, sqlite3_errstr(SQLITE_FULL), remedyOf(SQLITE_FULL));
   refuse(file_, text, remedyOf(code));
 }

@@ -23,11 +23,20 @@ std::size_t changesBetween(const std::string& a, const std::string& b) {
   return least[a.size()][b.size()];
 }
 
-std::string joined(const std::vector<std::string>& names, const char* beforeLast) {
+std::string joined(const std::vector<std::string>& names, const std::string& beforeLast,
+                   const std::string& between = ", ") {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? beforeLast : ", ") + names[i];
+    text += (i == 0 ? "" : i + 1 == names.size() ? beforeLast : between) + names[i];
   return text;
+}
+
+/** The first `most`, and how many more there are; "1 more" would be no shorter than the name. */
+void shorten(std::vector<std::string>& names, std::size_t most) {
+  if (names.size() <= most + 1) return;
+  const std::size_t more = names.size() - most;
+  names.resize(most);
+  names.push_back(std::to_string(more) + " more");
 }
 
 }  // namespace
@@ -46,11 +55,14 @@ std::string counted(std::size_t count, const std::string& thing, const std::stri
   return std::to_string(count) + " " + (count == 1 ? thing : things);
 }
 
-std::string listed(const std::vector<std::string>& names, std::size_t most) {
-  // "and 1 more" would be no shorter than the name.
-  if (names.size() <= most + 1) return joined(names, " and ");
-  return joined({names.begin(), names.begin() + std::ptrdiff_t(most)}, ", ") + " and " +
-         std::to_string(names.size() - most) + " more";
+std::string listed(std::vector<std::string> names, std::size_t most) {
+  shorten(names, most);
+  return joined(names, " and ");
+}
+
+std::string listedSentences(std::vector<std::string> sentences, std::size_t most) {
+  shorten(sentences, most);
+  return joined(sentences, "; and ", "; ");
 }
 
 std::string alternatives(const std::vector<std::string>& names) { return joined(names, " or "); }

@@ -78,7 +78,7 @@ std::vector<std::string> rivalsOf(const ComparedRun& best, const Comparison& com
 }
 
 /** Whether another run, of which nothing can be told, seems to be better. */
-bool isOutdone(const ComparedRun& best, const Comparison& comparison) {
+bool seemsOutdone(const ComparedRun& best, const Comparison& comparison) {
   return std::any_of(comparison.runs.begin(), comparison.runs.end(), [&](const ComparedRun& run) {
     return run.score && !run.score->isMeaningful && run.score->mapError < best.score->mapError;
   });
@@ -130,12 +130,14 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      valueOf(best.measures, "bend").value_or(0));
-  const bool isBest = result.certaintyOf(best) == Certainty::sure && isBetterThanAny(best, result);
+  const bool isOutdone = seemsOutdone(best, result);
+  const bool isBest =
+      result.certaintyOf(best) == Certainty::sure && !isOutdone && isBetterThanAny(best, result);
   std::string text =
       best.name +
-      (isBest                    ? " is the best map"
-       : isOutdone(best, result) ? " has the smallest error of those that can be judged"
-                                 : " has the smallest error") +
+      (isBest      ? " is the best map"
+       : isOutdone ? " has the smallest error of those that can be judged"
+                   : " has the smallest error") +
       // Of the figures as comparison.json holds them, from which others are made.
       formatted(", with score %.1f (%.1f to %.1f) and a map error ", rounded(best.score->score),
                 rounded(best.score->low), rounded(best.score->high)) +

@@ -143,7 +143,8 @@ std::string scalesOf(const Findings& found) {
 }
 
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
-std::string caveatsOf(const std::vector<Run>& runs, const Findings& found) {
+std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
+                      const std::vector<std::vector<std::size_t>>& drives) {
   const Site& site = found.site;
   std::string text = scalesOf(found);
   if (!site.others.empty()) {
@@ -151,7 +152,7 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found) {
     for (const auto& other : site.others) sites.push_back(namesOf(runs, other));
     text += otherSitesNote(sites);
   }
-  for (const std::vector<std::size_t>& drive : sharedDrives(site.runs)) {
+  for (const std::vector<std::size_t>& drive : drives) {
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
@@ -174,16 +175,16 @@ Comparison summarize(const std::vector<Run>& runs, const MapPairs& related, cons
                    [](const MapBreak& l, const MapBreak& r) { return l.size() > r.size(); });
   for (const std::size_t run : found.pairs.core) result.core.push_back(found.site.runs[run]->name);
   std::sort(result.core.begin(), result.core.end());
-  for (const auto& drive : sharedDrives(found.site.runs))
-    result.isOneDrive = drive.size() == found.site.runs.size();
+  const auto drives = sharedDrives(found.site.runs);
+  result.isOneDrive = drives.size() == 1 && drives[0].size() == found.site.runs.size();
   result.runs = runsOf(found);
   rank(result.runs);
   result.pairs = pairsOf(runs, related, found);
   for (ComparedRun& run : result.runs) run.reason = reasonOf(run, result);
   result.rooms = roomsOf(found, result.runs);
   result.leftOut = leftOutOf(runs, related, found.site);
-  result.verdict =
-      verdictOf(result) + usualScaleNote(result) + copiesNote(result) + caveatsOf(runs, found);
+  result.verdict = verdictOf(result) + usualScaleNote(result) + copiesNote(result) +
+                   caveatsOf(runs, found, drives);
   return result;
 }
 

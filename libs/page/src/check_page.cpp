@@ -54,7 +54,7 @@ std::string mapPicture(const RunCheck& check, const Run& run) {
   const bool hasCopies = run.map.wallDoubling.value_or(0) > 0;
   for (const WallPoint& wall : run.map.walls)
     (hasCopies && hasCopy(run.map, wall) ? copies : walls).push_back(wall.place);
-  const double turn = uprightTurn(run.map.walls, 0);
+  const double turn = uprightTurn(run.map, 0);
   const Transform2D upright{0, 0, turn};
   Box box;
   for (const WallPoint& wall : run.map.walls) box.include(upright(wall.place));
@@ -98,7 +98,7 @@ std::vector<Point> wallsNear(Point middle, const Run& run, FrameRange frames,
 /** What two stretches of the run have met around a place, that of the second moved by `motion`. */
 std::string scansPicture(Point middle, const Run& run, const FrameRange& before,
                          const FrameRange& after, const Transform2D& motion) {
-  return pictureOf(Box{middle, middle}.widened(kScanReach), "scans", uprightTurn(run.map.walls, 0),
+  return pictureOf(Box{middle, middle}.widened(kScanReach), "scans", uprightTurn(run.map, 0),
                    middle) +
          dots(wallsNear(middle, run, before, {}), "#0a4f8f", 0.14) +
          dots(wallsNear(middle, run, after, motion), "#c44d00", 0.14) + "</g></svg>";

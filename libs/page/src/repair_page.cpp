@@ -118,7 +118,7 @@ std::string figures(const Run& run, const RepairedRun& repaired) {
 std::string section(const ShownRepair& shown) {
   const Run& run = *shown.run;
   const RepairedRun& repaired = *shown.repaired;
-  const Transform2D upright{0, 0, uprightTurn(run.map.walls, 0)};
+  const Transform2D upright{0, 0, uprightTurn(run.map, 0)};
   const Drawing before = drawingOf(run, drawnPoses(run.scans), upright);
   const Drawing after = drawingOf(run, repaired.poses, upright);
   const std::string box = viewBox(before, after);

@@ -30,6 +30,9 @@ class Merger {
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t l, std::size_t r) {
       return runs_[l].time.value_or(0) < runs_[r].time.value_or(0);
     });
+    for (const MergedRun& run : runs)
+      if (!run.drawn.empty() && run.drawn.size() != run.scans.size())
+        throw UsageError("merge_runs: " + run.name + " has other scans than it has drawn");
     const bool areTimed = std::all_of(runs.begin(), runs.end(),
                                       [](const MergedRun& run) { return run.time.has_value(); });
     const auto timeOf = [&](std::size_t back) { return runs_[order_[runs.size() - back]].time; };
@@ -160,8 +163,7 @@ class Merger {
   }
 
   /** The share of its beams that others may contradict of a scan in its right place: twice as much
-   *  as usual in its run, where things were moved. Most walls agree even with one that slides
-   *  along a corridor, so half of them is too much for any. */
+   *  as usual in its run, since much may have been moved, but never more than half. */
   static double mostAgainst(const std::vector<Told>& run) {
     std::vector<double> shares;
     for (const Told& told : run)

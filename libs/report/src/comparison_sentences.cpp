@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "roomgraph/align/alignment_confidence.h"
@@ -27,16 +28,15 @@ std::string unsureText(double confidence) {
 
 /** What a gate says, "run: what" in each line, with each run named once. */
 std::string reasonsOf(const GateVerdict& gate) {
-  const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
-  std::string text, last;
-  for (std::size_t i = 0; i < std::min(lines.size(), kMostNames); ++i) {
-    const std::size_t colon = lines[i].find(": ");
-    const std::string run = colon == std::string::npos ? "" : lines[i].substr(0, colon + 2);
-    text += (i > 0 ? "; " : "") + lines[i].substr(run == last ? run.size() : 0);
+  std::vector<std::string> lines = gate.isPassed() ? gate.margins : gate.complaints;
+  std::string last;
+  for (std::string& line : lines) {
+    const std::size_t colon = line.find(": ");
+    const std::string run = colon == std::string::npos ? "" : line.substr(0, colon + 2);
+    if (run == last) line.erase(0, run.size());
     last = run;
   }
-  return text +
-         (lines.size() > kMostNames ? formatted("; and %zu more", lines.size() - kMostNames) : "");
+  return listedSentences(std::move(lines), kMostNames);
 }
 
 }  // namespace

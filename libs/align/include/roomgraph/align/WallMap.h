@@ -37,6 +37,7 @@ struct WallMap {
   std::vector<double> turns;  ///< how much wall faces which way, over equal steps of the circle
   WallPatches patches;        ///< of `walls`
   DrawnEdges edges;
+  std::optional<double> direction;      ///< of most `walls`, up to quarter turns [rad]
   std::optional<double> axisDeviation;  ///< of `walls`: how far they are from right angles [rad]
   std::optional<double> wallSharpness;  ///< of the map as it was drawn, see there
   std::optional<double> wallDoubling;   ///< of `walls`: the share of them that are there twice

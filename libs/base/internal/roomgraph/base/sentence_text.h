@@ -26,7 +26,9 @@ std::string numberText(Number value) {
 std::string counted(std::size_t count, const std::string& thing, const std::string& things);
 
 /** "a, b and c"; of more than `most` names, and one, "a, b and 3 more". Empty for none. */
-std::string listed(const std::vector<std::string>& names, std::size_t most = 1'000'000);
+std::string listed(std::vector<std::string> names, std::size_t most = 1'000'000);
+/** The same with "; ", which the sentences may have commas beside. */
+std::string listedSentences(std::vector<std::string> sentences, std::size_t most);
 
 /** "a, b or c". Empty for none. */
 std::string alternatives(const std::vector<std::string>& names);

@@ -133,11 +133,11 @@ struct Comparison {
   [[nodiscard]] std::string faultOfReference(const ComparedRun& run) const;
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
-   *  tell* without a score that is meaningful, *doubtful* where its place is, *likely* where it
-   *  shows less than kNearlyAll of the site, where the others have less than kNearlyAll of
-   *  its walls or do not bear it out, where it is smeared or its scale disputed, where all runs
-   *  are of one drive, or where the interval ends above twice its error and 0.1 m; else *sure*.
-   *  O(pairs). */
+   *  tell* without a score that is meaningful, *doubtful* where its place is, or where it has drawn
+   *  walls that no other has (ComparedRun::addedWalls), *likely* where it shows less than
+   *  kNearlyAll of the site, where the others have less than kNearlyAll of its walls or do not bear
+   *  it out, where it is smeared or its scale disputed, where all runs are of one drive, or where
+   *  the interval ends above twice its error and 0.1 m; else *sure*. O(pairs). */
   [[nodiscard]] Certainty certaintyOf(const ComparedRun& run) const;
 
   /** The names of the runs of each map that is there more than once, ascending. O(pairs). */

@@ -22,7 +22,7 @@ struct GateOptions {
   /** Each run must have a map error that can be trusted, and at most this one [m]; of one that is
    *  Certainty::doubtful the upper end of its interval counts. */
   std::optional<double> maxError;
-  /** The same: at most so much more than the best of the other runs, see recordError [m]. */
+  /** The same: at most so much more than the record, see recordError [m]. */
   std::optional<double> maxWorse;
   bool failsOnCoverage = false;     ///< a run has seen less than kNearlyAll
   bool failsOnBreaks = false;       ///< a run has a break that is not slight
@@ -53,14 +53,14 @@ struct GateOptions {
  */
 [[nodiscard]] GateVerdict gateVerdict(const Comparison& comparison, const GateOptions& options);
 
-/** What a run is held against. */
+/** The record that a run is held against. */
 struct RecordError {
   double error = 0;      ///< the median of the least map errors of others [m]
-  std::size_t runs = 0;  ///< that it is the median of, three at most
+  std::size_t runs = 0;  ///< how many others that median is of, at most three
 };
 
-/** Of the three least map errors that can be trusted, of runs that are neither this one nor among
- *  the candidates; nothing where there is none. */
+/** The record of a run: the three least map errors that can be trusted, of runs that are neither
+ *  this one nor among the candidates; nothing where there is none. */
 [[nodiscard]] std::optional<RecordError> recordError(const Comparison& comparison,
                                                      const std::string& run,
                                                      const std::vector<std::string>& candidates);

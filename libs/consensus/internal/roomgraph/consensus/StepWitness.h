@@ -6,6 +6,11 @@
 
 namespace roomgraph {
 
+// Ours
+// In:   the scans of a run, and where the run has drawn them
+// Out:  whether they refute, or prefer, another step
+// Next: ownMatches, rejoinPieces, siteBreaks, checkRun
+
 /** What refutes a step: walls that stand where scans see free space, or also that the robot makes
  *  no such steps, which says nothing of where along a corridor a scan lies. */
 enum class RefutedBy { walls, wallsOrGait };
@@ -16,6 +21,8 @@ enum class RefutedBy { walls, wallsOrGait };
 class StepWitness {
  public:
   StepWitness(const std::vector<LocalScan>& scans, const std::vector<Transform2D>& drawn);
+  StepWitness(const StepWitness&) = delete;  // of a member: what it refers to would be another's
+  StepWitness& operator=(const StepWitness&) = delete;
 
   /** Whether the scans agree with the step to scan `k` as it was drawn, and either clearly less
    *  with `step` (scan k - 1 <- scan k), where walls stand in a place that they see as free, or the

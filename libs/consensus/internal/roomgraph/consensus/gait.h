@@ -10,7 +10,7 @@ namespace roomgraph {
 // Ours
 // In:   where a run has drawn its scans, and when they were taken
 // Out:  Gait
-// Next: mendSteps, PoseGraph
+// Next: mendSteps, StepWitness, PoseGraph
 
 /** How the robot goes from scan to scan, by all of its steps: but for a tear they are right. */
 struct Gait {

@@ -11,8 +11,9 @@ namespace roomgraph {
 // Out:  WallMap, LocalScan
 // Next: mendSteps, StepWitness
 
-/** Where a scan was drawn, up to what scans are off by; as it is where the fit leads elsewhere. */
-constexpr PoseTolerance kAsDrawn{0.05, 0.2};
+constexpr PoseTolerance kAsDrawn{0.05, 0.2};  ///< what scans are usually off by
+
+/** The fit of a scan near where it was drawn, or as it was drawn where that leads elsewhere. */
 ScanFit asDrawn(const LocalScan& scan, const WallMap& in, const Transform2D& drawn);
 
 /** The few scans nearest to a step as one: those before it in the map, those behind it seen from

@@ -37,19 +37,21 @@ struct MergedMap {
   std::vector<float> time;         ///< of each cell: when it was seen last [days before the latest
                                    ///< run]; negative where no run that saw it tells a time
   /** What was left out: for each run the scans that contradict what the others see, by their
-   *  places in `scans`. All of them of a run that is not believed at all. */
+   *  places in `scans`. */
   std::vector<std::vector<std::size_t>> leftOut;
 };
 
 /** Draws one map of all scans. Each run has a vote on each cell that its beams have met or passed:
  *  wall by the share that ended there. A cell is wall where the votes are, and, where the two runs
  *  made last have the same to say, as they say: so people, moved chairs and doubled walls go. Scans
- *  are left out first of whose beams, as far as others know their ends, a quarter end where others
- *  look through, or go through what is wall to them (more, where that is usual in their run), those
- *  between such of which others tell nothing, and all that their run holds together where these are
- *  most; what the two runs made last agree on contradicts nothing. The same for any order of the
- *  runs of different times. O(beams * their lengths).
- *  @throws DataError where they reach over more cells than a map may have. */
+ *  in the wrong place are left out first. Others contradict a beam that ends where they look
+ *  through, or goes through what is wall to them, but not what the two runs made last agree on; and
+ *  a scan by more than a quarter of its beams of which they know, or twice the usual share in its
+ *  run. With it go those beside it of which nobody knows, and its piece of the run, if most of that
+ *  is left out. The same for any order of the runs of different times.
+ *  O(beams * their lengths).
+ *  @throws DataError where they reach over more cells than a map may have, UsageError where a run
+ *  has drawn other scans than it has. */
 [[nodiscard]] MergedMap mergeRuns(const std::vector<MergedRun>& runs, const MergeOptions& options,
                                   const ForEach& forEach);
 

@@ -12,10 +12,9 @@ namespace roomgraph {
 // Next: pictures, scenes and windows
 
 /** By how much a map that lies turned by `heading` [rad] is to be turned so that most of its walls
- *  stand upright, in (-pi/4, pi/4] [rad]: by their directions (wallDirections), those of which
- *  there are most. 0 where they stand so within a degree, or have no direction in common.
- *  O(walls * walls within 1.5 m). */
-double uprightTurn(const std::vector<WallPoint>& walls, double heading);
+ *  stand upright, in (-pi/4, pi/4] [rad]. 0 where they do so within a degree, or have no direction
+ *  in common. O(1). */
+double uprightTurn(const WallMap& map, double heading);
 
 /** The same for a site, about its origin: of the first of its runs whose map is among `runs`; 0
  *  where there is none. */
