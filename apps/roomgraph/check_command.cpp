@@ -79,8 +79,7 @@ void checkFile(const std::string& file, const CheckArguments& arguments,
   laps.end("read_run");
   if (!run.scans.empty() && options.extract.loadGrid.isResolutionGiven)
     (void)unused.take({kUnusedOption, kNoUseForResolution, {}});
-  const RunningArguments& running = arguments.running;
-  report.err += running.isQuiet ? warningLines(notes) : noteLines(notes, running.isVerbose);
+  report.err += noteLines(notes, arguments.running);
   check = checkRun(run);
   check->complaints = complaintsOf(*check, arguments.gate);
   laps.end("check_run");

@@ -152,10 +152,7 @@ ReadRuns readMaps(const CompareArguments& arguments) {
   };
   ReadRuns read = readRuns(allFiles(arguments), options);
   unused.tell(allMaps(arguments).size());
-  const RunningArguments& running = arguments.running;
-  const std::string lines =
-      running.isQuiet ? warningLines(notes) : noteLines(notes, running.isVerbose);
-  std::fputs(lines.c_str(), stderr);
+  std::fputs(noteLines(notes, arguments.running).c_str(), stderr);
   return read;
 }
 

@@ -152,12 +152,9 @@ class Extraction {
     std::vector<MapNote> notes;
     for (const Note& note : stages.notes)
       if (!task_.unused.take(note)) notes.push_back({mapFile_, note});
-    if (arguments_.running.isQuiet) {
-      report_.err += warningLines(notes);
-      return;
-    }
     if (arguments_.running.isVerbose) report_.err += verboseLine(mapFile_, stages);
-    report_.err += noteLines(notes, arguments_.running.isVerbose);
+    report_.err += noteLines(notes, arguments_.running);
+    if (arguments_.running.isQuiet) return;
     report_.out += summaryLine(mapFile_, stages.result);
     report_.out += keptOutLines(stages.result) + fileLines(files_);
     if (isMadeOfScans(stages.source.kind))

@@ -11,7 +11,6 @@
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/graph_files/read_graph_json.h"
 #include "roomgraph/report/comparison_json.h"
-#include "terminal.h"
 
 namespace roomgraph {
 namespace {
@@ -196,6 +195,10 @@ void declareRunning(RunningArguments& arguments, const std::string& things, cons
   CLI::Option* quiet = app.add_flag("-q,--quiet", arguments.isQuiet,
                                     "Print only errors, warnings and the table of --timings.");
   app.add_flag("-v,--verbose", arguments.isVerbose, "Also print " + more + ".")->excludes(quiet);
+}
+
+std::string noteLines(const std::vector<MapNote>& notes, const RunningArguments& arguments) {
+  return arguments.isQuiet ? warningLines(notes) : noteLines(notes, arguments.isVerbose);
 }
 
 ExtractOptions toOptions(const OptionArguments& arguments) {

@@ -7,6 +7,7 @@
 
 #include "CallFiles.h"
 #include "roomgraph/compare/compare_maps.h"
+#include "terminal.h"
 
 namespace roomgraph {
 
@@ -56,6 +57,9 @@ struct RunningArguments {
  *  and --verbose prints `more`, too. */
 void declareRunning(RunningArguments& arguments, const std::string& things, const std::string& more,
                     CLI::App& app);
+
+/** The notes of maps for stderr, as many as these arguments ask for, see terminal.h. */
+std::string noteLines(const std::vector<MapNote>& notes, const RunningArguments& arguments);
 
 /** Declares --threads; `what` are worked on at the same time. */
 void declareThreads(unsigned& threads, const std::string& what, CLI::App& app);
