@@ -88,6 +88,24 @@ TEST(BendField, aSmallPieceThatLiesElsewhereIsNotBelieved) {
   EXPECT_GT(BendField(site.solved, 0, 2)(place)->rival, BendField::kSameCopy) << "a torn map";
 }
 
+TEST(BendField, wallsFoundInOneSearchAreJudgedPieceByPiece) {
+  test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
+  const Transform2D place = besideScan(site.runs[0], site.runs[0].scans.size() / 2);
+  const auto before = BendField(site.solved, 0, 2)(place);
+  std::vector<FollowedPatch>& patches = site.solved.pairs(0, 2).aInB.patches;
+  const std::size_t count = patches.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 2 == 1) patches[i].layer = 5;
+    FollowedPatch elsewhere = patches[i];
+    elsewhere.pose.x += 20, elsewhere.layer = 5, elsewhere.walls *= 0.4;
+    patches.push_back(elsewhere);
+  }
+  const auto after = BendField(site.solved, 0, 2)(place);
+  ASSERT_TRUE(before && after);
+  EXPECT_LT(poseDistance(after->pose, before->pose), 1e-9);
+  EXPECT_LT(after->rival, BendField::kSameCopy);
+}
+
 TEST(BendField, aPlaceThatTheOtherMapHasTwiceIsToldByTheWayBack) {
   test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
   const Transform2D place = besideScan(site.runs[0], site.runs[0].scans.size() / 2);

@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "fitted_repair.h"
+#include "roomgraph/align/near_poses.h"
 #include "roomgraph/align/nearest_wall.h"
+#include "roomgraph/base/UnionFind.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/geometry/MotionFit.h"
 #include "roomgraph/relate/place_runs.h"
@@ -26,38 +28,60 @@ Transform2D meanOf(const Words& words, const Transform2D& about) {
   return {sum.x / weight, sum.y / weight, wrappedAngle(about.phi + turn / weight)};
 }
 
-/** What one search has found of a map. */
+/** Walls that hang together where they were found. */
 struct Piece {
-  double walls = 0, bend = 0;  ///< how far they lie from where the first piece leads [m]
+  double walls = 0, bend = 0;  ///< how far they lie from where the first pose leads [m]
 };
+
+/** The piece of each patch: beside it another one is turned and shifted alike. */
+std::vector<std::uint32_t> piecesOf(const std::vector<FollowedPatch>& found,
+                                    const WallPatches& patches) {
+  std::vector<std::vector<std::uint32_t>> ofPatch(patches.size());
+  for (std::uint32_t i = 0; i < found.size(); ++i) ofPatch[found[i].patch].push_back(i);
+  UnionFind pieces(found.size());
+  const auto joinTo = [&](std::uint32_t i, std::uint32_t patch) {
+    for (const std::uint32_t other : ofPatch[patch])
+      if (areNear(found[i].pose, found[other].pose, patches[patch].middle, kNextPatch))
+        pieces.join(i, other);
+  };
+  for (std::uint32_t i = 0; i < found.size(); ++i) {
+    joinTo(i, found[i].patch);
+    for (const std::uint32_t next : patches[found[i].patch].neighbours) joinTo(i, next);
+  }
+  std::vector<std::uint32_t> pieceOf;
+  for (std::uint32_t i = 0; i < found.size(); ++i) pieceOf.push_back(pieces.find(i));
+  return pieceOf;
+}
 
 /** Which patches of a map tell how it lies in another. Walls that are left over fit in many places,
  *  so a piece that lies elsewhere has to be more than half of all that does not. */
 std::vector<FollowedPatch> believedPatches(const FollowedWalls& followed,
                                            const WallPatches& patches) {
+  const std::vector<FollowedPatch>& found = followed.patches;
   MotionFit first;
-  for (const FollowedPatch& patch : followed.patches) {
+  for (const FollowedPatch& patch : found) {
     const Point middle = patches[patch.patch].middle;
     if (patch.layer == 0) first.add(middle, patch.pose(middle), patch.walls);
   }
   const Transform2D lead = first.motion();
-  std::map<int, Piece> pieces;
-  for (const FollowedPatch& patch : followed.patches) {
-    const Point middle = patches[patch.patch].middle;
-    Piece& piece = pieces[patch.layer];
-    piece.walls += patch.walls;
-    piece.bend += patch.walls * distance(patch.pose(middle), lead(middle));
+  const std::vector<std::uint32_t> pieceOf = piecesOf(found, patches);
+  std::map<std::uint32_t, Piece> pieces;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Point middle = patches[found[i].patch].middle;
+    Piece& piece = pieces[pieceOf[i]];
+    piece.walls += found[i].walls;
+    piece.bend += found[i].walls * distance(found[i].pose(middle), lead(middle));
   }
   const auto isElsewhere = [](const Piece& piece) {
     return piece.bend > fitted::kOtherPiece * piece.walls;
   };
   double together = 0;
-  for (const auto& [layer, piece] : pieces)
+  for (const auto& [id, piece] : pieces)
     if (!isElsewhere(piece)) together += piece.walls;
   std::vector<FollowedPatch> believed;
-  for (const FollowedPatch& patch : followed.patches) {
-    const Piece& piece = pieces[patch.layer];
-    if (!isElsewhere(piece) || piece.walls > kMajority * together) believed.push_back(patch);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Piece& piece = pieces[pieceOf[i]];
+    if (!isElsewhere(piece) || piece.walls > kMajority * together) believed.push_back(found[i]);
   }
   return believed;
 }
