@@ -65,6 +65,16 @@ TEST(ScoreRuns, aRunOfWhichOthersBearOutLessThanHalfHasNoMeaning) {
   EXPECT_EQ(scores[0]->confirmed, 1);
 }
 
+TEST(ScoreRuns, runsThatCannotBeToldDoNotShowThatAnotherOneErrs) {
+  std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
+  errors[0].contradicted = 0.1, errors[1].confirmed = errors[2].confirmed = 0.4;
+  EXPECT_FALSE(scored(allBends(3, 0.3), errors, {}, {})[0]->isMeaningful);
+  errors[2].confirmed = 1;
+  EXPECT_TRUE(scored(allBends(3, 0.3), errors, {}, {})[0]->isMeaningful);
+  errors[2].confirmed = 0.4, errors[0].contradicted = 0;
+  EXPECT_TRUE(scored(allBends(3, 0.3), errors, {}, {})[0]->isMeaningful);
+}
+
 TEST(ScoreRuns, whatOthersContradictIsTrustedAsItsWorstCase) {
   std::vector<MapError> errors = errorsOf({0.1, 0.1, 0.1});
   errors[1].contradicted = 0.1, errors[1].high = 3;

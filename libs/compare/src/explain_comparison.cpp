@@ -130,6 +130,11 @@ std::string verdictOf(const Comparison& result) {
   if (!result.reference && result.runs.size() == 2)
     return formatted("Two runs cannot tell for sure which is better: they bend %.2f m apart.",
                      valueOf(best.measures, "bend").value_or(0));
+  const std::vector<std::string> doubts = doubtsAbout(best, result);
+  if (!best.score->isMeaningful)
+    return "No run can be judged: " + best.name +
+           formatted(", with the smallest error (about %.2f m), ", rounded(best.score->mapError)) +
+           listed(doubts) + ".";
   const bool isOutdone = seemsOutdone(best, result);
   const bool isBest =
       result.certaintyOf(best) == Certainty::sure && !isOutdone && isBetterThanAny(best, result);
@@ -145,7 +150,6 @@ std::string verdictOf(const Comparison& result) {
                                     : formatted("of about %.2f m", rounded(best.score->mapError)));
   const std::vector<std::string> rivals = rivalsOf(best, result);
   if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
-  const std::vector<std::string> doubts = doubtsAbout(best, result);
   return text + "." + (doubts.empty() ? "" : " But " + best.name + " " + listed(doubts) + ".");
 }
 

@@ -62,6 +62,14 @@ double weigh(RunScores& scores, std::size_t run, const PairBends& bends, const D
   return shares - most;
 }
 
+/** What contradicts a run, and cannot be told itself, does not show which of them errs. */
+void doubtIfOnlyDoubtfulContradict(RunScores& scores) {
+  const auto isTold = [](const auto& score) { return score && score->isMeaningful; };
+  if (std::count_if(scores.begin(), scores.end(), isTold) != 1) return;
+  RunScore& only = **std::find_if(scores.begin(), scores.end(), isTold);
+  only.isMeaningful = only.contradicted <= 0;
+}
+
 }  // namespace
 
 RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
@@ -90,6 +98,7 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                          least >= options.leastShare && score.others >= 1 &&
                          score.confirmed >= kMajority && score.fitsReference();
   }
+  if (!reference) doubtIfOnlyDoubtfulContradict(scores);
   return scores;
 }
 
