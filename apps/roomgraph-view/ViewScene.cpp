@@ -161,8 +161,8 @@ void ViewScene::updateBreak(const ViewState& state) {
   tear_->clear();
   if (!state.tear) return;
   MrptScene drawn = breakScene(view_.comparison, view_.comparison.breaks[*state.tear], view_.runs);
-  for (const char* name : {"before", "drawn", "untorn"})
-    if (const auto object = drawn.getByName(name)) {
+  for (const BreakPart& part : kBreakParts)
+    if (const auto object = drawn.getByName(part.name)) {
       object->setLocation(0, 0, kPathHeight);
       tear_->insert(object);
     }
@@ -235,9 +235,17 @@ void ViewScene::write(const ViewState& state) {
   font.color = mrpt::img::TColorf(kText);
   font.draw_shadow = true, font.shadow_color = {1, 1, 1, 1};
   constexpr double lineHeight = 18, fromTop = 24;  // [px]
-  const std::vector<std::string> lines = readState(view_, state);
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    viewport->addTextMessage(10, -fromTop - lineHeight * double(i), lines[i], i, font);
+  std::size_t count = 0;
+  const auto addLine = [&](const std::string& line) {
+    viewport->addTextMessage(10, -fromTop - lineHeight * double(count), line, count, font);
+    ++count;
+  };
+  for (const std::string& line : readState(view_, state)) addLine(line);
+  if (!state.tear) return;
+  for (const BreakPart& part : kBreakParts) {
+    font.color = mrpt::img::TColorf(part.colour);
+    addLine(part.name);
+  }
 }
 
 void ViewScene::update(const ViewState& state) {

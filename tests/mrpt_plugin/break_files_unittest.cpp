@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/io/CMemoryStream.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_reads.h"
@@ -58,6 +59,21 @@ TEST(BreakScene, showsTheTornPieceInBothPoses) {
   // From (7, 3): 2 to the right of and 1 below the drawn pose, turned back by 0.2.
   EXPECT_NEAR(double(untorn->getPoint3Df(0).x), 4 + 2 * std::cos(0.2) - std::sin(0.2), 1e-5);
   EXPECT_NEAR(double(untorn->getPoint3Df(0).y), 4 - std::cos(0.2) - 2 * std::sin(0.2), 1e-5);
+}
+
+TEST(BreakScene, namesStandAboveAllThatIsShown) {
+  MrptScene scene = breakScene(comparison(), tearAt(12), runs());
+  double top = -HUGE_VAL;
+  for (const BreakPart& part : kBreakParts) {
+    const auto cloud = cloudOf(scene, part.name);
+    ASSERT_TRUE(cloud) << part.name;
+    for (std::size_t i = 0; i < cloud->size(); ++i)
+      top = std::max(top, double(cloud->getPoint3Df(i).y));
+  }
+  const auto text = scene.getByClass<viz::CText3D>();
+  ASSERT_TRUE(text);
+  EXPECT_EQ(text->getString(), "before");
+  EXPECT_GT(text->getPose().y, top);
 }
 
 TEST(BreakScene, isReadByMrpt) {

@@ -14,11 +14,10 @@
 namespace roomgraph {
 namespace {
 
-constexpr mrpt::img::TColor kOthers{150, 156, 166}, kBefore{0, 82, 155},
-    kTorn = mrptColour(ink::vermilion), kUntorn{0, 130, 90};
+constexpr mrpt::img::TColor kOthers{150, 156, 166};
 constexpr double kLayerStep = 0.05;    // between layers, so that none hides in another [m]
 constexpr double kRobotMark = 0.15;    // [m]
-constexpr double kLetterHeight = 0.5;  // [m]
+constexpr double kLetterShare = 0.03;  // of the width of what is shown
 
 Transform2D poseOf(const Comparison& comparison, const std::string& name) {
   for (const ComparedRun& run : comparison.runs)
@@ -28,12 +27,10 @@ Transform2D poseOf(const Comparison& comparison, const std::string& name) {
 
 Transform2D mendOf(const MapBreak& tear) { return tear.torn ? tear.torn->mend() : Transform2D{}; }
 
-/** What some key frames saw, the way of the robot, and their name beside its end. */
+/** What some key frames saw, and the way of the robot. */
 class Piece {
  public:
-  /** The name stands `labelAbove` the end of the way [m]. */
-  Piece(const char* name, const mrpt::img::TColor& colour, double height, double labelAbove)
-      : name_(name), colour_(colour), height_(height), labelAbove_(labelAbove) {}
+  Piece(const BreakPart& part, double height) : part_(part), height_(height) {}
 
   void add(const ScanWalls& scan, const Transform2D& siteFromRun) {
     const Motion2D move(siteFromRun);
@@ -41,37 +38,40 @@ class Piece {
     way_.push_back(move(scan.robot()));
   }
 
-  /** The name is level where all is turned by `turn` [rad]. */
-  void addTo(MrptScene& scene, std::vector<Point>& shown, double turn) const {
+  void addTo(MrptScene& scene, std::vector<Point>& shown) const {
     if (way_.empty()) return;
-    auto set = setNamed(name_);
-    set->insert(pointsAt(walls_, height_, colour_, 4));
+    auto set = setNamed(part_.name);
+    set->insert(pointsAt(walls_, height_, part_.colour, 4));
     std::vector<Segment> steps;
     for (std::size_t k = 0; k + 1 < way_.size(); ++k) steps.emplace_back(way_[k], way_[k + 1]);
-    set->insert(linesAt(steps, height_, colour_, 3));
-    for (const Point at : way_) set->insert(diskAt(at, height_, colour_, kRobotMark));
-    set->insert(label(turn));
+    set->insert(linesAt(steps, height_, part_.colour, 3));
+    for (const Point at : way_) set->insert(diskAt(at, height_, part_.colour, kRobotMark));
     scene.insert(set);
     shown.insert(shown.end(), walls_.begin(), walls_.end());
     shown.insert(shown.end(), way_.begin(), way_.end());
   }
 
  private:
-  viz::CText3D::Ptr label(double turn) const {
-    auto text = viz::CText3D::Create(name_, "sans", kLetterHeight, viz::FILL);
-    text->setColor_u8(colour_);
-    const Transform2D level{0, 0, -turn};
-    const Point place = way_.back() + level(Point{kRobotMark, labelAbove_});
-    text->setPose(
-        mrpt::poses::CPose3D(place.x, place.y, height_ + kLayerStep / 2, level.phi, 0, 0));
-    return text;
-  }
-
-  const char* name_;
-  mrpt::img::TColor colour_;
-  double height_, labelAbove_;
+  BreakPart part_;
+  double height_;
   std::vector<Point> walls_, way_;
 };
+
+/** The names of the parts that the scene has, above the box, which grows by them; the scene is
+ *  turned by `turn` [rad]. */
+void addNames(MrptScene& scene, Box& box, double turn) {
+  const double height = kLetterShare * (box.high.x - box.low.x);
+  const Transform2D level{0, 0, -turn};
+  for (const BreakPart& part : kBreakParts) {
+    if (!scene.getByName(part.name)) continue;
+    auto text = viz::CText3D::Create(part.name, "sans", height, viz::FILL);
+    text->setColor_u8(part.colour);
+    const Point place = level(Point{box.low.x, box.high.y});
+    text->setPose(mrpt::poses::CPose3D(place.x, place.y, kLayerStep, level.phi, 0, 0));
+    scene.insert(text);
+    box.high.y += 1.5 * height;
+  }
+}
 
 /** The walls of the best run but this one. */
 void addOthers(const Comparison& comparison, const MapBreak& tear, const std::vector<Run>& runs,
@@ -99,10 +99,8 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
   std::vector<Point> shown{tear.place};
   if (const Run* run = findRun(runs, tear.run)) {
     const Transform2D pose = poseOf(comparison, tear.run);
-    constexpr double above = kRobotMark, below = -kRobotMark - kLetterHeight;
-    Piece before("before", kBefore, kLayerStep, above),
-        drawn("drawn", kTorn, 2 * kLayerStep, above),
-        untorn("untorn", kUntorn, 3 * kLayerStep, below);
+    Piece before(kBreakParts[0], kLayerStep), drawn(kBreakParts[1], 2 * kLayerStep),
+        untorn(kBreakParts[2], 3 * kLayerStep);
     const FramesAtBreak frames = framesAtBreak(tear, run->scans);
     for (std::size_t k = frames.first; k < frames.end; ++k) {
       const ScanWalls& scan = run->scans[k];
@@ -113,10 +111,12 @@ MrptScene breakScene(const Comparison& comparison, const MapBreak& tear,
       drawn.add(scan, pose);
       untorn.add(scan, mendOf(tear) * pose);
     }
-    for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown, turn);
+    for (const Piece* piece : {&before, &drawn, &untorn}) piece->addTo(scene, shown);
   }
   for (Point& place : shown) place = Transform2D{0, 0, turn}(place);
-  lookFromAbove(scene, boundingBox(shown).widened(1), turn);
+  Box box = boundingBox(shown).widened(1);
+  addNames(scene, box, turn);
+  lookFromAbove(scene, box, turn);
   return scene;
 }
 
