@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 #include "drawn_building.h"
 #include "roomgraph/align/wall_map.h"
@@ -82,6 +83,20 @@ TEST(WallSightings, wallsThatAreErasedAreMissing) {
   EXPECT_GT(*four.measured(wallsMissingOf).value, 0.1);
   EXPECT_LT(*four.measured(wallsMissingOf, 2).value, 0.02) << "nobody else has lost any";
   EXPECT_LT(*four.measured(wallsAddedOf, 2).value, 0.02) << "two others have it, too";
+}
+
+TEST(WallSightings, wallsThatAreThinnedToDotsAreMissing) {
+  const auto keep = [](unsigned ofTen) {
+    std::mt19937 random(1);
+    return Four(edited([&](const Grid& grid, Cell c) {
+      const bool isGone = grid.at(c) == State::occupied && random() % 10 >= ofTen;
+      return isGone ? State::free : grid.at(c);
+    }));
+  };
+  const Four dots = keep(3), gaps = keep(8);
+  EXPECT_GT(*dots.measured(wallsMissingOf).value, 0.5);
+  EXPECT_LT(*dots.measured(wallsMissingOf, 2).value, 0.02) << "nobody else has lost any";
+  EXPECT_LT(*gaps.measured(wallsMissingOf).value, 0.05) << "another lidar";
 }
 
 TEST(WallSightings, specksAreAdded) {

@@ -7,6 +7,7 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/align/FullMaps.h"
+#include "roomgraph/base/majority.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
 
@@ -68,6 +69,28 @@ Count missingOf(const SightingTable& sightings, const std::vector<std::size_t>& 
     ++count.all, count.some += inRun[i] == WallSighting::found ? 0 : 1;
   }
   return count;
+}
+
+/** How many straight wall points of `run` were found in `other`. */
+double straightFound(const SightingTable& sightings, std::size_t run, std::size_t other) {
+  const std::vector<WallSighting>& inOther = sightings.in(run, other);
+  double found = 0;
+  for (std::size_t i = 0; i < inOther.size(); ++i)
+    found += inOther[i] == WallSighting::found && sightings.isStraight[run][i] ? 1 : 0;
+  return found;
+}
+
+/** The share of the points of its walls that a run lacks, beside those of the others that were
+ *  found in it: 0 where it has half of them, as one lidar sees more points of a wall than another.
+ */
+double thinnedOf(const SightingTable& sightings, const std::vector<std::size_t>& others,
+                 const Trust& trust, std::size_t run) {
+  double own = 0, theirs = 0;
+  for (const std::size_t other : others) {
+    own += trust[other] * straightFound(sightings, run, other);
+    theirs += trust[other] * straightFound(sightings, other, run);
+  }
+  return own < kMajority * theirs ? 1 - own / theirs : 0;
 }
 
 enum class Walls { all, straight };
@@ -150,11 +173,13 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run) {
   const auto others = othersOf(sightings, maps, trust, run);
+  const double thinned = thinnedOf(sightings, others, trust, run);
   std::vector<ShareInOther> missing;
   for (const std::size_t other : others) {
     const Count count = missingOf(sightings, others, other, run);
-    const double all = trust[other] * count.all;
-    missing.push_back({trust[other] > 0 ? count.all : 0, trust[other] * count.some, all});
+    const double gone = count.some + thinned * (count.all - count.some);
+    missing.push_back(
+        {trust[other] > 0 ? count.all : 0, trust[other] * gone, trust[other] * count.all});
   }
   return shareOverOthers(missing);
 }

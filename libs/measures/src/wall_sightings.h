@@ -30,9 +30,11 @@ SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEa
 
 /** Of one run: `walls_missing`, of the straight walls of each other run that a third one has, too,
  *  and none denies, and of which this one has seen the place, the share that it has not: it shows
- *  free space there, or only up to there. Furniture, which moves, is seldom as straight. Weighted
- *  by trust. Edits of one picture are one voice; beside a run with scans, others with less than a
- *  thousandth of its trust are none. Support in wall points. */
+ *  free space there, or only up to there. Where it has less than half of the points of the walls
+ *  found in both, as if thinned to dots, the share of them that is gone counts, too. Furniture,
+ *  which moves, is seldom as straight. Weighted by trust. Edits of one picture are one voice;
+ *  beside a run with scans, others with less than a thousandth of its trust are none. Support in
+ *  wall points. */
 MeasuredValue wallsMissingOf(const SightingTable& sightings, const DistinctMaps& maps,
                              const Trust& trust, std::size_t run);
 
