@@ -42,8 +42,9 @@ void say(const std::string& text) {
 std::size_t placeOf(const char* option, std::size_t number, std::size_t count) {
   if (number >= 1 && number <= count) return number - 1;
   if (count == 0) throw UsageError(std::string(option) + ": there is none here; leave it out");
-  throw UsageError(std::string(option) + ": there are " + std::to_string(count) +
-                   ", counted from 1");
+  throw UsageError(
+      std::string(option) + ": there " +
+      (count == 1 ? "is only 1" : "are " + std::to_string(count) + ", counted from 1"));
 }
 
 std::size_t placeOfFrame(std::size_t frame, const View& view, std::size_t run) {
@@ -80,7 +81,7 @@ void checkScreenshot(const Arguments& arguments) {
   files.reads(arguments.files);
   files.draws("--screenshot", arguments.screenshot);
   if (!endsWith(arguments.screenshot, ".png"))
-    throw UsageError(arguments.screenshot + ": is no name of a picture: name it .png");
+    throw UsageError(arguments.screenshot + ": must end in .png");
 }
 
 /** MRPT holds blue, green and red, row by row from the top. */

@@ -66,8 +66,8 @@ void addBreak(const View& view, const ViewState& state, std::vector<std::string>
   if (!state.tear) return;
   const MapBreak& tear = view.comparison.breaks[*state.tear];
   lines.push_back(formatted(
-      "break %zu of %zu: all behind it is turned by %.1f deg, shifted by %.2f m", *state.tear + 1,
-      view.comparison.breaks.size(), tear.rotation * 180 / M_PI, tear.shift));
+      "break %zu of %zu: everything after it is turned by %.1f deg, shifted by %.2f m",
+      *state.tear + 1, view.comparison.breaks.size(), tear.rotation * 180 / M_PI, tear.shift));
   if (state.other)
     lines.push_back("what " + printable(view.comparison.runs[*state.other].name) + " shows there");
 }

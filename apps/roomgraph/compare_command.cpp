@@ -79,9 +79,11 @@ void declareJudged(CompareArguments& arguments, CLI::App& app) {
   declareGate(arguments.gate, app);
 }
 
-/** The record and the candidates, each file once. */
+/** The record and the candidates, each file once, and not the reference: against itself it is
+ *  perfect. */
 std::vector<std::string> allFiles(const CompareArguments& arguments) {
   std::vector<std::string> files = arguments.files;
+  files.erase(std::remove(files.begin(), files.end(), arguments.reference), files.end());
   for (const std::string& file : arguments.candidates)
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
   return files;
@@ -204,28 +206,31 @@ void writeResults(Comparison comparison, const std::vector<Run>& runs,
   if (!arguments.running.isQuiet) printResults(comparison, files, more.names);
 }
 
-/** Compares the sites beside the first, the one with most runs before the others. */
+/** Compares the sites beside the first, the one with most runs before the others. Names the maps
+ *  that share no site with another one. */
 void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArguments& arguments) {
   for (std::size_t number = 2;; ++number) {
     read = otherSitesIn(std::move(read), comparison);
-    if (read.runs.size() < 2) return;
-    comparison = compare(read, arguments);
-    if (comparison.runs.size() < 2) return;
+    if (read.runs.size() > 1) comparison = compare(read, arguments);
+    if (read.runs.size() < 2 || comparison.runs.size() < 2) break;
     FolderFiles files{folderOf(number, arguments)};
     makeWritableFolder(files.folder);
     writeResults(comparison, read.runs, arguments, files);
   }
+  for (const Run& run : read.runs) printError(run.file + ": shares no site with another map");
 }
 
-/** What could be read, but is of another site. Says whether anything could not be read at all. */
-bool printLeftOut(const Comparison& comparison) {
-  bool isUnread = false;
-  for (const LeftOutRun& left : comparison.leftOut)
-    if (left.isOtherSite)
-      printError(left.file + ": " + left.reason);
-    else
-      isUnread = true;
-  return isUnread;
+/** Names what could be read, but is of another site, unless that is compared, too. Says whether
+ *  anything could not be read at all. */
+bool printLeftOut(const Comparison& comparison, const CompareArguments& arguments) {
+  std::size_t others = 0, unread = 0;
+  for (const LeftOutRun& left : comparison.leftOut) {
+    ++(left.isOtherSite ? others : unread);
+    if (left.isOtherSite && !arguments.comparesEachSite) printError(left.file + ": " + left.reason);
+  }
+  if (others > 1 && !arguments.comparesEachSite)
+    printError("compare: --each-site compares each site by itself");
+  return unread > 0;
 }
 
 int run(const CompareArguments& arguments) {
@@ -251,7 +256,7 @@ int run(const CompareArguments& arguments) {
   // The rooms of a bad run are not to be remembered.
   if (site && !gateFails) files.staged.add(arguments.names, siteJson(*site));
   addGateFiles(comparison, arguments.gate, files.staged);
-  const bool isUnread = printLeftOut(comparison);
+  const bool isUnread = printLeftOut(comparison, arguments);
   writeResults(comparison, read.runs, arguments, files);
   if (arguments.comparesEachSite) compareOtherSites(std::move(read), comparison, arguments);
   laps.end("write_files");

@@ -244,7 +244,7 @@ std::function<int()> extractCommand(CLI::App& app) {
   const auto arguments = std::make_shared<ExtractArguments>();
   addArgument(app, "MAP", arguments->maps,
               "Maps to read, each an " + mapFormatsText() +
-                  ", compressed or not. The kind is told by the content. Several maps are "
+                  ", compressed or not. The content tells the kind. Several maps are "
                   "processed in parallel.");
   declareResults(*arguments, app);
   declareOptions(arguments->options, app);

@@ -16,7 +16,7 @@ namespace {
 constexpr Command kCommands[] = {
     {"extract", "Turn maps into topology graphs with rooms.", extractCommand},
     {"route",
-     "Tell the shortest way between two places of a map, and through which doors it leads.",
+     "Find the shortest way between two places of a map, and through which doors it leads.",
      routeCommand},
     {"where", "Tell in which room or corridor a place of a map is.", whereCommand},
     {"compare", "Rank several maps of one site, and tell how far off each of them is.",

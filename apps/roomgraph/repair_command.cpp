@@ -119,6 +119,14 @@ void finish(const std::vector<ShownRepair>& shown, const SiteArguments& site, Fo
   if (!site.running.isQuiet) print(lines + fileLines(files.names));
 }
 
+/** Names the maps without scans: they help, but are not mended. */
+void printBare(const SolvedRuns& runs, const RepairArguments& arguments) {
+  for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
+    if (const Run& run = runs.read.runs[i]; run.scans.empty() && isAskedFor(run.name, arguments) &&
+                                            runs.read.reference != i && runs.solved.site.has(i))
+      printError(run.file + ": has no scans, so it is not mended");
+}
+
 /** What the call ends with: a run that does not lie in the site of the others is not mended. */
 int exitCodeOf(const SolvedRuns& runs, const RepairArguments& arguments) {
   for (std::size_t i = 0; i < runs.read.runs.size(); ++i)
@@ -155,6 +163,7 @@ int run(RepairArguments arguments) {
   const auto runs = solveRuns(site);
   if (runs->solved.site.runs.size() < 2)
     throw DataError("repair: no two runs lie in one site: name one alone to mend it by itself");
+  printBare(*runs, arguments);
   FolderFiles files{site.folder};
   std::vector<ShownRepair> shown;
   const RealPoses real = rejoinPieces(runs->solved);

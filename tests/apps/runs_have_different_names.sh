@@ -35,5 +35,7 @@ same "$(names run.pgm run.pgm 'run#2.pgm')" 'run run#2 run#3'
 same "$(names 'run#2.pgm' run.pgm run.pgm)" 'run run#2 run#3'
 same "$(names 'run#2.pgm' 'run#2.pgm' 'run#2#2.pgm' run.pgm)" 'run run#2 run#2#2 run#2#3'
 same "$(names a/run.pgm b/run.pgm)" 'a/run b/run'
-same "$(names run.pgm --reference run.pgm)" 'run run#2'
+# The reference among the runs is not compared with itself.
+same "$(names 'run#2.pgm' run.pgm --reference run.pgm)" 'run run#2'
+expect 2 "$roomgraph" compare run.pgm --reference run.pgm -o o
 same "$(names $'caf\xe9.pgm' run.pgm $'caf\xe8.pgm')" $'caf\xef\xbf\xbd caf\xef\xbf\xbd#2 run'

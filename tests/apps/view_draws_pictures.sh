@@ -25,7 +25,7 @@ for picture in office.png mine.png; do
   cmp $picture "$maps"/office.png || fail "$picture was replaced"
 done
 expect 2 "$view" office.yaml --screenshot one.simplemap.gz
-one_line err one.simplemap.gz "name it .png"
+one_line err one.simplemap.gz "must end in .png"
 expect 0 "$view" office.yaml --screenshot one.png
 
 # A stage takes the place of the graph: the obstacle cells are orange, and no vertex is there yet.

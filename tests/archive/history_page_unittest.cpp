@@ -68,9 +68,9 @@ TEST(HistoryPage, aMapThatMayNotBeRolledOutIsTheHeadline) {
   site.watch = watchSite(site.history, {});
   const std::string page = historyPage({site}, {});
   EXPECT_TRUE(has(page,
-                  "<h1>anna: no, the map of 1970-01-13 is 3.00 m off, with a limit of 0.30 m: keep "
+                  "<h1>anna: no, the map of 1970-01-13 is 3.000 m off, with a limit of 0.3 m: keep "
                   "that of 1970-01-12</h1>"));
-  EXPECT_TRUE(has(page, "<td class=\"state bad\">keep the old</td>"));
+  EXPECT_TRUE(has(page, "<td class=\"state bad\">keep the old map</td>"));
 }
 
 TEST(HistoryPage, namesAreText) {

@@ -69,7 +69,7 @@ TEST(WatchSite, aBadLatestMapIsNotRolledOutAndTheLastGoodOneStays) {
   history.runs.push_back(historyRun("anna", 12, 2.5));
   EXPECT_EQ(annaIn(history).rollout, Rollout::no);
   EXPECT_EQ(annaIn(history).advice,
-            "no, the map of 1970-01-13 is 2.50 m off, with a limit of 0.30 m: keep that of "
+            "no, the map of 1970-01-13 is 2.500 m off, with a limit of 0.3 m: keep that of "
             "1970-01-12");
   Measure breaks = history.runs.back().figures.front();
   breaks.name = kBreaks, breaks.value = 2;
@@ -118,13 +118,12 @@ TEST(WatchSite, aMapThatLacksMuchOrShowsWhatIsNotThereIsNotRolledOut) {
   EXPECT_EQ(adviceWith("walls_missing", 0.2),
             no + "lacks 20 % of the walls that others have" + stays);
   EXPECT_EQ(adviceWith("walls_added", 0.63),
-            no + "has, in one place, 63 % of its walls where others have seen free space" + stays);
-  EXPECT_EQ(
-      adviceWith("straight_walls_added", 0.04),
-      no +
-          "has, in one place, 4.0 % of its walls as straight ones where others have seen free "
-          "space" +
-          stays);
+            no + "has a place where 63 % of the walls stand in free space of the others" + stays);
+  EXPECT_EQ(adviceWith("straight_walls_added", 0.04),
+            no +
+                "has a place where 4.0 % of the walls are straight and stand in free space of the "
+                "others" +
+                stays);
   EXPECT_EQ(adviceWith("coverage", 0.71), "yes, the map of 1970-01-12 may be rolled out");
 }
 
@@ -133,7 +132,7 @@ TEST(WatchSite, ofTwoMapsOfOneDayTheTimesAreTold) {
   history.runs.push_back(historyRun("anna", 11, 2.5));
   history.runs.back().time += 3600;
   EXPECT_EQ(annaIn(history).advice,
-            "no, the map of 1970-01-12T01:00:00Z is 2.50 m off, with a limit of 0.30 m: keep that "
+            "no, the map of 1970-01-12T01:00:00Z is 2.500 m off, with a limit of 0.3 m: keep that "
             "of 1970-01-12T00:00:00Z");
 }
 

@@ -99,7 +99,7 @@ TEST(ReasonOf, namesWhatSpeaksAgainstARun) {
   EXPECT_NE(reasonOf(torn.runs[0], torn).find("; it breaks in 1 place"), std::string::npos);
   EXPECT_NE(
       reasonOf(torn.runs[1], torn)
-          .find("; it breaks in 2 places; but only 35 % of them were found in the other maps; "
+          .find("; it breaks in 2 places; only 35 % of its walls were found in the other maps; "
                 "too little to judge by"),
       std::string::npos);
 }
@@ -218,8 +218,26 @@ TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotCalledTheBest) {
       << verdictOf(wrong);
   EXPECT_EQ(verdictOf(wrong).find("best map"), std::string::npos);
   EXPECT_NE(reasonOf(wrong.runs[0], wrong)
-                .find("of its walls round (1.0, 2.0) 62 % stand where the others have seen free"),
+                .find("round (1.0, 2.0) 62 % of its walls stand in free space of the others"),
             std::string::npos);
+}
+
+TEST(VerdictOf, oneRunBesideAReferenceIsNotRanked) {
+  Comparison comparison = ofRuns({scored("a", 0.1), scored("b", 0.2)});
+  comparison.reference = "b";
+  EXPECT_EQ(verdictOf(comparison).rfind("a is 0.10 m off the reference (", 0), 0u)
+      << verdictOf(comparison);
+}
+
+TEST(VerdictOf, editsOfOneMapSayNothingMore) {
+  Comparison edits = ofRuns({scored("a", 0.1), scored("b", 0.1), scored("c", 0.1)});
+  edits.pairs.resize(1);
+  edits.pairs[0].a = "b", edits.pairs[0].b = "c", edits.pairs[0].areEdits = true;
+  edits.runs[0].score->isMeaningful = false;
+  EXPECT_NE(verdictOf(edits).find("a, with the smallest error (about 0.10 m), can be compared with "
+                                  "one other map at most, as the rest are edits."),
+            std::string::npos)
+      << verdictOf(edits);
 }
 
 TEST(VerdictOf, aMapWithAPlaceThatNoOtherShowsIsNotAsGood) {
@@ -291,7 +309,7 @@ TEST(Notes, sayHowManyCellsAnErrorIsWhereNoMapTellsAScale) {
 
 TEST(Notes, nameOtherSitesAndRunsOfOneDrive) {
   EXPECT_EQ(otherSitesNote({{"a", "b"}, {"c", "d"}}),
-            " There are 2 sites, of which only the first is compared (--each-site compares each): "
+            " There are 2 sites, of which this compares the first: "
             "{a and b}, {c and d}.");
   EXPECT_EQ(sharedDriveNote({"a", "b"}, 3),
             " 2 runs are of one drive (a and b); errors that they share cannot be detected.");

@@ -196,11 +196,11 @@ TEST(Gate, aCandidateIsHeldAgainstTheBestThreeOthers) {
   EXPECT_EQ(recordError(fiveRuns(), "d", {"d"})->error, 0.2);
   EXPECT_EQ(gateVerdict(fiveRuns(), options).margins,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
-                  "others; up to 0.7 m more passes"});
+                  "others (limit: 0.7 m)"});
   options.maxWorse = 0.69;
   EXPECT_EQ(gateVerdict(fiveRuns(), options).complaints,
             Lines{"d: its map error of 0.900 m is 0.700 m more than the median of the three best "
-                  "others; up to 0.69 m more passes"});
+                  "others (limit: 0.69 m)"});
   EXPECT_EQ(gateVerdict(fiveRuns(), options).candidates, Lines{"d"});
 }
 
@@ -209,11 +209,11 @@ TEST(Gate, aRecordOfFewerThanThreeIsToldAsSuch) {
   options.candidates = {"d", "c"}, options.maxWorse = 0.7;
   const Lines ofTwo = gateVerdict(fiveRuns(), options).complaints;
   EXPECT_EQ(ofTwo, Lines{"d: its map error of 0.900 m is 0.750 m more than the median of the two "
-                         "best others; up to 0.7 m more passes"});
+                         "best others (limit: 0.7 m)"});
   options.candidates.push_back("b");
   const Lines ofOne = gateVerdict(fiveRuns(), options).complaints;
-  EXPECT_EQ(ofOne, Lines{"d: its map error of 0.900 m is 0.800 m more than that of the best other; "
-                         "up to 0.7 m more passes"});
+  EXPECT_EQ(ofOne, Lines{"d: its map error of 0.900 m is 0.800 m more than that of the best other "
+                         "(limit: 0.7 m)"});
 }
 
 TEST(Gate, onlyCandidatesAreJudgedAndTheyAreNotTheRecord) {
@@ -227,6 +227,13 @@ TEST(Gate, onlyCandidatesAreJudgedAndTheyAreNotTheRecord) {
   EXPECT_TRUE(gateVerdict(comparison, options).isPassed());
   EXPECT_EQ(recordError(comparison, "a", {"a", "b", "c"})->error, 0.9);
   EXPECT_FALSE(recordError(comparison, "a", {"b", "c", "d"}));
+}
+
+TEST(Gate, aCandidateWithoutALimitPassesWithAWord) {
+  GateOptions options;
+  options.candidates = {"d"};
+  EXPECT_EQ(gateVerdict(fiveRuns(), options).margins,
+            Lines{"d: no limit is set, so any map that can be judged passes"});
 }
 
 TEST(Gate, aCandidateThatIsNotComparedIsNeverGood) {
@@ -264,8 +271,8 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
   EXPECT_EQ(
       gateVerdict(withWalls(0.3, 0.6, 0.2), options).complaints,
       (Lines{"a: lacks 30 % of the walls that two others have, more than 15 %",
-             "a: has 60 % of its walls round (1.0, -2.0) where others have seen free space, "
-             "more than 50 %",
+             "a: has a place round (1.0, -2.0) where 60 % of the walls stand in free space of the "
+             "others, more than 50 %",
              "a: its walls are too thin: 0.20 cells of wall for each cell at the edge of free "
              "space (wall_sharpness), where the others have 0.80"}));
   EXPECT_EQ(

@@ -120,11 +120,9 @@ TEST(Summarize, otherSitesAreNamedWithTheirRuns) {
   found.site.others = {{2, 3}};
   const Comparison comparison = found.comparison();
   EXPECT_EQ(comparison.leftOut[0].reason, "lies in another site: y and z");
-  EXPECT_NE(
-      comparison.verdict.find(
-          "There are 2 sites, of which only the first is compared (--each-site compares each): {a "
-          "and b}, {y and z}."),
-      std::string::npos)
+  EXPECT_NE(comparison.verdict.find("There are 2 sites, of which this compares the first: {a "
+                                    "and b}, {y and z}."),
+            std::string::npos)
       << comparison.verdict;
 }
 

@@ -59,7 +59,8 @@ TEST(PageSummary, aRunThatBreaksOnceIsNamedWithoutANumber) {
   Comparison comparison = sample().comparison;
   comparison.breaks.resize(1);
   comparison.breaks[0].run = "evening";
-  EXPECT_TRUE(isSaid(comparison, "1 map breaks: evening."));
+  EXPECT_TRUE(isSaid(comparison,
+                     "1 map breaks: evening, from key frame 12 on, by 4.0 degrees and 0.58 m."));
   comparison.breaks.resize(3, comparison.breaks[0]);
   comparison.breaks[0].run = "west";
   comparison.breaks[0].shift = 3, comparison.breaks[0].rotation = -0.1;

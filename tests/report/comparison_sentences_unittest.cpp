@@ -28,7 +28,7 @@ TEST(ComparisonSentences, mapsThatBreakAreNamedByRank) {
   Comparison comparison = threeRuns();
   EXPECT_EQ(breaksSentence(comparison), "");
   comparison.breaks = {breakOf("b", 0.1, 1)};
-  EXPECT_EQ(breaksSentence(comparison), "1 map breaks: b.");
+  EXPECT_EQ(breaksSentence(comparison), "1 map breaks: b, by 5.7 degrees and 1.00 m.");
   comparison.breaks = {breakOf("b", -0.1, 3), breakOf("a", 0.1, 1), breakOf("b", 0.1, 0.5)};
   comparison.breaks[0].keyFrame = 47;
   EXPECT_EQ(breaksSentence(comparison),
@@ -51,7 +51,8 @@ TEST(ComparisonSentences, doubtIsAddedToABreak) {
   Comparison comparison = threeRuns();
   comparison.breaks = {breakOf("c", 0.1, 1)};
   comparison.pairs[1].confidence = comparison.pairs[2].confidence = 0.5;
-  EXPECT_EQ(breaksSentence(comparison), "1 map breaks: c (doubtful).");
+  EXPECT_EQ(breaksSentence(comparison),
+            "1 map breaks: c (position doubtful), by 5.7 degrees and 1.00 m.");
 }
 
 TEST(ComparisonSentences, unsurePairsAreNamedAndStayBelowTheLimit) {

@@ -51,14 +51,14 @@ TEST(GateMarkdown, hasVerdictsAndARowForEachRun) {
   Comparison comparison = twoRuns();
   comparison.gate = GateVerdict{{"b <&\"|*>\n: breaks"}, {}, {"no break"}};
   const std::string text = gateMarkdown(comparison);
-  EXPECT_TRUE(has(text, "## The gate fails\n\nAsked was no break.\n\n- b")) << text;
+  EXPECT_TRUE(has(text, "## The gate fails\n\nCriteria: no break.\n\n- b")) << text;
   EXPECT_TRUE(has(text, "breaks\n\na is the best\n\n| rank")) << text;
   comparison.gate->complaints = {"a: has no score", "a: breaks", "a: has seen little"};
   const std::string failing = gateMarkdown(comparison);
   EXPECT_TRUE(has(failing, "| **has no score** and 2 more |\n")) << failing;
   comparison.gate = GateVerdict{{}, {"a"}, {"no break"}, {"a: has no break"}};
   const std::string passing = gateMarkdown(comparison);
-  EXPECT_EQ(passing.find("## The gate passes: a\n\nAsked was no break.\n\n- a: has no break\n"), 0u)
+  EXPECT_EQ(passing.find("## The gate passes: a\n\nCriteria: no break.\n\n- a: has no break\n"), 0u)
       << passing;
   comparison.gate.reset();
   EXPECT_EQ(gateMarkdown(comparison).find("## 2 maps compared\n\na is the best\n\n| rank"), 0u);

@@ -36,8 +36,9 @@ int needOf(const RobotWatch& robot) {
 }
 
 const char* stateOf(const RobotWatch& robot) {
-  constexpr const char* kStates[] = {"as ever",    "too few nights", "not judged",  "worse since",
-                                     "gets worse", "above limit",    "keep the old"};
+  constexpr const char* kStates[] = {"as ever",         "too few nights", "not judged",
+                                     "worse since",     "gets worse",     "above limit",
+                                     "keep the old map"};
   return kStates[needOf(robot)];
 }
 

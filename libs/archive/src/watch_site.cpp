@@ -56,7 +56,7 @@ std::string mapFault(const HistoryRun& run, std::optional<double> usual,
   if (breaks > 0)
     return formatted(breaks == 1 ? "breaks in %.0f place" : "breaks in %.0f places", breaks);
   if (error > options.limit)
-    return formatted("is %.2f m off, with a limit of %.2f m", error, options.limit);
+    return formatted("is %.3f m off, with a limit of %.4g m", error, options.limit);
   if (seen < kNearlyAll) return formatted("shows only %.0f %% of the site", 100 * seen);
   const double confirmed = trustedValueOf(run.figures, "confirmed").value_or(1);
   if (std::string fault = unconfirmedFault(confirmed, figure("contradicted"), seen); !fault.empty())
@@ -64,12 +64,11 @@ std::string mapFault(const HistoryRun& run, std::optional<double> usual,
   if (figure("walls_missing") > kMostMissing)
     return formatted("lacks %.0f %% of the walls that others have", 100 * figure("walls_missing"));
   if (figure("walls_added") > kMostAdded)
-    return formatted("has, in one place, %.0f %% of its walls where others have seen free space",
+    return formatted("has a place where %.0f %% of the walls stand in free space of the others",
                      100 * figure("walls_added"));
   if (figure("straight_walls_added") > kMostStraightAdded)
     return formatted(
-        "has, in one place, %.1f %% of its walls as straight ones where others have "
-        "seen free space",
+        "has a place where %.1f %% of the walls are straight and stand in free space of the others",
         100 * figure("straight_walls_added"));
   const auto sharpness = trustedValueOf(run.figures, "wall_sharpness");
   const std::string fault = sharpness && usual ? sharpnessFault(*sharpness, *usual) : "";

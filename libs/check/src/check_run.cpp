@@ -132,8 +132,8 @@ std::string sentenceOf(const WallMap& map) {
   if (map.wallDoubling && map.axisDeviation)
     text += formatted(
         ", and its map alone says little: %.0f %% of its walls stand in front of another that "
-        "faces the same way (3 to 25 %% in sound maps), and half of them are off right angles by "
-        "%.1f degrees or more; furniture and slanted walls do the same",
+        "faces the same way (up to 25 %% in sound maps), and half of them are off right angles by "
+        "%.1f degrees or more; furniture and slanted walls look the same",
         100 * *map.wallDoubling, *map.axisDeviation * 180 / M_PI);
   return text;
 }

@@ -31,7 +31,8 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   if (comparison.isPlaceDoubtful(run.name))
     text += "; doubtful, as no reliable alignment links it to most of the others";
   if (score.share < kNearlyAll)
-    text += formatted("; but only %.0f %% of them were found in the other maps", 100 * score.share);
+    text +=
+        formatted("; only %.0f %% of its walls were found in the other maps", 100 * score.share);
   if (score.contradicted > 0)
     text += formatted("; others contradict %.0f %% of what it has drawn, and show it nowhere else",
                       std::max(1.0, 100 * score.contradicted));
@@ -39,10 +40,9 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
     text += formatted("; %.0f %% of what it has drawn no other run confirms",
                       100 * (1 - score.confirmed));
   if (const Measure* added = run.addedWalls())
-    text += formatted(
-        "; of its walls round (%.1f, %.1f) %.0f %% %s where the others have seen free space",
-        added->place->x, added->place->y, 100 * *added->value,
-        added->name == "walls_added" ? "stand" : "are straight and stand");
+    text += formatted("; round (%.1f, %.1f) %.0f %% of its walls %s in free space of the others",
+                      added->place->x, added->place->y, 100 * *added->value,
+                      added->name == "walls_added" ? "stand" : "are straight and stand");
   if (const std::string fault = comparison.faultOfReference(run); !fault.empty())
     text += "; " + fault;
   else if (!score.isMeaningful)
@@ -84,6 +84,13 @@ bool seemsOutdone(const ComparedRun& best, const Comparison& comparison) {
   });
 }
 
+/** Whether all but one or two of the runs are edits of these, which say nothing more. */
+bool isAlmostAlone(const Comparison& comparison) {
+  std::size_t independent = comparison.runs.size();
+  for (const std::vector<std::string>& names : comparison.edits()) independent -= names.size() - 1;
+  return !comparison.reference && independent < 3;
+}
+
 /** What the run with the smallest error "has" or "is" that speaks against it. */
 std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& comparison) {
   std::vector<std::string> doubts;
@@ -99,7 +106,9 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
   if (const std::string fault = comparison.faultOfReference(best); !fault.empty())
     doubts.push_back("cannot be measured (" + fault + ")");
   else if (!best.score->isMeaningful)
-    doubts.push_back("has too little to judge by");
+    doubts.emplace_back(isAlmostAlone(comparison)
+                            ? "can be compared with one other map at most, as the rest are edits"
+                            : "has too little to judge by");
   return doubts;
 }
 
@@ -121,8 +130,8 @@ std::string verdictOf(const Comparison& result) {
     return "Fewer than two runs of one site are left: nothing can be compared.";
   const auto copies = result.copies();
   if (!result.reference && !copies.empty() && copies[0].size() == result.runs.size())
-    return formatted("All %zu runs are copies of one file, which say nothing about each other.",
-                     result.runs.size());
+    return (result.runs.size() == 2 ? "Both" : formatted("All %zu", result.runs.size())) +
+           " runs are copies of one file, which say nothing about each other.";
   const ComparedRun& best = result.runs[0];
   if (!best.score)
     return "The runs lie in one site, but no walls could be followed from one to another: nothing "
@@ -135,6 +144,12 @@ std::string verdictOf(const Comparison& result) {
     return "No run can be judged: " + best.name +
            formatted(", with the smallest error (about %.2f m), ", rounded(best.score->mapError)) +
            listed(doubts) + ".";
+  if (result.reference && result.runs.size() == 2)
+    return best.name +
+           formatted(" is %.2f m off the reference (%.2f to %.2f m).",
+                     rounded(best.score->mapError), rounded(best.score->errorLow),
+                     rounded(best.score->errorHigh)) +
+           (doubts.empty() ? "" : " But it " + listed(doubts) + ".");
   const bool isOutdone = seemsOutdone(best, result);
   const bool isBest =
       result.certaintyOf(best) == Certainty::sure && !isOutdone && isBetterThanAny(best, result);
@@ -177,9 +192,8 @@ std::string scalesNote(const std::vector<std::string>& larger,
 }
 
 std::string otherSitesNote(const std::vector<std::vector<std::string>>& sites) {
-  std::string text = formatted(
-      " There are %zu sites, of which only the first is compared (--each-site compares each): ",
-      sites.size());
+  std::string text =
+      formatted(" There are %zu sites, of which this compares the first: ", sites.size());
   for (std::size_t i = 0; i < sites.size(); ++i)
     text += (i == 0 ? "{" : ", {") + listed(sites[i]) + "}";
   return text + ".";

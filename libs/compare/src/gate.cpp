@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "roomgraph/base/Json.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
 #include "roomgraph/base/statistics.h"
@@ -136,23 +137,23 @@ class Judge {
 
   void judgeWalls(const ComparedRun& run) {
     if (!options_.failsOnWalls) return;
-    const auto judge = [&](const char* name, double most, const char* text) {
+    const auto judge = [&](const char* name, double most, const std::string& verb,
+                           const char* text) {
       const Measure* measure = find(run.measures, name);
       if (!measure || !measure->isMeaningful) return;
-      const double value = *measure->value, left = most - value;
+      const double value = rounded(*measure->value), left = most - value;
       const std::string place =
           measure->place ? formatted(" round (%.1f, %.1f)", measure->place->x, measure->place->y)
                          : "";
       hold(name, run.name, left,
-           formatted(text, 100 * value, place.c_str(), left < 0 ? "more" : "no more", 100 * most));
+           verb + place + formatted(text, 100 * value) +
+               formatted(", %s than %.0f %%", left < 0 ? "more" : "no more", 100 * most));
     };
-    judge("walls_missing", kMostMissing,
-          "lacks %.0f %% of the walls that two others have%s, %s than %.0f %%");
-    judge("walls_added", kMostAdded,
-          "has %.0f %% of its walls%s where others have seen free space, %s than %.0f %%");
-    judge("straight_walls_added", kMostStraightAdded,
-          "has %.1f %% of its walls%s as straight ones where others have seen free space, %s than "
-          "%.0f %%");
+    judge("walls_missing", kMostMissing, "lacks", " %.0f %% of the walls that two others have");
+    judge("walls_added", kMostAdded, "has a place",
+          " where %.0f %% of the walls stand in free space of the others");
+    judge("straight_walls_added", kMostStraightAdded, "has a place",
+          " where %.1f %% of the walls are straight and stand in free space of the others");
     judgeSharpness(run);
   }
 
@@ -199,7 +200,7 @@ class Judge {
                          : record->runs == 2 ? "the median of the two best others"
                                              : "the median of the three best others";
     hold("record", run.name, left,
-         formatted("its map error of %.3f m is %.3f m %s than %s; up to %.4g m more passes", *error,
+         formatted("its map error of %.3f m is %.3f m %s than %s (limit: %.4g m)", *error,
                    std::abs(more), more < 0 ? "less" : "more", ofWhat, *options_.maxWorse));
   }
 
@@ -225,27 +226,33 @@ class Judge {
       complain(run.name, "could not be read");
   }
 
-  Lines asked() const {
+  Lines limits() const {
     Lines lines;
-    if (options_.minScore)
-      lines.push_back(formatted("a score of %.4g at least", *options_.minScore));
+    if (options_.minScore) lines.push_back(formatted("score at least %.4g", *options_.minScore));
     if (options_.maxError)
-      lines.push_back(formatted("a map error of %.4g m at most", *options_.maxError));
+      lines.push_back(formatted("map error at most %.4g m", *options_.maxError));
     if (options_.maxWorse)
       lines.push_back(
-          formatted("at most %.4g m more map error than the median of the three best others",
+          formatted("map error at most %.4g m above the median of the three best others",
                     *options_.maxWorse));
     if (options_.failsOnCoverage) lines.push_back("enough coverage");
     if (options_.failsOnBreaks) lines.push_back("no break that is not slight");
     if (options_.failsOnUnconfirmed) lines.push_back("a map that others confirm");
     if (options_.failsOnOtherSites) lines.push_back("the same site");
     if (options_.failsOnWalls) lines.push_back("walls as the others have them");
-    if (lines.empty()) lines.push_back("a map error that can be told");
     return lines;
+  }
+  Lines asked() const {
+    const Lines lines = limits();
+    return lines.empty() ? Lines{"a map error that can be told"} : lines;
   }
 
   /** Of each figure the run that came closest to its limit. */
   Lines margins() const {
+    if (limits().empty())
+      return mapped(options_.candidates, [](const std::string& run) {
+        return run + ": no limit is set, so any map that can be judged passes";
+      });
     return mapped(closest_, [](const auto& figure) { return figure.second.second; });
   }
 

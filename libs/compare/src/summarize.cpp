@@ -113,7 +113,8 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& 
         isSoInMost(related, i, site, [](const MapPair& pair) { return pair.alignment.isMirrored; });
     const bool isStorey =
         isSoInMost(related, i, site, [](const MapPair& pair) { return pair.areStoreys; });
-    std::string reason = "does not lie in the same site as the others";
+    std::string reason = runs.size() == 2 ? "does not lie in the same site as the other"
+                                          : "does not lie in the same site as the others";
     for (const std::vector<std::size_t>& other : site.others)
       if (std::binary_search(other.begin(), other.end(), i))
         reason = "lies in another site: " + listed(namesOf(runs, other));
@@ -142,6 +143,22 @@ std::string scalesOf(const Findings& found) {
                     large / double(larger.size()) / (small / double(smaller.size())));
 }
 
+/** The maps without scans, all edits of one picture as one. */
+std::size_t countBare(const Findings& found) {
+  const std::vector<const Run*>& runs = found.site.runs;
+  std::size_t bare = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::vector<std::size_t>& others = found.pairs.othersOf(i);
+    const bool isEdit = std::any_of(others.begin(), others.end(), [&](std::size_t other) {
+      if (other >= i || !runs[other]->scans.empty()) return false;
+      const MapPair& pair = found.pairs(other, i);
+      return pair.areIdentical || pair.areEdits;
+    });
+    bare += runs[i]->scans.empty() && !isEdit ? 1 : 0;
+  }
+  return bare;
+}
+
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
 std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
                       const std::vector<std::vector<std::size_t>>& drives) {
@@ -156,8 +173,7 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
-  const auto bare = std::size_t(std::count_if(site.runs.begin(), site.runs.end(),
-                                              [](const Run* r) { return r->scans.empty(); }));
+  const std::size_t bare = countBare(found);
   const bool isCompared = std::any_of(found.scores.begin(), found.scores.end(),
                                       [](const auto& score) { return score.has_value(); });
   if (bare > 1 && isCompared) text += unknownDrivesNote(bare, site.runs.size());

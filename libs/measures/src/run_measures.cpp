@@ -127,7 +127,7 @@ std::vector<MeasuredValue> coverageOf(const Site& site, const DistinctMaps& maps
   const CountedCells cells(seenCells(site, frame, witnessesOf(maps, trust)), n,
                            std::min<std::size_t>(2, maps.count()));
   std::vector<MeasuredValue> coverage(n);
-  if (cells.all == 0) return coverage;
+  if (cells.all == 0 || n < 2) return coverage;
   for (std::size_t i = 0; i < n; ++i) {
     coverage[i].value = cells.mine[i] / cells.all, coverage[i].support = cells.all;
     coverage[i].hasEnoughOthers = maps.count() > kFewestOthers;

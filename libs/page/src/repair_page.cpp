@@ -109,7 +109,7 @@ std::string figures(const Run& run, const RepairedRun& repaired) {
          (isMended
               ? row("Moved", formatted("%.2f m RMS, up to %.2f m at key frame %zu", repaired.moved,
                                        repaired.movedMost, repaired.movedMostAt)) +
-                    row("Breaks mended", breaks.empty() ? "none" : breaks)
+                    row("Breaks mended", breaks.empty() ? "none that is not slight" : breaks)
               : std::string()) +
          row("Known by links alone", stretches.empty() ? "nothing" : stretches) +
          "</tbody></table>\n";
@@ -155,7 +155,7 @@ std::string repairPage(const std::vector<ShownRepair>& repairs) {
       "the one below it. The path is grey where only the links from key frame to key frame tell "
       "where it lies.</p>\n";
   for (const ShownRepair& shown : repairs) page.body += section(shown);
-  page.footer = "How runs are mended stands in roomgraph's docs/repair.md.";
+  page.footer = "How runs are mended is explained in roomgraph's docs/repair.md.";
   return simplePage(page);
 }
 

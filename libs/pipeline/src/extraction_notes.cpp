@@ -12,7 +12,7 @@ Note clutterNote(const std::vector<Clutter>& clutter) {
       std::max_element(clutter.begin(), clutter.end(),
                        [](const Clutter& a, const Clutter& b) { return a.size < b.size; });
   return {"clutter",
-          formatted("%zu free-standing obstacles up to %.2f m large are taken for clutter and do "
+          formatted("%zu free-standing obstacles up to %.2f m across are taken for clutter and do "
                     "not split rooms",
                     clutter.size(), largest->size),
           std::array<double, 2>{largest->center.x, largest->center.y}};

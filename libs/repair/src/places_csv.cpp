@@ -66,7 +66,8 @@ class PlacesTable {
     char* end = nullptr;
     const double value = std::strtod(cell.c_str(), &end);
     if (cell.empty() || *end != '\0' || !(std::abs(value) < kFarthestOrigin))
-      refuse(file_, "'" + cell + "' in line " + std::to_string(reader_.line()) + " is no " + name,
+      refuse(file_,
+             "'" + cell + "' in line " + std::to_string(reader_.line()) + " is not a valid " + name,
              "give metres, up to 10 000 km, and radians for yaw");
     return value;
   }

@@ -40,7 +40,7 @@ std::string breakFields(const Comparison& comparison, const std::string& run) {
 std::string comparisonRunsCsv(const Comparison& comparison) {
   std::string text =
       "rank,name,file,score,score_low,score_high,map_error_m,map_error_low,map_error_high,"
-      "meaningful,x,y,phi";
+      "meaningful,certainty,x,y,phi";
   for (const MeasureKind& kind : runMeasureKinds()) text += std::string(",") + kind.name;
   text += ",break_key_frames,break_places,break_turns_deg,break_shifts_m\n";
   for (const ComparedRun& run : comparison.runs) {
@@ -51,7 +51,8 @@ std::string comparisonRunsCsv(const Comparison& comparison) {
           &RunScore::errorLow, &RunScore::errorHigh})
       text +=
           "," + csvNumber(run.score ? std::optional<double>((*run.score).*member) : std::nullopt);
-    text += run.score && run.score->isMeaningful ? ",1" : ",0";
+    text += run.score && run.score->isMeaningful ? ",1," : ",0,";
+    if (run.score) text += nameOf(comparison.certaintyOf(run));
     for (const double value : {run.pose.x, run.pose.y, run.pose.phi})
       text += "," + csvNumber(value);
     for (const MeasureKind& kind : runMeasureKinds())

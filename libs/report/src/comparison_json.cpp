@@ -147,10 +147,11 @@ Json gateJson(const std::optional<GateVerdict>& gate) {
 }
 
 /** What comparisonText says of a run that has a score. */
-std::string scoreText(const RunScore& score, const std::string& coverage) {
-  return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s%s\n", score.score, score.low,
+std::string scoreText(const RunScore& score, const std::string& coverage,
+                      const std::string& certainty) {
+  return formatted("  %5.1f %6.1f-%5.1f  %13.3f  %6.3f-%6.3f  %8s  %s\n", score.score, score.low,
                    score.high, score.mapError, score.errorLow, score.errorHigh, coverage.c_str(),
-                   score.isMeaningful ? "" : "  cannot tell");
+                   certainty.c_str());
 }
 
 }  // namespace
@@ -192,14 +193,14 @@ std::string comparisonText(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs)
     width = std::max(width, printable(run.name).size());
   std::string text = "rank  run" + std::string(width - 3, ' ') +
-                     "  score         (80 %)  map error [m]          (80 %)  coverage\n";
+                     "  score         (80 %)  map error [m]          (80 %)  coverage  certainty\n";
   for (const ComparedRun& run : comparison.runs) {
     const double seen = rounded(valueOf(run.measures, "coverage").value_or(-1));
     std::string name = printable(run.name);
     name.resize(width, ' ');
     const std::string share = seen >= 0 ? std::to_string(std::lround(100 * seen)) + " %" : "-";
     const std::string line =
-        run.score ? scoreText(asWritten(*run.score), share)
+        run.score ? scoreText(asWritten(*run.score), share, nameOf(comparison.certaintyOf(run)))
                   : formatted("  %5s %12s  %13s  %13s  %8s\n", "-", "", "-", "", share.c_str());
     std::string place = run.rank ? std::to_string(run.rank) : "-";
     text +=

@@ -11,13 +11,13 @@
 namespace roomgraph {
 namespace {
 
-/** Which break moves most, where there are several: the first one. */
+/** How a list of maps that break goes on: which break moves most, the first one. */
 std::string largestBreak(const Comparison& comparison) {
-  if (comparison.breaks.size() < 2) return "";
   const MapBreak& largest = comparison.breaks.front();
-  std::string text = " The largest break: " + largest.run;
-  if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on";
-  return text + formatted(", by %.1f degrees and %.2f m.", std::abs(largest.rotation) * 180 / M_PI,
+  std::string text = comparison.breaks.size() > 1 ? ". The largest break: " + largest.run : ",";
+  if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on,";
+  if (text.back() != ',') text += ",";
+  return text + formatted(" by %.1f degrees and %.2f m.", std::abs(largest.rotation) * 180 / M_PI,
                           largest.shift);
 }
 
@@ -48,15 +48,15 @@ std::string breaksSentence(const Comparison& comparison) {
     const std::size_t count = comparison.countBreaks(run.name);
     if (count == 0) continue;
     slight -= count;
-    std::vector<std::string> more;
-    if (count > 1) more.push_back(std::to_string(count) + " places");
-    if (comparison.isPlaceDoubtful(run.name)) more.emplace_back("doubtful");
-    names.push_back(run.name + (more.empty() ? "" : " (" + listed(more) + ")"));
+    std::string more = count > 1 ? std::to_string(count) + " places" : "";
+    if (comparison.isPlaceDoubtful(run.name))
+      more += more.empty() ? "position doubtful" : ", position doubtful";
+    names.push_back(run.name + (more.empty() ? "" : " (" + more + ")"));
   }
   const std::string more = counted(slight, "slight break is", "slight breaks are") + " listed";
   if (names.empty()) return slight > 0 ? "No map breaks; " + more + "." : "";
   return counted(names.size(), "map breaks", "maps break") + ": " + listed(names, kMostNames) +
-         "." + largestBreak(comparison) + (slight > 0 ? " " + more + ", too." : "");
+         largestBreak(comparison) + (slight > 0 ? " " + more + ", too." : "");
 }
 
 std::string doubtSentence(const Comparison& comparison) {

@@ -145,7 +145,7 @@ std::string gateMarkdown(const Comparison& comparison) {
   if (comparison.gate) {
     const GateVerdict& gate = *comparison.gate;
     const std::string asked = joined(gate.asked);
-    if (!asked.empty()) text += "Asked was " + markdownText(asked) + ".\n\n";
+    if (!asked.empty()) text += "Criteria: " + markdownText(asked) + ".\n\n";
     const std::vector<std::string>& lines = gate.isPassed() ? gate.margins : gate.complaints;
     for (const std::string& line : lines) text += "- " + markdownText(line) + "\n";
     if (!lines.empty()) text += "\n";

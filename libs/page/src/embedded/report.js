@@ -751,7 +751,7 @@
   addControls();
   if (!drawn.hasMaps) one("#walls").textContent = "The maps were not at hand when this page was made: their walls are not drawn.";
   if (drawn.turn) one("#turned").textContent = "Turned by " + fixed(drawn.turn * 180 / Math.PI, 0) +
-    "° to stand upright; places are told in the frame of the site.";
+    "° to stand upright; places are given in the frame of the site.";
   fitFirstScreen();
   home();
   legendOfPaths();
