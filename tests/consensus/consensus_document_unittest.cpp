@@ -74,10 +74,6 @@ TEST(ConsensusDocument, saysHowWideTheIntervalIs) {
              kFactorUnseen);
   expectSaid("*p* = %g m + %g m / *w*", kMetres, kMetresPerRun);
   expectSaid("costs at most %g times as much as the best", kAboutAsGood);
-  EXPECT_EQ(kLeastKnowing, 3);
-  expectSaid("If at least three other runs have seen most of the surroundings");
-  expectSaid("At least %ld such scans in a row are taken to be %g m off", kLeastLostOnEnd, kLostBy);
-  expectSaid("√(*e*² + *l* · %g m²)", kLostBy * kLostBy);
 }
 
 TEST(ConsensusDocument, saysWhatNobodyBearsOut) {

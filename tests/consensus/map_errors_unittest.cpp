@@ -137,25 +137,6 @@ TEST(MapErrors, aRunThatHasSeenLittleIsLittleOfAWitness) {
   EXPECT_GT(widthWith(1), 1.05 * widthWith(1000));
 }
 
-TEST(MapErrors, whatIsLostCountsAsAMetreOff) {
-  const Way truth = roundTheBlock(), drawn = test::drifting(truth, 0.01);
-  const PoseGraph graph = test::drawnPoseGraph({drawn});
-  const MapError before = errorOf(graph, {truth});
-  std::vector<bool> isLost(truth.size());
-  MapError error = before;
-  addLost(error, graph, RunId(0), isLost);
-  EXPECT_EQ(error.error, before.error);
-  EXPECT_EQ(error.high, before.high);
-  for (const std::size_t k : {3u, 4u, 5u}) isLost[k] = true;
-  addLost(error, graph, RunId(0), isLost);
-  const double more = std::sqrt(3.0 / double(truth.size()));
-  EXPECT_NEAR(error.error, std::hypot(before.error, more), 1e-9);
-  EXPECT_EQ(error.low, before.low);
-  EXPECT_GT(error.high - error.error, before.high - before.error);
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    EXPECT_EQ(error.errors[k], isLost[k] ? std::hypot(before.errors[k], 1) : before.errors[k]);
-}
-
 TEST(MapErrors, aRunThatHasDrawnNothingHasNone) {
   PoseGraph blind = test::drawnPoseGraph({{}, {{}, {1, 0, 0}}});
   for (PoseNode& node : blind.nodes) node.points = {};

@@ -143,7 +143,7 @@ std::vector<Keyframe> lostAt(std::vector<Keyframe> frames, std::size_t first, st
   return frames;
 }
 
-TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
+TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownAreContradicted) {
   std::vector<std::vector<Keyframe>> drives{drive()};
   for (const int other : {1, 2, 3})
     drives.push_back(
@@ -151,12 +151,12 @@ TEST(SiteConsensus, scansThatFitNowhereThoughThePlaceIsKnownCost) {
   DrivenSite site(drives, {{}, {}, {}, {}});
   site.runs[0].scans = scanWalls(lostAt(drive(), 4, 9));
   const Consensus result = site.consensus();
-  EXPECT_GT(result.errorOf(0).error, 0.2);
-  EXPECT_GT(result.errorOf(0).high, 0.4);
-  const std::vector<double> each = result.errorOf(0).errors;
-  EXPECT_GE(*std::max_element(each.begin() + 4, each.begin() + 13), 1);
-  EXPECT_LT(each[20], 0.1);
-  EXPECT_LT(result.errorOf(1).error, 0.1) << "it is not theirs";
+  const MapError error = result.errorOf(0);
+  EXPECT_GT(error.contradicted, 0);
+  EXPECT_GT(error.high, 0.4) << "they may lie anywhere";
+  EXPECT_FALSE(error.isConfirmed[8]);
+  EXPECT_TRUE(error.isConfirmed[20]);
+  EXPECT_EQ(result.errorOf(1).contradicted, 0) << "it is not theirs";
 }
 
 /** What a scanner of less range would have met. */

@@ -55,8 +55,6 @@ constexpr double kCountedLinks = 0.9;  // share of the links that count, those t
 // Map error: the interval is a factor, as a standard deviation of its log, and some metres.
 constexpr double kFactor = 0.05, kFactorPerRun = 0.5, kFactorUnseen = 0.3;
 constexpr double kMetres = 0.01, kMetresPerRun = 0.06;
-constexpr double kLostBy = 1;  // what a lost scan counts as; about as far as it is looked for [m]
-constexpr long kLeastKnowing = 3;       // runs that know its place; in fewer, furniture may hide it
 constexpr long kLeastLostOnEnd = 3;     // one or two may be lost to people or glass, or at a break
 constexpr double kUsualJitter = 0.03;   // of scans of a sound run, by what their walls scatter [m]
 constexpr double kJitterFactor = 1.25;  // to either side, of what is more than that

@@ -102,19 +102,4 @@ MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std
   return errorOf(graph, run, poses, seenBy(graph), double(others));
 }
 
-void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost) {
-  double lost = 0, all = 0;
-  for (std::size_t k = 0; k < isLost.size(); ++k) {
-    const double count = graph.nodes[graph.runs[run].nodes[k]].points.count;
-    all += count;
-    if (!isLost[k]) continue;
-    lost += count;
-    error.errors[k] = std::hypot(error.errors[k], fitted::kLostBy);
-  }
-  if (lost <= 0) return;
-  const double more = fitted::kLostBy * std::sqrt(lost / all);
-  error.error = std::hypot(error.error, more);
-  error.high = std::hypot(error.high, 2 * more);  // it may lie anywhere
-}
-
 }  // namespace roomgraph

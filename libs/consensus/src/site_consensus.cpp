@@ -257,8 +257,6 @@ Consensus siteConsensus(const Site& site, const MapPairs& pairs, const DistinctM
   for (const RunId run : graph.runs.ids())
     if (graph.reference && run != graph.reference)
       consensus.errors[run].givenUp = givenUpBetween(graph, consensus.poses, run, graph.reference);
-  const auto lost = lostScans(site, pairs, consensus);
-  for (const RunId run : lost.ids()) addLost(consensus.errors[run], graph, run, lost[run]);
   addJitter(consensus, site);
   confirmRuns(consensus, site, pairs);
   tellScales(consensus);

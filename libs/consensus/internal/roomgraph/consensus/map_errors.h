@@ -44,9 +44,4 @@ ById<RunId, MapError> mapErrors(const PoseGraph& graph, const NodePoses& poses);
 /** The same of one run, by matches with `others` runs. */
 MapError mapError(const PoseGraph& graph, RunId run, const NodePoses& poses, std::size_t others);
 
-/** Makes up for what fits nowhere: a lost node (lostScans) is looked for within about a metre of
- *  where the rest of its run has it, so it is taken to be that far off. Its error, that of the run
- *  and the upper end of the interval rise; nothing else changes. O(nodes). */
-void addLost(MapError& error, const PoseGraph& graph, RunId run, const std::vector<bool>& isLost);
-
 }  // namespace roomgraph
