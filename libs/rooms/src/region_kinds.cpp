@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -90,29 +92,33 @@ bool isBehindNarrowDoors(const RegionGroups& regions, const SplitAtDoorsOptions&
   });
 }
 
-/** Which regions are long by what stands in them, as furniture or the bath of a hotel room: their
- *  convex hulls are no longer than rooms, and wide enough for two of their ways beside each other.
- */
-std::vector<std::uint8_t> compactOnes(RegionGroups& regions, const SplitAtDoorsOptions& options,
-                                      const std::vector<double>& widths) {
-  std::vector<std::vector<Point>> corners(widths.size());  // of those that are long
-  regions.eachStretch([&](const VoronoiEdge& edge, std::uint32_t end, double) {
-    const std::uint32_t region = regions.find(end);
-    if (regions.area(region) <= options.maxElongation * widths[region] * widths[region]) return;
-    for (const std::uint32_t obstacle : {edge.left, edge.right})
-      corners[region].push_back(regions.voronoi().obstacles[obstacle]);
-  });
-  std::vector<std::uint8_t> isCompact(widths.size());
-  for (std::uint32_t region = 0; region < widths.size(); ++region) {
-    if (corners[region].empty()) continue;
-    const Ring hull = convexHull(std::move(corners[region]));
-    const double width = leastWidth(hull) - 2 * regions.halfCell();
-    const double solidity = regions.area(region) / signedArea(hull);
-    isCompact[region] = signedArea(hull) <= options.maxElongation * width * width &&
-                        solidity >= kLeastSolidity &&
-                        solidity * width >= 2 * regions.meanWidth(region);
-  }
-  return isCompact;
+/** The obstacles round some regions, by region. */
+std::map<std::uint32_t, std::vector<Point>> cornersOf(RegionGroups& regions,
+                                                      const std::vector<std::uint32_t>& some) {
+  std::map<std::uint32_t, std::vector<Point>> corners;
+  for (const std::uint32_t region : some) corners[region];
+  if (some.empty()) return corners;
+  const VoronoiGraph& voronoi = regions.voronoi();
+  for (const VoronoiEdge& edge : voronoi.edges)
+    for (const std::uint32_t end : {edge.source, edge.target}) {
+      if (end == VoronoiEdge::kNoVertex || !regions.isInside()[end]) continue;
+      const auto it = corners.find(regions.find(end));
+      if (it == corners.end()) continue;
+      for (const std::uint32_t obstacle : {edge.left, edge.right})
+        it->second.push_back(voronoi.obstacles[obstacle]);
+    }
+  return corners;
+}
+
+/** Whether a region is long by what stands in it, as furniture or the bath of a hotel room: its
+ *  convex hull is no longer than a room, and wide enough for two of its ways beside each other. */
+bool isCompact(const RegionGroups& regions, const SplitAtDoorsOptions& options,
+               std::uint32_t region, std::vector<Point> corners) {
+  const Ring hull = convexHull(std::move(corners));
+  const double width = leastWidth(hull) - 2 * regions.halfCell();
+  const double solidity = regions.area(region) / signedArea(hull);
+  return signedArea(hull) <= options.maxElongation * width * width && solidity >= kLeastSolidity &&
+         solidity * width >= 2 * regions.meanWidth(region);
 }
 
 /** Whether it is no wider than a door may be, and opens with nearly its whole width on two sides.
@@ -129,12 +135,12 @@ bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& option
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
                 std::uint32_t region, const Neighbours& around, double own, double leastWidth,
-                bool isCompact) {
+                bool isCompactRoom) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
   const Neighbours exits = seenOnes(regions, options, around);
   const bool isWalled = regions.wallShare(region) >= options.minClosedShare;
-  if (isCompact && isWalled && isBehindNarrowDoors(regions, options, region, around)) return false;
+  if (isCompactRoom) return false;
   const bool isClosed = isWalled && isBehindDoors(regions, options, region, around, exits);
   if (width < options.openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < options.minElongation) return true;
@@ -160,7 +166,7 @@ class KindFinder {
 
   std::vector<RegionKind> run() {
     leastWidth_ = leastWidth();
-    isCompact_ = compactOnes(regions_, options_, widths_);
+    findCompactRooms();
     for (std::uint32_t v = 0; v < kinds_.size(); ++v)
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
     keepLinks();
@@ -188,10 +194,28 @@ class KindFinder {
                     std::min(options_.minRoomRatio * median, options_.openRoomWidth));
   }
 
+  /** Of those that are wide enough, and would be corridor for their length. */
+  void findCompactRooms() {
+    std::vector<std::uint32_t> closed;
+    for (std::uint32_t v = 0; v < kinds_.size(); ++v)
+      if (regions_.isInside()[v] && regions_.find(v) == v && isLongBehindDoors(v))
+        closed.push_back(v);
+    for (auto& [region, corners] : cornersOf(regions_, closed))
+      if (isCompact(regions_, options_, region, std::move(corners))) compact_.insert(region);
+  }
+
+  bool isLongBehindDoors(std::uint32_t region) const {
+    const double width = widths_[region];
+    return 2 * regions_.radius(region) * (1 + kSameWidth) >= leastWidth_ &&
+           regions_.area(region) > options_.maxElongation * width * width &&
+           regions_.wallShare(region) >= options_.minClosedShare &&
+           isBehindNarrowDoors(regions_, options_, region, around(region));
+  }
+
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
     return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_,
-                      isCompact_[region])
+                      compact_.count(region) > 0)
                ? RegionKind::corridor
                : RegionKind::room;
   }
@@ -233,8 +257,8 @@ class KindFinder {
   const SplitAtDoorsOptions& options_;
   const std::vector<double>& widths_;
   const RegionGroups::AllNeighbours around_;
-  double leastWidth_ = 0;  // of a room [m]
-  std::vector<std::uint8_t> isCompact_;
+  double leastWidth_ = 0;            // of a room [m]
+  std::set<std::uint32_t> compact_;  // rooms, however long
   std::vector<RegionKind> kinds_;
 };
 
