@@ -134,15 +134,5 @@ TEST(RegionKinds, whatHasLittleWallRoundItIsHalfSeen) {
   EXPECT_EQ(kinds.at(50, 10), RegionKind::halfSeen);
 }
 
-TEST(RegionKinds, halfSeenSpaceThatAloneLinksRoomsIsAWayBetweenThem) {
-  const Plan plan =
-      Plan(92, 20).wall(31, 1, 1, 20).wall(62, 1, 1, 20).gap(31, 8, 1, 4).gap(62, 8, 1, 4);
-  const auto isOuter = [](Point p) { return p.x < 32 * 0.2 || p.x > 62 * 0.2; };
-  const Kinds kinds(plan, {}, isOuter);
-  EXPECT_EQ(kinds.at(16, 10), RegionKind::room);
-  EXPECT_EQ(kinds.at(78, 10), RegionKind::room);
-  EXPECT_EQ(kinds.at(47, 10), RegionKind::corridor);
-}
-
 }  // namespace
 }  // namespace roomgraph::test

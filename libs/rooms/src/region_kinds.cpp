@@ -169,7 +169,6 @@ class KindFinder {
     findCompactRooms();
     for (std::uint32_t v = 0; v < kinds_.size(); ++v)
       if (regions_.isInside()[v] && regions_.find(v) == v) kinds_[v] = kindOf(v);
-    keepLinks();
     return std::move(kinds_);
   }
 
@@ -219,39 +218,6 @@ class KindFinder {
                ? RegionKind::corridor
                : RegionKind::room;
   }
-
-  /** Half-seen space that alone links rooms with each other is a way between them. */
-  void keepLinks() {
-    UnionFind seen(kinds_.size()), unseen(kinds_.size());
-    for (const auto& [region, around] : around_)
-      for (const auto& [other, passage] : around) {
-        if (isHalfSeen(region) && isHalfSeen(other)) unseen.join(region, other);
-        if (!isHalfSeen(region) && !isHalfSeen(other)) seen.join(region, other);
-      }
-    const std::vector<std::uint8_t> isLink = linksBetween(seen, unseen);
-    for (const auto& [region, around] : around_)
-      if (isHalfSeen(region) && isLink[unseen.find(region)]) kinds_[region] = RegionKind::corridor;
-  }
-
-  /** Which sets of half-seen space have sets of seen space with rooms on two sides. */
-  std::vector<std::uint8_t> linksBetween(UnionFind& seen, UnionFind& unseen) const {
-    std::vector<std::uint8_t> hasRoom(kinds_.size()), isLink(kinds_.size());
-    for (const auto& [region, around] : around_)
-      if (kinds_[region] == RegionKind::room) hasRoom[seen.find(region)] = 1;
-    std::vector<std::uint32_t> firstOf(kinds_.size(), Regions::kNone);
-    const auto meet = [&](std::uint32_t half, std::uint32_t whole) {
-      std::uint32_t& first = firstOf[half];
-      if (first == Regions::kNone) first = whole;
-      if (first != whole) isLink[half] = 1;
-    };
-    for (const auto& [region, around] : around_)
-      for (const auto& [other, passage] : around)
-        if (isHalfSeen(region) && !isHalfSeen(other) && hasRoom[seen.find(other)])
-          meet(unseen.find(region), seen.find(other));
-    return isLink;
-  }
-
-  bool isHalfSeen(std::uint32_t region) const { return kinds_[region] == RegionKind::halfSeen; }
 
   RegionGroups& regions_;
   const SplitAtDoorsOptions& options_;

@@ -22,25 +22,25 @@ namespace roomgraph {
  *  narrow regions that open widely into one other alone, and bays: short regions that open with
  *  nearly their whole width into one wider room, and else at doors only. What remains is half seen,
  *  and neither room nor corridor, where it lies nearer to the edge of the unknown than to walls
- *  (`isWall`, per obstacle), unless it alone links rooms. It is a corridor where it is too narrow
- *  for a room, also beside the rest of the map; or narrow, and not closed by walls and doors on all
- *  sides; or no wider than a door may be, and open with nearly its whole width on two sides; or
- *  long (its area in squares round its largest disc is its elongation; or in squares of its own
- *  width, where most of it lies between walls that face each other about as far apart everywhere)
- *  with two ways out, to half-seen space is none, or far longer than a room without them; or where
- *  a corridor goes on through it: it leads on two sides to corridor that is about as wide by the
- *  mean over its whole length, or that opens into it, if it is longer than a niche, about as wide
- *  as it is; or where it is one of several such regions in a row, about as wide, without doors
- *  between pieces of a corridor, that are far longer together than a room. But it is a room, as one
- *  with a bath or round a table, if walls close it and doors that would part pieces of a corridor,
- *  and it is compact: it fills most of its convex hull, which is no longer than a room and wide
- *  enough for two of its ways side by side. Pieces of corridor without a door between them become
- *  one. One that is corridor by its aisles alone is a room: it goes round several islands in which
- *  no other region lies, none wider than its widest aisle, and would be no longer than a room
- *  without them, as a hall with shelves or desks. All widths are free ones, between the sides of
- *  obstacle cells of size `resolution` [m], not between their centres. `minClearance` keeps
- *  passages between neighbouring cells of a wall out [m]. Equal widths are judged together, so the
- *  order of the edges does not matter. O(n log n). */
+ *  (`isWall`, per obstacle). It is a corridor where it is too narrow for a room, also beside the
+ *  rest of the map; or narrow, and not closed by walls and doors on all sides; or no wider than a
+ *  door may be, and open with nearly its whole width on two sides; or long (its area in squares
+ *  round its largest disc is its elongation; or in squares of its own width, where most of it lies
+ *  between walls that face each other about as far apart everywhere) with two ways out, to
+ *  half-seen space is none, or far longer than a room without them; or where a corridor goes on
+ *  through it: it leads on two sides to corridor that is about as wide by the mean over its whole
+ *  length, or that opens into it, if it is longer than a niche, about as wide as it is; or where it
+ *  is one of several such regions in a row, about as wide, without doors between pieces of a
+ *  corridor, that are far longer together than a room. But it is a room, as one with a bath or
+ *  round a table, if walls close it and doors that would part pieces of a corridor, and it is
+ *  compact: it fills most of its convex hull, which is no longer than a room and wide enough for
+ *  two of its ways side by side. Pieces of corridor without a door between them become one. One
+ *  that is corridor by its aisles alone is a room: it goes round several islands in which no other
+ *  region lies, none wider than its widest aisle, and would be no longer than a room without them,
+ *  as a hall with shelves or desks. All widths are free ones, between the sides of obstacle cells
+ *  of size `resolution` [m], not between their centres. `minClearance` keeps passages between
+ *  neighbouring cells of a wall out [m]. Equal widths are judged together, so the order of the
+ *  edges does not matter. O(n log n). */
 [[nodiscard]] Regions splitAtDoors(const VoronoiGraph& voronoi, const InsideFlags& isInside,
                                    const std::vector<std::uint8_t>& isWall, double minClearance,
                                    double resolution, const SplitAtDoorsOptions& options);
