@@ -1,10 +1,8 @@
 #include "roomgraph/rooms/room_graph.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "place_on_paths.h"
-#include "roomgraph/geometry/intersect.h"
 #include "roomgraph/rooms/hall_ways.h"
 #include "roomgraph/rooms/inner_paths.h"
 #include "roomgraph/rooms/inner_ways.h"
@@ -41,22 +39,6 @@ std::vector<RoomParts> collectParts(const TopologyGraph& graph, std::size_t room
   }
   for (RoomParts& room : parts) std::sort(room.borderVertices.begin(), room.borderVertices.end());
   return parts;
-}
-
-/** Whether a straight path meets another one anywhere but where both start, or where both end. */
-bool crosses(const Path& straight, const Path& other) {
-  const Point p = straight.points.front(), q = straight.points.back();
-  const auto isShared = [&](double at) {
-    const Point meeting = p + at * (q - p);
-    const auto isSame = [](Point a, Point b) { return distance(a, b) < kSamePlace; };
-    return (isSame(meeting, p) && isSame(other.points.front(), p)) ||
-           (isSame(meeting, q) && isSame(other.points.back(), q)) ||
-           (isSame(meeting, q) && isSame(other.points.front(), q));
-  };
-  for (std::size_t i = 0; i + 1 < other.points.size(); ++i)
-    for (const double at : intersect(p, q, other.points[i], other.points[i + 1]))
-      if (!isShared(at)) return true;
-  return false;
 }
 
 /** The paths from the middle of a room to its border vertices as a graph, with those first. */
@@ -105,7 +87,7 @@ class RoomBuilder {
     InnerPaths star = straightPaths(room, parts, centroid(room.polygon));
     if (options_.straightEdges) return star;
     if (sideOf(room.polygon, star.center) == Side::inside && star.clearance >= clearance_ &&
-        bend(room, parts, star))
+        isClear(room, star))
       return star;
     if (!parts.innerEdges.empty())
       return innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center,
@@ -130,35 +112,11 @@ class RoomBuilder {
            !leavesRoom(index, path.points.front(), path.points.back(), tolerance);
   }
 
-  /** Leads the paths that are not clear along the graph's instead, and those that would cross
-   *  these. Returns false where there is no clear way from the centre to the graph's paths. */
-  bool bend(const Room& room, const RoomParts& parts, InnerPaths& star) const {
+  /** Whether each of its straight paths is clear. */
+  bool isClear(const Room& room, const InnerPaths& star) const {
     const RoomIndex index({room}, clearance_);
-    std::vector<std::size_t> straight, bent;
-    for (std::size_t i = 0; i < star.paths.size(); ++i)
-      (isClear(index, star.paths[i]) ? straight : bent).push_back(i);
-    if (bent.empty()) return true;
-    if (parts.innerEdges.empty()) return false;
-    const InnerPaths inner =
-        innerPaths(graph_, parts.innerEdges, parts.borderVertices, star.center, clearance_);
-    Path way = straightPath(obstacles_, star.center, inner.center, inner.clearance);
-    if (!isClear(index, way)) return false;
-    for (std::size_t done = 0; done < bent.size(); ++done) {
-      const Path& path = inner.paths[bent[done]];
-      if (crosses(way, path)) return false;
-      const auto isCrossed = [&](std::size_t i) {
-        return crosses(star.paths[i], way) || crosses(star.paths[i], path);
-      };
-      const auto firstCrossed =
-          std::stable_partition(straight.begin(), straight.end(), std::not_fn(isCrossed));
-      bent.insert(bent.end(), firstCrossed, straight.end());
-      straight.erase(firstCrossed, straight.end());
-    }
-    for (const std::size_t i : bent) {
-      star.paths[i] = joined(way, inner.paths[i]);
-      star.paths[i].obstacles.clear();  // not known along the first part
-    }
-    return true;
+    return std::all_of(star.paths.begin(), star.paths.end(),
+                       [&](const Path& path) { return isClear(index, path); });
   }
 
   const TopologyGraph& graph_;
