@@ -1,6 +1,8 @@
 #include "roomgraph/grid/obstacle_cells.h"
 
-#include <algorithm>
+#include <numeric>
+
+#include "next_flag.h"
 
 namespace roomgraph {
 namespace {
@@ -26,13 +28,14 @@ ObstacleCells obstacleCells(const Grid& grid, const std::vector<std::uint8_t>& i
                             bool ringIsObstacle) {
   const GridFrame& frame = grid.frame;
   ObstacleCells obstacles{frame, {}};
-  obstacles.cells.reserve(std::size_t(
-      std::count_if(isObstacle.begin(), isObstacle.end(), [](auto flag) { return flag != 0; })));
+  // Flags are 0 or 1; narrow sums are taken of many at once.
+  obstacles.cells.reserve(std::accumulate(isObstacle.begin(), isObstacle.end(), 0u));
   if (ringIsObstacle) addRingRow(grid, -1, obstacles.cells);
   for (int y = 0; y < frame.height; ++y) {
     if (ringIsObstacle && touchesFree(grid, {-1, y})) obstacles.cells.push_back({-1, y});
-    for (int x = 0; x < frame.width; ++x)
-      if (isObstacle[frame.index({x, y})]) obstacles.cells.push_back({x, y});
+    const std::uint8_t* row = isObstacle.data() + frame.index({0, y});
+    const auto next = [&](int x) { return nextFlag(row, frame.width, x); };
+    for (int x = next(0); x < frame.width; x = next(x + 1)) obstacles.cells.push_back({x, y});
     if (ringIsObstacle && touchesFree(grid, {frame.width, y}))
       obstacles.cells.push_back({frame.width, y});
   }

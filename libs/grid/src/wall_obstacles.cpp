@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+
+#include "next_flag.h"
 
 namespace roomgraph {
 namespace {
@@ -37,8 +38,9 @@ class SeenEdge {
     std::vector<std::uint8_t> isEdge(beyond_.size());
     for (int y = 0; y < grid_.frame.height; ++y) {
       findEdge(y, isEdge);
-      for (auto x = nextEdge(isEdge, 0); x < isEdge.size(); x = nextEdge(isEdge, x + 1)) {
-        const Cell cell{int(x), y};
+      const auto next = [&](int x) { return nextFlag(isEdge.data(), grid_.frame.width, x); };
+      for (int x = next(0); x < grid_.frame.width; x = next(x + 1)) {
+        const Cell cell{x, y};
         if (isNearWall(cell)) continue;
         ++edge;
         thin += isThin(cell) ? 1 : 0;
@@ -64,13 +66,6 @@ class SeenEdge {
     }
     isEdge.front() = here[0] == State::free;
     isEdge.back() = here[width - 1] == State::free;
-  }
-
-  /** The first one not before `from`; their number where there is none. Most rows have few. */
-  static std::size_t nextEdge(const std::vector<std::uint8_t>& isEdge, std::size_t from) {
-    const auto* begin = isEdge.data();
-    const void* found = std::memchr(begin + from, 1, isEdge.size() - from);
-    return found ? std::size_t(static_cast<const std::uint8_t*>(found) - begin) : isEdge.size();
   }
 
   /** Whether it is in no plus of five free cells and in no square of nine, as corners are. */
