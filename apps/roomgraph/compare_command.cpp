@@ -79,20 +79,19 @@ void declareJudged(CompareArguments& arguments, CLI::App& app) {
   declareGate(arguments.gate, app);
 }
 
-/** The record and the candidates, each file once, and not the reference: against itself it is
- *  perfect. */
+bool isReference(const std::string& file, const CompareArguments& arguments) {
+  std::error_code error;
+  return std::filesystem::equivalent(file, arguments.reference, error);
+}
+
+/** The record and the candidates, each file once; against itself the reference is perfect. */
 std::vector<std::string> allFiles(const CompareArguments& arguments) {
-  std::vector<std::string> files = arguments.files;
-  files.erase(std::remove(files.begin(), files.end(), arguments.reference), files.end());
+  std::vector<std::string> files;
+  for (const std::string& file : arguments.files)
+    if (!isReference(file, arguments)) files.push_back(file);
   for (const std::string& file : arguments.candidates)
     if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
   return files;
-}
-
-/** The folder of a site: that of the call for the first, in it "site2" for the second. */
-std::string folderOf(std::size_t site, const CompareArguments& arguments) {
-  if (site < 2) return arguments.folder;
-  return inFolder(arguments.folder, "site" + std::to_string(site));
 }
 
 /** The same with the reference. */
@@ -100,6 +99,12 @@ std::vector<std::string> allMaps(const CompareArguments& arguments) {
   std::vector<std::string> maps = allFiles(arguments);
   if (!arguments.reference.empty()) maps.push_back(arguments.reference);
   return maps;
+}
+
+/** The folder of a site: that of the call for the first, in it "site2" for the second. */
+std::string folderOf(std::size_t site, const CompareArguments& arguments) {
+  if (site < 2) return arguments.folder;
+  return inFolder(arguments.folder, "site" + std::to_string(site));
 }
 
 /** Throws where a result would take the place of what is not to be replaced. */
@@ -168,14 +173,21 @@ Comparison compare(const ReadRuns& read, const CompareArguments& arguments) {
   return comparison;
 }
 
+/** Whether a call asks for what only one site has. */
+bool isOfOneSite(const CompareArguments& arguments) {
+  return !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
+         !arguments.candidates.empty() || !arguments.reference.empty();
+}
+
 void check(const CompareArguments& arguments) {
-  if (allMaps(arguments).size() < 2)
+  for (const std::string& candidate : arguments.candidates)
+    if (isReference(candidate, arguments))
+      throw UsageError("compare: " + candidate +
+                       " cannot be judged by itself: it is the reference");
+  if (allFiles(arguments).empty() || allMaps(arguments).size() < 2)
     throw UsageError(
-        "compare: one run cannot be compared: name two, or a --reference; 'roomgraph check' "
-        "judges a single run");
-  const bool isOfOneSite = !gateOf(arguments.gate).asksNothing() || !arguments.names.empty() ||
-                           !arguments.candidates.empty() || !arguments.reference.empty();
-  if (arguments.comparesEachSite && isOfOneSite)
+        "compare: one run cannot be compared: name two; 'roomgraph check' judges a single run");
+  if (arguments.comparesEachSite && isOfOneSite(arguments))
     throw UsageError(
         "compare: --each-site is for several sites: leave --names, --reference, --candidate and "
         "the gate out, and ask 'roomgraph report' of the comparison.json of each");
@@ -206,9 +218,10 @@ void writeResults(Comparison comparison, const std::vector<Run>& runs,
   if (!arguments.running.isQuiet) printResults(comparison, files, more.names);
 }
 
-/** Compares the sites beside the first, the one with most runs before the others. Names the maps
- *  that share no site with another one. */
+/** Compares the sites beside the first, the largest first, and names the maps that have none. */
 void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArguments& arguments) {
+  const std::string alone = ": shares no site with another map";
+  if (comparison.runs.size() == 1) printError(comparison.runs[0].file + alone);
   for (std::size_t number = 2;; ++number) {
     read = otherSitesIn(std::move(read), comparison);
     if (read.runs.size() > 1) comparison = compare(read, arguments);
@@ -217,20 +230,20 @@ void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArgume
     makeWritableFolder(files.folder);
     writeResults(comparison, read.runs, arguments, files);
   }
-  for (const Run& run : read.runs) printError(run.file + ": shares no site with another map");
+  for (const Run& run : read.runs) printError(run.file + alone);
 }
 
-/** Names what could be read, but is of another site, unless that is compared, too. Says whether
- *  anything could not be read at all. */
+/** Names maps of other sites, unless these are compared. Whether one could not be read at all. */
 bool printLeftOut(const Comparison& comparison, const CompareArguments& arguments) {
-  std::size_t others = 0, unread = 0;
+  bool isUnread = false, areMoreSites = false;
   for (const LeftOutRun& left : comparison.leftOut) {
-    ++(left.isOtherSite ? others : unread);
+    isUnread |= !left.isOtherSite;
+    areMoreSites |= left.reason.rfind("lies in another site: ", 0) == 0;
     if (left.isOtherSite && !arguments.comparesEachSite) printError(left.file + ": " + left.reason);
   }
-  if (others > 1 && !arguments.comparesEachSite)
+  if (areMoreSites && !arguments.comparesEachSite && !isOfOneSite(arguments))
     printError("compare: --each-site compares each site by itself");
-  return unread > 0;
+  return isUnread;
 }
 
 int run(const CompareArguments& arguments) {

@@ -25,7 +25,8 @@ void leaveOutCopies(ReadRuns& read) {
     };
     const auto original = std::find_if(runs.begin(), runs.end(), isOriginal);
     if (original == runs.end() || read.reference == i) continue;
-    printError(runs[i].file + ": is a copy of " + original->file + ": left out");
+    if (runs[i].file != original->file)
+      printError(runs[i].file + ": is a copy of " + original->file + ": left out");
     if (read.reference && *read.reference > i) --*read.reference;
     runs.erase(runs.begin() + std::ptrdiff_t(i));
   }

@@ -49,6 +49,11 @@ grep -q 'nothing was compared' err || fail "not said that nothing was compared"
 expect 1 "$roomgraph" report o/comparison.json
 expect 1 "$roomgraph" compare run1.simplemap.gz other.pgm --resolution 0.05 -o o --fail-above 1
 expect 3 "$roomgraph" compare run1.simplemap.gz other.pgm --resolution 0.05 -o o --fail-on not-same-site
+# A reference is no candidate, however it is spelled, and is not compared with itself; an empty name is no map.
+expect 2 "$roomgraph" compare run1.simplemap.gz --candidate run2.simplemap.gz --reference ./run2.simplemap.gz -o o
+expect 0 "$roomgraph" compare run1.simplemap.gz ./run2.simplemap.gz --reference run2.simplemap.gz -o o
+[ "$(grep -c '^ .*run2' out)" = 1 ] || fail "the reference is compared with itself"
+expect 1 "$roomgraph" compare "" run1.simplemap.gz run2.simplemap.gz -o o
 expect 2 "$roomgraph" compare --candidate run1.simplemap.gz run1.simplemap.gz -o o
 expect 2 "$roomgraph" compare "${record[@]}" -o o --junit run1.simplemap.gz
 

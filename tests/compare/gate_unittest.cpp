@@ -279,6 +279,13 @@ TEST(Gate, wallsMustBeThereAndNoneThatOthersHaveNotAndAsThick) {
       gateVerdict(withWalls(0, 0, 3), options).complaints,
       Lines{"a: its walls are too thick: 3.00 cells of wall for each cell at the edge of free "
             "space (wall_sharpness), where the others have 0.80"});
+  EXPECT_EQ(gateVerdict(withWalls(0.152, 0.4, 0.8), options).complaints,
+            Lines{"a: lacks 16 % of the walls that two others have, more than 15 %"})
+      << "one sees that it is more";
+  Comparison sound = withWalls(0, 0, 0.8);
+  for (ComparedRun& run : sound.runs) run.measures[1].value = 0, run.measures[1].place.reset();
+  EXPECT_EQ(gateVerdict(sound, options).margins,
+            Lines{"b: lacks 1 % of the walls that two others have, no more than 15 %"});
   Comparison little = withWalls(0.3, 0.4, 0.8);
   for (Measure& measure : little.runs[0].measures) measure.isMeaningful = false;
   EXPECT_TRUE(gateVerdict(little, options).isPassed()) << "nobody can tell";

@@ -73,6 +73,14 @@ TEST(ScoreRuns, runsThatCannotBeToldDoNotShowThatAnotherOneErrs) {
   EXPECT_TRUE(scored(allBends(3, 0.3), errors, {}, {})[0]->isMeaningful);
   errors[2].confirmed = 0.4, errors[0].contradicted = 0;
   EXPECT_TRUE(scored(allBends(3, 0.3), errors, {}, {})[0]->isMeaningful);
+  // A copy of the run tells nothing more.
+  errors = errorsOf({0.1, 0.1, 0.1, 0.1});
+  errors[0].contradicted = errors[3].contradicted = 0.1;
+  errors[1].confirmed = errors[2].confirmed = 0.4;
+  PairBends bends = allBends(4, 0.3);
+  bends(0, 3).areEdits = true;
+  const auto scores = scored(bends, errors, {}, {});
+  EXPECT_FALSE(scores[0]->isMeaningful || scores[3]->isMeaningful);
 }
 
 TEST(ScoreRuns, whatOthersContradictIsTrustedAsItsWorstCase) {

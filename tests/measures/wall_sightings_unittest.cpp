@@ -99,6 +99,18 @@ TEST(WallSightings, wallsThatAreThinnedToDotsAreMissing) {
   EXPECT_LT(*gaps.measured(wallsMissingOf).value, 0.05) << "another lidar";
 }
 
+TEST(WallSightings, aMapOfLargeCellsHasFewerPointsOfTheSameWalls) {
+  const Four& four = sound();
+  SightingTable table = wallSightings(four.site, four.pairs, oneByOne);
+  for (const std::size_t other : table.in.othersOf(0))
+    for (std::size_t i = 0; i < table.in(0, other).size(); ++i)
+      if (i % 3 != 0) table.in(0, other)[i] = WallSighting::unknown;
+  const DistinctMaps maps(bendsOf(four.pairs));
+  EXPECT_GT(*wallsMissingOf(table, maps, four.trust, 0).value, 0.5) << "dots";
+  table.spacing[0] *= 3;
+  EXPECT_LT(*wallsMissingOf(table, maps, four.trust, 0).value, 0.02);
+}
+
 TEST(WallSightings, specksAreAdded) {
   const Four four(edited([](const Grid& grid, Cell c) {
     const bool isSpeck = c.x % 12 == 0 && c.y % 12 == 0 && grid.at(c) == State::free;

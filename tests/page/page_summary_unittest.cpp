@@ -27,8 +27,8 @@ TEST(PageSummary, saysWhatStandsOut) {
                 "probably also for docking, and for goals and zones that robots share. It has no "
                 "break, and its map error is about 0.05 m, and most likely no more than 0.13 m.",
                 "Why morning: its walls lie near those of the 3 other runs.",
-                "1 map breaks: " + name + ". The largest break: " + name +
-                    " from key frame 12 on, by 4.0 degrees and 0.58 m. 1 slight break is listed, "
+                "1 map breaks: " + name +
+                    ", from key frame 12 on, by 4.0 degrees and 0.58 m. 1 slight break is listed, "
                     "too.",
                 "1 room is missing where a run has looked: R3 in " + name + ".",
                 "1 file is left out: garage."}));

@@ -84,6 +84,11 @@ std::string Comparison::faultOfReference(const ComparedRun& run) const {
       100 * run.score->givenUp);
 }
 
+std::string Comparison::faultOf(const ComparedRun& run) const {
+  const std::string fault = faultOfReference(run), own = run.score ? run.unconfirmedFault() : "";
+  return fault.empty() && !own.empty() ? "it " + own : fault;
+}
+
 bool Comparison::isPlaceDoubtful(const std::string& run) const {
   const auto isOfRun = [&](const ComparedPair& pair) {
     return pair.isSameSite && (pair.a == run || pair.b == run);

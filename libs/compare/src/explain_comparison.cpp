@@ -45,9 +45,15 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
                       added->name == "walls_added" ? "stand" : "are straight and stand");
   if (const std::string fault = comparison.faultOfReference(run); !fault.empty())
     text += "; " + fault;
-  else if (!score.isMeaningful)
+  else if (!score.isMeaningful && run.unconfirmedFault().empty())
     text += "; too little to judge by";
   return text;
+}
+
+/** The map error of a run that has one. */
+std::string errorText(const ComparedRun& run) {
+  const double error = rounded(run.score->mapError);
+  return error < 0.005 ? "less than 0.01 m" : formatted("about %.2f m", error);
 }
 
 /** Whether its interval ends above the score of at least one other run. */
@@ -105,10 +111,11 @@ std::vector<std::string> doubtsAbout(const ComparedRun& best, const Comparison& 
   if (const std::string fault = best.unconfirmedFault(); !fault.empty()) doubts.push_back(fault);
   if (const std::string fault = comparison.faultOfReference(best); !fault.empty())
     doubts.push_back("cannot be measured (" + fault + ")");
-  else if (!best.score->isMeaningful)
-    doubts.emplace_back(isAlmostAlone(comparison)
-                            ? "can be compared with one other map at most, as the rest are edits"
-                            : "has too little to judge by");
+  else if (!best.score->isMeaningful && best.unconfirmedFault().empty())
+    doubts.emplace_back(
+        isAlmostAlone(comparison)
+            ? "can be compared with one other map at most, as the rest are copies or edits"
+            : "has too little to judge by");
   return doubts;
 }
 
@@ -141,13 +148,11 @@ std::string verdictOf(const Comparison& result) {
                      valueOf(best.measures, "bend").value_or(0));
   const std::vector<std::string> doubts = doubtsAbout(best, result);
   if (!best.score->isMeaningful)
-    return "No run can be judged: " + best.name +
-           formatted(", with the smallest error (about %.2f m), ", rounded(best.score->mapError)) +
-           listed(doubts) + ".";
+    return "No run can be judged: " + best.name + ", with the smallest error (" + errorText(best) +
+           "), " + listed(doubts) + ".";
   if (result.reference && result.runs.size() == 2)
-    return best.name +
-           formatted(" is %.2f m off the reference (%.2f to %.2f m).",
-                     rounded(best.score->mapError), rounded(best.score->errorLow),
+    return best.name + " is " + errorText(best) + " off the reference" +
+           formatted(" (%.2f to %.2f m).", rounded(best.score->errorLow),
                      rounded(best.score->errorHigh)) +
            (doubts.empty() ? "" : " But it " + listed(doubts) + ".");
   const bool isOutdone = seemsOutdone(best, result);

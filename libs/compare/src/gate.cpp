@@ -110,8 +110,8 @@ class Judge {
 
   void judgeCoverage(const ComparedRun& run) {
     const Measure* coverage = find(run.measures, "coverage");
-    if (!options_.failsOnCoverage || !coverage) return;
-    const double value = coverage->value.value_or(0);
+    if (!options_.failsOnCoverage || !coverage || !coverage->value) return;
+    const double value = *coverage->value;
     hold("coverage", run.name, value - kNearlyAll,
          shareText("has seen", value, kNearlyAll, "of what at least two runs have seen"));
   }
@@ -135,25 +135,30 @@ class Judge {
                     run.score->jitter));
   }
 
+  /** A share that must not be larger than `most`, in per cent with so many decimals. */
+  void judgeShare(const ComparedRun& run, const char* name, double most, int decimals,
+                  const std::string& verb, const char* ofWhat) {
+    const Measure* measure = find(run.measures, name);
+    if (!measure || !measure->isMeaningful) return;
+    if (!measure->place && verb != "lacks") return;  // nothing is added
+    const double left = most - rounded(*measure->value), step = std::pow(10, -decimals);
+    // Of the figure as it is written, one sees on which side of the limit it is.
+    const double percent = std::max(left < 0 ? 100 * most + step : 0, 100 * (most - left));
+    const std::string place = measure->place ? formatted(" round (%.1f, %.1f) where",
+                                                         measure->place->x, measure->place->y)
+                                             : "";
+    hold(name, run.name, left,
+         verb + place + formatted(" %.*f %% of ", decimals, percent) + ofWhat +
+             formatted(", %s than %.0f %%", left < 0 ? "more" : "no more", 100 * most));
+  }
+
   void judgeWalls(const ComparedRun& run) {
     if (!options_.failsOnWalls) return;
-    const auto judge = [&](const char* name, double most, const std::string& verb,
-                           const char* text) {
-      const Measure* measure = find(run.measures, name);
-      if (!measure || !measure->isMeaningful) return;
-      const double value = rounded(*measure->value), left = most - value;
-      const std::string place =
-          measure->place ? formatted(" round (%.1f, %.1f)", measure->place->x, measure->place->y)
-                         : "";
-      hold(name, run.name, left,
-           verb + place + formatted(text, 100 * value) +
-               formatted(", %s than %.0f %%", left < 0 ? "more" : "no more", 100 * most));
-    };
-    judge("walls_missing", kMostMissing, "lacks", " %.0f %% of the walls that two others have");
-    judge("walls_added", kMostAdded, "has a place",
-          " where %.0f %% of the walls stand in free space of the others");
-    judge("straight_walls_added", kMostStraightAdded, "has a place",
-          " where %.1f %% of the walls are straight and stand in free space of the others");
+    judgeShare(run, "walls_missing", kMostMissing, 0, "lacks", "the walls that two others have");
+    judgeShare(run, "walls_added", kMostAdded, 0, "has a place",
+               "the walls stand in free space of the others");
+    judgeShare(run, "straight_walls_added", kMostStraightAdded, 1, "has a place",
+               "the walls are straight and stand in free space of the others");
     judgeSharpness(run);
   }
 
@@ -187,7 +192,7 @@ class Judge {
                       "--resolution");
     const auto error = trustedError(run);
     if (!error) {
-      const std::string fault = comparison_.faultOfReference(run);
+      const std::string fault = comparison_.faultOf(run);
       return complain(run.name, "its map error cannot be told: " +
                                     (fault.empty() ? "too little to compare" : fault));
     }

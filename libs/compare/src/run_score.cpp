@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "roomgraph/base/Error.h"
@@ -63,11 +64,13 @@ double weigh(RunScores& scores, std::size_t run, const PairBends& bends, const D
 }
 
 /** What contradicts a run, and cannot be told itself, does not show which of them errs. */
-void doubtIfOnlyDoubtfulContradict(RunScores& scores) {
-  const auto isTold = [](const auto& score) { return score && score->isMeaningful; };
-  if (std::count_if(scores.begin(), scores.end(), isTold) != 1) return;
-  RunScore& only = **std::find_if(scores.begin(), scores.end(), isTold);
-  only.isMeaningful = only.contradicted <= 0;
+void doubtIfOnlyDoubtfulContradict(RunScores& scores, const DistinctMaps& maps) {
+  std::set<std::size_t> told;
+  for (std::size_t i = 0; i < scores.size(); ++i)
+    if (scores[i] && scores[i]->isMeaningful) told.insert(maps.voiceOf(i));
+  if (told.size() != 1) return;
+  for (auto& score : scores)
+    if (score && score->contradicted > 0) score->isMeaningful = false;
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ RunScores scoreRuns(const PairBends& bends, const DistinctMaps& maps,
                          least >= options.leastShare && score.others >= 1 &&
                          score.confirmed >= kMajority && score.fitsReference();
   }
-  if (!reference) doubtIfOnlyDoubtfulContradict(scores);
+  if (!reference) doubtIfOnlyDoubtfulContradict(scores, maps);
   return scores;
 }
 

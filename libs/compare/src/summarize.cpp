@@ -143,8 +143,8 @@ std::string scalesOf(const Findings& found) {
                     large / double(larger.size()) / (small / double(smaller.size())));
 }
 
-/** The maps without scans, all edits of one picture as one. */
-std::size_t countBare(const Findings& found) {
+/** Whether maps without scans may be of one drive unnoticed: edits of one picture are known. */
+bool areDrivesUnknown(const Findings& found) {
   const std::vector<const Run*>& runs = found.site.runs;
   std::size_t bare = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -156,7 +156,7 @@ std::size_t countBare(const Findings& found) {
     });
     bare += runs[i]->scans.empty() && !isEdit ? 1 : 0;
   }
-  return bare;
+  return bare > 1;
 }
 
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */
@@ -173,10 +173,11 @@ std::string caveatsOf(const std::vector<Run>& runs, const Findings& found,
     const auto members = mapped(drive, [&](std::size_t run) { return site.members[run]; });
     text += sharedDriveNote(namesOf(runs, members), site.runs.size());
   }
-  const std::size_t bare = countBare(found);
+  const auto bare = std::size_t(std::count_if(site.runs.begin(), site.runs.end(),
+                                              [](const Run* r) { return r->scans.empty(); }));
   const bool isCompared = std::any_of(found.scores.begin(), found.scores.end(),
                                       [](const auto& score) { return score.has_value(); });
-  if (bare > 1 && isCompared) text += unknownDrivesNote(bare, site.runs.size());
+  if (areDrivesUnknown(found) && isCompared) text += unknownDrivesNote(bare, site.runs.size());
   return text;
 }
 

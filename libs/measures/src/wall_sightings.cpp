@@ -7,6 +7,7 @@
 
 #include "fitted_measures.h"
 #include "roomgraph/align/FullMaps.h"
+#include "roomgraph/align/wall_map.h"
 #include "roomgraph/base/majority.h"
 #include "roomgraph/relate/pair_jobs.h"
 #include "roomgraph/relate/place_runs.h"
@@ -87,8 +88,8 @@ double thinnedOf(const SightingTable& sightings, const std::vector<std::size_t>&
                  const Trust& trust, std::size_t run) {
   double own = 0, theirs = 0;
   for (const std::size_t other : others) {
-    own += trust[other] * straightFound(sightings, run, other);
-    theirs += trust[other] * straightFound(sightings, other, run);
+    own += trust[other] * sightings.spacing[run] * straightFound(sightings, run, other);
+    theirs += trust[other] * sightings.spacing[other] * straightFound(sightings, other, run);
   }
   return own < kMajority * theirs ? 1 - own / theirs : 0;
 }
@@ -156,10 +157,11 @@ MeasuredValue addedOf(Walls walls, const SightingTable& sightings, const Distinc
 }  // namespace
 
 SightingTable wallSightings(const Site& site, const MapPairs& pairs, const ForEach& forEach) {
-  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}, {}};
+  SightingTable table{{site.runs.size(), pairs.pairs()}, straightOf(site, forEach), {}, {}, {}};
   for (const Run* run : site.runs) {
     table.patches.push_back(&run->map.patches);
     table.hasScans.push_back(!run->scans.empty());
+    table.spacing.push_back(std::max(kWallCell, run->resolution));
   }
   visitPairs(site, pairs.pairs(), forEach, [&](std::size_t k, FullMaps& maps) {
     const auto [i, j] = pairs.pairs()[k];

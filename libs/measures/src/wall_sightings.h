@@ -23,6 +23,7 @@ struct SightingTable {
   std::vector<std::vector<bool>> isStraight;    ///< of each of a run: it is of 2 m of straight wall
   std::vector<const WallPatches*> patches;      ///< of the walls of each run
   std::vector<bool> hasScans;                   ///< of each run
+  std::vector<double> spacing;                  ///< of the wall points of each run [m]
 };
 
 /** Of all pairs, see sightWalls. O(pairs * walls). */

@@ -173,7 +173,7 @@ std::string navigationWord(const Comparison& comparison) {
   const std::string start = "Navigation with " + best.name + ": ";
   const Certainty certainty = comparison.certaintyOf(best);
   if (certainty == Certainty::cannotTell) {
-    const std::string fault = comparison.faultOfReference(best);
+    const std::string fault = comparison.faultOf(best);
     return start + "cannot be told, " +
            (fault.empty() ? "there is too little to judge by" : "as " + fault) + ".";
   }

@@ -109,7 +109,7 @@ std::string figures(const Run& run, const RepairedRun& repaired) {
          (isMended
               ? row("Moved", formatted("%.2f m RMS, up to %.2f m at key frame %zu", repaired.moved,
                                        repaired.movedMost, repaired.movedMostAt)) +
-                    row("Breaks mended", breaks.empty() ? "none that is not slight" : breaks)
+                    row("Breaks mended (not slight)", breaks.empty() ? "none" : breaks)
               : std::string()) +
          row("Known by links alone", stretches.empty() ? "nothing" : stretches) +
          "</tbody></table>\n";

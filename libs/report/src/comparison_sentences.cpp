@@ -11,10 +11,14 @@
 namespace roomgraph {
 namespace {
 
-/** How a list of maps that break goes on: which break moves most, the first one. */
+/** How a list of maps that break goes on: which break moves most. */
 std::string largestBreak(const Comparison& comparison) {
-  const MapBreak& largest = comparison.breaks.front();
-  std::string text = comparison.breaks.size() > 1 ? ". The largest break: " + largest.run : ",";
+  const auto isSlight = [](const MapBreak& one) { return one.kind() == BreakClass::slight; };
+  const std::vector<MapBreak>& breaks = comparison.breaks;  // the largest first
+  const MapBreak& largest = *std::find_if_not(breaks.begin(), breaks.end(), isSlight);
+  const bool isOnly =
+      std::count_if(breaks.begin(), breaks.end(), isSlight) + 1 == std::ptrdiff_t(breaks.size());
+  std::string text = isOnly ? "," : ". The largest break: " + largest.run;
   if (largest.keyFrame) text += " from key frame " + std::to_string(*largest.keyFrame) + " on,";
   if (text.back() != ',') text += ",";
   return text + formatted(" by %.1f degrees and %.2f m.", std::abs(largest.rotation) * 180 / M_PI,

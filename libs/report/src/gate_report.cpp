@@ -67,11 +67,12 @@ std::string verdictCell(const std::vector<std::string>& complaints) {
          (more ? formatted(" and %zu more", more) : "");
 }
 
-std::string rowOf(const ComparedRun& run, const std::vector<TestCase>& judged) {
+std::string rowOf(const ComparedRun& run, const Comparison& comparison,
+                  const std::vector<TestCase>& judged) {
   const RunScore score = asWritten(run.score.value_or(RunScore()));
-  const std::string figures = run.score ? formatted("%.3f | %.3f to %.3f | %.0f%s", score.mapError,
-                                                    score.errorLow, score.errorHigh, score.score,
-                                                    score.isMeaningful ? "" : " (cannot tell)")
+  const std::string figures = run.score ? formatted("%.3f | %.3f to %.3f | %.0f (", score.mapError,
+                                                    score.errorLow, score.errorHigh, score.score) +
+                                              nameOf(comparison.certaintyOf(run)) + ")"
                                         : " - | - | - ";
   std::string verdict = "not judged";
   for (const TestCase& one : judged)
@@ -154,7 +155,7 @@ std::string gateMarkdown(const Comparison& comparison) {
   text +=
       "| rank | run | map error [m] | in 4 of 5 cases [m] | score | gate |\n"
       "|---|---|---|---|---|---|\n";
-  for (const ComparedRun& run : comparison.runs) text += rowOf(run, judged);
+  for (const ComparedRun& run : comparison.runs) text += rowOf(run, comparison, judged);
   for (const LeftOutRun& run : comparison.leftOut)
     text += "| - | " + markdownText(run.name) +
             " | - | - | - | left out: " + markdownText(run.reason) + " |\n";

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -131,6 +130,8 @@ struct Comparison {
   /** Why nobody can be measured by the reference: it breaks itself, or fits the run only in part;
    *  empty where it is sound, and without one. O(breaks). */
   [[nodiscard]] std::string faultOfReference(const ComparedRun& run) const;
+  /** Why the error of a run cannot be told: that, or "it has drawn ..."; or empty. O(breaks). */
+  [[nodiscard]] std::string faultOf(const ComparedRun& run) const;
 
   /** The one word on a run that the verdict, tables, pages and other programs agree on: *cannot
    *  tell* without a score that is meaningful, *doubtful* where its place is, or where it has drawn

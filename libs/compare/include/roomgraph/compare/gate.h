@@ -13,7 +13,7 @@ namespace roomgraph {
 // Next: the end of a nightly job
 
 // What walls may differ by, which is more than they do where furniture moves.
-constexpr double kMostMissing = 0.15;  ///< of `walls_missing`
+constexpr double kMostMissing = 0.15;  ///< of `walls_missing`, gone or thinned
 constexpr double kMostThinned = 2.5;   ///< of `wall_sharpness`, over or below the others' median
 
 /** What must not be. */
