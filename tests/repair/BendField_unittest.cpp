@@ -69,17 +69,21 @@ TEST(BendField, wallsCarryWhereThereAreNoScans) {
   EXPECT_LT(poseDistance(carried->pose, besideScan(site.runs[2], middle)), 0.2);
 }
 
+/** All of them once more, 20 m beside, with fewer walls, as one more search has found them. */
+void addElsewhere(std::vector<FollowedPatch>& patches, int layer) {
+  std::vector<FollowedPatch> elsewhere = patches;
+  for (FollowedPatch& patch : elsewhere)
+    patch.pose.x += 20, patch.layer = layer, patch.walls *= 0.4;
+  patches.insert(patches.end(), elsewhere.begin(), elsewhere.end());
+}
+
 TEST(BendField, aSmallPieceThatLiesElsewhereIsNotBelieved) {
   test::SolvedDrives site({test::drive(1), test::drive(2), test::drive(3)});
   const Transform2D place = besideScan(site.runs[0], site.runs[0].scans.size() / 2);
   const auto before = BendField(site.solved, 0, 2)(place);
   std::vector<FollowedPatch>& patches = site.solved.pairs(0, 2).aInB.patches;
   const std::size_t count = patches.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    FollowedPatch elsewhere = patches[i];
-    elsewhere.pose.x += 20, elsewhere.layer = 99, elsewhere.walls *= 0.4;
-    patches.push_back(elsewhere);
-  }
+  addElsewhere(patches, 99);
   const auto after = BendField(site.solved, 0, 2)(place);
   ASSERT_TRUE(before && after);
   EXPECT_LT(poseDistance(after->pose, before->pose), 1e-9);
@@ -93,13 +97,8 @@ TEST(BendField, wallsFoundInOneSearchAreJudgedPieceByPiece) {
   const Transform2D place = besideScan(site.runs[0], site.runs[0].scans.size() / 2);
   const auto before = BendField(site.solved, 0, 2)(place);
   std::vector<FollowedPatch>& patches = site.solved.pairs(0, 2).aInB.patches;
-  const std::size_t count = patches.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % 2 == 1) patches[i].layer = 5;
-    FollowedPatch elsewhere = patches[i];
-    elsewhere.pose.x += 20, elsewhere.layer = 5, elsewhere.walls *= 0.4;
-    patches.push_back(elsewhere);
-  }
+  for (std::size_t i = 1; i < patches.size(); i += 2) patches[i].layer = 5;
+  addElsewhere(patches, 5);
   const auto after = BendField(site.solved, 0, 2)(place);
   ASSERT_TRUE(before && after);
   EXPECT_LT(poseDistance(after->pose, before->pose), 1e-9);
