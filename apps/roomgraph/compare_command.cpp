@@ -218,28 +218,26 @@ void writeResults(Comparison comparison, const std::vector<Run>& runs,
   if (!arguments.running.isQuiet) printResults(comparison, files, more.names);
 }
 
-/** Compares the sites beside the first, the largest first, and names the maps that have none. */
+/** Compares the sites beside the first, the one with most runs before the others. */
 void compareOtherSites(ReadRuns read, Comparison comparison, const CompareArguments& arguments) {
-  const std::string alone = ": shares no site with another map";
-  if (comparison.runs.size() == 1) printError(comparison.runs[0].file + alone);
   for (std::size_t number = 2;; ++number) {
     read = otherSitesIn(std::move(read), comparison);
-    if (read.runs.size() > 1) comparison = compare(read, arguments);
-    if (read.runs.size() < 2 || comparison.runs.size() < 2) break;
+    if (read.runs.size() < 2) return;
+    comparison = compare(read, arguments);
+    if (comparison.runs.size() < 2) return;
     FolderFiles files{folderOf(number, arguments)};
     makeWritableFolder(files.folder);
     writeResults(comparison, read.runs, arguments, files);
   }
-  for (const Run& run : read.runs) printError(run.file + alone);
 }
 
 /** Names maps of other sites, unless these are compared. Whether one could not be read at all. */
 bool printLeftOut(const Comparison& comparison, const CompareArguments& arguments) {
   bool isUnread = false, areMoreSites = false;
   for (const LeftOutRun& left : comparison.leftOut) {
-    isUnread |= !left.isOtherSite;
-    areMoreSites |= left.reason.rfind("lies in another site: ", 0) == 0;
-    if (left.isOtherSite && !arguments.comparesEachSite) printError(left.file + ": " + left.reason);
+    isUnread |= !left.isOtherSite, areMoreSites |= left.hasMates;
+    const bool isCompared = arguments.comparesEachSite && left.hasMates;
+    if (left.isOtherSite && !isCompared) printError(left.file + ": " + left.reason);
   }
   if (areMoreSites && !arguments.comparesEachSite && !isOfOneSite(arguments))
     printError("compare: --each-site compares each site by itself");

@@ -97,5 +97,8 @@ for folder, names in (("sites", {"a", "b", "c"}), ("sites/site2", {"again", "oth
 P
 for file in sites/*.* sites/site2/*; do grep -qF "$file" out || fail "$file is not told of"; done
 [ ! -e sites/site3 ] || fail "a third site"
+! grep -q 'other.pgm\|again.pgm' err || fail "what is compared is told to be left out"
+expect 0 "$roomgraph" compare again.pgm a.gridmap.gz other.pgm b.gridmap.gz c.gridmap.gz --resolution 0.05 -o one
+grep -q -- '--each-site compares each site' err || fail "no word on how to compare the other site"
 expect 2 "$roomgraph" compare a.gridmap.gz other.pgm --each-site --fail-below 50 -o sites
 one_line err --each-site

@@ -120,6 +120,7 @@ TEST(Summarize, otherSitesAreNamedWithTheirRuns) {
   found.site.others = {{2, 3}};
   const Comparison comparison = found.comparison();
   EXPECT_EQ(comparison.leftOut[0].reason, "lies in another site: y and z");
+  EXPECT_TRUE(comparison.leftOut[0].hasMates);
   EXPECT_NE(comparison.verdict.find("There are 2 sites, of which this compares the first: {a "
                                     "and b}, {y and z}."),
             std::string::npos)

@@ -50,10 +50,10 @@ std::string decisive(const ComparedRun& run, const Comparison& comparison) {
   return text;
 }
 
-/** The map error of a run that has one. */
+/** The map error of a run that has one; errors of less than 0.05 m can hardly be told apart. */
 std::string errorText(const ComparedRun& run) {
-  const double error = rounded(run.score->mapError);
-  return error < 0.005 ? "less than 0.01 m" : formatted("about %.2f m", error);
+  const double error = run.score->mapError;
+  return error < 0.005 ? "less than 0.05 m" : formatted("about %.2f m", rounded(error));
 }
 
 /** Whether its interval ends above the score of at least one other run. */
@@ -164,10 +164,9 @@ std::string verdictOf(const Comparison& result) {
        : isOutdone ? " has the smallest error of those that can be judged"
                    : " has the smallest error") +
       // Of the figures as comparison.json holds them, from which others are made.
-      formatted(", with score %.1f (%.1f to %.1f) and a map error ", rounded(best.score->score),
+      formatted(", with score %.1f (%.1f to %.1f) and a map error of ", rounded(best.score->score),
                 rounded(best.score->low), rounded(best.score->high)) +
-      (best.score->mapError < 0.005 ? "below 0.05 m"
-                                    : formatted("of about %.2f m", rounded(best.score->mapError)));
+      errorText(best);
   const std::vector<std::string> rivals = rivalsOf(best, result);
   if (!rivals.empty()) text += "; " + listed(rivals, 4) + " may be as good";
   return text + "." + (doubts.empty() ? "" : " But " + best.name + " " + listed(doubts) + ".");

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 
 #include "explain_comparison.h"
 #include "roomgraph/base/mapped.h"
 #include "roomgraph/base/sentence_text.h"
+#include "roomgraph/relate/DistinctMaps.h"
+#include "roomgraph/relate/place_runs.h"
 #include "roomgraph/relate/shared_drives.h"
 
 namespace roomgraph {
@@ -115,12 +118,13 @@ std::vector<LeftOutRun> leftOutOf(const std::vector<Run>& runs, const MapPairs& 
         isSoInMost(related, i, site, [](const MapPair& pair) { return pair.areStoreys; });
     std::string reason = runs.size() == 2 ? "does not lie in the same site as the other"
                                           : "does not lie in the same site as the others";
+    bool hasMates = false;
     for (const std::vector<std::size_t>& other : site.others)
       if (std::binary_search(other.begin(), other.end(), i))
-        reason = "lies in another site: " + listed(namesOf(runs, other));
+        reason = "lies in another site: " + listed(namesOf(runs, other)), hasMates = true;
     if (isMirrored) reason = "is mirrored: is the lidar mounted upside down?";
     if (isStorey) reason += "; its outer walls agree, its inner ones do not: another storey?";
-    leftOut.push_back({runs[i].name, runs[i].file, reason, true});
+    leftOut.push_back({runs[i].name, runs[i].file, reason, true, hasMates});
   }
   return leftOut;
 }
@@ -145,18 +149,11 @@ std::string scalesOf(const Findings& found) {
 
 /** Whether maps without scans may be of one drive unnoticed: edits of one picture are known. */
 bool areDrivesUnknown(const Findings& found) {
-  const std::vector<const Run*>& runs = found.site.runs;
-  std::size_t bare = 0;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const std::vector<std::size_t>& others = found.pairs.othersOf(i);
-    const bool isEdit = std::any_of(others.begin(), others.end(), [&](std::size_t other) {
-      if (other >= i || !runs[other]->scans.empty()) return false;
-      const MapPair& pair = found.pairs(other, i);
-      return pair.areIdentical || pair.areEdits;
-    });
-    bare += runs[i]->scans.empty() && !isEdit ? 1 : 0;
-  }
-  return bare > 1;
+  const DistinctMaps maps(bendsOf(found.pairs));
+  std::set<std::size_t> bare;
+  for (std::size_t i = 0; i < found.site.runs.size(); ++i)
+    if (found.site.runs[i]->scans.empty()) bare.insert(maps.voiceOf(i));
+  return bare.size() > 1;
 }
 
 /** What the verdict cannot know of: other sites among the runs, and drives that runs share. */

@@ -134,14 +134,12 @@ bool isWayThrough(const RegionGroups& regions, const SplitAtDoorsOptions& option
 }
 
 bool isCorridor(const RegionGroups& regions, const SplitAtDoorsOptions& options,
-                std::uint32_t region, const Neighbours& around, double own, double leastWidth,
-                bool isCompactRoom) {
+                std::uint32_t region, const Neighbours& around, double own, double leastWidth) {
   const double width = 2 * regions.radius(region) * (1 + kSameWidth);
   if (width < leastWidth) return true;
   const Neighbours exits = seenOnes(regions, options, around);
-  const bool isWalled = regions.wallShare(region) >= options.minClosedShare;
-  if (isCompactRoom) return false;
-  const bool isClosed = isWalled && isBehindDoors(regions, options, region, around, exits);
+  const bool isClosed = regions.wallShare(region) >= options.minClosedShare &&
+                        isBehindDoors(regions, options, region, around, exits);
   if (width < options.openRoomWidth && !isClosed) return true;
   if (regions.elongation(region) < options.minElongation) return true;
   if (isWayThrough(regions, options, region, exits)) return true;
@@ -213,8 +211,8 @@ class KindFinder {
 
   RegionKind kindOf(std::uint32_t region) const {
     if (hasLittleWall(regions_, options_, region)) return RegionKind::halfSeen;
-    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_,
-                      compact_.count(region) > 0)
+    if (compact_.count(region) > 0) return RegionKind::room;
+    return isCorridor(regions_, options_, region, around(region), widths_[region], leastWidth_)
                ? RegionKind::corridor
                : RegionKind::room;
   }

@@ -77,8 +77,8 @@ struct ComparedPair {
 
 /** A run that is not compared, and why. */
 struct LeftOutRun {
-  std::string name, file, reason;  ///< one line on why
-  bool isOtherSite = false;        ///< it could be read, but does not lie in the site of the others
+  std::string name, file, reason;              ///< one line on why
+  bool isOtherSite = false, hasMates = false;  ///< read, but of another site; which others share
 };
 
 /** An option and its value, as text for people. */
