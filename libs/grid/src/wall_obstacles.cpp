@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "next_flag.h"
 
@@ -24,13 +25,11 @@ class SeenEdge {
     const int left = std::max(cell.x - kRim, 0);
     const int right = std::min(cell.x + kRim, grid_.frame.width - 1);
     const int top = std::min(cell.y + kRim, grid_.frame.height - 1);
-    bool isFound = false;
     for (int y = std::max(cell.y - kRim, 0); y <= top; ++y) {
       const State* row = grid_.cells.data() + grid_.frame.index({0, y});
-      // Through to the end: leaving early costs more than looking.
-      for (int x = left; x <= right; ++x) isFound |= row[x] == State::occupied;
+      if (std::memchr(row + left, int(State::occupied), std::size_t(right - left + 1))) return true;
     }
-    return isFound;
+    return false;
   }
 
   bool hasBeams() const {

@@ -36,9 +36,10 @@ class Hall {
         edges_(std::move(ways).takeEdges()) {}
 
   TopologyGraph build() && {
-    closeLoops();
+    const std::size_t given = vertices_.size();
+    closeLoops(0);
     reachPlaces();
-    closeLoops();
+    closeLoops(given);
     return {std::move(vertices_), std::move(edges_)};
   }
 
@@ -57,9 +58,10 @@ class Hall {
       boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
                             boost::property<boost::edge_weight_t, double>>;
 
-  void closeLoops() {
+  /** From each vertex to those from `first` on: what lies between the others is known by then. */
+  void closeLoops(std::size_t first) {
     Lengths lengths = lengthsOfAll();
-    std::vector<Link> links = missingLinks(lengths);
+    std::vector<Link> links = missingLinks(lengths, first);
     std::sort(links.begin(), links.end(), [](const Link& l, const Link& r) {
       return std::tie(l.length, l.a, l.b) < std::tie(r.length, r.a, r.b);
     });
@@ -75,11 +77,11 @@ class Hall {
     return length > std::max(kDetour * shortest, shortest + kFarFloor);
   }
 
-  std::vector<Link> missingLinks(const Lengths& lengths) const {
+  std::vector<Link> missingLinks(const Lengths& lengths, std::size_t first) const {
     std::vector<Link> links;
     for (std::size_t a = 0; a < vertices_.size(); ++a) {
       const std::vector<double> lengthsTo = lengthsFrom(VertexId(a), lengths);
-      for (std::size_t b = a + 1; b < vertices_.size(); ++b)
+      for (std::size_t b = std::max(first, a + 1); b < vertices_.size(); ++b)
         addLink(links, VertexId(a), VertexId(b), lengthsTo[b]);
     }
     return links;
