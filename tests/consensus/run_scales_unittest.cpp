@@ -52,6 +52,16 @@ TEST(RunScales, ofThreeRunsEitherSideMayBeRight) {
   EXPECT_EQ(setsOf(consensusOf({1.01, 1.01, 0.99})), (Sets{kLarge, kLarge, kSmall}));
 }
 
+TEST(RunScales, aRunThatIsOffByItsScaleAloneMayBeExact) {
+  Consensus consensus = consensusOf({1.01, 1.01, 0.99});
+  for (MapError& error : consensus.errors) {
+    error.error += 0.02;  // what remains without its scale
+    error.low = 0.9 * error.error, error.high = 1.1 * error.error;
+  }
+  tellScales(consensus);
+  for (const MapError& error : consensus.errors) EXPECT_LT(error.low, 0.015);
+}
+
 TEST(RunScales, ofTwoThatAreConfirmedNothingIsTold) {
   Consensus consensus = consensusOf({1, 1, 1});
   consensus.graph.setStretch(RunId(1), 1 / 1.04);

@@ -58,16 +58,18 @@ double meanOf(const std::vector<DrawnScale>& scales, std::size_t first, std::siz
   return sum / double(end - first);
 }
 
-/** Lets the interval hold the error by either scale: without what the own scale adds, and with what
- *  the other's would. */
+/** Lets the interval hold the error by either scale, with the same margins: without what the own
+ *  scale adds, and with what the other's would. The rest may lie along that, or across it. */
 void extend(MapError& error, const DrawnScale& own, double ownSet, double otherSet) {
   const double added = std::abs(own.scale - 1) * own.reach;
-  const double rest = std::sqrt(std::max(0.0, error.error * error.error - added * added));
-  const double share = error.error > 0 ? error.low / error.error : 1;
-  const double ifRight = std::hypot(rest, std::abs(own.scale - ownSet) * own.reach);
-  error.low = std::min(error.low, share * ifRight);
-  const double ifOther = std::hypot(rest, std::abs(own.scale - otherSet) * own.reach);
-  error.high = std::max(error.high, ifOther + std::max(0.0, error.high - error.error));
+  const double along = std::max(0.0, error.error - added);
+  const double across = std::sqrt(std::max(0.0, error.error * error.error - added * added));
+  const double below = std::max(0.0, error.error - error.low);
+  const double above = std::max(0.0, error.high - error.error);
+  const double ifRight = std::hypot(along, std::abs(own.scale - ownSet) * own.reach);
+  const double ifOther = std::hypot(across, std::abs(own.scale - otherSet) * own.reach);
+  error.low = std::min(error.low, std::max(0.0, ifRight - below));
+  error.high = std::max(error.high, ifOther + above);
 }
 
 constexpr double kMostSquared = 0.25;  // of one scan; beyond, it is a break [m^2]
