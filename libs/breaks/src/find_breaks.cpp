@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "roomgraph/align/step_hold.h"
-#include "roomgraph/base/majority.h"
 #include "roomgraph/base/statistics.h"
 
 namespace roomgraph {
@@ -116,8 +114,6 @@ class BreakFinder {
   std::vector<ScanBreak> steps_;  // to each scan but the first
 };
 
-constexpr std::size_t kFar = 5;
-
 }  // namespace
 
 std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const ScanTrack& track,
@@ -128,19 +124,6 @@ std::vector<ScanBreak> findBreaks(const std::vector<ScanWalls>& scans, const Sca
   std::sort(breaks.begin(), breaks.end(),
             [](const ScanBreak& l, const ScanBreak& r) { return l.scan < r.scan; });
   return breaks;
-}
-
-std::size_t placeBreak(const std::vector<ScanWalls>& scans, const std::vector<bool>& isSeen,
-                       std::size_t found) {
-  std::size_t first = found, last = found;
-  while (first > 1 && found - first < kFar && !isSeen[first - 1]) --first;
-  while (last + 1 < scans.size() && last - found < kFar && !isSeen[last]) ++last;
-  std::size_t place = found;
-  double least = kMajority * commonWalls(scans[found - 1], scans[found]);
-  for (std::size_t k = first; k <= last; ++k)
-    if (const double share = commonWalls(scans[k - 1], scans[k]); share < least)
-      least = share, place = k;
-  return place;
 }
 
 }  // namespace roomgraph

@@ -80,12 +80,10 @@ class BreakSearch {
 
   MapBreak breakOf(const ScanBreak& found) const {
     const Run& run = *site_.runs[run_];
-    const std::size_t k = found.scan;
-    const std::size_t place = placeBreak(run.scans, consensus_.errorOf(run_).isSeen, k);
     // What would mend the run: untorn <- run, for all from the break on.
     const Transform2D mend = run.scans[found.before].pose * poseOf(found.before).inverse() *
                              poseOf(found.behind) * run.scans[found.behind].pose.inverse();
-    const ScanWalls& scan = run.scans[place];
+    const ScanWalls& scan = run.scans[found.scan];
     const Transform2D& pose = site_.poses[run_];
     const TornPose torn{pose * scan.pose, pose * mend * scan.pose};
     return {run.name, torn.untorn.shift(), found.rotation, found.shift, scan.keyFrame, scan.time,

@@ -9,7 +9,7 @@ namespace roomgraph {
 // Ours
 // In:   the scans of a run
 // Out:  how far they support each of its steps
-// Next: trackScans, lookAgain, placeBreak
+// Next: trackScans, lookAgain
 
 /** The share of a scan's walls that another scan of its run has, too, where the run has drawn both.
  *  1 for a scan without walls. O(walls^2). */
